@@ -1,0 +1,88 @@
+"""The mask families, their parameters and the bounds of what may be asked for.
+
+A family has one length parameter, ``sigma``, in texels:
+
+======== ==========================================================================
+family   what ``sigma`` is
+======== ==========================================================================
+vac      standard deviation of the Gaussian that measures voids and clusters
+blur     standard deviation of the Gaussian that filters the white noise
+clump    narrow Gaussian of the difference of Gaussians; the wide one is 4 sigma
+bubble   mean distance between bubble sites (rounded so that a whole number fits)
+mix      both: narrow Gaussian of its clumps, and distance between its bubble sites
+======== ==========================================================================
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+Family = Literal["vac", "blur", "clump", "bubble", "mix"]
+Method = Literal["exact", "batched"]
+
+FAMILIES: tuple[Family, ...] = get_args(Family)
+METHODS: tuple[Method, ...] = get_args(Method)
+
+GENERATOR = "seafoam-masks/1"
+"""Names the construction rules; raised whenever the same arguments would give other ranks."""
+
+LICENSE = "CC0-1.0"
+VALUE_RULE = "u = (rank + 0.5) / N; foam shows where f > u; data, linear, toroidal"
+
+SIZES: tuple[int, ...] = (32, 64, 128, 256, 512)
+SIGMA_MIN = 0.5
+SIGMA_MAX = 24.0
+SIGMA_MAX_SHARE = 1.0 / 8.0
+"""sigma may not exceed this share of the tile side, so that a tile holds at least 8 x 8 features."""
+SPACING_MIN = 2.0
+"""Least distance of bubble sites in texels; closer ones are single texels, not discs."""
+SEED_MAX = 2**32 - 1
+
+DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "bubble": 4.0, "mix": 4.0}
+
+
+@dataclass(frozen=True, slots=True)
+class MaskParameters:
+    """What, with :data:`GENERATOR` and a method, determines a mask. Build it with :func:`check_parameters`."""
+
+    family: Family
+    sigma: float
+    size: int
+    seed: int
+
+
+def sigma_range(family: Family, size: int) -> tuple[float, float]:
+    """Least and greatest ``sigma`` (texels) of a family at a tile side of ``size`` texels."""
+    least = SPACING_MIN if family in ("bubble", "mix") else SIGMA_MIN
+    return least, min(SIGMA_MAX, size * SIGMA_MAX_SHARE)
+
+
+def check_parameters(family: str, sigma: float | None, size: int, seed: int) -> MaskParameters:
+    """Check a request and return it with its types settled.
+
+    ``sigma=None`` takes the family's :data:`DEFAULT_SIGMA`, held to what the size allows.
+
+    Raises ``ValueError`` naming the argument, its value and what is allowed.
+    """
+    known = next((name for name in FAMILIES if name == family), None)
+    if known is None:
+        raise ValueError(f"family {family!r} is not one of {', '.join(FAMILIES)}")
+    if isinstance(size, bool) or not isinstance(size, int) or size not in SIZES:
+        raise ValueError(f"size {size!r} is not one of {', '.join(map(str, SIZES))} texels")
+    if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed <= SEED_MAX:
+        raise ValueError(f"seed {seed!r} is not a whole number in 0..{SEED_MAX}")
+    least, greatest = sigma_range(known, size)
+    chosen = min(DEFAULT_SIGMA[known], greatest) if sigma is None else float(sigma)
+    if not (math.isfinite(chosen) and least <= chosen <= greatest):
+        raise ValueError(f"sigma {chosen!r} is outside {least:g}..{greatest:g} texels for {known} at size {size}")
+    return MaskParameters(known, chosen, size, seed)
+
+
+def check_method(method: str) -> Method:
+    """Return ``method`` typed; raises ``ValueError`` for an unknown one."""
+    known = next((name for name in METHODS if name == method), None)
+    if known is None:
+        raise ValueError(f"method {method!r} is not one of {', '.join(METHODS)}")
+    return known

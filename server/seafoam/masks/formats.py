@@ -1,0 +1,92 @@
+"""Masks as files. All hold data, not colour: linear, no gamma, row 0 first, tileable both ways.
+
+``rank`` runs over 0..N-1 with N texels. Integer formats of b bits hold floor(rank 2^b / N), which uses the full
+range at every size; the threshold of a stored v is (v + 0.5) / 2^b.
+"""
+
+from __future__ import annotations
+
+import io
+import struct
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from .torus import Ranks
+
+DXGI_FORMAT_R16_UNORM = 56
+RANK_BITS = 18
+"""Bits of a rank in a ``.ranks`` file: enough for 512 x 512."""
+
+
+def quantised(ranks: Ranks, bits: int) -> NDArray[np.uint64]:
+    """floor(rank 2^bits / N), of the shape of ``ranks``."""
+    values: NDArray[np.uint64] = (ranks.astype(np.uint64) << np.uint64(bits)) // np.uint64(ranks.size)
+    return values
+
+
+def to_u16(ranks: Ranks) -> bytes:
+    """Raw little-endian uint16, row by row: floor(rank 65536 / N). 2 N bytes."""
+    return quantised(ranks, 16).astype("<u2").tobytes()
+
+
+def to_png16(ranks: Ranks) -> bytes:
+    """16-bit greyscale PNG of the values of :func:`to_u16`, without gamma or colour space chunks."""
+    return _png(Image.fromarray(quantised(ranks, 16).astype(np.uint16)))
+
+
+def to_png8(ranks: Ranks) -> bytes:
+    """8-bit greyscale PNG of floor(rank 256 / N), for quick use: N / 256 texels share each value."""
+    return _png(Image.fromarray(quantised(ranks, 8).astype(np.uint8)))
+
+
+def to_npy(ranks: Ranks) -> bytes:
+    """NumPy file of float32 thresholds (rank + 0.5) / N, exact up to 512 x 512."""
+    buffer = io.BytesIO()
+    np.save(buffer, ((ranks + 0.5) / ranks.size).astype("<f4"), allow_pickle=False)
+    return buffer.getvalue()
+
+
+def to_dds(ranks: Ranks) -> bytes:
+    """DirectDraw Surface with a DX10 header, R16_UNORM, one level, of the values of :func:`to_u16`."""
+    height, width = ranks.shape
+    caps, height_flag, width_flag, pitch_flag, pixel_format = 0x1, 0x2, 0x4, 0x8, 0x1000
+    flags = caps | height_flag | width_flag | pitch_flag | pixel_format
+    header = struct.pack("<7I44x", 124, flags, height, width, 2 * width, 1, 1)
+    fourcc_flag, texture_cap, texture_2d = 0x4, 0x1000, 3
+    pixels = struct.pack("<2I4s5I", 32, fourcc_flag, b"DX10", 0, 0, 0, 0, 0)
+    capabilities = struct.pack("<5I", texture_cap, 0, 0, 0, 0)
+    dx10 = struct.pack("<5I", DXGI_FORMAT_R16_UNORM, texture_2d, 0, 1, 0)
+    return b"DDS " + header + pixels + capabilities + dx10 + to_u16(ranks)
+
+
+def encode_ranks(ranks: Ranks) -> bytes:
+    """Lossless ``.ranks`` file: the low 16 bits of every rank, little-endian, then the high 2 bits, four to a byte.
+
+    18 bits a rank, close to the log2(N!) bits that a permutation takes. The first texel of four is in the lowest
+    bits. Raises ``ValueError`` if a rank needs more than 18 bits.
+    """
+    flat = ranks.ravel()
+    if flat.size % 4 or int(flat.max()) >> RANK_BITS:
+        raise ValueError(f"{flat.size} ranks do not fit {RANK_BITS} bits in groups of four")
+    high = (flat >> 16).astype(np.uint8).reshape(-1, 4)
+    packed = high[:, 0] | high[:, 1] << 2 | high[:, 2] << 4 | high[:, 3] << 6
+    return (flat & 0xFFFF).astype("<u2").tobytes() + packed.tobytes()
+
+
+def decode_ranks(content: bytes, size: int) -> Ranks:
+    """Inverse of :func:`encode_ranks` for a (size, size) mask. Raises ``ValueError`` for another length."""
+    texels = size * size
+    if len(content) != 2 * texels + texels // 4:
+        raise ValueError(f"{len(content)} bytes do not hold {size} x {size} ranks")
+    low = np.frombuffer(content, "<u2", texels).astype(np.uint32)
+    packed = np.frombuffer(content, np.uint8, offset=2 * texels)
+    high = (packed[:, None] >> np.array([0, 2, 4, 6], np.uint8)) & 3
+    return (low | high.ravel().astype(np.uint32) << 16).reshape(size, size)
+
+
+def _png(image: Image.Image) -> bytes:
+    buffer = io.BytesIO()
+    image.save(buffer, "PNG")
+    return buffer.getvalue()

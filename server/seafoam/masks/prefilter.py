@@ -1,0 +1,130 @@
+"""Tables with which a mask can be thresholded at any scale without losing its cover.
+
+Minified, a pixel's footprint needs the mean and the spread of the mask inside it: the moments chain. Magnified,
+an interpolated mask no longer has its values equally often, so the saturation is first sent through the quantile
+function of the interpolated mask: the quantile table.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .torus import Field, Ranks
+
+Moments = NDArray[np.float32]
+
+QUANTILE_ENTRIES = 65
+SUBTEXELS = 8
+"""Sample positions a texel and axis at which the interpolated mask's distribution is taken."""
+END_MARGIN = 1.0 / 64.0
+"""The interpolated mask lies within this of its sampled extremes: its second derivatives are at most 2, and at an
+extreme, where the gradient is zero, a sample is at most 1/16 texel away along each axis."""
+
+
+def thresholds(ranks: Ranks) -> Field:
+    """u = (rank + 0.5) / N in 0..1, float64 of the shape of ``ranks``."""
+    return (ranks + 0.5) / ranks.size
+
+
+def moments(ranks: Ranks) -> list[Moments]:
+    """Mip chain of (mean of u, mean of u^2), box averaged: level l is (size >> l, size >> l, 2) float32.
+
+    Level 0 is the mask itself and the last level is 1 x 1. Interpolating moments between texels and levels, then
+    taking the variance m2 - m^2, gives the variance of the blended footprint (law of total variance).
+    """
+    level = thresholds(ranks)
+    level = np.stack((level, level * level), axis=-1)
+    chain = [level.astype(np.float32)]
+    while level.shape[0] > 1:
+        half = level.shape[0] // 2
+        level = level.reshape(half, 2, half, 2, 2).mean(axis=(1, 3))
+        chain.append(level.astype(np.float32))
+    return chain
+
+
+def footprint_deviations(ranks: Ranks) -> list[float]:
+    """sigma_l: root mean square, over a level's boxes, of the standard deviation of u inside a box of 2^l texels.
+
+    From 0 at level 0 towards 1/sqrt 12 = 0.2887, the deviation of the whole (uniform) mask. The deviation *of* the
+    box means is its complement, sqrt(1/12 - sigma_l^2).
+    """
+    mean = thresholds(ranks)
+    second = float((mean * mean).mean())
+    deviations = []
+    while True:
+        deviations.append(float(np.sqrt(max(second - float((mean * mean).mean()), 0.0))))
+        if mean.shape[0] == 1:
+            return deviations
+        half = mean.shape[0] // 2
+        mean = mean.reshape(half, 2, half, 2).mean(axis=(1, 3))
+
+
+def bspline_weights(f: float) -> tuple[float, float, float, float]:
+    """Uniform cubic B-spline weights of texels i-1, i, i+1, i+2 at i + f, 0 <= f < 1; they sum to 1."""
+    g = 1.0 - f
+    return (
+        g**3 / 6.0,
+        (3.0 * f**3 - 6.0 * f**2 + 4.0) / 6.0,
+        (-3.0 * f**3 + 3.0 * f**2 + 3.0 * f + 1.0) / 6.0,
+        f**3 / 6.0,
+    )
+
+
+def bspline_samples(ranks: Ranks, subtexels: int = SUBTEXELS) -> NDArray[np.float32]:
+    """u interpolated by the cubic B-spline (16 taps, no prefilter) at a regular grid of subtexel positions.
+
+    Returns (size * subtexels, size * subtexels) float32. Samples lie (j + 0.5) / subtexels past texel centres.
+    """
+    values = thresholds(ranks).astype(np.float32)
+    for _axis in (0, 1):
+        size = values.shape[0]
+        fine = np.empty((size, subtexels, values.shape[1]), np.float32)
+        for j in range(subtexels):
+            weights = bspline_weights((j + 0.5) / subtexels)
+            fine[:, j] = sum(np.float32(w) * np.roll(values, 1 - tap, axis=0) for tap, w in enumerate(weights))
+        values = np.ascontiguousarray(fine.reshape(size * subtexels, -1).T)
+    return values
+
+
+def quantile_position(s: ArrayLike) -> Field:
+    """Place t in 0..1 of a saturation s in 0..1 on the quantile table; linear entry index is 64 t.
+
+    t = sqrt(s / 2) up to s = 1/2 and 1 - sqrt((1 - s) / 2) above. The table is close near 0 and 1, where the
+    quantile function of an interpolated mask is steepest: at even steps of s, the thinnest foam (s < 1/64)
+    would lie between two entries and come out much too sparse.
+    """
+    share = np.clip(np.asarray(s, np.float64), 0.0, 1.0)
+    position: Field = np.where(share <= 0.5, np.sqrt(share / 2.0), 1.0 - np.sqrt((1.0 - share) / 2.0))
+    return position
+
+
+def quantile_saturation(t: ArrayLike) -> Field:
+    """Inverse of :func:`quantile_position`: s = 2 t^2 up to t = 1/2 and 1 - 2 (1 - t)^2 above."""
+    position = np.asarray(t, np.float64)
+    saturation: Field = np.where(position <= 0.5, 2.0 * position**2, 1.0 - 2.0 * (1.0 - position) ** 2)
+    return saturation
+
+
+def quantile_table(ranks: Ranks) -> list[float]:
+    """65 values of Q at ``quantile_saturation(i / 64)``: the B-spline interpolated mask is below Q(s) on a share
+    s of the plane.
+
+    Non-decreasing, within 0..1. Entry 0 is at most the least value of the interpolated mask and entry 64 at least
+    its greatest, so that s = 0 shows nothing and s = 1 everything.
+    """
+    samples = np.sort(bspline_samples(ranks), axis=None)
+    share = quantile_saturation(np.arange(QUANTILE_ENTRIES) / (QUANTILE_ENTRIES - 1))
+    place = share * (samples.size - 1)
+    below = np.floor(place).astype(np.intp)
+    above = np.minimum(below + 1, samples.size - 1)
+    table = samples[below] + (place - below) * (samples[above].astype(np.float64) - samples[below])
+    table[0] = max(float(samples[0]) - END_MARGIN, 0.0)
+    table[-1] = min(float(samples[-1]) + END_MARGIN, 1.0)
+    return [float(value) for value in table]
+
+
+def quantile_lookup(table: ArrayLike, s: ArrayLike) -> Field:
+    """Q(s) by linear interpolation of a :func:`quantile_table`, as the shaders do it; of the shape of ``s``."""
+    entries = np.asarray(table, np.float64)
+    return np.interp(quantile_position(s), np.linspace(0.0, 1.0, entries.size), entries)

@@ -1,0 +1,47 @@
+"""Quality: how exactly a scene is computed, apart from what it is."""
+
+from typing import Literal, get_args
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Tier = Literal["draft", "standard", "high", "reference"]
+
+
+class Knobs(BaseModel):
+    """Base of every group of knobs."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class SurfaceQuality(Knobs):
+    """How the eye's ray finds the surface."""
+
+    method: Literal["mesh", "march"] = Field(
+        default="mesh", description="mesh: a grid finds the surface, Newton steps finish; march: Lipschitz steps along the ray"
+    )
+    cells: int = Field(default=192, ge=8, le=1024, description="Cells of the grid along each side")
+    refine: int = Field(default=2, ge=0, le=8, description="Newton steps a pixel")
+    steps: int = Field(default=96, ge=8, le=1024, description="Greatest number of steps of a march")
+    filter: bool = Field(default=True, description="Turn waves smaller than a pixel into roughness")
+
+
+class Quality(Knobs):
+    """Everything that trades time against error."""
+
+    surface: SurfaceQuality = SurfaceQuality()
+    chop: Literal["tile", "exact"] = Field(default="tile", description="Ripples from a tile drawn each frame, or summed per pixel")
+    chop_size: int = Field(default=256, ge=32, le=1024, description="Texels along a side of the ripple tile")
+    samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
+    target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
+
+
+TIERS: dict[Tier, Quality] = {
+    "draft": Quality(surface=SurfaceQuality(cells=96, refine=1), chop_size=128),
+    "standard": Quality(),
+    "high": Quality(surface=SurfaceQuality(cells=384, refine=3), chop="exact", samples=4),
+    "reference": Quality(
+        surface=SurfaceQuality(method="march", steps=512, filter=False), chop="exact", samples=16, target="RGBA32F"
+    ),
+}
+
+assert set(TIERS) == set(get_args(Tier))

@@ -1,0 +1,80 @@
+"""The ripples that a ``Chop`` stands for: two cascades of sines with whole wavenumbers on incommensurate tiles."""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from seafoam.scene.models import GRAVITY, Chop
+
+TILES = (18.9, 4.1)
+"""Sides of the two tiles, m."""
+WAVES_PER_TILE = 14
+BANDS = 2
+"""Ripples of a tile are split by wavenumber into so many bands of equal count; a band is filtered as one."""
+SURFACE_TENSION = 7.4e-5
+"""Surface tension over density of water, m³/s²."""
+
+_RANGES = ((1.1, 6.5), (0.16, 1.05))
+
+
+@dataclass(frozen=True)
+class Ripple:
+    """θ = ωt − k·x + phase; slope is the amplitude of the slope along k."""
+
+    kx: float
+    kz: float
+    omega: float
+    phase: float
+    slope: float
+
+    @property
+    def k(self) -> float:
+        """Wavenumber, rad/m."""
+        return math.hypot(self.kx, self.kz)
+
+
+def _pcg(state: int) -> int:
+    """One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014) of a 32-bit integer."""
+    state = (state * 747796405 + 2891336453) & 0xFFFFFFFF
+    word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737 & 0xFFFFFFFF
+    return (word >> 22) ^ word
+
+
+def _uniform(seed: int, cascade: int, index: int, draw: int) -> float:
+    word = _pcg(_pcg(_pcg(_pcg(seed) ^ cascade) ^ index) ^ draw)
+    return (word + 0.5) / 2**32
+
+
+@lru_cache(maxsize=64)
+def ripples(chop: Chop) -> tuple[tuple[Ripple, ...], ...]:
+    """The ripples of each cascade, by rising wavenumber. Their slopes' mean square adds up to ``chop.slope``²."""
+    cascades = []
+    weights = []
+    for cascade, tile in enumerate(TILES):
+        longest, shortest = _RANGES[cascade][1], _RANGES[cascade][0]
+        drawn = []
+        for index in range(WAVES_PER_TILE):
+            share = (index + _uniform(chop.seed, cascade, index, 0)) / WAVES_PER_TILE
+            wavelength = longest * (shortest / longest) ** share
+            normal = math.sqrt(-2.0 * math.log(_uniform(chop.seed, cascade, index, 1))) * math.cos(
+                2.0 * math.pi * _uniform(chop.seed, cascade, index, 2)
+            )
+            heading = chop.wind_direction + chop.spread * normal
+            number = tile / wavelength
+            ix, iz = round(number * math.cos(heading)), round(number * math.sin(heading))
+            if ix == 0 and iz == 0:
+                ix = 1
+            kx, kz = 2.0 * math.pi * ix / tile, 2.0 * math.pi * iz / tile
+            k = math.hypot(kx, kz)
+            drawn.append((k, kx, kz, 2.0 * math.pi * _uniform(chop.seed, cascade, index, 3)))
+            # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
+            weights.append(1.0)
+        cascades.append(sorted(drawn))
+    amplitude = chop.slope * math.sqrt(2.0 / sum(weights))
+    return tuple(
+        tuple(
+            Ripple(kx, kz, math.sqrt(GRAVITY * k + SURFACE_TENSION * k**3), phase, amplitude)
+            for k, kx, kz, phase in drawn
+        )
+        for drawn in cascades
+    )

@@ -1,0 +1,169 @@
+"""The Scene: what the sea is. SI units, right-handed, +y up, radians.
+
+An effect that is absent is off. Unknown keys are refused. Every number states its unit and range here, and the
+OpenAPI page, the panel of the web client and the validation errors all come from these descriptions.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+GRAVITY = 9.81
+"""Gravitational acceleration, m/s²."""
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Share = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
+Rgb = tuple[Share, Share, Share]
+
+
+class Part(BaseModel):
+    """Base of every part of a scene: immutable, no unknown keys, no NaN or infinity."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class ParametricWave(Part):
+    """Periodic height field y = A((sin θ + 1)/2)^K (Van Drasek et al. 2010, in Yingst et al. 2011)."""
+
+    model: Literal["parametric"] = "parametric"
+    amplitude: float = Field(default=0.5, ge=0.0, le=50.0, description="A: height of the crest above the trough, m")
+    wavelength: float = Field(default=12.0, ge=0.05, le=2000.0, description="λ: crest to crest in deep water, m")
+    direction: float = Field(
+        default=0.0, ge=-6.2832, le=6.2832, description="Heading of travel, rad from +x toward +z", json_schema_extra={"unit": "rad"}
+    )
+    exponent: float = Field(default=2.0, ge=0.1, le=100.0, description="K: 1 is a sine, more sharpens the crest")
+    phase: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="θ at the origin at time 0, rad", json_schema_extra={"unit": "rad"})
+    speed: float | None = Field(
+        default=None, ge=0.0, le=200.0, description="s: phase speed, m/s; absent: √(gλ/2π), deep water"
+    )
+
+
+Wave = ParametricWave
+"""Every wave model; becomes a union, told apart by ``model``, when the second one arrives."""
+
+
+class FrontSaturation(Part):
+    """Foam born at the front of a crest and fading behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
+
+    With several waves θ is the phase of their sum (its analytic signal), so one wave gives the paper's formula.
+    """
+
+    source: Literal["front"] = "front"
+    constants: Literal["text", "listing"] = Field(
+        default="text",
+        description="text: δ = π/2, 2π, e as the paper's text has them; listing: δ = 1.07, 6.28, 2.718 as its code has them",
+    )
+    intensity: float = Field(default=4.0, ge=0.25, le=100.0, description="C: the larger, the less foam; the paper uses 4")
+    group: tuple[Share, Share] = Field(
+        default=(0.0, 0.0),
+        description="Crests foam where the waves add up: none below the first, full above the second share of the "
+        "greatest possible sum; (0, 0) foams everywhere, as in the paper",
+    )
+
+    @model_validator(mode="after")
+    def _ordered(self) -> "FrontSaturation":
+        if self.group[1] < self.group[0]:
+            raise ValueError("group: the second share must not be below the first")
+        return self
+
+
+class HeightSaturation(Part):
+    """Foam by height: f = (H − H0)/(Hmax − H0) (Kryachko 2005)."""
+
+    source: Literal["height"] = "height"
+    base: float = Field(default=0.3, ge=-100.0, le=100.0, description="H0: height above the troughs where foam starts, m")
+    full: float = Field(default=0.9, ge=-100.0, le=200.0, description="Hmax: height where foam is full, m")
+
+    @model_validator(mode="after")
+    def _ordered(self) -> "HeightSaturation":
+        if self.full - self.base < 1e-3:
+            raise ValueError("full: must be at least 0.001 m above base")
+        return self
+
+
+Saturation = Annotated[FrontSaturation | HeightSaturation, Field(discriminator="source")]
+
+Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
+
+
+class Foam(Part):
+    """Foam: saturation, thresholded by a halftone mask."""
+
+    saturation: tuple[Saturation, ...] = Field(default=(FrontSaturation(),), min_length=1, max_length=4)
+    combine: Literal["max", "product"] = Field(default="max", description="How several saturations join")
+    look: Look = Field(
+        default="filtered",
+        description="textured: a texture faded by f (figure 7a); halftone: eq. 1; fading: eq. 2; halftone_textured: eq. 3; "
+        "listing: the published code; filtered: the area-correct threshold",
+    )
+    mask: str = Field(
+        default="vac-24",
+        max_length=40,
+        pattern=r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+$",
+        description="A mask of the catalogue, or family:sigma:size:seed",
+    )
+    mask_tile: float = Field(default=12.0, ge=0.05, le=1000.0, description="Side of one tile of the mask, m")
+    mask_angle: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Turn of the mask about +y, rad", json_schema_extra={"unit": "rad"})
+    texture_tile: float = Field(default=3.0, ge=0.05, le=1000.0, description="Side of one tile of the foam texture, m")
+    texture: Share = Field(default=0.0, description="How much the foam texture thins the filtered look")
+    fade: Share = Field(default=0.0, description="Width of the filtered look's ramp: bubbles fade over it before they pop")
+    albedo: Share = Field(default=0.9, description="Share of light that foam scatters back")
+
+
+class Chop(Part):
+    """Wind ripples, too small for the mesh: they tilt the surface and leave its height alone."""
+
+    wind_direction: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Heading of the wind, rad from +x toward +z", json_schema_extra={"unit": "rad"})
+    slope: float = Field(default=0.12, ge=0.0, le=0.6, description="Root mean square slope of all ripples")
+    spread: float = Field(default=1.0, ge=0.0, le=3.1416, description="Standard deviation of their headings, rad", json_schema_extra={"unit": "rad"})
+    seed: int = Field(default=1, ge=0, le=65535, description="Which ripples of their kind")
+
+
+class Water(Part):
+    """The body of the water, and the ripples on it."""
+
+    absorption_length: tuple[
+        Annotated[float, Field(ge=0.01, le=1000.0)],
+        Annotated[float, Field(ge=0.01, le=1000.0)],
+        Annotated[float, Field(ge=0.01, le=1000.0)],
+    ] = Field(default=(7.0, 30.0, 70.0), description="Distance to 1/e for red, green, blue, m (Outerra: 7, 30, 70)")
+    scattering: float = Field(default=0.005, ge=0.0, le=0.5, description="Scattering coefficient, 1/m (Outerra: 0.005)")
+    depth: float | None = Field(default=None, ge=0.05, le=11000.0, description="Depth of the floor under the troughs, m; absent: deep water")
+    floor_albedo: Rgb = Field(default=(0.62, 0.54, 0.40), description="Reflectance of the floor")
+    translucency: float = Field(default=0.25, ge=0.0, le=2.0, description="How strongly a thin crest lets the sun through")
+    roughness: float = Field(default=0.05, ge=0.03, le=0.5, description="Root mean square slope of what is smaller than a ripple")
+    chop: Chop | None = Field(default=None, description="Wind ripples; absent: none")
+
+
+class Light(Part):
+    """Sun, sky and haze. Absent: no light at all, foam white on black as the paper's equations have it."""
+
+    sun_azimuth: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Where the sun stands, rad from +x toward +z", json_schema_extra={"unit": "rad"})
+    sun_elevation: float = Field(default=0.6, ge=-1.5708, le=1.5708, description="Height of the sun over the horizon, rad", json_schema_extra={"unit": "rad"})
+    turbidity: float = Field(default=2.5, ge=1.0, le=10.0, description="Haze of the air: 1 pure air, 2 clear, 10 hazy")
+    visibility: float = Field(default=20000.0, ge=50.0, le=1e6, description="Distance at which contrast has fallen to 2 %, m")
+    exposure: float = Field(default=0.0, ge=-10.0, le=10.0, description="Exposure, stops")
+
+
+class Camera(Part):
+    """A pinhole camera. Yaw 0 looks toward −z, a positive yaw turns toward +x, a positive pitch looks up."""
+
+    position: tuple[
+        Annotated[float, Field(ge=-1e7, le=1e7)],
+        Annotated[float, Field(ge=-1000.0, le=1e5)],
+        Annotated[float, Field(ge=-1e7, le=1e7)],
+    ] = Field(default=(0.0, 6.0, 0.0), description="Eye, m; y is counted from the troughs")
+    yaw: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Heading, rad from −z toward +x", json_schema_extra={"unit": "rad"})
+    pitch: float = Field(default=-0.15, ge=-1.5708, le=1.5708, description="Elevation of the view, rad", json_schema_extra={"unit": "rad"})
+    roll: float = Field(default=0.0, ge=-3.1416, le=3.1416, description="Turn about the view, rad", json_schema_extra={"unit": "rad"})
+    fov: float = Field(default=0.8727, ge=0.01, le=2.6, description="Vertical field of view, rad", json_schema_extra={"unit": "rad"})
+
+
+class Scene(Part):
+    """What the sea is."""
+
+    waves: tuple[Wave, ...] = Field(default=(), max_length=16)
+    foam: Foam | None = Field(default=None, description="Absent: no foam")
+    water: Water = Field(default_factory=Water)
+    light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
+    camera: Camera = Field(default_factory=Camera)
