@@ -1,0 +1,65 @@
+"""Halftone masks: construction, spectra, filtering tables, files and the shipped catalogue.
+
+The plots are in :mod:`seafoam.masks.plots`, which alone needs matplotlib, and the baking in
+:mod:`seafoam.masks.bake`.
+"""
+
+from .catalogue import (
+    Mask,
+    MaskEntry,
+    MaskTables,
+    MaskTooSlowError,
+    UnknownMaskError,
+    custom_mask,
+    load_catalogue,
+    load_mask,
+    rank_sha256,
+)
+from .construct import estimated_seconds, make_mask
+from .families import FAMILIES, METHODS, SIZES, Family, Method, check_parameters, sigma_range
+from .formats import to_dds, to_npy, to_png8, to_png16, to_u16
+from .prefilter import (
+    bspline_weights,
+    footprint_deviations,
+    moments,
+    quantile_lookup,
+    quantile_position,
+    quantile_table,
+)
+from .spectrum import GREY_LEVELS, GreySpectrum, MaskSpectrum, measure_spectrum
+
+__all__ = [
+    "FAMILIES",
+    "GREY_LEVELS",
+    "METHODS",
+    "SIZES",
+    "Family",
+    "GreySpectrum",
+    "Mask",
+    "MaskEntry",
+    "MaskSpectrum",
+    "MaskTables",
+    "MaskTooSlowError",
+    "Method",
+    "UnknownMaskError",
+    "bspline_weights",
+    "check_parameters",
+    "custom_mask",
+    "estimated_seconds",
+    "footprint_deviations",
+    "load_catalogue",
+    "load_mask",
+    "make_mask",
+    "measure_spectrum",
+    "moments",
+    "quantile_lookup",
+    "quantile_position",
+    "quantile_table",
+    "rank_sha256",
+    "sigma_range",
+    "to_dds",
+    "to_npy",
+    "to_png8",
+    "to_png16",
+    "to_u16",
+]

@@ -83,7 +83,8 @@ def decode_ranks(content: bytes, size: int) -> Ranks:
     low = np.frombuffer(content, "<u2", texels).astype(np.uint32)
     packed = np.frombuffer(content, np.uint8, offset=2 * texels)
     high = (packed[:, None] >> np.array([0, 2, 4, 6], np.uint8)) & 3
-    return (low | high.ravel().astype(np.uint32) << 16).reshape(size, size)
+    ranks: Ranks = low | high.ravel().astype(np.uint32) << np.uint32(16)
+    return ranks.reshape(size, size)
 
 
 def _png(image: Image.Image) -> bytes:

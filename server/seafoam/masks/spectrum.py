@@ -25,8 +25,9 @@ from .torus import Field, Ranks
 
 GREY_LEVELS: tuple[float, ...] = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 3 / 4)
 SIGNIFICANT_DIGITS = 5
-LEAST_BINS = 16
-"""Rings of fewer bins are left out of mean anisotropy: the logarithm of so few values' variance is biased low."""
+LEAST_BINS = 32
+"""Rings of fewer bins are left out of mean and maximal anisotropy: the variance of so few values says little, and
+its logarithm is biased low."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +80,8 @@ class MaskSpectrum:
         return float(np.nanmean(self.grey(level).anisotropy[self.bins >= LEAST_BINS]))
 
     def max_anisotropy(self, level: float) -> float:
-        """Greatest anisotropy (dB) of any ring."""
-        return float(np.nanmax(self.grey(level).anisotropy))
+        """Greatest anisotropy (dB) of a ring of at least :data:`LEAST_BINS` bins."""
+        return float(np.nanmax(self.grey(level).anisotropy[self.bins >= LEAST_BINS]))
 
     def to_json(self) -> dict[str, object]:
         """Plain JSON values, :data:`SIGNIFICANT_DIGITS` digits; an anisotropy that is not defined is null."""
@@ -102,9 +103,7 @@ class MaskSpectrum:
         }
 
 
-def measure_spectrum(
-    ranks: Ranks, *, greys: tuple[float, ...] = GREY_LEVELS, segments_a_side: int = 1
-) -> MaskSpectrum:
+def measure_spectrum(ranks: Ranks, *, greys: tuple[float, ...] = GREY_LEVELS, segments_a_side: int = 1) -> MaskSpectrum:
     """Measure the patterns ``rank < g N`` of a mask.
 
     ranks: (size, size). greys: fractions in 0 < g < 1. segments_a_side: the tile is cut into its square, K.

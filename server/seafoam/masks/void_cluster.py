@@ -26,9 +26,11 @@ SEED_POINTS_LEAST = 8
 SEED_SHARE = 0.35
 """Initial points a sigma^2 area; 0.35 sets them 1.7 sigma apart, still free to order themselves."""
 WIDTH_PER_SPACING = 0.45
-BATCH_HALF_BELOW = 6.0
-"""Below this sigma a pass fills only the better half of the voids: filling all of them raises the low-frequency
-power that the construction exists to suppress; wide Gaussians do not mind."""
+BATCH_SIGMA_HALF = 1.5
+BATCH_SIGMA_ALL = 6.0
+"""Up to the first sigma a pass fills only the better half of the voids, from the second on all of them, and in
+proportion between: filling all raises the low-frequency power that the construction exists to suppress, while wide
+Gaussians hardly mind."""
 WINDOW_PER_SIGMA = 1.4
 
 
@@ -49,6 +51,12 @@ def batched(size: int, sigma: float, rng: np.random.Generator, progress: Progres
     return _Ordering(size, sigma, rng).fill(progress, batched=True)
 
 
+def batch_share(sigma: float) -> float:
+    """Share of the local voids that a pass of :func:`batched` fills, 0.5..1."""
+    beyond = (sigma - BATCH_SIGMA_HALF) / (BATCH_SIGMA_ALL - BATCH_SIGMA_HALF)
+    return 0.5 + 0.5 * min(max(beyond, 0.0), 1.0)
+
+
 class _Ordering:
     """The pattern so far: its order, and its energy (pattern filtered by the Gaussian; infinite where filled)."""
 
@@ -63,15 +71,12 @@ class _Ordering:
         self.order[: self.count] = _initial_order(size, self.width, self.count, rng)
 
     def fill(self, progress: Progress, *, batched: bool) -> Ranks:
-        share = 1.0
-        if batched and self.sigma < BATCH_HALF_BELOW:
-            share = 0.5
         while self.count < self.texels:
             # The widened Gaussian is kept for an octave of density, then matched again.
             self._set_width()
             until = self.texels if self.width <= self.sigma else min(2 * self.count, self.texels)
             if batched:
-                self._fill_batches(until, share, progress)
+                self._fill_batches(until, progress)
             else:
                 self._fill_singly(until, progress)
         ranks = np.empty(self.texels, np.uint32)
@@ -106,7 +111,8 @@ class _Ordering:
             if self.count % step == 0:
                 progress(self.count / self.texels)
 
-    def _fill_batches(self, until: int, share: float, progress: Progress) -> None:
+    def _fill_batches(self, until: int, progress: Progress) -> None:
+        share = batch_share(self.sigma)
         kernel_spectrum = np.fft.rfft2(wrapped_gaussian(self.size, self.width))
         energy = self._energy(kernel_spectrum)
         radius = min(max(1, round(WINDOW_PER_SIGMA * self.width)), (self.size - 1) // 2)

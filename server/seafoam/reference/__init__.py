@@ -1,0 +1,10 @@
+"""The float64 oracle: a second, independent writing of docs/formulae.md that frames of the GPU are judged by.
+
+It shares the description of a scene, the masks and the foam texture with the renderer, and no line of its formulas.
+Arrays are float64 unless said otherwise. Lengths are in metres, angles in radians, times in seconds.
+"""
+
+from .frame import Assets, Frame, Mode, render
+from .truth import Truth, load_truth, scene_sha256, truth_is_current
+
+__all__ = ["Assets", "Frame", "Mode", "Truth", "load_truth", "render", "scene_sha256", "truth_is_current"]

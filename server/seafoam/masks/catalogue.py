@@ -1,0 +1,258 @@
+"""The masks on disk and the masks made on request, behind one type."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from seafoam.resources import data_dir
+
+from . import prefilter
+from .construct import estimated_seconds, make_mask
+from .families import GENERATOR, LICENSE, VALUE_RULE, Family, Method, check_parameters
+from .formats import decode_ranks
+from .shipped import FAMILY_SUMMARIES, FAMILY_TITLES
+from .spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
+from .torus import Field, Ranks
+
+CATALOGUE_FILE = "catalogue.json"
+ON_REQUEST_SECONDS = 5.0
+"""Masks expected to take longer are not made on request."""
+CUSTOM_MASKS_KEPT = 16
+QUANTILE_ABSCISSA = "entry i of n is Q(s) at t = i / (n - 1); t = sqrt(s / 2) if s <= 1/2, else 1 - sqrt((1 - s) / 2)"
+
+
+class UnknownMaskError(KeyError):
+    """No mask of that name is shipped."""
+
+
+class MaskTooSlowError(ValueError):
+    """A valid request whose construction would take longer than :data:`ON_REQUEST_SECONDS`."""
+
+
+@dataclass(frozen=True, slots=True)
+class MaskTables:
+    """What is measured of a mask."""
+
+    sigma_l: tuple[float, ...]
+    """Deviation inside boxes of 2^l texels, by level (:func:`prefilter.footprint_deviations`)."""
+    quantile: tuple[float, ...]
+    """Quantile table for magnification (:func:`prefilter.quantile_table`)."""
+    spectrum: MaskSpectrum
+
+    @staticmethod
+    def measure(ranks: Ranks) -> MaskTables:
+        """Measure a mask; about a second at 512 x 512."""
+        return MaskTables(
+            tuple(_rounded(prefilter.footprint_deviations(ranks))),
+            tuple(_rounded(prefilter.quantile_table(ranks))),
+            measure_spectrum(ranks),
+        )
+
+    def to_json(self) -> dict[str, object]:
+        """Plain JSON values; the inverse is :meth:`from_json`."""
+        return {
+            "sigma_l": list(self.sigma_l),
+            "quantile": {"abscissa": QUANTILE_ABSCISSA, "entries": list(self.quantile)},
+            "spectrum": self.spectrum.to_json(),
+        }
+
+    @staticmethod
+    def from_json(document: Mapping[str, Any]) -> MaskTables:
+        """Read what :meth:`to_json` wrote. Raises ``KeyError`` if a part is missing."""
+        return MaskTables(
+            tuple(document["sigma_l"]),
+            tuple(document["quantile"]["entries"]),
+            spectrum_from_json(document["spectrum"]),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class MaskEntry:
+    """What a mask is and how it was made."""
+
+    name: str
+    title: str
+    summary: str
+    family: Family
+    sigma: float
+    size: int
+    seed: int
+    method: Method | None
+    """How `vac` was ordered; ``None`` for the other families."""
+    sha256: str
+    """Of the ranks as little-endian uint32, row by row."""
+    generator: str = GENERATOR
+    license: str = LICENSE
+
+    def to_json(self) -> dict[str, object]:
+        """Plain JSON values; the inverse is :meth:`from_json`."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "summary": self.summary,
+            "family": self.family,
+            "parameters": {"sigma": self.sigma, "size": self.size, "seed": self.seed, "method": self.method},
+            "generator": self.generator,
+            "sha256": self.sha256,
+            "value_rule": VALUE_RULE,
+            "license": self.license,
+        }
+
+    @staticmethod
+    def from_json(document: Mapping[str, Any]) -> MaskEntry:
+        """Read what :meth:`to_json` wrote. Raises ``KeyError`` if a part is missing."""
+        parameters = document["parameters"]
+        return MaskEntry(
+            name=document["name"],
+            title=document["title"],
+            summary=document["summary"],
+            family=document["family"],
+            sigma=parameters["sigma"],
+            size=parameters["size"],
+            seed=parameters["seed"],
+            method=parameters["method"],
+            sha256=document["sha256"],
+            generator=document["generator"],
+            license=document["license"],
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Mask:
+    """A mask with its description; everything else is derived from the ranks when first asked for."""
+
+    entry: MaskEntry
+    ranks: Ranks
+    """(size, size) uint32, read-only, each of 0..size^2-1 once."""
+    measured: MaskTables | None = None
+    """Its tables where they are known beforehand: those of the catalogue."""
+
+    @cached_property
+    def tables(self) -> MaskTables:
+        """Its spectrum and filtering tables: the known ones, else measured now."""
+        return self.measured or MaskTables.measure(self.ranks)
+
+    @property
+    def spectrum(self) -> MaskSpectrum:
+        """Its RAPS and anisotropy."""
+        return self.tables.spectrum
+
+    @property
+    def sigma_l(self) -> tuple[float, ...]:
+        """Its deviation inside boxes of 2^l texels, by level."""
+        return self.tables.sigma_l
+
+    @property
+    def quantile(self) -> tuple[float, ...]:
+        """Its quantile table for magnification."""
+        return self.tables.quantile
+
+    @cached_property
+    def thresholds(self) -> Field:
+        """u = (rank + 0.5) / N; (size, size) float64, read-only."""
+        values = prefilter.thresholds(self.ranks)
+        values.setflags(write=False)
+        return values
+
+    @cached_property
+    def moments(self) -> tuple[prefilter.Moments, ...]:
+        """Mip chain of (u, u^2), see :func:`prefilter.moments`; read-only."""
+        chain = prefilter.moments(self.ranks)
+        for level in chain:
+            level.setflags(write=False)
+        return tuple(chain)
+
+    def sidecar(self) -> dict[str, object]:
+        """The description that accompanies a download, as plain JSON values."""
+        return {**self.entry.to_json(), **self.tables.to_json()}
+
+
+def rank_sha256(ranks: Ranks) -> str:
+    """SHA-256, in hexadecimal, of the ranks as little-endian uint32, row by row."""
+    return hashlib.sha256(ranks.astype("<u4").tobytes()).hexdigest()
+
+
+def describe(name: str, family: Family, sigma: float, seed: int, method: Method, ranks: Ranks) -> MaskEntry:
+    """The entry of a mask just constructed with these (checked) arguments."""
+    return MaskEntry(
+        name=name,
+        title=f"{FAMILY_TITLES[family]}, {'spacing' if family == 'bubble' else 'sigma'} {sigma:g} texels",
+        summary=FAMILY_SUMMARIES[family],
+        family=family,
+        sigma=sigma,
+        size=ranks.shape[0],
+        seed=seed,
+        method=method if family == "vac" else None,
+        sha256=rank_sha256(ranks),
+    )
+
+
+def read_catalogue(directory: Path) -> dict[str, tuple[MaskEntry, MaskTables]]:
+    """Entries and tables of the catalogue in a directory, by name, in shipping order.
+
+    Raises ``FileNotFoundError`` if there is none.
+    """
+    document = json.loads((directory / CATALOGUE_FILE).read_text("utf-8"))
+    return {item["name"]: (MaskEntry.from_json(item), MaskTables.from_json(item)) for item in document["masks"]}
+
+
+def rank_file(directory: Path, name: str) -> Path:
+    """Where a directory holds the ranks of a mask."""
+    return directory / f"{name}.ranks"
+
+
+@lru_cache(maxsize=1)
+def _shipped() -> Mapping[str, tuple[MaskEntry, MaskTables]]:
+    return MappingProxyType(read_catalogue(data_dir("masks")))
+
+
+def load_catalogue() -> dict[str, MaskEntry]:
+    """The shipped masks by name, in shipping order."""
+    return {name: entry for name, (entry, _tables) in _shipped().items()}
+
+
+@cache
+def load_mask(name: str) -> Mask:
+    """A shipped mask. Raises :class:`UnknownMaskError` for another name; the mask is kept for later calls."""
+    shipped = _shipped()
+    if name not in shipped:
+        raise UnknownMaskError(f"no mask {name!r}; there are {', '.join(shipped)}")
+    entry, tables = shipped[name]
+    ranks = decode_ranks(rank_file(data_dir("masks"), name).read_bytes(), entry.size)
+    ranks.setflags(write=False)
+    return Mask(entry, ranks, tables)
+
+
+def custom_mask(family: str, sigma: float | None = None, size: int = 256, seed: int = 0) -> Mask:
+    """A mask made on request, from the arguments of :func:`make_mask`; ``vac`` is ordered in batches.
+
+    The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises ``ValueError`` for bad arguments and its subclass
+    :class:`MaskTooSlowError` for good ones that would take too long.
+    """
+    asked = check_parameters(family, sigma, size, seed)
+    seconds = estimated_seconds(asked.family, asked.sigma, asked.size)
+    if seconds > ON_REQUEST_SECONDS:
+        raise MaskTooSlowError(
+            f"a {asked.family} mask of sigma {asked.sigma:g} at size {asked.size} takes about {seconds:.0f} s; "
+            f"at most {ON_REQUEST_SECONDS:g} s are allowed: lower sigma or size"
+        )
+    return _custom(asked.family, asked.sigma, asked.size, asked.seed)
+
+
+@lru_cache(maxsize=CUSTOM_MASKS_KEPT)
+def _custom(family: Family, sigma: float, size: int, seed: int) -> Mask:
+    ranks = make_mask(family, sigma=sigma, size=size, seed=seed)
+    ranks.setflags(write=False)
+    name = f"{family}-{sigma:g}-{size}-{seed}"
+    return Mask(describe(name, family, sigma, seed, "batched", ranks), ranks)
+
+
+def _rounded(values: list[float]) -> list[float]:
+    return [float(f"{value:.6g}") for value in values]

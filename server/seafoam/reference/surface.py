@@ -1,0 +1,248 @@
+"""Section 3: where rays meet the waves, the normals there, and the footprints of samples.
+
+How exact the search is: a ray's height over the surface, G, is sampled at steps that cannot pass a crossing (by the
+greatest slope) or, where those are small, at a quarter of the finest wave's shape; every sampled minimum low enough to
+hide a double crossing (by the greatest curvature) is then searched. So the first crossing is found as long as steps
+stay fine, that is for the first ``FINE_STEPS`` of them in the slab that holds the waves: for any ray more than about a
+degree below the horizon in common scenes. Later steps grow by ``GROWTH``, where waves are far smaller than a pixel;
+such a ray still gets a crossing, of the waves as it samples them. The bounds fail for exponents below ½ (below 1 from
+under the surface), whose troughs are cusps; no crossing from above hides there. A found crossing is refined to the last
+few digits of float64.
+"""
+
+import math
+
+import numpy as np
+
+from .types import Bools, Floats, Indices, dot
+from .waves import WaveSet, wave_derivative, wave_height
+
+LEVEL = 1e-9
+"""Rays with |d.y| below this are horizontal: they meet no plane."""
+FAR = 1e7
+"""Rays inside the waves' slab are followed so far, m."""
+FINE_STEPS = 1500
+GROWTH = 1.02
+SHAPE_SHARE = 0.25
+"""Step over the finest wave's shape, √(2/K)/k (1/k for K < 2)."""
+BOUND_SAMPLES = 8192
+REFINEMENTS = 80
+GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+GOLDEN_STEPS = 40
+
+
+def first_crossing(waves: WaveSet, eye_y: float, d: Floats) -> Floats:
+    """Distance along unit rays d (r, 3) from (0, eye_y, 0) to the surface, m; (r,), infinite where they miss it.
+
+    A crossing in either direction counts: an eye under water meets the surface from below.
+    """
+    distance = np.full(d.shape[0], np.inf)
+    moving = np.flatnonzero(waves.amplitude > 0.0)
+    if moving.size == 0:
+        slanted = np.abs(d[:, 1]) >= LEVEL
+        s = -eye_y / np.where(slanted, d[:, 1], 1.0)
+        met = slanted & (s > 0.0)
+        distance[met] = s[met]
+        return distance
+    top = waves.top
+    low, high, inside = _slab(eye_y, top, d[:, 1])
+    chosen = np.flatnonzero(inside)
+    if chosen.size:
+        search = _Search(waves, moving, eye_y, d[chosen])
+        distance[chosen] = search.first(low[chosen], high[chosen])
+    return distance
+
+
+def normal(h_x: Floats, h_z: Floats) -> Floats:
+    """(−h_x, 1, −h_z), not normalised; (r, 3)."""
+    return np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1)
+
+
+def footprint(tau: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
+    """∂P/∂X = τ(δ − D (N·δ)/(N·D)) for the step δ (3,) of D from sample to sample; its (x, z) part, (r, 2) m.
+
+    N·D is held at −10⁻³ |N||D| or below.
+    """
+    facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
+    moved = tau[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
+    result: Floats = moved[:, [0, 2]]
+    return result
+
+
+def slope_bound(A: float, K: float) -> float:
+    """Greatest |dy/dθ| of a wave, by sampling, rounded up; infinite for K < ½."""
+    if K < 0.5:
+        return math.inf
+    return 1.001 * float(np.abs(wave_derivative(_cycle(), A, K)).max())
+
+
+def curvature_bound(A: float, K: float) -> float:
+    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up; short of the infinite one at the cusp of K < 1."""
+    slopes = wave_derivative(_cycle(), A, K)
+    return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
+
+
+def _cycle() -> Floats:
+    result: Floats = np.arange(BOUND_SAMPLES + 1) * (2.0 * math.pi / BOUND_SAMPLES)
+    return result
+
+
+def _slab(eye_y: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:
+    """Where rays enter and leave 0 ≤ y ≤ top, m, and whether they pass through it at all; (r,) each."""
+    slanted = np.abs(rise) >= LEVEL
+    rise = np.where(slanted, rise, 1.0)
+    ends = np.sort(np.stack(((top - eye_y) / rise, -eye_y / rise)), axis=0)
+    within = 0.0 <= eye_y <= top
+    low = np.where(slanted, np.maximum(ends[0], 0.0), 0.0)
+    high = np.where(slanted, ends[1], FAR)
+    inside = np.where(slanted, ends[1] > 0.0, within)
+    # Only rays that start in the slab can run along it without end.
+    return low, np.minimum(high, FAR) if within else high, inside
+
+
+class _Search:
+    """G along r rays, over those waves that are not flat."""
+
+    def __init__(self, waves: WaveSet, moving: Indices, eye_y: float, d: Floats) -> None:
+        self.amplitude = waves.amplitude[moving].tolist()
+        self.exponent = waves.exponent[moving].tolist()
+        self.phase = waves.phase[moving]
+        # θ falls by this much a metre of the way; (n, r).
+        self.rate = waves.kx[moving, None] * d[:, 0] + waves.kz[moving, None] * d[:, 2]
+        self.eye_y = eye_y
+        self.rise = d[:, 1]
+        self.level = np.hypot(d[:, 0], d[:, 2])
+        k = waves.k[moving].tolist()
+        shapes = zip(self.amplitude, self.exponent, k, strict=True)
+        self.slope = 0.0
+        self.curvature = 0.0
+        self.shape = math.inf
+        for A, K, number in shapes:
+            self.slope += number * slope_bound(A, K)
+            self.curvature += number * number * curvature_bound(A, K)
+            self.shape = min(self.shape, math.sqrt(2.0 / max(K, 2.0)) / number)
+
+    def value(self, s: Floats, rays: Indices | None = None) -> Floats:
+        """G at distances s of rays (all of them unless told); (r,) m."""
+        rate, rise = (self.rate, self.rise) if rays is None else (self.rate[:, rays], self.rise[rays])
+        return self._value(s, rate, rise)
+
+    def _value(self, s: Floats, rate: Floats, rise: Floats) -> Floats:
+        above = self.eye_y + rise * s
+        for i, A in enumerate(self.amplitude):
+            above -= wave_height(self.phase[i] - rate[i] * s, A, self.exponent[i])
+        return above
+
+    def _derivative(self, s: Floats, rate: Floats, rise: Floats) -> Floats:
+        result = rise.copy()
+        for i, A in enumerate(self.amplitude):
+            result += rate[i] * wave_derivative(self.phase[i] - rate[i] * s, A, self.exponent[i])
+        return result
+
+    def first(self, low: Floats, high: Floats) -> Floats:
+        """First zero of G in [low, high]; (r,) m, infinite where there is none."""
+        count = low.size
+        side = np.where(self.value(low) >= 0.0, 1.0, -1.0)
+        before = np.full(count, np.inf)
+        after = np.full(count, np.inf)
+        # Steeper than any slope: one crossing, between the ends.
+        steep = (side > 0.0) & (-self.rise > self.slope * self.level)
+        ends_below = steep & (self.value(high) <= 0.0)
+        before[ends_below], after[ends_below] = low[ends_below], high[ends_below]
+        dips = self._march(np.flatnonzero(~steep), low, high, side, before, after)
+        self._search_dips(dips, side, before, after)
+        found = np.flatnonzero(np.isfinite(after))
+        result = np.full(count, np.inf)
+        if found.size:
+            result[found] = self._refine(found, before[found], after[found], side[found])
+        return result
+
+    def _march(
+        self, rays: Indices, low: Floats, high: Floats, side: Floats, before: Floats, after: Floats
+    ) -> list[tuple[Indices, Floats, Floats]]:
+        """Bracket the first sign change of each ray in ``before`` and ``after``; return the suspect minima.
+
+        A minimum is (rays, from, to): G stays above zero where it was sampled and may not between.
+        """
+        dips: list[tuple[Indices, Floats, Floats]] = []
+        if rays.size == 0:
+            return dips
+        rate, rise, level = self.rate[:, rays], self.rise[rays], self.level[rays]
+        sign, s, end = side[rays], low[rays], high[rays]
+        g = sign * self._value(s, rate, rise)
+        s_old, g_old = s, np.full(s.shape, np.inf)
+        closing = self.slope * level - sign * rise
+        live = np.ones(rays.size, np.bool_)
+        fine = SHAPE_SHARE * self.shape / np.maximum(level, 1e-12)
+        steps = 0
+        while True:
+            steps += 1
+            if steps > FINE_STEPS:
+                fine = fine * GROWTH
+            # At infinite slopes or nowhere closing, the quotient says 0 or nothing.
+            safe = np.where(closing > 0.0, g / np.where(closing > 0.0, closing, 1.0), np.inf)
+            s_new = np.minimum(s + np.maximum(fine, safe), end)
+            g_new = sign * self._value(s_new, rate, rise)
+            crossed = live & (g_new <= 0.0)
+            where = rays[crossed]
+            before[where], after[where] = s[crossed], s_new[crossed]
+            width = np.maximum(s - s_old, s_new - s) * level
+            suspect = live & ~crossed & (g <= g_old) & (g <= g_new) & (g <= 0.5 * self.curvature * width * width)
+            if suspect.any():
+                dips.append((rays[suspect], s_old[suspect], s_new[suspect]))
+            live &= ~crossed & (s_new < end)
+            left = int(np.count_nonzero(live))
+            if left == 0:
+                return dips
+            s_old, g_old, s, g = s, g, s_new, g_new
+            if left < 0.75 * live.size:
+                rays, rate, rise, level = rays[live], rate[:, live], rise[live], level[live]
+                sign, end, closing, fine = sign[live], end[live], closing[live], fine[live]
+                s, g, s_old, g_old = s[live], g[live], s_old[live], g_old[live]
+                live = np.ones(left, np.bool_)
+
+    def _search_dips(
+        self, dips: list[tuple[Indices, Floats, Floats]], side: Floats, before: Floats, after: Floats
+    ) -> None:
+        """Find the least G of each suspect minimum by golden section; where it is below zero, move the bracket there."""
+        if not dips:
+            return
+        rays = np.concatenate([dip[0] for dip in dips])
+        start = np.concatenate([dip[1] for dip in dips])
+        a, b = start, np.concatenate([dip[2] for dip in dips])
+        early = start < np.minimum(after[rays], np.finfo(np.float64).max)
+        rays, start, a, b = rays[early], start[early], a[early], b[early]
+        sign, rate, rise = side[rays], self.rate[:, rays], self.rise[rays]
+        for _ in range(GOLDEN_STEPS):
+            left, right = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
+            keep_left = sign * self._value(left, rate, rise) < sign * self._value(right, rate, rise)
+            a, b = np.where(keep_left, a, left), np.where(keep_left, right, b)
+        middle = 0.5 * (a + b)
+        below = np.flatnonzero(sign * self._value(middle, rate, rise) < 0.0)
+        # Several dips of one ray: the last assignment wins, so the nearest goes last.
+        for i in below[np.argsort(-middle[below], kind="stable")]:
+            if middle[i] < after[rays[i]]:
+                before[rays[i]], after[rays[i]] = start[i], middle[i]
+
+    def _refine(self, rays: Indices, a: Floats, b: Floats, side: Floats) -> Floats:
+        """The zero between a (G·side ≥ 0) and b (G·side ≤ 0): Newton steps, bisection where they leave the bracket."""
+        result = np.empty(rays.size)
+        place = np.arange(rays.size)
+        rate, rise = self.rate[:, rays], self.rise[rays]
+        s = 0.5 * (a + b)
+        for _ in range(REFINEMENTS):
+            g = side * self._value(s, rate, rise)
+            slope = side * self._derivative(s, rate, rise)
+            a, b = np.where(g > 0.0, s, a), np.where(g > 0.0, b, s)
+            falling = slope < 0.0
+            newton = s - g / np.where(falling, slope, 1.0)
+            good = falling & (newton > a) & (newton < b)
+            following = np.where(good, newton, 0.5 * (a + b))
+            done = (np.abs(following - s) <= 4e-16 * (s + np.abs(self.eye_y))) | (g == 0.0)
+            result[place] = np.where(g == 0.0, s, following)
+            left = ~done
+            if not left.any():
+                break
+            s, a, b, side, place = following[left], a[left], b[left], side[left], place[left]
+            rate, rise = rate[:, left], rise[left]
+        return result

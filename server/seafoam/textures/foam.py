@@ -1,0 +1,40 @@
+"""The foam texture: a froth of bubbles of several sizes, bright where their walls meet. Ours, tileable, deterministic."""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+SIZE = 256
+"""Texels along a side."""
+_LAYERS = ((17, 0.55, 11), (41, 0.45, 12))
+"""Cells along a side, weight and seed of each layer of bubbles."""
+_STEPS = 1024
+"""Values are whole multiples of 1/1024, which half floats hold exactly."""
+
+
+@lru_cache(maxsize=1)
+def foam_texture() -> NDArray[np.float64]:
+    """(256, 256) float64 in [0, 1], row v, column u, toroidal.
+
+    Each layer is a Voronoi froth (Worley 1996): F2 − F1 is small on the walls between bubbles. Only sums, products,
+    quotients and square roots are used, so every machine makes the same texture.
+    """
+    total = np.zeros((SIZE, SIZE))
+    centres = (np.arange(SIZE) + 0.5) / SIZE
+    points = np.stack(np.meshgrid(centres, centres, indexing="xy"), axis=-1).reshape(-1, 2)
+    for cells, weight, seed in _LAYERS:
+        random = np.random.Generator(np.random.PCG64(seed))
+        grid = np.stack(np.meshgrid(np.arange(cells), np.arange(cells), indexing="xy"), axis=-1).reshape(-1, 2)
+        sites = ((grid + 0.5 + 0.9 * (random.random(grid.shape) - 0.5)) / cells) % 1.0
+        distance, _ = cKDTree(sites, boxsize=1.0).query(points, k=2)
+        first, second = distance[:, 0] * cells, distance[:, 1] * cells
+        wall = 1.0 - np.minimum((second - first) / 0.38, 1.0)
+        dome = np.maximum(1.0 - 1.7 * first * first, 0.0)
+        layer = 0.34 + 0.66 * wall * wall * (3.0 - 2.0 * wall) + 0.16 * dome
+        total += weight * layer.reshape(SIZE, SIZE)
+    total = np.clip(total / 0.95, 0.0, 1.0)
+    result: NDArray[np.float64] = np.round(total * _STEPS) / _STEPS
+    result.setflags(write=False)
+    return result

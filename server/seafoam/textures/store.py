@@ -1,0 +1,111 @@
+"""Textures by name. A name says all that is needed to make the bytes, so any process can."""
+
+import hashlib
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.masks.catalogue import Mask, UnknownMaskError, custom_mask, load_mask
+from seafoam.masks.formats import to_u16
+from seafoam.textures.foam import foam_texture
+from seafoam.textures.front import front_integral
+
+Format = Literal["R16UI", "R16F", "RG16F", "R32F", "RG32F"]
+
+
+class UnknownTextureError(KeyError):
+    """No texture has that name."""
+
+
+@dataclass(frozen=True)
+class TextureData:
+    """Levels from the largest, rows from v = 0, tightly packed little-endian, one after the other."""
+
+    name: str
+    data: bytes
+    sha256: str
+    format: Format
+    width: int
+    height: int
+    levels: int
+
+
+def mask_by_name(name: str) -> Mask:
+    """A mask of the catalogue, or ``family:sigma:size:seed`` made on request.
+
+    Raises ``KeyError`` for an unknown name, ``ValueError`` for parameters out of range.
+    """
+    if ":" not in name:
+        return load_mask(name)
+    family, sigma, size, seed = name.split(":")
+    return custom_mask(family, float(sigma), int(size), int(seed))
+
+
+@lru_cache(maxsize=64)
+def texture(name: str) -> TextureData:
+    """The texture called ``name``.
+
+    ``mask/NAME/ranks`` (R16UI), ``mask/NAME/moments-half`` and ``-float`` (mean of m and m², all levels),
+    ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RG32F, a row), ``foam`` (R16F, all levels).
+    Raises :class:`UnknownTextureError`.
+    """
+    match name.split("/"):
+        case ["foam"]:
+            return _pack(name, "R16F", _box_levels(foam_texture()[..., None]))
+        case ["front-integral", intensity, log_base]:
+            return _pack(name, "RG32F", [_front(intensity, log_base)[None]])
+        case ["mask", mask_name, kind]:
+            return _mask_texture(name, mask_name, kind)
+        case _:
+            raise UnknownTextureError(name)
+
+
+def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
+    try:
+        mask = mask_by_name(mask_name)
+    except (UnknownMaskError, ValueError) as error:
+        raise UnknownTextureError(name) from error
+    size = mask.ranks.shape[0]
+    match kind:
+        case "ranks":
+            return _data(name, "R16UI", size, size, 1, to_u16(mask.ranks))
+        case "moments-half":
+            return _pack(name, "RG16F", list(mask.moments))
+        case "moments-float":
+            return _pack(name, "RG32F", list(mask.moments))
+        case "quantiles":
+            return _pack(name, "R32F", [np.asarray(mask.quantile)[None, :, None]])
+        case _:
+            raise UnknownTextureError(name)
+
+
+def _front(intensity: str, log_base: str) -> NDArray[np.float32]:
+    try:
+        c, base = float(intensity), float(log_base)
+    except ValueError:
+        raise UnknownTextureError(f"front-integral/{intensity}/{log_base}") from None
+    if not (0.01 <= c <= 1e4 and 0.1 <= base <= 10.0 and math.isfinite(c)):
+        raise UnknownTextureError(f"front-integral/{intensity}/{log_base}")
+    return front_integral(c, base)
+
+
+def _box_levels(level: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    levels = [level]
+    while level.shape[0] > 1:
+        level = 0.25 * (level[0::2, 0::2] + level[1::2, 0::2] + level[0::2, 1::2] + level[1::2, 1::2])
+        levels.append(level)
+    return levels
+
+
+def _pack(name: str, kind: Format, levels: list[NDArray[np.float64]] | list[NDArray[np.float32]]) -> TextureData:
+    dtype = "<f2" if kind.endswith("16F") else "<f4"
+    height, width = levels[0].shape[:2]
+    return _data(name, kind, width, height, len(levels), b"".join(level.astype(dtype).tobytes() for level in levels))
+
+
+def _data(name: str, kind: Format, width: int, height: int, levels: int, data: bytes) -> TextureData:
+    return TextureData(name, data, hashlib.sha256(data).hexdigest(), kind, width, height, levels)

@@ -1,0 +1,15 @@
+// Numbers and small functions that every stage shares.
+const float PI = 3.14159265358979;
+const float TAU = 6.28318530717959;
+
+// Two-step reduction to [-pi, pi] (Cody and Waite): n * 6.28125 is exact for |n| < 2^15, so only the rounding of x is left.
+float wrap_phase(float x) {
+    float n = floor(x * 0.159154943091895 + 0.5);
+    return (x - n * 6.28125) - n * 1.93530717958648e-3;
+}
+
+// How far the surface point moves, in metres on the (x, z) plane, from one sample to the next.
+struct Footprint {
+    vec2 x;
+    vec2 y;
+};

@@ -1,0 +1,4 @@
+// No foam: nothing scatters.
+float foam_albedo() {
+    return 0.0;
+}

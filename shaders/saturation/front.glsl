@@ -1,0 +1,6 @@
+// Foam from the wave's front (Yingst, Alford and Parberry 2011), at a point. Without unit, [0, 4].
+float front_saturation(vec2 p, float height, Footprint fp) {
+    vec2 signal = front_signal(p);
+    float rho = length(signal);
+    return front_gate(rho) * front_profile(signal, rho);
+}

@@ -1,0 +1,10 @@
+// f = E^cot(psi/2) / C, up to 4: the paper's exp(-tan(theta/2 + delta)) / C with its pole moved to psi = 0.
+uniform float u_front_intensity; // C
+uniform float u_front_log_base;  // ln E
+
+// The half angle's cotangent is (rho + x) / y: no tangent to be inaccurate near its pole.
+float front_profile(vec2 signal, float rho) {
+    float top = rho + signal.x;
+    float exponent = signal.y == 0.0 ? (top > 0.0 ? 80.0 : 0.0) : clamp(top / signal.y, -80.0, 80.0);
+    return min(exp(u_front_log_base * exponent) / u_front_intensity, 4.0);
+}

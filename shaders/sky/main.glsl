@@ -1,0 +1,7 @@
+// The sky behind everything. Linear light; no foam.
+out vec4 o_color;
+
+void main() {
+    vec3 d = normalize(camera_ray(gl_FragCoord.xy));
+    o_color = vec4(exposure() * (sky_light(d) + sun_disc(d)), 0.0);
+}

@@ -1,0 +1,26 @@
+// A sample of the sea: find the surface, shade water, lay foam on it, put air before it. Linear light, A = foam amount.
+out vec4 o_color;
+
+void main() {
+    vec3 ray = camera_ray(gl_FragCoord.xy);
+    float tau;
+    vec3 wave;
+    if (!find_surface(ray, tau, wave)) {
+        discard;
+    }
+    vec2 p = tau * ray.xz;
+    Footprint fp = footprint(ray, tau, vec3(-wave.y, 1.0, -wave.z));
+    vec4 shading = waves_shading(p, fp);
+    vec3 ripple = detail(p, fp);
+
+    float f = saturation(p, shading.x, fp);
+    float amount = foam_amount(f, p, fp);
+
+    vec3 d = normalize(ray);
+    vec3 foam_normal = normalize(vec3(-shading.y, 1.0, -shading.z));
+    vec3 normal = normalize(vec3(-shading.y - ripple.x, 1.0, -shading.z - ripple.y));
+    vec3 water = exposure() * water_light(d, normal, shading.w + ripple.z, shading.x);
+    vec3 foam = exposure() * foam_light(foam_normal);
+    vec3 light = in_air(foam_over(water, foam, amount), d, tau * length(ray));
+    o_color = vec4(light, min(amount, 1.0));
+}

@@ -1,0 +1,49 @@
+// Parametric waves y = A u^K, u = (sin theta + 1)/2 (Van Drasek et al. 2010, in Yingst et al. 2011); metres.
+// theta = phase - k.p; the phase holds time and the eye's place, reduced in float64. Exact to float32 at any time.
+uniform vec4 u_parametric[PARAMETRIC_COUNT]; // k.x, k.z (rad/m), A (m), K
+uniform float u_parametric_phase[PARAMETRIC_COUNT];
+uniform float u_parametric_mss[PARAMETRIC_COUNT]; // mean square slope of the whole wave
+
+// Height over A, and its derivative by theta. With s = sin(theta/2 + pi/4): u = s^2 and du/dtheta = s cos(theta/2 + pi/4).
+vec2 parametric_profile(float theta, float exponent) {
+    float half_angle = 0.5 * theta + 0.25 * PI;
+    float s = sin(half_angle);
+    float q = abs(s);
+    float slope_sign = s < 0.0 ? -cos(half_angle) : cos(half_angle);
+    // K < 1/2 has an infinite slope at the trough: held there, in the derivative alone.
+    float power = pow(max(q, exponent < 0.5 ? 1e-4 : 1e-30), 2.0 * exponent - 1.0);
+    float height = exponent < 0.5 && q < 1e-4 ? (q > 0.0 ? pow(q, 2.0 * exponent) : 0.0) : power * q;
+    return vec2(height, exponent * power * slope_sign);
+}
+
+float parametric_theta(int i, vec2 p) {
+    return wrap_phase(u_parametric_phase[i] - dot(u_parametric[i].xy, p));
+}
+
+// Height and its gradient.
+vec3 parametric_waves(vec2 p) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
+        vec4 wave = u_parametric[i];
+        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w);
+        sum += vec3(profile.x, -profile.y * wave.xy);
+    }
+    return sum;
+}
+
+// Height, gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
+vec4 parametric_shading(vec2 p, Footprint fp) {
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
+        vec4 wave = u_parametric[i];
+        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w);
+        float kept = 1.0;
+        if (SURFACE_FILTER) {
+            float a = dot(wave.xy, fp.x);
+            float b = dot(wave.xy, fp.y);
+            kept = exp(-0.125 * min(a * a + b * b, 600.0));
+        }
+        sum += vec4(profile.x, -kept * profile.y * wave.xy, (1.0 - kept * kept) * u_parametric_mss[i]);
+    }
+    return sum;
+}

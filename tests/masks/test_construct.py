@@ -1,0 +1,153 @@
+"""Construction: permutations, determinism, bounds, and what the families are for."""
+
+import numpy as np
+import pytest
+
+from seafoam.masks import FAMILIES, estimated_seconds, make_mask, measure_spectrum, sigma_range
+from seafoam.masks.construct import check_parameters
+from seafoam.masks.families import SIZES
+from seafoam.masks.torus import local_minima, rank, window_minimum, wrapped_gaussian
+
+
+def is_permutation(ranks):
+    return ranks.dtype == np.uint32 and np.array_equal(np.sort(ranks, axis=None), np.arange(ranks.size))
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("size", [64, 128])
+def test_a_seed_determines_the_permutation(family, size):
+    ranks = make_mask(family, sigma=3.0, size=size, seed=7)
+    assert ranks.shape == (size, size)
+    assert is_permutation(ranks)
+    assert np.array_equal(ranks, make_mask(family, sigma=3.0, size=size, seed=7))
+    assert not np.array_equal(ranks, make_mask(family, sigma=3.0, size=size, seed=8))
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("size", SIZES)
+def test_the_ends_of_the_sigma_range_are_buildable(family, size):
+    for sigma in sigma_range(family, size):
+        if estimated_seconds(family, sigma, size) < 1.0:
+            assert is_permutation(make_mask(family, sigma=sigma, size=size, seed=1))
+
+
+@pytest.mark.parametrize("sigma", [0.5, 1.5, 4.0, 8.0])
+def test_exact_order_of_a_small_tile_is_a_permutation(sigma):
+    assert is_permutation(make_mask("vac", sigma=sigma, size=64, seed=3, method="exact"))
+
+
+def test_batches_keep_the_spectrum_of_the_exact_order():
+    exact = measure_spectrum(make_mask("vac", sigma=1.5, size=128, seed=5, method="exact"))
+    batched = measure_spectrum(make_mask("vac", sigma=1.5, size=128, seed=5, method="batched"))
+    for low, high in ((0.1, 0.2), (0.2, 0.3), (0.3, 0.4), (0.5, 0.7)):
+        for grey in (1 / 4, 1 / 2):
+            assert batched.mean_raps(grey, low, high) == pytest.approx(exact.mean_raps(grey, low, high), rel=0.15)
+    assert batched.mean_raps(1 / 2, 0.0, 0.05) < 0.05
+    assert exact.mean_raps(1 / 2, 0.0, 0.05) < 0.05
+
+
+def test_exact_order_fills_the_largest_void():
+    """From the 129th texel on, with the Gaussian no longer widened, each texel minimises the filtered pattern."""
+    size, sigma = 64, 6.0
+    ranks = make_mask("vac", sigma=sigma, size=size, seed=2, method="exact")
+    kernel = wrapped_gaussian(size, sigma)
+    for count in (200, 1000, 3000):
+        ones = ranks < count
+        energy = np.fft.irfft2(np.fft.rfft2(ones) * np.fft.rfft2(kernel), s=(size, size))
+        chosen = energy[ranks == count][0]
+        assert chosen == pytest.approx(energy[~ones].min(), abs=1e-9)
+
+
+def test_progress_runs_up_to_one():
+    for family in FAMILIES:
+        seen = []
+        make_mask(family, sigma=2.0, size=128, seed=0, progress=seen.append)
+        assert seen == sorted(seen)
+        assert min(seen) >= 0.0
+        assert seen[-1] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        ({"family": "perlin"}, "family 'perlin'"),
+        ({"family": "vac", "size": 100}, "size 100"),
+        ({"family": "vac", "size": 1024}, "size 1024"),
+        ({"family": "vac", "size": 64.0}, r"size 64\.0"),
+        ({"family": "vac", "size": True}, "size True"),
+        ({"family": "vac", "seed": -1}, "seed -1"),
+        ({"family": "vac", "seed": 2**32}, "seed 4294967296"),
+        ({"family": "vac", "seed": 1.5}, r"seed 1\.5"),
+        ({"family": "vac", "sigma": 0.4}, r"sigma 0\.4 is outside 0\.5\.\.24"),
+        ({"family": "vac", "sigma": 24.5}, r"sigma 24\.5"),
+        ({"family": "vac", "sigma": float("nan")}, "sigma nan"),
+        ({"family": "vac", "sigma": float("inf")}, "sigma inf"),
+        ({"family": "blur", "sigma": 9.0, "size": 64}, r"sigma 9\.0 is outside 0\.5\.\.8"),
+        ({"family": "bubble", "sigma": 1.9}, r"sigma 1\.9 is outside 2\.\.24"),
+        ({"family": "vac", "method": "guess"}, "method 'guess'"),
+    ],
+)
+def test_bad_arguments_are_named(arguments, named):
+    with pytest.raises(ValueError, match=named):
+        make_mask(**arguments)
+
+
+def test_default_sigma_fits_small_tiles():
+    assert check_parameters("vac", None, 64, 0).sigma == 8.0
+    assert check_parameters("clump", None, 512, 0).sigma == 1.5
+
+
+def test_estimates_tell_slow_requests_from_quick_ones():
+    assert estimated_seconds("vac", 1.5, 512) < 2.0
+    assert estimated_seconds("vac", 6.0, 512) < 5.0
+    assert estimated_seconds("vac", 7.0, 512) > 5.0
+    assert estimated_seconds("vac", 24.0, 512) > 30.0
+    assert estimated_seconds("vac", 24.0, 512, method="exact") > 30.0
+    for family in ("blur", "clump", "bubble", "mix"):
+        assert estimated_seconds(family, 2.0, 512) < 2.0
+
+
+def test_window_minimum_is_that_of_every_shift():
+    values = np.random.default_rng(0).random((16, 16))
+    for radius in (1, 2, 3, 7):
+        shifts = [
+            np.roll(values, (dy, dx), (0, 1)) for dy in range(-radius, radius + 1) for dx in range(-radius, radius + 1)
+        ]
+        assert np.array_equal(window_minimum(values, radius), np.min(shifts, axis=0))
+
+
+def test_local_minima_skip_filled_texels_and_come_least_first():
+    values = np.ones((16, 16))
+    values += np.random.default_rng(1).random((16, 16))
+    values[3, 4], values[0, 0], values[15, 15] = 0.5, 0.25, np.inf
+    minima = local_minima(values, 3)
+    assert minima[:2].tolist() == [0, 3 * 16 + 4]
+    assert 255 not in minima
+
+
+def test_ranks_of_equal_values_follow_raster_order():
+    assert rank(np.array([[2.0, 1.0], [1.0, 0.0]])).tolist() == [[3, 1], [2, 0]]
+
+
+def test_the_kernel_is_whole_and_periodic():
+    kernel = wrapped_gaussian(64, 8.0)
+    assert kernel.sum() == pytest.approx(2 * np.pi * 8.0**2, rel=1e-9)
+    assert np.allclose(kernel[1:, 1:], kernel[:0:-1, :0:-1])
+
+
+def test_bubbles_are_round():
+    """At a tenth of cover nearly every connected set of the bubble mask fills its circle; those of blur do not."""
+    from scipy import ndimage
+
+    def roundness(ranks):
+        label, count = ndimage.label(ranks < 0.1 * ranks.size)
+        shares = []
+        for box in ndimage.find_objects(label)[:count]:
+            piece = label[box] > 0
+            if piece.size >= 25:
+                radius = max(piece.shape) / 2.0
+                shares.append(piece.sum() / (np.pi * radius**2))
+        return float(np.median(shares))
+
+    assert roundness(make_mask("bubble", sigma=8.0, size=256, seed=1)) > 0.85
+    assert roundness(make_mask("blur", sigma=4.0, size=256, seed=1)) < 0.75

@@ -1,0 +1,60 @@
+"""Masks made on request."""
+
+import numpy as np
+import pytest
+
+from seafoam.masks import MaskTooSlowError, custom_mask, rank_sha256
+from seafoam.masks.bake import bake_all
+from seafoam.masks.catalogue import read_catalogue
+from seafoam.masks.formats import decode_ranks
+
+
+def test_a_request_is_answered_from_the_cache_the_second_time():
+    first = custom_mask("vac", 1.5, 64, 9)
+    assert custom_mask("vac", 1.5, 64, 9) is first
+    assert first.entry.method == "batched"
+    assert first.entry.name == "vac-1.5-64-9"
+    assert first.entry.sha256 == rank_sha256(first.ranks)
+    assert not first.ranks.flags.writeable
+    assert not first.moments[0].flags.writeable
+
+
+def test_tables_are_measured_when_asked_for():
+    mask = custom_mask("clump", 1.5, 128, 4)
+    assert "tables" not in vars(mask)
+    assert len(mask.quantile) == 65
+    assert len(mask.sigma_l) == 8
+    assert mask.spectrum.frequency[0] == 1 / 128
+    assert mask.sidecar()["spectrum"]
+
+
+def test_default_sigma_is_named_in_the_entry():
+    assert custom_mask("blur", None, 64, 0).entry.sigma == 6.0
+
+
+def test_slow_requests_are_refused_before_they_start():
+    with pytest.raises(MaskTooSlowError, match="lower sigma or size"):
+        custom_mask("vac", 24.0, 512, 0)
+    assert issubclass(MaskTooSlowError, ValueError)
+
+
+def test_bad_requests_are_refused():
+    with pytest.raises(ValueError, match="size 33"):
+        custom_mask("vac", 1.5, 33, 0)
+
+
+def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):
+    from seafoam.masks import bake
+
+    monkeypatch.setattr(bake, "SHIPPED_SIZE", 64)
+    monkeypatch.setattr(bake, "SHIPPED", [mask for mask in bake.SHIPPED if mask.sigma <= 8.0])
+    seen: list[float] = []
+    bake_all(tmp_path / "masks", seen.append)
+    assert seen == sorted(seen)
+    assert seen[-1] == 1.0
+    catalogue = read_catalogue(tmp_path / "masks")
+    assert list(catalogue) == [mask.name for mask in bake.SHIPPED]
+    for name, (entry, tables) in catalogue.items():
+        ranks = decode_ranks((tmp_path / "masks" / f"{name}.ranks").read_bytes(), entry.size)
+        assert rank_sha256(ranks) == entry.sha256
+        assert np.isfinite(tables.quantile).all()

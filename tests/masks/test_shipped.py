@@ -1,0 +1,124 @@
+"""The baked masks are what their catalogue says, and have the spectra they are shipped for."""
+
+import json
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from seafoam.masks import (
+    Mask,
+    UnknownMaskError,
+    load_catalogue,
+    load_mask,
+    make_mask,
+    measure_spectrum,
+    quantile_table,
+    rank_sha256,
+)
+from seafoam.masks.families import GENERATOR
+from seafoam.masks.shipped import SHIPPED, SHIPPED_SIZE
+from seafoam.resources import data_dir
+
+NAMES = [mask.name for mask in SHIPPED]
+VAC = [name for name in NAMES if name.startswith("vac-")]
+
+
+def test_the_catalogue_lists_every_mask_in_order():
+    catalogue = load_catalogue()
+    assert list(catalogue) == NAMES
+    for name, entry in catalogue.items():
+        assert entry.name == name
+        assert entry.size == SHIPPED_SIZE
+        assert entry.generator == GENERATOR
+        assert entry.license == "CC0-1.0"
+        assert entry.method == ("exact" if entry.family == "vac" else None)
+    assert all("never published" in catalogue[name].summary for name in VAC)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_ranks_are_the_recorded_permutation(name):
+    mask = load_mask(name)
+    assert np.array_equal(np.sort(mask.ranks, axis=None), np.arange(SHIPPED_SIZE**2))
+    assert rank_sha256(mask.ranks) == mask.entry.sha256
+    assert not mask.ranks.flags.writeable
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_recorded_tables_are_those_of_the_ranks(name):
+    mask = load_mask(name)
+    again = measure_spectrum(mask.ranks)
+    for recorded, measured in zip(mask.spectrum.greys, again.greys, strict=True):
+        assert np.allclose(recorded.raps, measured.raps, rtol=1e-4, atol=1e-12)
+        assert np.allclose(recorded.anisotropy, measured.anisotropy, rtol=1e-4, atol=1e-4, equal_nan=True)
+    assert np.allclose(mask.quantile, quantile_table(mask.ranks), atol=1e-5)
+
+
+@pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix"])
+def test_the_recorded_arguments_make_the_mask_again(name):
+    """All but bitwise: another processor's FFT may order a few nearly equal texels otherwise."""
+    entry = load_mask(name).entry
+    ranks = make_mask(entry.family, sigma=entry.sigma, size=entry.size, seed=entry.seed, method="exact")
+    moved = np.abs(ranks.astype(np.int64) - load_mask(name).ranks.astype(np.int64))
+    assert np.median(moved) <= 1
+
+
+def test_low_frequencies_are_suppressed():
+    assert load_mask("vac-1.5").spectrum.mean_raps(1 / 2, 0.0, 0.02) < 0.03
+    for name in VAC:
+        assert load_mask(name).spectrum.mean_raps(1 / 2, 0.0, 0.02) < 0.03
+    for name in ("blur-1.5", "blur-6", "blur-24"):
+        assert load_mask(name).spectrum.mean_raps(1 / 2, 0.0, 0.02) > 3.0
+
+
+@pytest.mark.parametrize("name", VAC)
+def test_void_and_cluster_masks_are_isotropic(name):
+    spectrum = load_mask(name).spectrum
+    assert spectrum.isotropic_reference == 0.0
+    for grey in spectrum.greys:
+        assert abs(spectrum.mean_anisotropy(grey.grey)) < 0.3
+        assert spectrum.max_anisotropy(grey.grey) < 5.0
+
+
+def test_high_frequencies_fall_as_sigma_grows():
+    power = [load_mask(name).spectrum.mean_raps(1 / 2, 0.5, 0.7) for name in ("vac-1.5", "vac-3", "vac-6", "vac-12")]
+    assert all(first > second for first, second in pairwise(power))
+    assert load_mask("vac-24").spectrum.mean_raps(1 / 2, 0.5, 0.7) < 0.9
+
+
+def test_only_void_and_cluster_keeps_high_frequencies():
+    for sigma in ("1.5", "6", "24"):
+        vac, blur = load_mask(f"vac-{sigma}").spectrum, load_mask(f"blur-{sigma}").spectrum
+        assert vac.mean_raps(1 / 2, 0.5, 0.7) > 0.7
+        assert blur.mean_raps(1 / 2, 0.5, 0.7) < 0.2
+
+
+def test_unknown_names_are_refused_with_the_known_ones():
+    with pytest.raises(UnknownMaskError, match="vac-24"):
+        load_mask("vac-25")
+
+
+def test_masks_are_loaded_once():
+    assert load_mask("mix") is load_mask("mix")
+
+
+def test_sidecar_is_json():
+    mask = load_mask("vac-24")
+    document = json.loads(json.dumps(mask.sidecar(), allow_nan=False))
+    assert document["parameters"] == {"sigma": 24.0, "size": 512, "seed": 2011, "method": "exact"}
+    assert document["sha256"] == mask.entry.sha256
+    assert document["license"] == "CC0-1.0"
+    assert len(document["sigma_l"]) == 10
+    assert len(document["quantile"]["entries"]) == 65
+    assert document["spectrum"]["segments"] == 1
+    assert [grey["grey"] for grey in document["spectrum"]["greys"]] == [1 / 16, 1 / 8, 1 / 4, 1 / 2, 3 / 4]
+
+
+def test_a_mask_without_recorded_tables_measures_them():
+    shipped = load_mask("clump")
+    fresh = Mask(shipped.entry, shipped.ranks)
+    assert fresh.quantile == pytest.approx(shipped.quantile, abs=1e-6)
+
+
+def test_the_data_are_dedicated_to_the_public_domain():
+    assert "CC0 1.0 Universal" in (data_dir("masks") / "LICENSE").read_text("utf-8")

@@ -1,0 +1,134 @@
+"""The spectral measures on patterns whose spectra are known."""
+
+import io
+import threading
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from seafoam.masks import load_mask, make_mask, measure_spectrum
+from seafoam.masks.plots import contact_sheet, corner_pattern, magnified_sheet, plot_spectrum
+from seafoam.masks.spectrum import spectrum_from_json
+
+
+def white(size, seed=0):
+    return np.random.default_rng(seed).permutation(size * size).astype(np.uint32).reshape(size, size)
+
+
+def test_white_noise_is_one_and_isotropic():
+    spectrum = measure_spectrum(white(256))
+    for grey in spectrum.greys:
+        assert grey.raps[20:150].mean() == pytest.approx(1.0, abs=0.02)
+        assert abs(spectrum.mean_anisotropy(grey.grey)) < 0.2
+
+
+def test_total_power_is_the_variance():
+    """Parseval: the mean of P over all bins but the mean's is 1 / (1 - 1/M^2) of the pattern's share."""
+    ranks = white(64)
+    grey = measure_spectrum(ranks, greys=(0.25,))
+    pattern = (ranks < 0.25 * ranks.size) - 0.25
+    full = np.abs(np.fft.fft2(pattern)) ** 2 / ranks.size / (0.25 * 0.75)
+    assert full.mean() == pytest.approx(1.0)
+    weight = grey.bins * grey.greys[0].raps
+    # Two of every pair but for the three bins that are their own twins.
+    own = full[0, 32] + full[32, 0] + full[32, 32]
+    assert 2 * weight.sum() - own == pytest.approx(full.sum())
+
+
+def test_each_conjugate_pair_counts_once():
+    size = 32
+    spectrum = measure_spectrum(white(size))
+    assert spectrum.bins.sum() == (size * size - 4) // 2 + 3
+    assert spectrum.bins[0] == 4
+    assert spectrum.frequency[0] == 1 / size
+
+
+def test_ring_statistics_are_those_of_the_definition():
+    size, level = 32, 0.5
+    ranks = make_mask("vac", sigma=1.5, size=size, seed=4)
+    spectrum = measure_spectrum(ranks, greys=(level,))
+    pattern = (ranks < level * ranks.size) - level
+    power = np.abs(np.fft.fft2(pattern)) ** 2 / size**2 / (level * (1 - level))
+    rings: dict[int, list[float]] = {}
+    for ky in range(-size // 2 + 1, size // 2 + 1):
+        for kx in range(-size // 2 + 1, size // 2 + 1):
+            own_twin = ky in (0, size // 2) and kx in (0, size // 2)
+            right = 0 < kx < size // 2
+            upper = kx in (0, size // 2) and 0 < ky < size // 2
+            if (own_twin or right or upper) and (ky, kx) != (0, 0):
+                rings.setdefault(round(np.hypot(ky, kx)), []).append(power[ky, kx])
+    for ring, values in rings.items():
+        assert spectrum.bins[ring - 1] == len(values)
+        assert spectrum.greys[0].raps[ring - 1] == pytest.approx(np.mean(values))
+        if len(values) > 1:
+            expected = 10 * np.log10(np.var(values, ddof=1) / np.mean(values) ** 2)
+            assert spectrum.greys[0].anisotropy[ring - 1] == pytest.approx(expected)
+
+
+def test_rolling_the_mask_leaves_the_spectrum():
+    mask = load_mask("vac-24")
+    rolled = measure_spectrum(np.roll(mask.ranks, (137, 301), (0, 1)))
+    for before, after in zip(measure_spectrum(mask.ranks).greys, rolled.greys, strict=True):
+        assert np.allclose(before.raps, after.raps)
+        assert np.allclose(before.anisotropy, after.anisotropy, equal_nan=True)
+
+
+def test_segments_lower_the_isotropic_reference():
+    spectrum = measure_spectrum(white(256), segments_a_side=4)
+    assert spectrum.segments == 16
+    assert spectrum.isotropic_reference == pytest.approx(-12.04, abs=0.01)
+    assert spectrum.mean_anisotropy(1 / 2) == pytest.approx(-12.04, abs=0.7)
+
+
+def test_a_plaid_reads_as_anisotropic():
+    y, x = np.mgrid[:128, :128]
+    stripes = np.argsort(np.argsort((np.sin(x * 2 * np.pi / 8) + 0.1 * np.sin(y * 12.9898 + x * 78.233)).ravel()))
+    spectrum = measure_spectrum(stripes.reshape(128, 128).astype(np.uint32))
+    assert spectrum.max_anisotropy(1 / 2) > 10.0
+
+
+def test_json_round_trip():
+    spectrum = measure_spectrum(white(64))
+    again = spectrum_from_json(spectrum.to_json())
+    assert again.segments == 1
+    for before, after in zip(spectrum.greys, again.greys, strict=True):
+        assert after.grey == before.grey
+        assert np.allclose(after.raps, before.raps, rtol=1e-4)
+        assert np.array_equal(np.isnan(after.anisotropy), np.isnan(before.anisotropy))
+
+
+def test_bad_measurements_are_refused():
+    with pytest.raises(ValueError, match="not square"):
+        measure_spectrum(white(64)[:32])
+    with pytest.raises(ValueError, match="3 segments"):
+        measure_spectrum(white(64), segments_a_side=3)
+    with pytest.raises(ValueError, match="grey 1"):
+        measure_spectrum(white(64), greys=(1.0,))
+    with pytest.raises(KeyError):
+        measure_spectrum(white(64)).grey(0.3)
+
+
+def test_pictures_are_png_also_from_threads():
+    ranks = make_mask("blur", sigma=2.0, size=64, seed=1)
+    spectrum = measure_spectrum(ranks)
+    images: list[bytes] = []
+    threads = [threading.Thread(target=lambda: images.append(plot_spectrum(spectrum, "blur"))) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(images) == 3
+    assert {Image.open(io.BytesIO(image)).size for image in images} == {(1350, 1050)}
+    assert Image.open(io.BytesIO(contact_sheet([("blur", ranks, spectrum)]))).format == "PNG"
+    table = [0.0, 1.0]
+    assert Image.open(io.BytesIO(magnified_sheet([("blur", ranks, table)]))).format == "PNG"
+
+
+def test_the_sheet_shows_the_corner_of_four_tiles():
+    ranks = white(512)
+    pattern = corner_pattern(ranks, 0.5)
+    half = pattern.shape[0] // 2
+    ones = ranks < ranks.size // 2
+    assert np.array_equal(pattern[half:, half:], ones[:half, :half])
+    assert np.array_equal(pattern[:half, :half], ones[-half:, -half:])

@@ -1,0 +1,95 @@
+/** Programs: compile and link without waiting, poll, report errors by file and line. */
+import type { Program as ProgramSource, Shader } from "../generated/api";
+import type { Capabilities } from "./capabilities";
+
+export interface ActiveUniform {
+  location: WebGLUniformLocation;
+  /** GL enum of its type. */
+  type: number;
+  size: number;
+}
+
+export interface Program {
+  handle: WebGLProgram;
+  vertex: WebGLShader;
+  fragment: WebGLShader;
+  source: ProgramSource;
+  /** Filled once the program is linked; arrays without their "[0]". */
+  uniforms: ReadonlyMap<string, ActiveUniform>;
+}
+
+/** What a compiler said, by file and line of the GLSL tree. */
+export class ShaderError extends Error {
+  override readonly name = "ShaderError";
+}
+
+/** Starts compiling and linking; asks the driver for nothing, so it may work in the background. */
+export function startProgram(gl: WebGL2RenderingContext, source: ProgramSource): Program {
+  const compile = (type: number, text: string): WebGLShader => {
+    const shader = created(gl.createShader(type));
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    return shader;
+  };
+  const vertex = compile(gl.VERTEX_SHADER, source.vertex.text);
+  const fragment = compile(gl.FRAGMENT_SHADER, source.fragment.text);
+  const handle = created(gl.createProgram());
+  gl.attachShader(handle, vertex);
+  gl.attachShader(handle, fragment);
+  gl.bindAttribLocation(handle, 0, "a_grid");
+  gl.linkProgram(handle);
+  return { handle, vertex, fragment, source, uniforms: new Map() };
+}
+
+/** Whether `finishProgram` would return without waiting for the driver. */
+export function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: Capabilities): boolean {
+  const extension = extensions.has("KHR_parallel_shader_compile")
+    ? (gl.getExtension("KHR_parallel_shader_compile") as { COMPLETION_STATUS_KHR: number } | null)
+    : null;
+  return extension === null || gl.getProgramParameter(program.handle, extension.COMPLETION_STATUS_KHR) === true;
+}
+
+/** Checks the link and reads the active uniforms; throws a `ShaderError` that names file and line. */
+export function finishProgram(gl: WebGL2RenderingContext, program: Program, name: string): void {
+  if (program.uniforms.size > 0 || gl.isContextLost()) return;
+  if (gl.getProgramParameter(program.handle, gl.LINK_STATUS) !== true) {
+    const log = (shader: WebGLShader, stage: Shader) => annotate(gl.getShaderInfoLog(shader) ?? "", stage);
+    const said = [
+      log(program.vertex, program.source.vertex),
+      log(program.fragment, program.source.fragment),
+      gl.getProgramInfoLog(program.handle) ?? "",
+    ];
+    throw new ShaderError(`program ${name}: ${said.map((s) => s.trim()).filter(Boolean).join("\n")}`);
+  }
+  const uniforms = new Map<string, ActiveUniform>();
+  const count = gl.getProgramParameter(program.handle, gl.ACTIVE_UNIFORMS) as number;
+  for (let i = 0; i < count; i++) {
+    const info = gl.getActiveUniform(program.handle, i);
+    const location = info && gl.getUniformLocation(program.handle, info.name);
+    if (info && location) uniforms.set(info.name.replace(/\[0\]$/, ""), { location, type: info.type, size: info.size });
+  }
+  program.uniforms = uniforms;
+}
+
+/** Rewrites "0:123" of a compiler's log into the file that line 123 came from and the line within it. */
+export function annotate(log: string, shader: Shader): string {
+  const files = [...shader.files].sort((a, b) => a.line - b.line);
+  return log
+    .replaceAll("\0", "")
+    .replace(/\b\d+:(\d+)(?=[:(])/g, (whole, digits: string) => {
+      const line = Number(digits);
+      const file = files.findLast((f) => f.line <= line);
+      return file ? `${file.path}:${line - file.line + 1}` : whole;
+    });
+}
+
+export function deleteProgram(gl: WebGL2RenderingContext, program: Program): void {
+  gl.deleteProgram(program.handle);
+  gl.deleteShader(program.vertex);
+  gl.deleteShader(program.fragment);
+}
+
+function created<T>(object: T | null): T {
+  // WebGL gives null only where the context is lost; every later call on it is then ignored.
+  return object as T;
+}

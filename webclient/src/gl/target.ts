@@ -1,0 +1,77 @@
+/** Targets: pictures that passes draw into and later passes read. */
+import type { Target as TargetSpec } from "../generated/api";
+import { sampling } from "./texture";
+
+export interface Target {
+  framebuffer: WebGLFramebuffer | null;
+  texture: WebGLTexture | null;
+  depth: WebGLRenderbuffer | null;
+  width: number;
+  height: number;
+}
+
+/** Size of a target for a picture of the given size. */
+export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
+  return spec.size.rule === "fixed"
+    ? [spec.size.width, spec.size.height]
+    : [width * spec.size.scale, height * spec.size.scale];
+}
+
+export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {
+  const most = Math.min(
+    gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
+    gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
+  );
+  if (width > most || height > most) {
+    throw new RangeError(`a target of ${width} × ${height} pixels is larger than this driver's limit of ${most}`);
+  }
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl[spec.format === "RGBA8" ? "RGBA8" : spec.format], width, height);
+  sampling(gl, spec.filter, spec.wrap, 1);
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  const depth = spec.depth ? depthBuffer(gl, width, height) : null;
+  checkComplete(gl, `${spec.format} target of ${width} × ${height}`);
+  return { framebuffer, texture, depth, width, height };
+}
+
+/** An RGBA8 picture that stands in for the screen, so that neither canvas size nor compositing matter. */
+export function makeScreen(gl: WebGL2RenderingContext, width: number, height: number): Target & { dispose(): void } {
+  const colour = gl.createRenderbuffer();
+  gl.bindRenderbuffer(gl.RENDERBUFFER, colour);
+  gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA8, width, height);
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colour);
+  const depth = depthBuffer(gl, width, height);
+  checkComplete(gl, `screen of ${width} × ${height}`);
+  const target = { framebuffer, texture: null, depth, width, height };
+  const dispose = () => {
+    deleteTarget(gl, target);
+    gl.deleteRenderbuffer(colour);
+  };
+  return { ...target, dispose };
+}
+
+export function deleteTarget(gl: WebGL2RenderingContext, target: Target): void {
+  gl.deleteFramebuffer(target.framebuffer);
+  gl.deleteTexture(target.texture);
+  gl.deleteRenderbuffer(target.depth);
+}
+
+function depthBuffer(gl: WebGL2RenderingContext, width: number, height: number): WebGLRenderbuffer {
+  const depth = gl.createRenderbuffer();
+  gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+  gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+  gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
+  return depth;
+}
+
+function checkComplete(gl: WebGL2RenderingContext, what: string): void {
+  const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
+  if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
+    throw new Error(`${what}: framebuffer incomplete (0x${status.toString(16)})`);
+  }
+}

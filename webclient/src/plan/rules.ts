@@ -1,0 +1,103 @@
+/**
+ * The uniform rules: all the arithmetic that the server and the client both carry.
+ *
+ * Everything periodic is reduced here, in float64, before a shader sees it as float32.
+ */
+import type { CameraRule, Uniform } from "../generated/api";
+import { basis, type CameraState } from "../camera/state";
+
+export type Rule = Uniform["rules"][number];
+
+/** What the rules may depend on. */
+export interface FrameState {
+  /** s */
+  time: number;
+  camera: CameraState;
+  /** Size of the picture, pixels: the camera's aspect. */
+  width: number;
+  height: number;
+  /** Size of the target that the pass draws into, pixels. */
+  targetWidth: number;
+  targetHeight: number;
+  passIndex: number;
+}
+
+const TWO_PI = 2 * Math.PI;
+
+/** x modulo period in [0, period): a tiny negative x would round up to the period itself, so that case is 0. */
+function modulo(x: number, period: number): number {
+  const r = x % period;
+  if (r >= 0) return r;
+  return r + period >= period ? 0 : r + period;
+}
+
+function phase(x: number): number {
+  const r = x % TWO_PI;
+  if (r > Math.PI) return r - TWO_PI;
+  if (r < -Math.PI) return r + TWO_PI;
+  return r;
+}
+
+function camera(rule: CameraRule, state: FrameState): number[] {
+  const { position, fov } = state.camera;
+  const q = Math.tan(fov / 2);
+  const aspect = state.width / state.height;
+  const { right, up, forward } = basis(state.camera);
+  switch (rule.what) {
+    case "eye_height":
+      return [position[1]];
+    case "ray_x":
+      return right.map((c) => c * q * aspect);
+    case "ray_y":
+      return up.map((c) => c * q);
+    case "ray_z":
+      return [...forward];
+    case "view_projection": {
+      // P·V with an infinite far plane; V turns by (R, U, −F) after lowering by the eye's height.
+      const near = Math.max(0.02, 0.5 * (position[1] - rule.top));
+      const sx = 1 / (q * aspect);
+      const sy = 1 / q;
+      const y = position[1];
+      const rows = [
+        [...right.map((c) => c * sx), -right[1] * y * sx],
+        [...up.map((c) => c * sy), -up[1] * y * sy],
+        [...forward, -forward[1] * y - 2 * near],
+        [...forward, -forward[1] * y],
+      ];
+      return [0, 1, 2, 3].flatMap((column) => rows.map((row) => row[column] ?? 0));
+    }
+  }
+}
+
+/** The numbers that a rule stands for. */
+export function evaluate(rule: Rule, state: FrameState): readonly number[] {
+  const [ox, , oz] = state.camera.position;
+  switch (rule.rule) {
+    case "constant":
+      return rule.value;
+    case "phase":
+      return [phase(rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz))];
+    case "wrap":
+      return [modulo(rule.k[0] * ox + rule.k[1] * oz + rule.offset, rule.period)];
+    case "loop":
+      return [modulo(state.time, rule.period)];
+    case "camera":
+      return camera(rule, state);
+    case "viewport":
+      return [state.targetWidth, state.targetHeight];
+    case "pass_index":
+      return [state.passIndex];
+  }
+}
+
+/** The values of a uniform's rules one after the other, written into `out`; refused unless they fill it exactly. */
+export function fill(uniform: Uniform, state: FrameState, out: Float32Array): void {
+  let at = 0;
+  for (const rule of uniform.rules) {
+    const values = evaluate(rule, state);
+    if (at + values.length > out.length) throw new RangeError("the rules give more numbers than the uniform holds");
+    out.set(values, at);
+    at += values.length;
+  }
+  if (at !== out.length) throw new RangeError(`the rules give ${at} numbers, the uniform holds ${out.length}`);
+}

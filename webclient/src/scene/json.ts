@@ -1,0 +1,84 @@
+/** Scenes are handled as plain JSON: what their fields mean is the server's affair. */
+
+export type Json = null | boolean | number | string | Json[] | JsonObject;
+export interface JsonObject {
+  [key: string]: Json;
+}
+
+export function isObject(value: Json | undefined): value is JsonObject {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+/** The steps of a JSON pointer (RFC 6901). */
+export function steps(pointer: string): string[] {
+  return pointer === ""
+    ? []
+    : pointer
+        .slice(1)
+        .split("/")
+        .map((step) => step.replaceAll("~1", "/").replaceAll("~0", "~"));
+}
+
+export function child(pointer: string, step: string | number): string {
+  return `${pointer}/${String(step).replaceAll("~", "~0").replaceAll("/", "~1")}`;
+}
+
+/** The value that a pointer names, or undefined. */
+export function get(root: Json, pointer: string): Json | undefined {
+  let value: Json | undefined = root;
+  for (const step of steps(pointer)) {
+    if (Array.isArray(value)) value = value[Number(step)];
+    else if (isObject(value)) value = value[step];
+    else return undefined;
+  }
+  return value;
+}
+
+/** A copy with the value put in place; `undefined` takes an object's key away. What does not change is shared. */
+export function withValue(root: Json, pointer: string, value: Json | undefined): Json {
+  const path = steps(pointer);
+  const put = (node: Json | undefined, depth: number): Json | undefined => {
+    const step = path[depth];
+    if (step === undefined) return value;
+    const inner = put(get(node ?? {}, child("", step)), depth + 1);
+    if (Array.isArray(node)) {
+      const copy = [...node];
+      if (inner === undefined) copy.splice(Number(step), 1);
+      else copy[Number(step)] = inner;
+      return copy;
+    }
+    const copy = isObject(node) ? { ...node } : {};
+    if (inner === undefined) Reflect.deleteProperty(copy, step);
+    else copy[step] = inner;
+    return copy;
+  };
+  return put(root, 0) ?? {};
+}
+
+export function equal(a: Json | undefined, b: Json | undefined): boolean {
+  if (a === b) return true;
+  if (Array.isArray(a)) return Array.isArray(b) && a.length === b.length && a.every((item, i) => equal(item, b[i]));
+  if (!isObject(a) || !isObject(b)) return false;
+  const keys = Object.keys(a);
+  return keys.length === Object.keys(b).length && keys.every((key) => key in b && equal(a[key], b[key]));
+}
+
+/** One change: the pointer and the new value; undefined where the key is gone. */
+export type Change = readonly [pointer: string, value: Json | undefined];
+
+/** The least changes that turn `from` into `to`; a list whose length differs changes whole. */
+export function diff(from: Json | undefined, to: Json | undefined, pointer = ""): Change[] {
+  if (equal(from, to)) return [];
+  if (isObject(from) && isObject(to)) {
+    const keys = [...new Set([...Object.keys(from), ...Object.keys(to)])].sort();
+    return keys.flatMap((key) => diff(from[key], to[key], child(pointer, key)));
+  }
+  if (Array.isArray(from) && Array.isArray(to) && from.length === to.length) {
+    return from.flatMap((item, i) => diff(item, to[i], child(pointer, i)));
+  }
+  return [[pointer, to]];
+}
+
+export function apply(root: Json, changes: readonly Change[]): Json {
+  return changes.reduce((value, [pointer, to]) => withValue(value, pointer, to), root);
+}
