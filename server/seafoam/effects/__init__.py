@@ -1,0 +1,17 @@
+"""The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
+
+from seafoam.effects import chop, foam_look, front, height, light, parametric, water
+from seafoam.effects.contribution import Effect
+
+EFFECTS: tuple[Effect, ...] = (
+    parametric.EFFECT,
+    chop.EFFECT,
+    front.EFFECT,
+    height.EFFECT,
+    foam_look.EFFECT,
+    light.EFFECT,
+    water.EFFECT,
+)
+"""Every effect there is."""
+
+__all__ = ["EFFECTS"]

@@ -3,10 +3,14 @@
 Effects describe; the planner assembles. The uniform rules here are the only arithmetic that both executors carry.
 """
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
+
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
 
 
 class PlanPart(BaseModel):
@@ -148,11 +152,15 @@ Mesh = Annotated[Fullscreen | Grid, Field(discriminator="rule")]
 
 @dataclass(frozen=True)
 class SlotFile:
-    """A GLSL file that fills a slot. ``prefix`` names its functions where several files share a slot."""
+    """A GLSL file that fills a slot. ``prefix`` names its functions where several files share a slot.
+
+    ``needs``: helper files that go in before it, once however many ask for them.
+    """
 
     slot: str
     path: str
     prefix: str = ""
+    needs: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -160,11 +168,11 @@ class PassSpec:
     """A pass that an effect adds before the surface is drawn: its own program from ``vertex`` and ``fragment`` files."""
 
     name: str
+    program: str
     vertex: tuple[str, ...]
     fragment: tuple[str, ...]
     target: str
     mesh: Fullscreen | Grid
-    consts: dict[str, int | float | bool] = field(default_factory=dict)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
 
@@ -178,10 +186,23 @@ class Contribution:
     consts: dict[str, int | float | bool] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
-    textures: dict[str, str] = field(default_factory=dict)
-    """Sampler-independent name of a texture -> its name in the texture store."""
+    textures: dict[str, "TextureUse"] = field(default_factory=dict)
+    """Name in the plan -> what it holds and how it is sampled."""
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
+    top: float = 0.0
+    """What the effect can add to the surface's height at most, m."""
+    steepest: float = 0.0
+    """What the effect can add to the surface's slope at most."""
+
+
+@dataclass(frozen=True)
+class TextureUse:
+    """A texture of the store, and how it is sampled."""
+
+    source: str
+    filter: Filter = "nearest"
+    wrap: WrapMode = "repeat"
 
 
 @dataclass(frozen=True)
@@ -189,3 +210,44 @@ class Skipped:
     """An effect that the scene names but that cannot contribute, with the reason."""
 
     why: str
+
+
+@dataclass(frozen=True)
+class Effect:
+    """An effect: its name, and what it gives to the plan of a scene.
+
+    ``contribute`` returns ``None`` where the scene does not call for the effect.
+    """
+
+    name: str
+    contribute: Callable[[Scene, Quality], "Contribution | Skipped | None"]
+
+
+class SceneError(ValueError):
+    """A scene that is well formed but cannot be planned. ``pointer``: JSON pointer of the field at fault."""
+
+    def __init__(self, pointer: str, message: str) -> None:
+        super().__init__(f"{pointer}: {message}")
+        self.pointer = pointer
+        self.message = message
+
+
+def number(value: float, field_pointer: str | None = None) -> Uniform:
+    """A float uniform of one constant."""
+    return Uniform(type="float", rules=(Constant(value=(value,), field=field_pointer),))
+
+
+def vector(value: tuple[float, ...], field_pointer: str | None = None) -> Uniform:
+    """A vec2, vec3 or vec4 uniform of constants."""
+    kinds: dict[int, UniformType] = {2: "vec2", 3: "vec3", 4: "vec4"}
+    return Uniform(type=kinds[len(value)], rules=(Constant(value=value, field=field_pointer),))
+
+
+def array(kind: UniformType, rules: Iterable[Rule], count: int) -> Uniform:
+    """An array uniform of ``count`` elements."""
+    return Uniform(type=kind, count=count, rules=tuple(rules))
+
+
+def significant(value: float) -> float:
+    """``value`` to 8 significant digits, all that float32 keeps: hides the last bits that processors disagree on."""
+    return float(f"{value:.8g}")

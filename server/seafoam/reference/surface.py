@@ -26,6 +26,8 @@ GROWTH = 1.02
 SHAPE_SHARE = 0.25
 """Step over the finest wave's shape, √(2/K)/k (1/k for K < 2)."""
 BOUND_SAMPLES = 8192
+STEEPEST = 1e9
+"""Stands for an infinite slope."""
 REFINEMENTS = 80
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_STEPS = 40
@@ -70,9 +72,9 @@ def footprint(tau: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
 
 
 def slope_bound(A: float, K: float) -> float:
-    """Greatest |dy/dθ| of a wave, by sampling, rounded up; infinite for K < ½."""
+    """Greatest |dy/dθ| of a wave, by sampling, rounded up; STEEPEST for K < ½."""
     if K < 0.5:
-        return math.inf
+        return STEEPEST
     return 1.001 * float(np.abs(wave_derivative(_cycle(), A, K)).max())
 
 
@@ -110,6 +112,7 @@ class _Search:
         # θ falls by this much a metre of the way; (n, r).
         self.rate = waves.kx[moving, None] * d[:, 0] + waves.kz[moving, None] * d[:, 2]
         self.eye_y = eye_y
+        self.top = waves.top
         self.rise = d[:, 1]
         self.level = np.hypot(d[:, 0], d[:, 2])
         k = waves.k[moving].tolist()
@@ -142,7 +145,9 @@ class _Search:
     def first(self, low: Floats, high: Floats) -> Floats:
         """First zero of G in [low, high]; (r,) m, infinite where there is none."""
         count = low.size
-        side = np.where(self.value(low) >= 0.0, 1.0, -1.0)
+        # Rounding must not put an eye above all crests under one of them.
+        outside = 1.0 if self.eye_y > self.top else -1.0 if self.eye_y < 0.0 else 0.0
+        side = np.where(self.value(low) >= 0.0, 1.0, -1.0) if outside == 0.0 else np.full(count, outside)
         before = np.full(count, np.inf)
         after = np.full(count, np.inf)
         # Steeper than any slope: one crossing, between the ends.
@@ -238,7 +243,7 @@ class _Search:
             newton = s - g / np.where(falling, slope, 1.0)
             good = falling & (newton > a) & (newton < b)
             following = np.where(good, newton, 0.5 * (a + b))
-            done = (np.abs(following - s) <= 4e-16 * (s + np.abs(self.eye_y))) | (g == 0.0)
+            done = (np.abs(following - s) <= 1e-14 * (s + abs(self.eye_y))) | (g == 0.0)
             result[place] = np.where(g == 0.0, s, following)
             left = ~done
             if not left.any():

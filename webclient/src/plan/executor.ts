@@ -1,9 +1,10 @@
 /** Runs a frame plan in WebGL2: the plan says everything, and nothing here knows what it draws. */
-import type { FramePlan, Pass, Target as TargetSpec, Texture as TextureSpec, Uniform } from "../generated/api";
+import type { FramePlan, Pass, Texture as TextureSpec, Uniform } from "../generated/api";
 import type { CameraState } from "../camera/state";
 import { requireFor } from "../gl/capabilities";
 import type { Gpu } from "../gl/gpu";
-import { makeMesh, meshKey } from "../gl/mesh";
+import { makeMesh, type Mesh, meshKey } from "../gl/mesh";
+import type { Lease } from "../gl/pool";
 import { type ActiveUniform, finishProgram, isReady, type Program, startProgram } from "../gl/program";
 import { deleteTarget, makeTarget, type Target, targetSize } from "../gl/target";
 import { makeTexture, textureKey } from "../gl/texture";
@@ -53,69 +54,50 @@ interface BoundPass {
   pass: Pass;
   index: number;
   program: Program;
-  mesh: string;
+  mesh: Mesh;
   uniforms: BoundUniform[];
   samplers: BoundSampler[];
 }
 
-const programKey = (plan: FramePlan, name: string) => {
-  const { vertex, fragment } = named(plan.programs, name, "program");
-  return `${vertex.sha256} ${fragment.sha256}`;
-};
-
 export class Executor {
   private readonly targets = new Map<string, Target>();
-  /** Fixed targets whose setup passes have run since they were made. */
+  /** Whether the setup passes have run since the targets were made. */
   private isSetUp = false;
 
   private constructor(
     private readonly gpu: Gpu,
     readonly plan: FramePlan,
     private readonly passes: readonly BoundPass[],
-    private readonly held: readonly (() => void)[],
+    private readonly leases: readonly Lease<unknown>[],
   ) {}
 
   /** Compiles and loads everything that the plan needs, without stopping the page. */
   static async load(gpu: Gpu, plan: FramePlan, bytes: LoadBytes): Promise<Executor> {
     requireFor(plan, gpu.capabilities);
-    const held: (() => void)[] = [];
+    const leases: Lease<unknown>[] = [];
     try {
-      // Compilation starts for all programs before the driver is asked about any.
-      const programs = new Map(
-        Object.entries(plan.programs).map(([name, source]) => {
-          const key = programKey(plan, name);
-          held.push(() => gpu.programs.release(key));
-          return [name, gpu.programs.acquire(key, () => startProgram(gpu.gl, source))] as const;
-        }),
-      );
-      const textures = new Map<string, WebGLTexture>();
-      await Promise.all([
-        finishAll(gpu, plan, programs),
-        ...Object.entries(plan.textures).map(async ([name, spec]) => {
-          const key = textureKey(spec);
-          const texture = await gpu.textures.acquire(key, () =>
-            bytes(spec).then((data) => makeTexture(gpu.gl, spec, data)),
-          );
-          held.push(() => gpu.textures.release(key));
-          textures.set(name, texture);
-        }),
-      ]).catch((error: unknown) => {
-        for (const spec of Object.values(plan.textures)) {
-          // A failed download must not be kept as if it were the texture.
-          if (!textures.size) gpu.textures.evict(textureKey(spec));
-        }
-        throw error;
+      const programs = startAll(gpu, plan);
+      leases.push(...programs.values());
+      const loading = Object.entries(plan.textures).map(async ([name, spec]) => {
+        const lease = gpu.textures.acquire(textureKey(spec), () =>
+          bytes(spec).then((data) => makeTexture(gpu.gl, spec, data)),
+        );
+        leases.push(lease);
+        return [name, await discardOnError(lease, () => lease.value)] as const;
       });
+      for (const [name, lease] of programs) {
+        await discardOnError(lease, () => finish(gpu, name, lease.value));
+      }
+      const textures = new Map(await Promise.all(loading));
       const passes = plan.passes.map((pass, index) => {
-        const mesh = meshKey(pass.mesh);
-        gpu.meshes.acquire(mesh, () => makeMesh(gpu.gl, pass.mesh));
-        held.push(() => gpu.meshes.release(mesh));
-        const program = named(Object.fromEntries(programs), pass.program, "program");
-        return { pass, index, program, mesh, ...bind(gpu.gl, plan, pass, program, textures) };
+        const mesh = gpu.meshes.acquire(meshKey(pass.mesh), () => makeMesh(gpu.gl, pass.mesh));
+        leases.push(mesh);
+        const program = required(programs.get(pass.program), `program ${pass.program}`).value;
+        return { pass, index, program, mesh: mesh.value, ...bind(gpu.gl, plan, pass, program, textures) };
       });
-      return new Executor(gpu, plan, passes, held);
+      return new Executor(gpu, plan, passes, leases);
     } catch (error) {
-      for (const release of held) release();
+      for (const lease of leases) lease.release();
       throw error;
     }
   }
@@ -133,7 +115,7 @@ export class Executor {
   dispose(): void {
     for (const target of this.targets.values()) deleteTarget(this.gpu.gl, target);
     this.targets.clear();
-    for (const release of this.held) release();
+    for (const lease of this.leases) lease.release();
   }
 
   private resize(width: number, height: number): void {
@@ -143,7 +125,7 @@ export class Executor {
       const target = this.targets.get(name);
       if (target?.width === w && target.height === h) continue;
       if (target) deleteTarget(gl, target);
-      this.targets.set(name, makeTarget(gl, spec satisfies TargetSpec, w, h));
+      this.targets.set(name, makeTarget(gl, spec, w, h));
       this.isSetUp = false;
     }
   }
@@ -153,7 +135,7 @@ export class Executor {
     const onScreen = pass.target === "screen";
     const target = onScreen
       ? { framebuffer: frame.screen, width: frame.width, height: frame.height }
-      : named(Object.fromEntries(this.targets), pass.target, "target");
+      : required(this.targets.get(pass.target), `target ${pass.target}`);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     gl.viewport(0, 0, target.width, target.height);
     // Only the screen is cut: a later pass may read any pixel of a target.
@@ -195,7 +177,7 @@ export class Executor {
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.uniform1i(location, unit);
     }
-    this.gpu.meshes.peek(mesh)?.draw();
+    mesh.draw();
     // A target left bound for reading would make a later pass into it a feedback loop.
     for (const { unit } of samplers) {
       gl.activeTexture(gl.TEXTURE0 + unit);
@@ -207,38 +189,39 @@ export class Executor {
 /** Compiles a plan's programs only, and tells what is wrong with them. */
 export async function compile(gpu: Gpu, plan: FramePlan): Promise<string[]> {
   const errors: string[] = [];
-  const started = Object.entries(plan.programs).map(([name, source]) => {
-    const key = programKey(plan, name);
-    return { name, key, program: gpu.programs.acquire(key, () => startProgram(gpu.gl, source)) };
-  });
-  for (const { name, key, program } of started) {
-    await untilReady(gpu, program);
-    try {
-      finishProgram(gpu.gl, program, name);
-      gpu.programs.release(key);
-    } catch (error) {
-      gpu.programs.evict(key);
+  for (const [name, lease] of startAll(gpu, plan)) {
+    await discardOnError(lease, () => finish(gpu, name, lease.value)).catch((error: unknown) => {
       errors.push(String(error));
-    }
+    });
+    lease.release();
   }
   return errors;
 }
 
-async function finishAll(gpu: Gpu, plan: FramePlan, programs: ReadonlyMap<string, Program>): Promise<void> {
-  for (const [name, program] of programs) {
-    await untilReady(gpu, program);
-    try {
-      finishProgram(gpu.gl, program, name);
-    } catch (error) {
-      gpu.programs.evict(programKey(plan, name));
-      throw error;
-    }
-  }
+/** Compilation of every program starts before the driver is asked about any. */
+function startAll(gpu: Gpu, plan: FramePlan): Map<string, Lease<Program>> {
+  return new Map(
+    Object.entries(plan.programs).map(([name, source]) => {
+      const key = `${source.vertex.sha256} ${source.fragment.sha256}`;
+      return [name, gpu.programs.acquire(key, () => startProgram(gpu.gl, source))];
+    }),
+  );
 }
 
-async function untilReady(gpu: Gpu, program: Program): Promise<void> {
+async function finish(gpu: Gpu, name: string, program: Program): Promise<void> {
   while (!isReady(gpu.gl, program, gpu.capabilities) && !gpu.gl.isContextLost()) {
     await new Promise((resolve) => setTimeout(resolve, 4));
+  }
+  finishProgram(gpu.gl, program, name);
+}
+
+/** What failed to load must not be handed to the next plan as if it had loaded. */
+async function discardOnError<T>(lease: Lease<unknown>, load: () => Promise<T>): Promise<T> {
+  try {
+    return await load();
+  } catch (error) {
+    lease.discard();
+    throw error;
   }
 }
 
@@ -254,13 +237,13 @@ function bind(
   const samplers: BoundSampler[] = [];
   for (const [name, active] of program.uniforms) {
     if (isSampler(gl, active.type)) {
-      const input = named(pass.inputs, name, `input of pass ${pass.name}:`);
+      const input = required(pass.inputs?.[name], `input ${name} in pass ${pass.name}`);
       const reads = "texture" in input ? textures.get(input.texture) : input.target;
       if (reads === undefined) throw new Error(`pass ${pass.name}: sampler ${name} reads a texture the plan lacks`);
       samplers.push({ location: active.location, unit: samplers.length, reads });
       continue;
     }
-    const uniform = pass.uniforms[name] ?? plan.uniforms[name];
+    const uniform = pass.uniforms?.[name] ?? plan.uniforms[name];
     if (uniform === undefined) throw new Error(`pass ${pass.name}: the plan has no uniform ${name}`);
     const type = { float: gl.FLOAT, vec2: gl.FLOAT_VEC2, vec3: gl.FLOAT_VEC3, vec4: gl.FLOAT_VEC4, mat4: gl.FLOAT_MAT4 }[
       uniform.type
@@ -291,8 +274,7 @@ function upload(gl: WebGL2RenderingContext, { location, type }: ActiveUniform, v
   }
 }
 
-function named<T>(record: Readonly<Record<string, T>>, name: string, what: string): T {
-  const value = record[name];
-  if (value === undefined) throw new Error(`the plan has no ${what} ${name}`);
+function required<T>(value: T | undefined, what: string): T {
+  if (value === undefined) throw new Error(`the plan has no ${what}`);
   return value;
 }

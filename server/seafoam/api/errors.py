@@ -1,0 +1,281 @@
+"""Every error as RFC 9457 problem+json, from one table.
+
+What routers raise, beside what the layers below raise::
+
+    ApiError
+    ├── NotFoundError             no such preset, mask, texture, measurement
+    ├── BadRequestError           a parameter or member is not allowed, with its name and what is
+    ├── UnsupportedMediaError     a body that is not JSON
+    ├── BodyTooLargeError         a body over the limit
+    └── BusyError                 as much other work waits as may
+    seafoam.render.pool.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
+"""
+
+import logging
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from http import HTTPStatus
+from typing import Any
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from pydantic import BaseModel, ConfigDict, Field
+from starlette.exceptions import HTTPException
+from starlette.responses import JSONResponse
+
+from seafoam.api.allowed import Schema, allowed_at
+from seafoam.masks.catalogue import MaskTooSlowError
+from seafoam.plan import PlanError
+from seafoam.render.pool import (
+    DeadlineError,
+    FrameTooLargeError,
+    QueueFullError,
+    RendererUnavailableError,
+    RenderFailedError,
+)
+
+log = logging.getLogger(__name__)
+
+MEDIA_TYPE = "application/problem+json"
+UNAVAILABLE_RETRY = 60
+"""Seconds; how often a server without GL looks for one again."""
+
+
+class FieldProblem(BaseModel):
+    """What is wrong with one member or parameter."""
+
+    pointer: str | None = Field(default=None, description="JSON pointer (RFC 6901) into the request body")
+    parameter: str | None = Field(default=None, description="Name of the query or path parameter")
+    detail: str = Field(description="What is wrong with it")
+    allowed: dict[str, Any] | None = Field(
+        default=None,
+        description="What is allowed: minimum and maximum (inclusive), enum, members, pattern or type",
+        examples=[{"minimum": 1, "maximum": 4096}],
+    )
+
+
+class Problem(BaseModel):
+    """An error, after RFC 9457."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    type: str = Field(description="Names the kind of problem", examples=["urn:seafoam:problem:bad-request"])
+    title: str = Field(description="The kind of problem in words")
+    status: int = Field(description="The HTTP status")
+    detail: str = Field(description="What went wrong this time")
+    instance: str = Field(description="The path that was asked for")
+    errors: list[FieldProblem] | None = Field(default=None, description="Where the request is wrong")
+    remedy: str | None = Field(default=None, description="What the operator can do about it")
+
+
+class ApiError(Exception):
+    """Base of what routers raise."""
+
+
+class NotFoundError(ApiError):
+    """There is no such thing. ``parameter`` names what was wrong in the path, ``known`` what there is."""
+
+    def __init__(self, detail: str, parameter: str, known: Sequence[str] = ()) -> None:
+        super().__init__(detail)
+        self.parameter = parameter
+        self.known = tuple(known)
+
+
+class BadRequestError(ApiError):
+    """Parts of the request are not allowed."""
+
+    def __init__(self, *errors: FieldProblem) -> None:
+        super().__init__("; ".join(error.detail for error in errors))
+        self.errors = list(errors)
+
+
+class UnsupportedMediaError(ApiError):
+    """The body is not JSON."""
+
+
+class BodyTooLargeError(ApiError):
+    """The body is over the limit."""
+
+
+class BusyError(ApiError):
+    """As much work as may waits already; ask again after ``retry_after`` seconds."""
+
+    def __init__(self, detail: str, retry_after: int) -> None:
+        super().__init__(detail)
+        self.retry_after = retry_after
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """How an exception answers: its status, name, and what its problem says beyond its text."""
+
+    status: int
+    name: str
+    title: str
+    members: tuple[str, ...] = field(default=())
+    """Attributes of the exception: ``errors`` and ``retry_after``."""
+
+
+KINDS: dict[type[Exception], Kind] = {
+    NotFoundError: Kind(404, "not-found", "There is no such thing"),
+    BodyTooLargeError: Kind(413, "body-too-large", "The body is too large"),
+    UnsupportedMediaError: Kind(415, "unsupported-media-type", "The body must be JSON"),
+    BadRequestError: Kind(422, "bad-request", "The request asks for what is not allowed"),
+    FrameTooLargeError: Kind(422, "frame-too-large", "The frame is larger than is rendered"),
+    MaskTooSlowError: Kind(422, "mask-too-slow", "The mask takes longer than is allowed on request"),
+    PlanError: Kind(422, "scene-cannot-be-planned", "The scene cannot be planned"),
+    RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
+    BusyError: Kind(503, "busy", "The server is busy"),
+    QueueFullError: Kind(503, "queue-full", "Too many frames are waiting"),
+    RendererUnavailableError: Kind(503, "no-renderer", "There is no renderer"),
+    DeadlineError: Kind(504, "deadline", "The frame was not finished in time"),
+}
+"""The one table: exception -> status."""
+
+
+def problem_responses(*statuses: int) -> dict[int | str, dict[str, Any]]:
+    """OpenAPI descriptions of the problems that an operation may answer with."""
+    content = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}
+    described = {}
+    for status in sorted(statuses):
+        titles = [kind.title for kind in KINDS.values() if kind.status == status]
+        described[status] = {"description": "; ".join(titles) or HTTPStatus(status).phrase, "content": content}
+    return dict(described)
+
+
+def problem(
+    request_path: str,
+    status: int,
+    detail: str,
+    *,
+    name: str = "",
+    title: str = "",
+    errors: Sequence[FieldProblem] = (),
+    remedy: str | None = None,
+    headers: Mapping[str, str] | None = None,
+) -> JSONResponse:
+    """A problem+json response, never stored."""
+    content = Problem(
+        type=f"urn:seafoam:problem:{name}" if name else "about:blank",
+        title=title or HTTPStatus(status).phrase,
+        status=status,
+        detail=detail,
+        instance=request_path,
+        errors=list(errors) or None,
+        remedy=remedy,
+    )
+    return JSONResponse(
+        content.model_dump(mode="json", exclude_none=True),
+        status,
+        {"Cache-Control": "no-store", **(headers or {})},
+        MEDIA_TYPE,
+    )
+
+
+def install(app: FastAPI) -> None:
+    """Make every error of the app a problem."""
+    for kind in KINDS:
+        app.add_exception_handler(kind, _known)
+    app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(HTTPException, _http)
+    app.add_exception_handler(Exception, _unexpected)
+
+
+def field_errors(error: RequestValidationError, openapi: Schema, operation: Schema) -> list[FieldProblem]:
+    """The places that validation refused, each with what the operation's schema allows there."""
+    return [_field_error(dict(item), error.body, openapi, operation) for item in error.errors()]
+
+
+def pointer_of(location: Sequence[str | int], value: Any, missing: bool) -> tuple[str | int, ...]:
+    """The path into ``value`` that a pydantic location means: without the names of union members."""
+    path: list[str | int] = []
+    for index, step in enumerate(location):
+        if isinstance(value, Mapping) and step in value or isinstance(value, list) and isinstance(step, int):
+            path.append(step)
+            value = value[step]
+        elif missing and index == len(location) - 1:
+            path.append(step)
+    return tuple(path)
+
+
+def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation: Schema) -> FieldProblem:
+    source, *location = item["loc"]
+    message: str = item["msg"].removeprefix("Value error, ")
+    if source != "body":
+        name = str(location[0]) if location else ""
+        parameters = operation.get("parameters", ())
+        declared = next((parameter for parameter in parameters if parameter["name"] == name), None)
+        if declared is None:
+            known = sorted(parameter["name"] for parameter in parameters if parameter["in"] == source)
+            said = {"members": known} if known else None
+            return FieldProblem(parameter=name, detail=f"{name} is not a parameter here", allowed=said)
+        allowed = allowed_at(declared["schema"], openapi, ())
+        return FieldProblem(parameter=name, detail=f"{name}: {message}", allowed=allowed)
+    if item["type"] == "json_invalid":
+        return FieldProblem(pointer="", detail=f"not JSON: {item['ctx']['error']} at character {location[0]}")
+    path = pointer_of(location, body, item["type"] == "missing")
+    pointer = "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
+    schema = operation.get("requestBody", {}).get("content", {}).get("application/json", {}).get("schema", {})
+    unknown = item["type"] == "extra_forbidden"
+    allowed = allowed_at(schema, openapi, path[:-1] if unknown else path, body)
+    return FieldProblem(pointer=pointer, detail=f"{pointer or 'the body'}: {message}", allowed=allowed)
+
+
+async def _known(request: Request, error: Exception) -> JSONResponse:
+    kind = next(KINDS[base] for base in type(error).__mro__ if base in KINDS)
+    errors: list[FieldProblem] = []
+    headers: dict[str, str] = {}
+    remedy = None
+    match error:
+        case BadRequestError():
+            errors = error.errors
+        case NotFoundError():
+            allowed = {"enum": list(error.known)} if error.known else None
+            errors = [FieldProblem(parameter=error.parameter, detail=str(error), allowed=allowed)]
+        case FrameTooLargeError():
+            bounds = {"minimum": error.least, "maximum": error.greatest}
+            place = {"pointer": f"/{error.field}"} if request.method == "POST" else {"parameter": error.field}
+            errors = [FieldProblem(detail=str(error), allowed=bounds, **place)]
+        case PlanError():
+            errors = [FieldProblem(pointer=error.pointer, detail=error.message)]
+        case QueueFullError() | BusyError():
+            headers = {"Retry-After": str(error.retry_after)}
+        case RendererUnavailableError():
+            headers = {"Retry-After": str(UNAVAILABLE_RETRY)}
+            remedy = str(error)
+    return problem(
+        request.url.path,
+        kind.status,
+        str(error),
+        name=kind.name,
+        title=kind.title,
+        errors=errors,
+        remedy=remedy,
+        headers=headers,
+    )
+
+
+async def _invalid(request: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, RequestValidationError)
+    openapi = request.app.openapi()
+    route = request.scope["route"]
+    operation = openapi["paths"].get(route.path, {}).get(request.method.lower(), {})
+    errors = field_errors(error, openapi, operation)
+    detail = "; ".join(item.detail for item in errors)
+    kind = KINDS[BadRequestError]
+    return problem(request.url.path, kind.status, detail, name=kind.name, title=kind.title, errors=errors)
+
+
+async def _http(request: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, HTTPException)
+    detail = error.detail
+    if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
+        detail = f"{request.method} is not allowed here"
+    elif error.status_code == HTTPStatus.NOT_FOUND:
+        detail = f"there is nothing at {request.url.path}"
+    return problem(request.url.path, error.status_code, detail, headers=error.headers)
+
+
+async def _unexpected(request: Request, error: Exception) -> JSONResponse:
+    # The server's log has the traceback; a client learns nothing of the inside.
+    return problem(request.url.path, 500, "the server failed; its log has the details", name="internal", title="Internal error")

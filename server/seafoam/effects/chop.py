@@ -1,0 +1,117 @@
+"""Wind ripples: slopes from a tile drawn each frame, or summed at each sample. docs/formulae.md, section 2."""
+
+import math
+from collections.abc import Sequence
+
+from seafoam.effects.contribution import (
+    Constant,
+    Contribution,
+    Effect,
+    FixedSize,
+    Fullscreen,
+    PassSpec,
+    Phase,
+    SlotFile,
+    Target,
+    TargetInput,
+    Uniform,
+    Wrap,
+    array,
+    number,
+    significant,
+)
+from seafoam.quality import Quality
+from seafoam.scene.chop import BANDS, TILES, WAVES_PER_TILE, Ripple, ripples
+from seafoam.scene.models import Scene
+
+
+def _data(waves: Sequence[Ripple], first_band: int = 0) -> list[Constant]:
+    per_band = WAVES_PER_TILE // BANDS
+    return [
+        Constant(value=(wave.kx, wave.kz, significant(wave.slope), float(first_band + i // per_band)))
+        for i, wave in enumerate(waves)
+    ]
+
+
+def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
+    per_band = WAVES_PER_TILE // BANDS
+    bands = [waves[i : i + per_band] for waves in cascades for i in range(0, WAVES_PER_TILE, per_band)]
+    return array(
+        "vec2",
+        [
+            Constant(
+                value=(
+                    significant(math.exp(sum(math.log(wave.k) for wave in band) / per_band)),
+                    significant(sum(0.5 * wave.slope**2 for wave in band)),
+                )
+            )
+            for band in bands
+        ],
+        len(bands),
+    )
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by ripples with a slope, under any light: nothing else shows a slope."""
+    chop = scene.water.chop
+    if chop is None or chop.slope == 0.0 or scene.light is None:
+        return None
+    cascades = ripples(chop)
+    consts: dict[str, int | float | bool] = {"CHOP_WAVES": WAVES_PER_TILE}
+    uniforms = {"u_chop_band": _bands(cascades)}
+    if quality.chop == "exact":
+        waves = [wave for cascade in cascades for wave in cascade]
+        data = [entry for i, cascade in enumerate(cascades) for entry in _data(cascade, BANDS * i)]
+        phases = [Phase(offset=wave.phase, rate=wave.omega, k=(-wave.kx, -wave.kz)) for wave in waves]
+        return Contribution(
+            why=f"{len(waves)} ripples, summed at each sample",
+            slots=(SlotFile("detail", "chop/exact.glsl", prefix="chop", needs=("chop/bands.glsl",)),),
+            consts=consts,
+            uniforms={
+                **uniforms,
+                "u_chop_wave": array("vec4", data, len(waves)),
+                "u_chop_phase": array("float", phases, len(waves)),
+            },
+        )
+    offsets = [Wrap(k=k) for tile in TILES for k in ((1.0 / tile, 0.0), (0.0, 1.0 / tile))]
+    return Contribution(
+        why=f"{WAVES_PER_TILE * len(TILES)} ripples, drawn into {len(TILES)} tiles each frame",
+        slots=(SlotFile("detail", "chop/tile.glsl", prefix="chop", needs=("chop/bands.glsl",)),),
+        consts=consts,
+        uniforms={
+            **uniforms,
+            "u_chop_offset": array("vec2", offsets, len(TILES)),
+            "u_chop_size": array("float", [Constant(value=(tile,)) for tile in TILES], len(TILES)),
+        },
+        inputs={f"u_chop_{i}": TargetInput(target=f"chop_{i}") for i in range(len(TILES))},
+        targets={
+            f"chop_{i}": Target(
+                size=FixedSize(width=quality.chop_size, height=quality.chop_size),
+                format="RGBA16F",
+                filter="linear",
+                wrap="repeat",
+            )
+            for i in range(len(TILES))
+        },
+        passes=tuple(
+            PassSpec(
+                name=f"ripples, {tile:g} m tile",
+                program="chop",
+                vertex=("vertex/fullscreen.glsl",),
+                fragment=("common/numbers.glsl", "chop/tile_pass.glsl"),
+                target=f"chop_{i}",
+                mesh=Fullscreen(),
+                uniforms={
+                    "u_chop_wave": array("vec4", _data(waves), len(waves)),
+                    "u_chop_phase": array(
+                        "float", [Phase(offset=wave.phase, rate=wave.omega, k=(0.0, 0.0)) for wave in waves], len(waves)
+                    ),
+                    "u_chop_tile": number(tile),
+                },
+            )
+            for i, (tile, waves) in enumerate(zip(TILES, cascades, strict=True))
+        ),
+    )
+
+
+EFFECT = Effect("ripples", contribute)

@@ -1,0 +1,82 @@
+"""Foam saturation from the wave's front (Yingst, Alford and Parberry 2011). docs/formulae.md, section 4."""
+
+import math
+
+from seafoam.effects.contribution import (
+    Constant,
+    Contribution,
+    Effect,
+    Phase,
+    Skipped,
+    SlotFile,
+    TextureInput,
+    TextureUse,
+    Uniform,
+    array,
+    number,
+    vector,
+)
+from seafoam.quality import Quality
+from seafoam.scene.dispersion import angular_frequency, wavevector
+from seafoam.scene.models import FrontSaturation, Scene
+from seafoam.textures import FRONT_NODES, front_full, front_integral_name
+
+_CONSTANTS = {"text": (math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": (1.07, 6.28, math.log(2.718))}
+"""δ (rad), the number that stands for 2π in the spatial phase, and ln E."""
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | Skipped | None:
+    """Called for by a saturation with source ``front``."""
+    if scene.foam is None:
+        return None
+    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, FrontSaturation)]
+    if not found:
+        return None
+    if not scene.waves:
+        return Skipped("no wave, so no front")
+    index, front = found[0]
+    filtered = scene.foam.look == "filtered"
+    delta, turn, log_base = _CONSTANTS[front.constants]
+    total = sum(wave.amplitude for wave in scene.waves)
+    data: list[Constant] = []
+    phases: list[Phase] = []
+    for wave in scene.waves:
+        kx, kz = (turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
+        weight = wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves)
+        data.append(Constant(value=(kx, kz, weight, 0.0)))
+        phases.append(
+            Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz))
+        )
+    gated = front.group != (0.0, 0.0)
+    pointer = f"/foam/saturation/{index}"
+    consts: dict[str, int | float | bool] = {"FRONT_COUNT": len(data), "FRONT_GATED": gated}
+    uniforms: dict[str, Uniform] = {
+        "u_front_wave": array("vec4", data, len(data)),
+        "u_front_phase": array("float", phases, len(data)),
+        # The filtered look reads C from a table as well, so there it is not free to move.
+        "u_front_intensity": number(front.intensity, None if filtered else f"{pointer}/intensity"),
+        "u_front_log_base": number(log_base),
+        "u_front_group": vector((front.group[0], max(front.group[1], front.group[0] + 1e-4))),
+    }
+    why = f"front saturation of {len(data)} wave{'s' if len(data) > 1 else ''}, constants of the {front.constants}"
+    needs = ("saturation/front_phase.glsl", "saturation/front_profile.glsl")
+    if not filtered:
+        return Contribution(
+            why=why,
+            slots=(SlotFile("saturation", "saturation/front.glsl", prefix="front", needs=needs),),
+            consts=consts,
+            uniforms=uniforms,
+        )
+    return Contribution(
+        why=f"{why}, averaged over footprints",
+        slots=(SlotFile("saturation", "saturation/front_filtered.glsl", prefix="front", needs=needs),),
+        consts={**consts, "FRONT_NODES": FRONT_NODES, "FRONT_FULL": front_full(front.intensity, log_base)},
+        uniforms=uniforms,
+        inputs={"u_front_integral": TextureInput(texture="front_integral")},
+        textures={
+            "front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")
+        },
+    )
+
+
+EFFECT = Effect("front foam", contribute)

@@ -1,0 +1,73 @@
+"""Parametric waves (Van Drasek et al. 2010, in Yingst et al. 2011). docs/formulae.md, section 2."""
+
+import math
+
+from seafoam.effects.contribution import (
+    Constant,
+    Contribution,
+    Effect,
+    Phase,
+    SlotFile,
+    array,
+    significant,
+)
+from seafoam.quality import Quality
+from seafoam.scene.dispersion import angular_frequency, wavevector
+from seafoam.scene.models import Scene
+
+_HELD = 1e-4
+"""|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""
+
+
+def _profile_slope(exponent: float, s: float, c: float) -> float:
+    """d(u^K)/dθ with u = s², s = sin(θ/2 + π/4), c its cosine."""
+    held = max(s, _HELD) if exponent < 0.5 else s
+    return exponent * held ** (2.0 * exponent - 1.0) * c
+
+
+def _steepest(exponent: float) -> float:
+    """Greatest |d(u^K)/dθ|: at u = (K − ½)/K for K > ½, else at the trough, where it is held."""
+    if exponent <= 0.5:
+        return _profile_slope(exponent, _HELD, 1.0)
+    u = (exponent - 0.5) / exponent
+    return exponent * u ** (exponent - 0.5) * math.sqrt(1.0 - u)
+
+
+def _mean_square(exponent: float) -> float:
+    """Mean of (d(u^K)/dθ)² over a period, by the midpoint rule, which is spectrally exact for a smooth wave."""
+    count = 256
+    angles = ((i + 0.5) * math.pi / (2 * count) for i in range(count))
+    return sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by any parametric wave with height."""
+    waves = [wave for wave in scene.waves if wave.amplitude > 0.0]
+    if not waves:
+        return None
+    data: list[Constant] = []
+    phases: list[Phase] = []
+    mss: list[Constant] = []
+    steepest = 0.0
+    for wave in waves:
+        kx, kz = wavevector(wave, scene.water.depth)
+        k = math.hypot(kx, kz)
+        data.append(Constant(value=(kx, kz, wave.amplitude, wave.exponent)))
+        phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
+        mss.append(Constant(value=(significant((k * wave.amplitude) ** 2 * _mean_square(wave.exponent)),)))
+        steepest += k * wave.amplitude * _steepest(wave.exponent)
+    return Contribution(
+        why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
+        slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"),),
+        consts={"PARAMETRIC_COUNT": len(waves)},
+        uniforms={
+            "u_parametric": array("vec4", data, len(waves)),
+            "u_parametric_phase": array("float", phases, len(waves)),
+            "u_parametric_mss": array("float", mss, len(waves)),
+        },
+        top=sum(wave.amplitude for wave in waves),
+        steepest=steepest,
+    )
+
+
+EFFECT = Effect("parametric waves", contribute)

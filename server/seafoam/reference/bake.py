@@ -1,0 +1,119 @@
+"""Baking reference frames: ``python -m seafoam.reference.bake [--preset NAME ...] [--out tests/references]``."""
+
+import argparse
+import multiprocessing
+import time as clock
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+from typing import get_args
+
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from seafoam.scene.models import Look, Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+from .frame import Mode, render
+from .truth import save_truth, truth_is_current
+
+TIMES = (0.0, 2.7, 1000003.5)
+"""Times of same-samples frames, s."""
+SAME_SIZE = (320, 180)
+SAME_SAMPLES = 4
+CONVERGED_TIME = 2.7
+CONVERGED_SIZE = (160, 90)
+CONVERGED_SAMPLES = 16
+EVERY_LOOK = ("default", "paper-halftone")
+"""Presets whose converged frame is baked in every look."""
+PROCESSES = 2
+DIRECTORY = Path("tests/references")
+
+
+@dataclass(frozen=True)
+class Job:
+    """One frame to bake."""
+
+    name: str
+    """File name without its suffix."""
+    preset: str
+    scene: Scene
+    time: float
+    size: tuple[int, int]
+    samples: int
+    mode: Mode
+
+
+def jobs_of(preset: str, scene: Scene) -> list[Job]:
+    """Every frame of a preset, in baking order."""
+    jobs = [
+        Job(f"{preset}.same.{time:g}" if time < 1e5 else f"{preset}.same.{time:.1f}", preset, scene, time, SAME_SIZE, SAME_SAMPLES, "same-samples")
+        for time in TIMES
+    ]
+    scenes = {None if scene.foam is None else scene.foam.look: scene}
+    if preset in EVERY_LOOK and scene.foam is not None:
+        for look in get_args(Look):
+            scenes[look] = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
+    jobs += [
+        Job(
+            f"{preset}.converged.{look or 'no-foam'}",
+            preset,
+            variant,
+            CONVERGED_TIME,
+            CONVERGED_SIZE,
+            CONVERGED_SAMPLES,
+            "converged",
+        )
+        for look, variant in scenes.items()
+    ]
+    return jobs
+
+
+def truth_file(directory: Path, name: str) -> Path:
+    """Where a directory holds the frame of a job."""
+    return directory / f"{name}.npz"
+
+
+def bake(job: Job, directory: Path) -> float:
+    """Render and write one frame; returns the seconds that rendering took."""
+    start = clock.perf_counter()
+    width, height = job.size
+    frame = render(job.scene, time=job.time, width=width, height=height, samples=job.samples, mode=job.mode)
+    seconds = clock.perf_counter() - start
+    save_truth(
+        truth_file(directory, job.name),
+        frame,
+        preset=job.preset,
+        scene=job.scene,
+        time=job.time,
+        mode=job.mode,
+        seconds=seconds,
+    )
+    return seconds
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Bake the frames that are missing or of another scene; all of them with ``--force``."""
+    parser = argparse.ArgumentParser(prog="python -m seafoam.reference.bake", description=main.__doc__)
+    parser.add_argument("--preset", action="append", choices=preset_names(), help="only this one; may be repeated")
+    parser.add_argument("--out", type=Path, default=DIRECTORY)
+    parser.add_argument("--force", action="store_true", help="bake current frames too")
+    asked = parser.parse_args(arguments)
+    directory: Path = asked.out
+    directory.mkdir(parents=True, exist_ok=True)
+    jobs = [job for name in asked.preset or preset_names() for job in jobs_of(name, load_preset(name).scene)]
+    if not asked.force:
+        jobs = [job for job in jobs if not truth_is_current(truth_file(directory, job.name), job.scene)]
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with (
+        Progress(*columns) as progress,
+        ProcessPoolExecutor(PROCESSES, mp_context=multiprocessing.get_context("spawn")) as pool,
+    ):
+        task = progress.add_task("frames", total=len(jobs))
+        running = {pool.submit(bake, job, directory): job for job in jobs}
+        for done in as_completed(running):
+            progress.console.print(f"{running[done].name}: {done.result():.1f} s")
+            progress.advance(task)
+
+
+if __name__ == "__main__":
+    main()

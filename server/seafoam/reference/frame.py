@@ -1,0 +1,299 @@
+"""A frame of a scene: rays through pixels, the surface under them, foam, light, and the average."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from seafoam.masks import custom_mask, load_mask
+from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
+from seafoam.textures import foam_texture
+
+from . import camera as cameras
+from . import light, looks, sampling, surface
+from .saturation import CAP, FRONT_CONSTANTS, saturation
+from .types import Bools, Floats, Ranks, dot, unit
+from .waves import RippleSet, WaveSet, ripple_set, wave_set
+
+Mode = Literal["same-samples", "converged"]
+
+CHUNK = 32768
+"""Rays at a time: their arrays stay in the processor's cache."""
+JITTER_SEED = 20110
+TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
+
+
+@dataclass(frozen=True, eq=False)
+class Assets:
+    """The images that foam reads."""
+
+    thresholds: Floats
+    """m of the mask, (size, size), row v and column u."""
+    moments: list[Floats]
+    """Box-averaged chain of (m, m²)."""
+    quantile: Floats
+    """(65,) table of Q, see :func:`sampling.quantile`."""
+    texture: list[Floats]
+    """Box-averaged chain of the foam texture t in [0, 1]."""
+
+    @staticmethod
+    def of(ranks: Ranks, quantile: Floats, texture: Floats) -> Assets:
+        """From a mask's ranks (size, size), its quantile table (65,), and a foam texture (size, size) in [0, 1]."""
+        return Assets(
+            thresholds=sampling.thresholds(ranks),
+            moments=sampling.moments(ranks),
+            quantile=np.asarray(quantile, np.float64),
+            texture=sampling.box_chain(np.asarray(texture, np.float64)),
+        )
+
+    @staticmethod
+    def for_scene(scene: Scene) -> Assets | None:
+        """The images of a scene's foam; None without foam. Raises ``KeyError`` or ``ValueError`` for a bad mask."""
+        if scene.foam is None:
+            return None
+        name = scene.foam.mask
+        if ":" in name:
+            family, sigma, size, seed = name.split(":")
+            mask = custom_mask(family, float(sigma), int(size), int(seed))
+        else:
+            mask = load_mask(name)
+        return Assets.of(mask.ranks, np.array(mask.quantile), foam_texture())
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """A picture in linear light, rows from the top."""
+
+    rgb: Floats
+    """(H, W, 3), averaged over the samples, exposed, not tone mapped."""
+    alpha: Floats
+    """(H, W), mean foam amount in [0, 1]; 0 in the sky."""
+    amount: Floats
+    """(H·n, W·n), foam amount of each sample, at most 1; in converged mode of each cell's one jittered sample."""
+    hit: Bools
+    """(H·n, W·n), whether a sample met the surface."""
+    depression: Floats
+    """(H, W), angle of each pixel's middle ray below the horizon, rad."""
+    samples: int
+    """n, samples along each side of a pixel."""
+
+
+def render(
+    scene: Scene,
+    *,
+    time: float,
+    width: int,
+    height: int,
+    samples: int = 1,
+    camera: Camera | None = None,
+    mode: Mode = "same-samples",
+    assets: Assets | None = None,
+) -> Frame:
+    """Render a scene at a time (s) with ``samples``² samples a pixel.
+
+    ``same-samples`` sets them on the grid of section 1 and filters as the page says; ``converged`` jitters one in each
+    cell of the grid, always in the same places, and puts the limit in place of the filtered look and level 0 in place
+    of every texture level. ``camera`` stands in for the scene's. Waves and ripples are never slope-filtered.
+    """
+    if assets is None:
+        assets = Assets.for_scene(scene)
+    chosen = scene.camera if camera is None else camera
+    view = cameras.view(chosen, width, height)
+    shader = _Shader(scene, time, view, width, height, samples, mode, assets)
+    pixels = width * height
+    rgb = np.empty((pixels, 3))
+    alpha = np.empty(pixels)
+    amount = np.empty((height, samples, width, samples))
+    hit = np.empty((height, samples, width, samples), np.bool_)
+    cell = np.arange(samples)
+    jitter = np.random.default_rng(JITTER_SEED)
+    step = max(1, CHUNK // samples**2)
+    for start in range(0, pixels, step):
+        index = np.arange(start, min(start + step, pixels))
+        row, column = index[:, None, None] // width, index[:, None, None] % width
+        places = (index.size, samples, samples)
+        offset = jitter.random((*places, 2)) if mode == "converged" else np.full((*places, 2), 0.5)
+        down = row * samples + cell[:, None] + offset[..., 0]
+        along = column * samples + cell + offset[..., 1]
+        X = 2.0 * along / (samples * width) - 1.0
+        Y = 1.0 - 2.0 * down / (samples * height)
+        colour, a, met = shader.shade(X.ravel(), Y.ravel())
+        rgb[index] = colour.reshape(index.size, samples**2, 3).mean(axis=1)
+        alpha[index] = a.reshape(index.size, samples**2).mean(axis=1)
+        where = (row, cell[:, None], column, cell)
+        amount[where] = a.reshape(places)
+        hit[where] = met.reshape(places)
+    grid = (height * samples, width * samples)
+    return Frame(
+        rgb=rgb.reshape(height, width, 3),
+        alpha=alpha.reshape(height, width),
+        amount=amount.reshape(grid),
+        hit=hit.reshape(grid),
+        depression=cameras.depression(view, width, height),
+        samples=samples,
+    )
+
+
+class _Shader:
+    """Everything of a frame that no sample changes."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        time: float,
+        view: cameras.View,
+        width: int,
+        height: int,
+        samples: int,
+        mode: Mode,
+        assets: Assets | None,
+    ) -> None:
+        self.scene = scene
+        self.view = view
+        self.filtering = mode == "same-samples"
+        self.assets = assets
+        self.delta_x = 2.0 * view.ray_x / (samples * width)
+        self.delta_y = 2.0 * view.ray_y / (samples * height)
+        self.air = None if scene.light is None else light.air(scene.light)
+        self.eye_y = float(view.eye[1])
+        self.origin = (float(view.eye[0]), float(view.eye[2]))
+        self.waves = wave_set(scene, time, self.origin)
+        self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
+        sources = () if scene.foam is None else scene.foam.saturation
+        self.fronts: dict[str, WaveSet] = {
+            source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
+            for source in sources
+            if not isinstance(source, HeightSaturation)
+        }
+
+    def shade(self, X: Floats, Y: Floats) -> tuple[Floats, Floats, Bools]:
+        """Colour (r, 3), foam amount (r,) and hit (r,) of samples at clip positions (r,)."""
+        D = cameras.rays(self.view, X, Y)
+        d = unit(D)
+        distance = surface.first_crossing(self.waves, self.eye_y, d)
+        met = np.isfinite(distance)
+        colour = np.zeros_like(D)
+        amount = np.zeros_like(X)
+        if not met.all() and self.air is not None:
+            sky = ~met
+            colour[sky] = (self.air.sky(d[sky]) + light.sun_disc(self.air, d[sky])) * self._exposure
+        if met.any():
+            colour[met], amount[met] = self._surface(D[met], d[met], distance[met])
+        return colour, amount, met
+
+    @property
+    def _exposure(self) -> float:
+        return 1.0 if self.scene.light is None else 2.0**self.scene.light.exposure
+
+    def _surface(self, D: Floats, d: Floats, distance: Floats) -> tuple[Floats, Floats]:
+        """Colour (r, 3) and foam amount (r,) where rays D meet the surface, ``distance`` metres away."""
+        scene, air = self.scene, self.air
+        x, z = d[:, 0] * distance, d[:, 2] * distance
+        H = self.waves.height(x, z)
+        h_x, h_z = self.waves.gradient(x, z)
+        c_x, c_z = self.ripples.gradient(x, z)
+        N = surface.normal(h_x, h_z)
+        a = np.zeros_like(x)
+        if scene.foam is not None and self.assets is not None:
+            tau = distance / np.sqrt(dot(D, D))
+            a = self._foam(scene.foam, self.assets, x, z, H, tau, D, N)
+        adds = scene.foam is not None and scene.foam.look == "listing"
+        if air is None or scene.light is None:
+            colour = np.repeat(a[:, None], 3, axis=1)
+        else:
+            n = unit(surface.normal(h_x + c_x, h_z + c_z))
+            colour = light.water(air, scene.water, self.waves.top, d, n, H)
+            if scene.foam is not None:
+                white = light.foam(air, scene.foam.albedo, unit(N))
+                colour = (colour if adds else colour * (1.0 - a[:, None])) + white * a[:, None]
+            colour = light.haze(air, scene.light.visibility, colour, d, distance) * self._exposure
+        if adds:
+            colour = np.clip(colour, 0.0, 1.0)
+        return colour, np.minimum(a, 1.0)
+
+    def _foam(
+        self, foam: Foam, assets: Assets, x: Floats, z: Floats, H: Floats, tau: Floats, D: Floats, N: Floats
+    ) -> Floats:
+        """The look's foam amount at r places; (r,), in [0, 3] for ``listing``, else in [0, 1]."""
+        foot_x = surface.footprint(tau, D, N, self.delta_x)
+        foot_y = surface.footprint(tau, D, N, self.delta_y)
+        filtered = foam.look == "filtered"
+        f = saturation(
+            foam.saturation,
+            foam.combine,
+            self.fronts,
+            x,
+            z,
+            H,
+            cap=1.0 if filtered else CAP,
+            footprints=(foot_x, foot_y) if filtered and self.filtering else None,
+        )
+        t = self._texture(foam, assets, x, z, foot_x, foot_y)
+        u, v = _turned(x, z, foam, self.origin)
+        if filtered:
+            return looks.thinned(self._coverage(foam, assets, f, u, v, foot_x, foot_y), t, foam.texture)
+        if foam.look == "textured":
+            return looks.textured(f, t)
+        m = sampling.nearest(assets.thresholds, u, v)
+        if foam.look == "halftone":
+            return looks.halftone(f, m)
+        if foam.look == "fading":
+            return looks.fading(f, m)
+        return looks.halftone_textured(f, m, t) if foam.look == "halftone_textured" else looks.listing(f, m, t)
+
+    def _texture(
+        self, foam: Foam, assets: Assets, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+    ) -> Floats:
+        if foam.look not in TEXTURED_LOOKS and not (foam.look == "filtered" and foam.texture > 0.0):
+            return np.ones_like(x)
+        u = _tiles(self.origin[0], foam.texture_tile) + x / foam.texture_tile
+        v = _tiles(self.origin[1], foam.texture_tile) + z / foam.texture_tile
+        if not self.filtering:
+            return sampling.bilinear(assets.texture[0], u, v)
+        size = assets.texture[0].shape[0]
+        level = sampling.footprint_level(foot_x / foam.texture_tile, foot_y / foam.texture_tile, size)
+        return sampling.trilinear(assets.texture, u, v, level)
+
+    def _coverage(
+        self, foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_x: Floats, foot_y: Floats
+    ) -> Floats:
+        if not self.filtering:
+            b, _, _ = sampling.bspline(assets.thresholds, u, v)
+            return looks.converged_coverage(s, b, assets.quantile, foam.fade)
+        foot_u, foot_v = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
+        level = sampling.footprint_level(foot_u, foot_v, assets.thresholds.shape[0])
+        both = sampling.trilinear(assets.moments, u, v, level)
+        b, e = np.zeros_like(s), np.zeros_like(s)
+        near = np.flatnonzero(looks.magnification(level) > 0.0)
+        if near.size:
+            b[near], b_u, b_v = sampling.bspline(assets.thresholds, u[near], v[near])
+            e[near] = 0.5 * (
+                np.abs(b_u * foot_u[near, 0] + b_v * foot_u[near, 1])
+                + np.abs(b_u * foot_v[near, 0] + b_v * foot_v[near, 1])
+            )
+        return looks.filtered_coverage(s, both[:, 0], both[:, 1], b, e, level, assets.quantile, foam.fade)
+
+
+def _tiles(position: float, tile: float) -> float:
+    """Place of a position in its tile, in (−1, 1) tiles, exact before the division."""
+    return math.fmod(position, tile) / tile
+
+
+def _turned(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:
+    """Mask coordinates (u, v) of places x, z from the origin; (r,) each, 1 a tile."""
+    cosine, sine = math.cos(foam.mask_angle), math.sin(foam.mask_angle)
+    tile = foam.mask_tile
+    u = (x * cosine + z * sine) / tile + _tiles(origin[0] * cosine + origin[1] * sine, tile)
+    v = (z * cosine - x * sine) / tile + _tiles(origin[1] * cosine - origin[0] * sine, tile)
+    return u, v
+
+
+def _turned_steps(foot: Floats, foam: Foam) -> Floats:
+    """A footprint (r, 2) m in mask coordinates; (r, 2), 1 a tile."""
+    cosine, sine = math.cos(foam.mask_angle), math.sin(foam.mask_angle)
+    x, z = foot[:, 0], foot[:, 1]
+    result: Floats = np.stack((x * cosine + z * sine, z * cosine - x * sine), axis=-1) / foam.mask_tile
+    return result

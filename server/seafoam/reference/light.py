@@ -1,0 +1,237 @@
+"""Section 6: sun, sky, water body, foam and haze. Section 7: the tone curve.
+
+Colours are linear RGB along the last axis, directions unit vectors (x, y, z) along the last axis.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from seafoam.scene.models import Light, Water
+
+from .types import Floats, dot, smoothstep, unit
+
+RAYLEIGH = np.array([0.055, 0.108, 0.215])
+MIE_LEAST = 0.01
+MIE_PER_TURBIDITY = 0.04
+AIR_MASS_OFFSET = 0.03
+SUN_POWER = 20.0
+SUN_RISE = 0.02
+TWILIGHT = 12.0
+NIGHT = 0.002
+FLAT_SHARE = 0.04
+FORWARD = 0.76
+SUN_SOLID_ANGLE = 6.8e-5
+DISC_MOST = 3000.0
+DISC_INNER = 0.0045
+DISC_OUTER = 0.0055
+INDEX = 1.34
+ENTERS = 0.95
+"""Share of the light from above that gets into the water."""
+BACKSCATTER = 0.4
+CREST_PATH = 6.0
+GLITTER_MOST = 1e4
+CONTRAST = 3.912
+SKY_NODES = 192
+SKY_TURNS = 384
+
+
+@dataclass(frozen=True)
+class Air:
+    """A light, worked out for its sun: everything that no ray changes."""
+
+    sun: Floats
+    """S, (3,) unit vector to the sun."""
+    mie: float
+    depth: Floats
+    """τ, (3,) optical depth at the zenith."""
+    sun_irradiance: Floats
+    """E_s, (3,)."""
+    air_light: Floats
+    """E_a, (3,)."""
+
+    def sky(self, d: Floats) -> Floats:
+        """sky(d) without the disc; (..., 3). Directions below the horizon get its air mass."""
+        return sky(self, d)
+
+    @property
+    def sky_irradiance(self) -> Floats:
+        """E_sky, (3,): the sky's light on level ground."""
+        return _sky_irradiance(tuple(self.sun.tolist()), self.mie)
+
+
+def air_mass(y: Floats) -> Floats:
+    """M(y) = 1/(max(y, 0) + 0.03) of the height y of a unit direction."""
+    result: Floats = 1.0 / (np.maximum(y, 0.0) + AIR_MASS_OFFSET)
+    return result
+
+
+def air(light: Light) -> Air:
+    """The air under a light."""
+    elevation, azimuth = light.sun_elevation, light.sun_azimuth
+    sun = np.array(
+        [
+            math.cos(elevation) * math.cos(azimuth),
+            math.sin(elevation),
+            math.cos(elevation) * math.sin(azimuth),
+        ]
+    )
+    return _air(sun, MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
+
+
+def sky(of: Air, d: Floats) -> Floats:
+    """Radiance of the sky toward d, without the sun's disc; (..., 3)."""
+    gamma = dot(d, of.sun)[..., None]
+    height = d[..., 1][..., None]
+    rayleigh = RAYLEIGH * (3.0 / (16.0 * math.pi)) * (1.0 + gamma * gamma)
+    mie = of.mie * (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
+    scattered = (rayleigh + mie) / of.depth + FLAT_SHARE
+    result: Floats = of.air_light * scattered * (1.0 - np.exp(-of.depth * air_mass(height)))
+    return result
+
+
+def sun_disc(of: Air, d: Floats) -> Floats:
+    """Radiance of the sun's disc toward d; (..., 3)."""
+    away = d - of.sun
+    inside = 1.0 - smoothstep(DISC_INNER**2, DISC_OUTER**2, dot(away, away))
+    result: Floats = np.minimum(of.sun_irradiance / SUN_SOLID_ANGLE, DISC_MOST) * inside[..., None]
+    return result
+
+
+def fresnel(c: Floats) -> Floats:
+    """Unpolarised reflectance of water, index 1.34, of the cosine c in [0, 1]; in [0, 1]."""
+    q = np.sqrt(INDEX**2 - 1.0 + c * c)
+    first = (q - c) / (q + c)
+    second = (c * (q + c) - 1.0) / (c * (q - c) + 1.0)
+    result: Floats = 0.5 * first * first * (1.0 + second * second)
+    return result
+
+
+def sky_light(of: Air, up: Floats) -> Floats:
+    """E_sky(½ + ½ n.y) on ground whose unit normal rises by ``up`` (...,); (..., 3)."""
+    result: Floats = of.sky_irradiance * (0.5 + 0.5 * up)[..., None]
+    return result
+
+
+def water(of: Air, body: Water, top: float, d: Floats, n: Floats, H: Floats) -> Floats:
+    """Radiance of the water toward the eye, before haze; (r, 3).
+
+    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m.
+    """
+    sigma2 = body.roughness**2
+    nv = np.maximum(-dot(n, d), 0.0)
+    cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
+    mirror = fresnel(cv)[:, None]
+    inner = (1.0 - mirror) * (_body(of, body, n, H, cv) + _crest(of, body, top, d, H))
+    return inner + mirror * of.sky(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
+
+
+def foam(of: Air, albedo: float, N: Floats) -> Floats:
+    """Radiance of foam of unit normals N (r, 3), before haze; (r, 3)."""
+    direct = of.sun_irradiance * np.maximum(dot(N, of.sun), 0.0)[:, None]
+    result: Floats = albedo / math.pi * (direct + sky_light(of, N[:, 1]))
+    return result
+
+
+def haze(of: Air, visibility: float, L: Floats, d: Floats, distance: Floats) -> Floats:
+    """L (r, 3) seen through so much air (r,) m along d (r, 3): blended into the sky at the horizon; (r, 3).
+
+    Straight down there is no horizon ahead; the zero vector stands in for it.
+    """
+    level = unit(d * np.array([1.0, 0.0, 1.0]))
+    through = np.exp(-CONTRAST * distance / visibility)[:, None]
+    result: Floats = L * through + of.sky(level) * (1.0 - through)
+    return result
+
+
+def tone(x: Floats) -> Floats:
+    """Narkowicz's curve of linear light x ≥ 0, clamped to [0, 1]; of the shape of ``x``."""
+    result: Floats = np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
+    return result
+
+
+def srgb(x: Floats) -> Floats:
+    """The sRGB curve of linear light in [0, 1]; of the shape of ``x``."""
+    result: Floats = np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.maximum(x, 0.0031308) ** (1.0 / 2.4) - 0.055)
+    return result
+
+
+def _air(sun: Floats, mie: float) -> Air:
+    depth = RAYLEIGH + mie
+    height = sun[1]
+    path = depth * air_mass(height)
+    return Air(
+        sun=sun,
+        mie=mie,
+        depth=depth,
+        sun_irradiance=SUN_POWER * np.exp(-path) * smoothstep(-SUN_RISE, SUN_RISE, height),
+        air_light=SUN_POWER * np.exp(-0.5 * path) * math.exp(TWILIGHT * min(float(height), 0.0)) + NIGHT,
+    )
+
+
+@lru_cache(maxsize=64)
+def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
+    """∫ sky cos over the upper half: Gauss–Legendre in the height, even steps around, where it is periodic."""
+    nodes, weights = np.polynomial.legendre.leggauss(SKY_NODES)
+    # Heights as squares: the sky changes fastest at the horizon.
+    root, weights = 0.5 * (nodes + 1.0), 0.5 * weights
+    y = root * root
+    around = np.arange(SKY_TURNS) * (2.0 * math.pi / SKY_TURNS)
+    level = np.sqrt(1.0 - y * y)
+    d = np.stack(
+        (
+            level[:, None] * np.cos(around),
+            np.repeat(y[:, None], SKY_TURNS, axis=1),
+            level[:, None] * np.sin(around),
+        ),
+        axis=-1,
+    )
+    rings = sky(_air(np.array(sun), mie), d).sum(axis=1) * (2.0 * math.pi / SKY_TURNS)
+    result: Floats = ((2.0 * root * y * weights)[:, None] * rings).sum(axis=0)
+    return result
+
+
+def _body(of: Air, body: Water, n: Floats, H: Floats, cv: Floats) -> Floats:
+    """L_body: light scattered back by the water, and by its floor; (r, 3)."""
+    absorption = 1.0 / np.array(body.absorption_length)
+    extinction = absorption + body.scattering
+    down = ENTERS * (of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None] + sky_light(of, n[:, 1]))
+    deep = BACKSCATTER * body.scattering / extinction * down / math.pi
+    if body.depth is None:
+        return deep
+    refracted = np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2)
+    path = (body.depth + H) * (1.0 + 1.0 / refracted)
+    through = np.exp(-extinction * path[:, None])
+    result: Floats = deep * (1.0 - through) + np.array(body.floor_albedo) * down / math.pi * through
+    return result
+
+
+def _crest(of: Air, body: Water, top: float, d: Floats, H: Floats) -> Floats:
+    """L_t: the sun through thin crests; (r, 3)."""
+    if top <= 0.0:
+        return np.zeros_like(d)
+    toward = np.maximum(d[:, 0] * of.sun[0] + d[:, 2] * of.sun[2], 0.0)
+    share = body.translucency / math.pi * (H / top) ** 2 * toward
+    result: Floats = share[:, None] * of.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
+    return result
+
+
+def _reflected(d: Floats, n: Floats, sigma2: float) -> Floats:
+    """Where the water mirrors, lifted by the roughness; (r, 3) unit vectors."""
+    r = d - 2.0 * dot(d, n)[:, None] * n
+    r[:, 1] = np.sqrt(np.maximum(r[:, 1], 0.0) ** 2 + sigma2)
+    return unit(r)
+
+
+def _glitter(of: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
+    """L_s: the sun mirrored by what is rougher than a ripple (Beckmann slopes); (r, 3)."""
+    h = unit(of.sun - d)
+    nh2 = np.maximum(dot(n, h), 1e-3) ** 2
+    slopes = np.exp(-(1.0 - nh2) / (nh2 * sigma2)) / (math.pi * sigma2 * nh2 * nh2 * 4.0 * cv)
+    mirrored = fresnel(np.maximum(dot(h, of.sun), 0.0)) * slopes
+    # S = d leaves h zero: no facet mirrors the sun straight on.
+    mirrored = np.where((h == 0.0).all(axis=-1), 0.0, mirrored)
+    result: Floats = np.minimum(of.sun_irradiance * mirrored[:, None], GLITTER_MOST)
+    return result

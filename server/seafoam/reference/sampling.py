@@ -1,0 +1,123 @@
+"""Reading tiled images: texels, bilinear, trilinear and B-spline, all wrapped; the centre of texel i is (i + ½)/size.
+
+Coordinates u run along columns and v along rows, 1 a tile. Images are (size, size) or (size, size, channels), rows
+from v = 0, size a power of two.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .types import Floats, Indices, Ranks
+
+QUANTILE_ENTRIES = 65
+
+
+def box_chain(image: Floats) -> list[Floats]:
+    """The image and its box-averaged halvings down to one texel."""
+    chain = [image]
+    while chain[-1].shape[0] > 1:
+        last = chain[-1]
+        chain.append(0.25 * (last[0::2, 0::2] + last[1::2, 0::2] + last[0::2, 1::2] + last[1::2, 1::2]))
+    return chain
+
+
+def thresholds(ranks: Ranks) -> Floats:
+    """m = (rank + ½)/N of each texel, in (0, 1)."""
+    result: Floats = (ranks.astype(np.float64) + 0.5) / ranks.size
+    return result
+
+
+def moments(ranks: Ranks) -> list[Floats]:
+    """Box-averaged chain of (m, m²); level l is (size/2^l, size/2^l, 2)."""
+    m = thresholds(ranks)
+    return box_chain(np.stack((m, m * m), axis=-1))
+
+
+def nearest(image: Floats, u: Floats, v: Floats) -> Floats:
+    """The texel that (u, v) lies in; (r,) or (r, channels)."""
+    size = image.shape[0]
+    result: Floats = image[_wrapped(np.floor(v * size), size), _wrapped(np.floor(u * size), size)]
+    return result
+
+
+def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
+    """Linear between the four nearest texel centres; (r,) or (r, channels)."""
+    size = image.shape[0]
+    x, y = u * size - 0.5, v * size - 0.5
+    i, j = np.floor(x), np.floor(y)
+    fx, fy = x - i, y - j
+    if image.ndim == 3:
+        fx, fy = fx[:, None], fy[:, None]
+    left, right = _wrapped(i, size), _wrapped(i + 1.0, size)
+    low, high = _wrapped(j, size), _wrapped(j + 1.0, size)
+    result: Floats = (1.0 - fy) * ((1.0 - fx) * image[low, left] + fx * image[low, right]) + fy * (
+        (1.0 - fx) * image[high, left] + fx * image[high, right]
+    )
+    return result
+
+
+def trilinear(chain: list[Floats], u: Floats, v: Floats, level: Floats) -> Floats:
+    """Bilinear at the two levels around ``level`` (held to those there are), linear between; (r,) or (r, channels)."""
+    level = np.clip(level, 0.0, len(chain) - 1.0)
+    result = np.zeros(u.shape + chain[0].shape[2:])
+    below = np.floor(level).astype(np.intp)
+    share = level - below
+    for index, image in enumerate(chain):
+        for offset, weight in ((0, 1.0 - share), (1, share)):
+            here = np.flatnonzero((below + offset == index) & (weight > 0.0))
+            if here.size:
+                read = bilinear(image, u[here], v[here])
+                part = weight[here]
+                result[here] += read * (part[:, None] if read.ndim == 2 else part)
+    return result
+
+
+def bspline(image: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats, Floats]:
+    """Uniform cubic B-spline of texels, no prefilter: value, ∂/∂u and ∂/∂v (a tile); (r,) each."""
+    size = image.shape[0]
+    x, y = u * size - 0.5, v * size - 0.5
+    i, j = np.floor(x), np.floor(y)
+    across, down = _spline(x - i), _spline(y - j)
+    value, along_u, along_v = np.zeros_like(u), np.zeros_like(u), np.zeros_like(u)
+    for a in range(4):
+        row = _wrapped(j + (a - 1.0), size)
+        for b in range(4):
+            texel = image[row, _wrapped(i + (b - 1.0), size)]
+            value += down[0][a] * across[0][b] * texel
+            along_u += down[0][a] * across[1][b] * texel
+            along_v += down[1][a] * across[0][b] * texel
+    return value, along_u * size, along_v * size
+
+
+def quantile(table: Floats, s: ArrayLike) -> Floats:
+    """Q(s): the B-spline mask is below it on a share s of the plane; s in [0, 1].
+
+    The 65 entries stand at even steps of √(s/2) up to s = ½ and of 1 − √((1 − s)/2) above, linear between.
+    """
+    share = np.clip(np.asarray(s, np.float64), 0.0, 1.0)
+    upper = share > 0.5
+    root = np.sqrt(0.5 * np.where(upper, 1.0 - share, share))
+    place = (QUANTILE_ENTRIES - 1) * np.where(upper, 1.0 - root, root)
+    i = np.minimum(place.astype(np.intp), QUANTILE_ENTRIES - 2)
+    result: Floats = table[i] + (place - i) * (table[i + 1] - table[i])
+    return result
+
+
+def footprint_level(foot_u: Floats, foot_v: Floats, size: int) -> Floats:
+    """log₂ of the longer of two footprints (r, 2), 1 a tile, in texels; far below 0 for a footprint of 0."""
+    longer = np.maximum((foot_u * foot_u).sum(axis=1), (foot_v * foot_v).sum(axis=1))
+    result: Floats = 0.5 * np.log2(np.maximum(longer * float(size) ** 2, 1e-60))
+    return result
+
+
+def _wrapped(index: Floats, size: int) -> Indices:
+    return np.mod(index, size).astype(np.intp)
+
+
+def _spline(f: Floats) -> tuple[list[Floats], list[Floats]]:
+    """Weights of texels −1, 0, 1, 2 at the fraction f past texel 0, and their derivatives a texel."""
+    g = 1.0 - f
+    outer, inner = f * f * f / 6.0, 2.0 / 3.0 - 0.5 * f * f * (2.0 - f)
+    weights = [g * g * g / 6.0, inner, 2.0 / 3.0 - 0.5 * g * g * (2.0 - g), outer]
+    rates = [-0.5 * g * g, 0.5 * f * (3.0 * f - 4.0), 0.5 * g * (4.0 - 3.0 * g), 0.5 * f * f]
+    return weights, rates

@@ -1,0 +1,212 @@
+"""Section 4: the saturation f of foam, before any look thresholds it."""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+
+from seafoam.scene.models import FrontSaturation, HeightSaturation
+
+from .types import Floats, smoothstep
+from .waves import WaveSet
+
+CAP = 4.0
+EXPONENT = 80.0
+CELLS = 16384
+"""Cells of the tabulated integral; cubic between them, off by less than 10⁻¹²."""
+LISTING_SPATIAL = 6.28 / (2.0 * math.pi)
+"""What the published code makes of a wavenumber."""
+GATE_LEAST = 1e-4
+GROUP_LEAST = 1e-4
+"""Least ρ² in ∇ψ."""
+
+
+@dataclass(frozen=True)
+class FrontConstants:
+    """δ (rad), the base E and the factor of the wavenumbers."""
+
+    delta: float
+    base: float
+    spatial: float
+
+
+FRONT_CONSTANTS: dict[Literal["text", "listing"], FrontConstants] = {
+    "text": FrontConstants(math.pi / 2.0, math.e, 1.0),
+    "listing": FrontConstants(1.07, 2.718, LISTING_SPATIAL),
+}
+
+
+@dataclass(frozen=True)
+class Group:
+    """The waves' sum as an analytic signal at r places: ρ e^{iψ} = X + iY, and the gradients of X and Y, (r, 2)."""
+
+    X: Floats
+    Y: Floats
+    grad_X: Floats
+    grad_Y: Floats
+
+    @property
+    def rho(self) -> Floats:
+        """Length of the sum, in [0, 1]."""
+        return np.hypot(self.X, self.Y)
+
+
+def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
+    """The analytic signal of the waves at (x, z), its phase moved by 2δ − π; without waves it is zero."""
+    X, Y = np.zeros_like(x), np.zeros_like(x)
+    grad_X, grad_Y = np.zeros((*x.shape, 2)), np.zeros((*x.shape, 2))
+    count = waves.amplitude.size
+    top = waves.top
+    weights = waves.amplitude / top if top > 0.0 else np.full(count, 1.0 / max(count, 1))
+    for i, theta in enumerate(waves.theta(x, z)):
+        psi = theta + (2.0 * delta - math.pi)
+        cosine, sine = weights[i] * np.cos(psi), weights[i] * np.sin(psi)
+        X += cosine
+        Y += sine
+        grad_X += sine[:, None] * np.array([waves.kx[i], waves.kz[i]])
+        grad_Y -= cosine[:, None] * np.array([waves.kx[i], waves.kz[i]])
+    return Group(X, Y, grad_X, grad_Y)
+
+
+def gate(rho: Floats, thresholds: tuple[float, float]) -> Floats:
+    """Share of f that a group of length ρ lets through, in [0, 1]; (0, 0) is no gate."""
+    low, high = thresholds
+    if low == 0.0 and high == 0.0:
+        return np.ones_like(rho)
+    return smoothstep(low, max(high, low + GATE_LEAST), rho)
+
+
+def front_saturation(X: Floats, Y: Floats, intensity: float, base: float = math.e) -> Floats:
+    """f = E^(cot(ψ/2))/C of ψ = atan2(Y, X), capped at 4, without the gate; of the shape of X.
+
+    At the pole, ψ = 0, f is 4. At X = Y = 0 it is E⁰/C.
+    """
+    half = 0.5 * np.arctan2(Y, X)
+    pole = (Y == 0.0) & (X > 0.0)
+    sine = np.sin(np.where(pole, 0.5, half))
+    nowhere = (Y == 0.0) & (X == 0.0)
+    cotangent = np.cos(half) / np.where(nowhere, 1.0, sine)
+    exponent = np.clip(np.where(nowhere, 0.0, cotangent) * math.log(base), -EXPONENT, EXPONENT)
+    f = np.minimum(np.exp(exponent) / intensity, CAP)
+    result: Floats = np.where(pole, CAP, f)
+    return result
+
+
+class FrontIntegral:
+    """I(ψ) = ∫₀^ψ min(f, 1) of the front of one wave, for any ψ, by Gauss–Legendre in cells and cubics between."""
+
+    def __init__(self, intensity: float, base: float) -> None:
+        self.full = 2.0 * math.atan2(1.0, math.log(intensity) / math.log(base))
+        """ψ₁: f is 1 or more from 0 to here."""
+        self.cell = (2.0 * math.pi - self.full) / CELLS
+        edges = self.full + self.cell * np.arange(CELLS + 1)
+        nodes, weights = np.polynomial.legendre.leggauss(8)
+        inner = edges[:-1, None] + 0.5 * self.cell * (nodes + 1.0)
+        cells = 0.5 * self.cell * (_front(inner, intensity, base) @ weights)
+        self.sums = self.full + np.concatenate(([0.0], np.cumsum(cells)))
+        self.values = _front(edges, intensity, base)
+
+    def __call__(self, psi: Floats) -> Floats:
+        """I at ψ, rad; of the shape of ``psi``."""
+        turns = np.floor(psi / (2.0 * math.pi))
+        rest = psi - 2.0 * math.pi * turns
+        place = np.maximum(rest - self.full, 0.0) / self.cell
+        i = np.minimum(place.astype(np.intp), CELLS - 1)
+        t = np.minimum(place - i, 1.0)
+        step, y0, y1 = self.cell, self.sums[i], self.sums[i + 1]
+        d0, d1 = self.values[i] * step, self.values[i + 1] * step
+        rise = y1 - y0
+        tail = y0 + t * (d0 + t * ((3.0 * rise - 2.0 * d0 - d1) + t * (d0 + d1 - 2.0 * rise)))
+        result: Floats = turns * self.sums[-1] + np.where(rest < self.full, rest, tail)
+        return result
+
+    def mean(self, psi: Floats, width: Floats) -> Floats:
+        """Mean of min(f, 1) over ψ ± Δ/2, Δ > 0, in [0, 1]; of the shape of ``psi``."""
+        total = self(psi + 0.5 * width) - self(psi - 0.5 * width)
+        result: Floats = np.clip(total / width, 0.0, 1.0)
+        return result
+
+
+@lru_cache(maxsize=16)
+def front_integral(intensity: float, base: float = math.e) -> FrontIntegral:
+    """The integral of one front, kept for later calls."""
+    return FrontIntegral(intensity, base)
+
+
+def front_saturation_filtered(X: Floats, Y: Floats, width: Floats, intensity: float, base: float = math.e) -> Floats:
+    """Mean of min(f, 1) over ψ ± Δ/2 with ψ = atan2(Y, X) and Δ = ``width``; in [0, 1], without the gate."""
+    psi = np.arctan2(Y, X)
+    # Narrower than this, the difference of two integrals has lost more digits than the filter changes.
+    sharp = width < 1e-6
+    mean = front_integral(intensity, base).mean(psi, np.where(sharp, 1.0, width))
+    crosses = sharp & (np.abs(psi) < 0.5 * width)
+    jump = np.clip(0.5 + psi / np.where(crosses, width, 1.0), 0.0, 1.0)
+    result: Floats = np.where(
+        crosses, jump, np.where(sharp, np.minimum(front_saturation(X, Y, intensity, base), 1.0), mean)
+    )
+    return result
+
+
+def phase_width(of: Group, foot_x: Floats, foot_y: Floats) -> Floats:
+    """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints (r, 2) m; (r,) rad."""
+    squared = np.maximum(of.X * of.X + of.Y * of.Y, GROUP_LEAST)
+    gradient = (of.X[:, None] * of.grad_Y - of.Y[:, None] * of.grad_X) / squared[:, None]
+    result: Floats = np.abs((gradient * foot_x).sum(axis=1)) + np.abs((gradient * foot_y).sum(axis=1))
+    return result
+
+
+def height_saturation(H: Floats, base: float, full: float) -> Floats:
+    """f = (H − H₀)/(Hmax − H₀), held in [0, 4]; H, H₀ and Hmax in m."""
+    result: Floats = np.clip((H - base) / (full - base), 0.0, CAP)
+    return result
+
+
+def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) -> Floats:
+    """The greatest or the product of saturations, each and the result capped; one array or more."""
+    result = np.minimum(parts[0], cap)
+    for part in parts[1:]:
+        held = np.minimum(part, cap)
+        result = np.maximum(result, held) if combine == "max" else result * held
+    return np.minimum(result, cap)
+
+
+def saturation(
+    sources: tuple[FrontSaturation | HeightSaturation, ...],
+    combine: Literal["max", "product"],
+    waves: dict[str, WaveSet],
+    x: Floats,
+    z: Floats,
+    H: Floats,
+    *,
+    cap: float,
+    footprints: tuple[Floats, Floats] | None,
+) -> Floats:
+    """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
+
+    ``waves`` holds the waves for each kind of front constants. With footprints (each (r, 2) m) fronts are averaged
+    over them.
+    """
+    parts = []
+    for source in sources:
+        if isinstance(source, HeightSaturation):
+            parts.append(height_saturation(H, source.base, source.full))
+            continue
+        constants = FRONT_CONSTANTS[source.constants]
+        sum_of = group(waves[source.constants], x, z, constants.delta)
+        if footprints is None:
+            f = np.minimum(front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), cap)
+        else:
+            width = phase_width(sum_of, *footprints)
+            f = front_saturation_filtered(sum_of.X, sum_of.Y, width, source.intensity, constants.base)
+        parts.append(f * gate(sum_of.rho, source.group))
+    return joined(parts, combine, cap)
+
+
+def _front(psi: Floats, intensity: float, base: float) -> Floats:
+    """min(f, 1) of one wave for 0 < ψ ≤ 2π, where it is continuous; of the shape of ``psi``."""
+    cotangent = np.cos(0.5 * psi) / np.maximum(np.sin(0.5 * psi), 1e-300)
+    exponent = np.clip(cotangent * math.log(base), -EXPONENT, EXPONENT)
+    result: Floats = np.minimum(np.exp(exponent) / intensity, 1.0)
+    return result

@@ -1,0 +1,109 @@
+/** A link that restores everything: preset, what was changed of its scene, time, camera, quality and comparison. */
+import type { CameraState } from "../camera/state";
+import { type Change, isObject, type Json } from "../scene/json";
+import type { Split } from "./store";
+
+export interface LinkState {
+  preset: string | null;
+  changes: readonly Change[];
+  quality: string | null;
+  time: number | null;
+  paused: boolean | null;
+  speed: number | null;
+  camera: CameraState | null;
+  split: Split | null;
+}
+
+/** Marks a pointer whose key the visitor took away; JSON itself has no word for "absent". */
+const REMOVED = "-";
+
+/** Shortest text that gives the same float64. */
+const number = (x: number) => String(Object.is(x, -0) ? 0 : x);
+
+export function encode(state: LinkState): string {
+  const parts = new Map<string, string>();
+  const put = (key: string, value: string | null) => {
+    if (value !== null) parts.set(key, value);
+  };
+  put("preset", state.preset);
+  put("time", state.time === null ? null : number(state.time));
+  put("paused", state.paused === null ? null : state.paused ? "1" : "0");
+  put("speed", state.speed === null || state.speed === 1 ? null : number(state.speed));
+  put("quality", state.quality);
+  if (state.camera) {
+    const { position, yaw, pitch, roll, fov } = state.camera;
+    put("camera", [...position, yaw, pitch, roll, fov].map(number).join(","));
+  }
+  if (state.changes.length > 0) {
+    const pairs = state.changes.map(([pointer, value]) =>
+      value === undefined ? [REMOVED + pointer, 0] : [pointer, value],
+    );
+    put("scene", JSON.stringify(Object.fromEntries(pairs)));
+  }
+  if (state.split) {
+    const { field, left, right, at } = state.split;
+    put("split", [field, left, right, at.toFixed(3)].join("~"));
+  }
+  // Commas, slashes and colons are legal in a fragment and far easier to read than their escapes.
+  const escape = (text: string) =>
+    encodeURIComponent(text).replace(/%(2C|2F|3A|7B|7D|5B|5D|22)/g, (code) =>
+      code === "%22" ? code : decodeURIComponent(code),
+    );
+  return [...parts].map(([key, value]) => `${key}=${escape(value)}`).join("&");
+}
+
+export function decode(fragment: string): LinkState {
+  const parts = new Map<string, string>();
+  for (const part of fragment.replace(/^#/, "").split("&")) {
+    const at = part.indexOf("=");
+    if (at <= 0) continue;
+    try {
+      parts.set(part.slice(0, at), decodeURIComponent(part.slice(at + 1)));
+    } catch {
+      // A link cut short may end inside an escape: that part is left out.
+    }
+  }
+  return {
+    preset: parts.get("preset") ?? null,
+    changes: changes(parts.get("scene")),
+    quality: parts.get("quality") ?? null,
+    time: finite(parts.get("time")),
+    paused: parts.has("paused") ? parts.get("paused") === "1" : null,
+    speed: finite(parts.get("speed")),
+    camera: camera(parts.get("camera")),
+    split: split(parts.get("split")),
+  };
+}
+
+function finite(text: string | undefined): number | null {
+  const value = text === undefined || text === "" ? NaN : Number(text);
+  return Number.isFinite(value) ? value : null;
+}
+
+function camera(text: string | undefined): CameraState | null {
+  const n = text?.split(",").map(Number) ?? [];
+  if (n.length !== 7 || !n.every(Number.isFinite)) return null;
+  const [x, y, z, yaw, pitch, roll, fov] = n as [number, number, number, number, number, number, number];
+  return { position: [x, y, z], yaw, pitch, roll, fov };
+}
+
+function changes(text: string | undefined): Change[] {
+  if (text === undefined) return [];
+  let parsed: Json;
+  try {
+    parsed = JSON.parse(text) as Json;
+  } catch {
+    return [];
+  }
+  if (!isObject(parsed)) return [];
+  return Object.entries(parsed).map(([key, value]) =>
+    key.startsWith(REMOVED) ? [key.slice(REMOVED.length), undefined] : [key, value],
+  );
+}
+
+function split(text: string | undefined): Split | null {
+  const [field, left, right, at] = text?.split("~") ?? [];
+  if (field === undefined || left === undefined || right === undefined) return null;
+  const share = finite(at) ?? 0.5;
+  return { field, left, right, at: Math.min(1, Math.max(0, share)) };
+}

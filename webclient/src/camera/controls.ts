@@ -1,0 +1,166 @@
+/** Mouse, touch, pen and keyboard drive the camera. */
+import { look, move, orbit, pivot, widen, zoom } from "./motion";
+import type { CameraState } from "./state";
+
+export type Mode = "orbit" | "fly";
+
+/** Turns are per pixel of a drag; speeds are per second. */
+const TURN_BY_KEY = 0.9;
+const SPRINT = 4;
+/** Time after which a push has faded to 1/e, s. */
+const INERTIA = 0.11;
+const STILL = 1e-4;
+
+interface Touch {
+  x: number;
+  y: number;
+}
+
+export class Controls {
+  camera: CameraState;
+  mode: Mode = "orbit";
+  /** The eye stays above this height, m. */
+  lowest = 0.5;
+  private readonly keys = new Set<string>();
+  private readonly touches = new Map<number, Touch>();
+  /** Angles still to be turned, rad. */
+  private turning = { yaw: 0, pitch: 0 };
+  /** Speed of the eye: right, up, forward, in heights a second. */
+  private speed = { right: 0, up: 0, forward: 0 };
+  private readonly listeners = new Set<() => void>();
+
+  constructor(
+    private readonly element: HTMLElement,
+    camera: CameraState,
+    private readonly smooth: boolean,
+  ) {
+    this.camera = camera;
+    element.addEventListener("pointerdown", this.pointerDown);
+    element.addEventListener("pointermove", this.pointerMove);
+    element.addEventListener("pointerup", this.pointerUp);
+    element.addEventListener("pointercancel", this.pointerUp);
+    element.addEventListener("wheel", this.wheel, { passive: false });
+    element.addEventListener("keydown", this.keyDown);
+    element.addEventListener("keyup", (event) => this.keys.delete(event.code));
+    element.addEventListener("blur", () => this.keys.clear());
+    element.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  /** Called when the visitor has moved the camera. */
+  onMove(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  set(camera: CameraState): void {
+    this.camera = camera;
+    this.turning = { yaw: 0, pitch: 0 };
+    this.speed = { right: 0, up: 0, forward: 0 };
+    this.tell();
+  }
+
+  /** Moves on by `seconds`; says whether the camera moved. */
+  step(seconds: number): boolean {
+    const before = this.camera;
+    const dt = Math.min(seconds, 0.1);
+    const held = (...codes: string[]) => (codes.some((code) => this.keys.has(code)) ? 1 : 0);
+    const sprint = held("ShiftLeft", "ShiftRight") ? SPRINT : 1;
+    const wanted = {
+      right: (held("KeyD") - held("KeyA")) * sprint,
+      up: (held("KeyE", "PageUp") - held("KeyQ", "PageDown")) * sprint,
+      forward: (held("KeyW") - held("KeyS")) * sprint,
+    };
+    const blend = this.smooth ? 1 - Math.exp(-dt / INERTIA) : 1;
+    for (const axis of ["right", "up", "forward"] as const) {
+      this.speed[axis] += (wanted[axis] - this.speed[axis]) * blend;
+      if (Math.abs(this.speed[axis]) < STILL) this.speed[axis] = 0;
+    }
+    const { right, up, forward } = this.speed;
+    if (right || up || forward) {
+      // Speed grows with height, as the ground seems to slow down.
+      const metres = Math.max(1.5, this.camera.position[1] * 0.8) * dt;
+      this.camera = move(this.camera, right * metres, up * metres, forward * metres, this.lowestNow());
+    }
+    const keyTurn = TURN_BY_KEY * dt;
+    this.turning.yaw += (held("ArrowRight") - held("ArrowLeft")) * keyTurn;
+    this.turning.pitch += (held("ArrowUp") - held("ArrowDown")) * keyTurn;
+    if (Math.abs(this.turning.yaw) + Math.abs(this.turning.pitch) > STILL) {
+      const share = this.smooth ? 1 - Math.exp(-dt / (INERTIA / 2)) : 1;
+      this.turn(this.turning.yaw * share, this.turning.pitch * share);
+      this.turning.yaw *= 1 - share;
+      this.turning.pitch *= 1 - share;
+    }
+    if (held("Equal", "NumpadAdd")) this.camera = zoom(this.camera, Math.exp(-dt), this.lowestNow());
+    if (held("Minus", "NumpadSubtract")) this.camera = zoom(this.camera, Math.exp(dt), this.lowestNow());
+    const moved = this.camera !== before;
+    if (moved) this.tell();
+    return moved;
+  }
+
+  /** A preset may start lower than the limit; it is then its own limit. */
+  private lowestNow(): number {
+    return Math.min(this.lowest, this.camera.position[1]);
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+
+  private turn(yaw: number, pitch: number): void {
+    this.camera =
+      this.mode === "fly"
+        ? look(this.camera, yaw, pitch)
+        : orbit(this.camera, pivot(this.camera), yaw, pitch, this.lowestNow());
+  }
+
+  private readonly pointerDown = (event: PointerEvent): void => {
+    this.element.focus({ preventScroll: true });
+    this.element.setPointerCapture(event.pointerId);
+    this.touches.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  };
+
+  private readonly pointerMove = (event: PointerEvent): void => {
+    const last = this.touches.get(event.pointerId);
+    if (last === undefined) return;
+    const now = { x: event.clientX, y: event.clientY };
+    const other = [...this.touches].find(([id]) => id !== event.pointerId)?.[1];
+    this.touches.set(event.pointerId, now);
+    const dx = now.x - last.x;
+    const dy = now.y - last.y;
+    // A drag across the window's height turns by the field of view: the sea stays under the finger.
+    const radians = this.camera.fov / this.element.clientHeight;
+    if (other) {
+      const span = (t: Touch) => Math.hypot(t.x - other.x, t.y - other.y);
+      const metres = pivot(this.camera).distance * radians;
+      this.camera = zoom(this.camera, span(last) / Math.max(span(now), 1), this.lowestNow());
+      this.camera = move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.lowestNow());
+      this.tell();
+    } else if (event.buttons & 2 || (event.buttons & 1 && event.shiftKey)) {
+      const metres = pivot(this.camera).distance * radians;
+      this.camera = move(this.camera, -dx * metres, dy * metres, 0, this.lowestNow());
+      this.tell();
+    } else {
+      const sign = this.mode === "fly" ? -1 : -1.6;
+      this.turning.yaw += sign * dx * radians;
+      this.turning.pitch -= sign * dy * radians;
+    }
+  };
+
+  private readonly pointerUp = (event: PointerEvent): void => {
+    this.touches.delete(event.pointerId);
+  };
+
+  private readonly wheel = (event: WheelEvent): void => {
+    event.preventDefault();
+    // Browsers count in pixels, lines or pages; a pinch on a trackpad arrives as a wheel with Ctrl held.
+    const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
+    const factor = Math.exp(Math.max(-240, Math.min(240, pixels)) * (event.ctrlKey ? 0.01 : 0.0012));
+    this.camera = event.shiftKey ? widen(this.camera, factor) : zoom(this.camera, factor, this.lowestNow());
+    this.tell();
+  };
+
+  private readonly keyDown = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    this.keys.add(event.code);
+    if (event.code.startsWith("Arrow") || event.code.startsWith("Page")) event.preventDefault();
+  };
+}
