@@ -6,14 +6,13 @@ What routers raise, beside what the layers below raise::
     ├── NotFoundError             no such preset, mask, texture, measurement
     ├── BadRequestError           a parameter or member is not allowed, with its name and what is
     ├── UnsupportedMediaError     a body that is not JSON
-    ├── BodyTooLargeError         a body over the limit
     └── BusyError                 as much other work waits as may
     seafoam.render.pool.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
 """
 
 import logging
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from http import HTTPStatus
 from typing import Any
 
@@ -25,7 +24,6 @@ from starlette.responses import JSONResponse
 
 from seafoam.api.allowed import Schema, allowed_at
 from seafoam.masks.catalogue import MaskTooSlowError
-from seafoam.plan import PlanError
 from seafoam.render.pool import (
     DeadlineError,
     FrameTooLargeError,
@@ -93,10 +91,6 @@ class UnsupportedMediaError(ApiError):
     """The body is not JSON."""
 
 
-class BodyTooLargeError(ApiError):
-    """The body is over the limit."""
-
-
 class BusyError(ApiError):
     """As much work as may waits already; ask again after ``retry_after`` seconds."""
 
@@ -107,23 +101,19 @@ class BusyError(ApiError):
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """How an exception answers: its status, name, and what its problem says beyond its text."""
+    """How an exception answers."""
 
     status: int
     name: str
     title: str
-    members: tuple[str, ...] = field(default=())
-    """Attributes of the exception: ``errors`` and ``retry_after``."""
 
 
 KINDS: dict[type[Exception], Kind] = {
     NotFoundError: Kind(404, "not-found", "There is no such thing"),
-    BodyTooLargeError: Kind(413, "body-too-large", "The body is too large"),
     UnsupportedMediaError: Kind(415, "unsupported-media-type", "The body must be JSON"),
     BadRequestError: Kind(422, "bad-request", "The request asks for what is not allowed"),
     FrameTooLargeError: Kind(422, "frame-too-large", "The frame is larger than is rendered"),
     MaskTooSlowError: Kind(422, "mask-too-slow", "The mask takes longer than is allowed on request"),
-    PlanError: Kind(422, "scene-cannot-be-planned", "The scene cannot be planned"),
     RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
     BusyError: Kind(503, "busy", "The server is busy"),
     QueueFullError: Kind(503, "queue-full", "Too many frames are waiting"),
@@ -234,10 +224,9 @@ async def _known(request: Request, error: Exception) -> JSONResponse:
             errors = [FieldProblem(parameter=error.parameter, detail=str(error), allowed=allowed)]
         case FrameTooLargeError():
             bounds = {"minimum": error.least, "maximum": error.greatest}
-            place = {"pointer": f"/{error.field}"} if request.method == "POST" else {"parameter": error.field}
-            errors = [FieldProblem(detail=str(error), allowed=bounds, **place)]
-        case PlanError():
-            errors = [FieldProblem(pointer=error.pointer, detail=error.message)]
+            posted = request.method == "POST"
+            pointer, parameter = (f"/{error.field}", None) if posted else (None, error.field)
+            errors = [FieldProblem(pointer=pointer, parameter=parameter, detail=str(error), allowed=bounds)]
         case QueueFullError() | BusyError():
             headers = {"Retry-After": str(error.retry_after)}
         case RendererUnavailableError():

@@ -223,7 +223,7 @@ class Effect:
     contribute: Callable[[Scene, Quality], "Contribution | Skipped | None"]
 
 
-class SceneError(ValueError):
+class PlanError(ValueError):
     """A scene that is well formed but cannot be planned. ``pointer``: JSON pointer of the field at fault."""
 
     def __init__(self, pointer: str, message: str) -> None:

@@ -5,7 +5,7 @@ import math
 from seafoam.effects.contribution import (
     Contribution,
     Effect,
-    SceneError,
+    PlanError,
     SlotFile,
     TextureInput,
     TextureUse,
@@ -28,9 +28,9 @@ def _mask(foam: Foam) -> Mask:
     try:
         return mask_by_name(foam.mask)
     except KeyError:
-        raise SceneError("/foam/mask", f"no mask is called {foam.mask!r}; GET /api/masks lists them") from None
+        raise PlanError("/foam/mask", f"no mask is called {foam.mask!r}; GET /api/masks lists them") from None
     except ValueError as error:
-        raise SceneError("/foam/mask", str(error)) from None
+        raise PlanError("/foam/mask", str(error)) from None
 
 
 def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:

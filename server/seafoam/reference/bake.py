@@ -46,8 +46,7 @@ class Job:
 def jobs_of(preset: str, scene: Scene) -> list[Job]:
     """Every frame of a preset, in baking order."""
     jobs = [
-        Job(f"{preset}.same.{time:g}" if time < 1e5 else f"{preset}.same.{time:.1f}", preset, scene, time, SAME_SIZE, SAME_SAMPLES, "same-samples")
-        for time in TIMES
+        Job(f"{preset}.same.{time:.1f}", preset, scene, time, SAME_SIZE, SAME_SAMPLES, "same-samples") for time in TIMES
     ]
     scenes = {None if scene.foam is None else scene.foam.look: scene}
     if preset in EVERY_LOOK and scene.foam is not None:

@@ -244,9 +244,7 @@ class _Shader:
             return looks.fading(f, m)
         return looks.halftone_textured(f, m, t) if foam.look == "halftone_textured" else looks.listing(f, m, t)
 
-    def _texture(
-        self, foam: Foam, assets: Assets, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
-    ) -> Floats:
+    def _texture(self, foam: Foam, assets: Assets, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
         if foam.look not in TEXTURED_LOOKS and not (foam.look == "filtered" and foam.texture > 0.0):
             return np.ones_like(x)
         u = _tiles(self.origin[0], foam.texture_tile) + x / foam.texture_tile

@@ -44,8 +44,8 @@ class Group:
 
     X: Floats
     Y: Floats
-    grad_X: Floats
-    grad_Y: Floats
+    slope_of_x: Floats
+    slope_of_y: Floats
 
     @property
     def rho(self) -> Floats:
@@ -56,7 +56,7 @@ class Group:
 def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
     """The analytic signal of the waves at (x, z), its phase moved by 2δ − π; without waves it is zero."""
     X, Y = np.zeros_like(x), np.zeros_like(x)
-    grad_X, grad_Y = np.zeros((*x.shape, 2)), np.zeros((*x.shape, 2))
+    slope_of_x, slope_of_y = np.zeros((*x.shape, 2)), np.zeros((*x.shape, 2))
     count = waves.amplitude.size
     top = waves.top
     weights = waves.amplitude / top if top > 0.0 else np.full(count, 1.0 / max(count, 1))
@@ -65,9 +65,9 @@ def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
         cosine, sine = weights[i] * np.cos(psi), weights[i] * np.sin(psi)
         X += cosine
         Y += sine
-        grad_X += sine[:, None] * np.array([waves.kx[i], waves.kz[i]])
-        grad_Y -= cosine[:, None] * np.array([waves.kx[i], waves.kz[i]])
-    return Group(X, Y, grad_X, grad_Y)
+        slope_of_x += sine[:, None] * np.array([waves.kx[i], waves.kz[i]])
+        slope_of_y -= cosine[:, None] * np.array([waves.kx[i], waves.kz[i]])
+    return Group(X, Y, slope_of_x, slope_of_y)
 
 
 def gate(rho: Floats, thresholds: tuple[float, float]) -> Floats:
@@ -103,7 +103,7 @@ class FrontIntegral:
         self.cell = (2.0 * math.pi - self.full) / CELLS
         edges = self.full + self.cell * np.arange(CELLS + 1)
         nodes, weights = np.polynomial.legendre.leggauss(8)
-        inner = edges[:-1, None] + 0.5 * self.cell * (nodes + 1.0)
+        inner: Floats = edges[:-1, None] + 0.5 * self.cell * (nodes + 1.0)
         cells = 0.5 * self.cell * (_front(inner, intensity, base) @ weights)
         self.sums = self.full + np.concatenate(([0.0], np.cumsum(cells)))
         self.values = _front(edges, intensity, base)
@@ -152,7 +152,7 @@ def front_saturation_filtered(X: Floats, Y: Floats, width: Floats, intensity: fl
 def phase_width(of: Group, foot_x: Floats, foot_y: Floats) -> Floats:
     """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints (r, 2) m; (r,) rad."""
     squared = np.maximum(of.X * of.X + of.Y * of.Y, GROUP_LEAST)
-    gradient = (of.X[:, None] * of.grad_Y - of.Y[:, None] * of.grad_X) / squared[:, None]
+    gradient = (of.X[:, None] * of.slope_of_y - of.Y[:, None] * of.slope_of_x) / squared[:, None]
     result: Floats = np.abs((gradient * foot_x).sum(axis=1)) + np.abs((gradient * foot_y).sum(axis=1))
     return result
 

@@ -42,7 +42,7 @@ def first_crossing(waves: WaveSet, eye_y: float, d: Floats) -> Floats:
     moving = np.flatnonzero(waves.amplitude > 0.0)
     if moving.size == 0:
         slanted = np.abs(d[:, 1]) >= LEVEL
-        s = -eye_y / np.where(slanted, d[:, 1], 1.0)
+        s: Floats = -eye_y / np.where(slanted, d[:, 1], 1.0)
         met = slanted & (s > 0.0)
         distance[met] = s[met]
         return distance
@@ -209,7 +209,7 @@ class _Search:
     def _search_dips(
         self, dips: list[tuple[Indices, Floats, Floats]], side: Floats, before: Floats, after: Floats
     ) -> None:
-        """Find the least G of each suspect minimum by golden section; where it is below zero, move the bracket there."""
+        """Find the least G of each suspect minimum by golden section; below zero, it ends an earlier bracket."""
         if not dips:
             return
         rays = np.concatenate([dip[0] for dip in dips])

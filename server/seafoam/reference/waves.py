@@ -74,9 +74,10 @@ class RippleSet:
         """(c_x, c_z) = −Σ s k̂ cos θ at (x, z); (r,) each."""
         c_x, c_z = np.zeros_like(x), np.zeros_like(x)
         for i in range(self.slope.size):
-            wave = self.slope[i] / math.hypot(self.kx[i], self.kz[i]) * np.cos(self.phase[i] - self.kx[i] * x - self.kz[i] * z)
-            c_x -= self.kx[i] * wave
-            c_z -= self.kz[i] * wave
+            wave = np.cos(self.phase[i] - self.kx[i] * x - self.kz[i] * z)
+            k = math.hypot(self.kx[i], self.kz[i])
+            c_x -= self.slope[i] * self.kx[i] / k * wave
+            c_z -= self.slope[i] * self.kz[i] / k * wave
         return c_x, c_z
 
 
@@ -85,7 +86,7 @@ def wave_height(theta: Floats, A: float, K: float) -> Floats:
     # (sin θ + 1)/2 is sin²(θ/2 + π/4), which keeps its digits at the trough.
     p = np.sin(0.5 * theta + 0.25 * math.pi)
     u = p * p
-    result: Floats = A * (_whole_power(u, int(K)) if K == int(K) and K <= 16 else np.power(u, K))
+    result: Floats = A * (_whole_power(u, int(K)) if int(K) == K and K <= 16 else np.power(u, K))
     return result
 
 
@@ -117,7 +118,7 @@ def wavenumber(wavelength: float, depth: float | None) -> float:
     deep = 2.0 * math.pi / wavelength
     if depth is None:
         return deep
-    # k tanh(kh) rises with k, is below k, and is k²h/(1 + kh) or more: the root lies between deep and its positive root.
+    # k tanh(kh) rises with k, is below k, and is k²h/(1 + kh) or more: its root bounds k from above.
     low, high = deep, 0.5 * (deep + math.sqrt(deep * deep + 4.0 * deep / depth))
     for _ in range(200):
         middle = 0.5 * (low + high)

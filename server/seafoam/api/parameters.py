@@ -1,0 +1,156 @@
+"""Query parameters and bodies, with the ranges that the scene itself states."""
+
+import json
+from typing import Annotated, Any, Literal, TypeVar, get_args
+
+from fastapi import Request
+from fastapi.exceptions import RequestValidationError
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, ValidationError
+from pydantic.fields import FieldInfo
+
+from seafoam.api.errors import BadRequestError, FieldProblem, UnsupportedMediaError
+from seafoam.quality import TIERS, Quality, Tier
+from seafoam.render.encode import FrameFormat
+from seafoam.scene.models import Camera, Foam, Look, Scene
+
+TIME_LIMIT = 1e9
+"""Greatest |time|, s."""
+DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
+
+M = TypeVar("M", bound=BaseModel)
+
+
+class Parameters(BaseModel):
+    """Base of every set of query parameters: those it does not name are refused. As it stands, there are none."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+def one_value_each(request: Request) -> None:
+    """Refuse a query parameter that is given twice: which one was meant is anyone's guess."""
+    names = [name for name, _ in request.query_params.multi_items()]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise BadRequestError(*(FieldProblem(parameter=name, detail=f"{name} is given more than once") for name in twice))
+
+
+def strictly(model: type[M]) -> Any:
+    """The model as a JSON body, without pydantic's conversions: the string "1" is no number, nor is true."""
+
+    def validate(body: Any) -> Any:
+        if isinstance(body, bytes):
+            raise UnsupportedMediaError("send JSON, with the header Content-Type: application/json")
+        try:
+            return model.model_validate_json(json.dumps(body), strict=True)
+        except ValidationError as error:
+            items = [{**item, "loc": ("body", *item["loc"])} for item in error.errors()]
+            raise RequestValidationError(items, body=body) from error
+
+    return Annotated[model, BeforeValidator(validate)]
+
+
+def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
+    """An optional query parameter with the range and description of a field of the scene."""
+    bounds = {}
+    for rule in info.metadata:
+        bounds |= {name: getattr(rule, name) for name in ("ge", "le", "max_length", "pattern") if getattr(rule, name, None) is not None}
+    return Field(default=None, description=description or info.description, **(bounds | override))
+
+
+def _axis(index: int, description: str) -> Any:
+    (info,) = (rule for rule in get_args(get_args(Camera.model_fields["position"].annotation)[index])[1:])
+    return _same(info, description)
+
+
+class QualityParameter(Parameters):
+    """How exactly to compute."""
+
+    quality: Tier = Field(default="standard", description="Tier of quality; POST takes single knobs", examples=["high"])
+
+
+class SceneOverrides(QualityParameter):
+    """What may be changed of a preset's scene."""
+
+    look: Look | None = Field(default=None, description="Look of the foam instead of the preset's", examples=["halftone"])
+    mask: str | None = _same(
+        Foam.model_fields["mask"],
+        "Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed",
+        examples=["vac-6"],
+    )
+
+    def apply(self, scene: Scene) -> Scene:
+        """The scene with these changes. Raises :class:`BadRequestError` if it has no foam to change."""
+        changes = {name: value for name, value in (("look", self.look), ("mask", self.mask)) if value is not None}
+        if not changes:
+            return scene
+        if scene.foam is None:
+            raise BadRequestError(
+                *(FieldProblem(parameter=name, detail=f"{name}: this preset has no foam") for name in changes)
+            )
+        return scene.model_copy(update={"foam": scene.foam.model_copy(update=changes)})
+
+    @property
+    def changed(self) -> tuple[str, ...]:
+        """Names of the parameters that change the scene."""
+        return tuple(name for name in ("look", "mask") if getattr(self, name) is not None)
+
+
+class FrameParameters(SceneOverrides):
+    """A frame of a preset."""
+
+    time: float | None = Field(
+        default=None,
+        ge=-TIME_LIMIT,
+        le=TIME_LIMIT,
+        description="Time, s; absent: the preset's own",
+        examples=[12.5],
+    )
+    width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's own", examples=[640])
+    height: int | None = Field(default=None, ge=1, description="Height, pixels; absent: the preset's own", examples=[360])
+    x: float | None = _axis(0, "Eye, m along +x; absent, like the rest of the camera: the preset's own")
+    y: float | None = _axis(1, "Eye, m above the troughs")
+    z: float | None = _axis(2, "Eye, m along +z")
+    yaw: float | None = _same(Camera.model_fields["yaw"])
+    pitch: float | None = _same(Camera.model_fields["pitch"])
+    roll: float | None = _same(Camera.model_fields["roll"])
+    fov: float | None = _same(Camera.model_fields["fov"])
+
+    def camera(self, own: Camera) -> Camera:
+        """The preset's own camera, with what is given put in its place."""
+        x, y, z = (given if given is not None else at for given, at in zip((self.x, self.y, self.z), own.position, strict=True))
+        angles = {name: value for name in ("yaw", "pitch", "roll", "fov") if (value := getattr(self, name)) is not None}
+        return own.model_copy(update={"position": (x, y, z), **angles})
+
+
+def _tier_or_knobs(value: Any) -> Literal["tier", "knobs"]:
+    return "tier" if isinstance(value, str) else "knobs"
+
+
+TierOrKnobs = Annotated[
+    Annotated[Tier, Tag("tier")] | Annotated[Quality, Tag("knobs")],
+    Discriminator(_tier_or_knobs),
+]
+
+
+class PlanRequest(BaseModel):
+    """A scene to plan."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    scene: Scene = Field(description="What the sea is", examples=[{"waves": [{"model": "parametric"}], "foam": {}}])
+    quality: TierOrKnobs = Field(default="standard", description="A tier, or every knob that differs from standard")
+
+    @property
+    def knobs(self) -> Quality:
+        """The quality asked for, tier or not."""
+        return self.quality if isinstance(self.quality, Quality) else TIERS[self.quality]
+
+
+class FrameRequest(PlanRequest):
+    """A frame of a scene."""
+
+    time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s")
+    width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels")
+    height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels")
+    format: FrameFormat = Field(default="png", description="png, webp (lossless), or npy (linear float32)")
+    camera: Camera | None = Field(default=None, description="Absent: the scene's own")

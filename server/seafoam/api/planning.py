@@ -1,0 +1,43 @@
+"""Plans as the API gives them: compiled, canonical bytes and identity, kept."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import lru_cache
+
+from seafoam.api.errors import BadRequestError, FieldProblem
+from seafoam.plan import PlanError, make_plan
+from seafoam.plan.model import FramePlan
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class CompiledPlan:
+    """A plan, its canonical JSON and the SHA-256 of that."""
+
+    plan: FramePlan
+    content: bytes
+    sha256: str
+
+
+@lru_cache(maxsize=64)
+def _compiled(scene: Scene, quality: Quality) -> CompiledPlan:
+    plan = make_plan(scene, quality)
+    return CompiledPlan(plan, plan.canonical_json(), plan.sha256)
+
+
+def compile_scene(scene: Scene, quality: Quality, *, scene_at: str | None, parameters: Collection[str] = ()) -> CompiledPlan:
+    """Plan a scene.
+
+    A scene that cannot be planned raises :class:`BadRequestError`. It names the member of the body, where the scene
+    stands in one (``scene_at``: its JSON pointer), or the query parameter (of ``parameters``) that put the value there.
+    """
+    try:
+        return _compiled(scene, quality)
+    except PlanError as error:
+        member = error.pointer.rpartition("/")[2]
+        parameter = member if scene_at is None and member in parameters else None
+        pointer = None if parameter else f"{scene_at or ''}{error.pointer}"
+        raise BadRequestError(
+            FieldProblem(pointer=pointer, parameter=parameter, detail=f"{parameter or pointer}: {error.message}")
+        ) from error

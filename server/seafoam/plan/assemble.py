@@ -1,0 +1,81 @@
+"""GLSL assembly: files and joining functions, in order, under one prologue with the compile-time numbers."""
+
+import hashlib
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+
+from seafoam.effects.contribution import SlotFile
+from seafoam.plan.model import Shader, SourceFile
+from seafoam.plan.slots import Slot
+from seafoam.resources import data_dir
+
+PROLOGUE = (
+    "#version 300 es\n"
+    "precision highp float;\n"
+    "precision highp int;\n"
+    "precision highp sampler2D;\n"
+    "precision highp usampler2D;\n"
+)
+
+_UNIFORM = re.compile(r"^uniform\s+(?P<type>\w+)\s+(?P<name>\w+)", re.MULTILINE)
+_WORD = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
+_SAMPLERS = ("sampler2D", "usampler2D")
+
+Consts = Mapping[str, int | float | bool]
+
+
+@cache
+def read_file(path: str) -> str:
+    """Text of a file of ``shaders/``. Raises ``FileNotFoundError``."""
+    return (data_dir("shaders") / path).read_text(encoding="utf-8")
+
+
+def const_line(name: str, value: int | float | bool) -> str:
+    """A GLSL constant; floats with the 9 digits that float32 needs."""
+    if isinstance(value, bool):
+        return f"const bool {name} = {'true' if value else 'false'};\n"
+    if isinstance(value, int):
+        return f"const int {name} = {value};\n"
+    digits = f"{value:.9g}"
+    return f"const float {name} = {digits if any(mark in digits for mark in '.e') else digits + '.0'};\n"
+
+
+def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[str]:
+    """The files and joining functions that make up a slot: paths as they are, text behind ``=``."""
+    files = [file for file in chosen if file.slot == slot.name]
+    pieces: list[str] = []
+    for file in files:
+        pieces += [*file.needs, file.path]
+    if not files and slot.default:
+        pieces.append(slot.default)
+    return pieces + ["=" + join.glsl([file.prefix for file in files]) for join in slot.joins]
+
+
+def assemble(pieces: Iterable[str], consts: Consts) -> Shader:
+    """A shader from files of ``shaders/`` (each once) and joining functions (pieces that start with ``=``).
+
+    Only the constants that the text names are defined.
+    """
+    parts: list[tuple[str, str]] = []
+    seen: set[str] = set()
+    for piece in pieces:
+        if piece.startswith("="):
+            parts.append(("", piece[1:]))
+        elif piece not in seen:
+            seen.add(piece)
+            parts.append((piece, read_file(piece)))
+    words = {word for _, text in parts for word in _WORD.findall(text)}
+    text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
+    files: list[SourceFile] = []
+    for path, part in parts:
+        text += "\n"
+        if path:
+            files.append(SourceFile(path=path, line=text.count("\n") + 1))
+        text += part
+    return Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=tuple(files))
+
+
+def declared_uniforms(shader: Shader) -> dict[str, bool]:
+    """Uniforms that the text declares, and whether each is a sampler."""
+    return {match["name"]: match["type"] in _SAMPLERS for match in _UNIFORM.finditer(shader.text)}

@@ -1,0 +1,260 @@
+"""The planner: a scene and a quality become a frame plan, here and nowhere else."""
+
+import math
+from functools import lru_cache
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.contribution import (
+    CameraRule,
+    Contribution,
+    Fullscreen,
+    Grid,
+    PassSpec,
+    Skipped,
+    SlotFile,
+    Target,
+    TargetInput,
+    TextureInput,
+    TextureUse,
+    Uniform,
+    Viewport,
+    ViewportSize,
+    number,
+)
+from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
+from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Texture
+from seafoam.plan.slots import DISC, SKY, TONE, WAVES, surface_slots
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+from seafoam.textures import texture
+
+_COMMON = ("common/numbers.glsl", "common/camera.glsl")
+_HORIZON_DEPTH = 0.9999995
+"""Clip-space depth of the sky: behind all water, before the cleared depth."""
+
+
+class AssemblyError(RuntimeError):
+    """The effects contradict each other or their GLSL: a mistake in Seafoam, never in a scene."""
+
+
+class _Draft:
+    """What the effects gave, joined."""
+
+    def __init__(self, scene: Scene, quality: Quality) -> None:
+        self.effects: list[EffectNote] = []
+        self.skipped: list[EffectNote] = []
+        self.slots: list[SlotFile] = []
+        self.consts: dict[str, int | float | bool] = {}
+        self.uniforms: dict[str, Uniform] = {}
+        self.inputs: dict[str, TextureInput | TargetInput] = {}
+        self.textures: dict[str, TextureUse] = {}
+        self.targets: dict[str, Target] = {}
+        self.passes: list[PassSpec] = []
+        self.top = 0.0
+        self.steepest = 0.0
+        for effect in EFFECTS:
+            given = effect.contribute(scene, quality)
+            if isinstance(given, Skipped):
+                self.skipped.append(EffectNote(name=effect.name, why=given.why))
+            elif given is not None:
+                self._add(effect.name, given)
+
+    def _add(self, name: str, given: Contribution) -> None:
+        files = [*given.slots]
+        paths = {path for file in files for path in (*file.needs, file.path)}
+        paths |= {path for spec in given.passes for path in (*spec.vertex, *spec.fragment)}
+        self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
+        self.slots += files
+        self.passes += given.passes
+        self.top += given.top
+        self.steepest += given.steepest
+        for mine, theirs in (
+            (self.consts, given.consts),
+            (self.uniforms, given.uniforms),
+            (self.inputs, given.inputs),
+            (self.textures, given.textures),
+            (self.targets, given.targets),
+        ):
+            taken = mine.keys() & theirs.keys()
+            if taken:
+                raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
+            mine.update(theirs)  # type: ignore[arg-type]
+
+
+@lru_cache(maxsize=256)
+def make_plan(scene: Scene, quality: Quality) -> FramePlan:
+    """The frame plan of a scene at a quality.
+
+    Pure: the same arguments give the same bytes. Raises :class:`seafoam.effects.contribution.PlanError` where the
+    scene asks for what does not exist, such as an unknown mask.
+    """
+    draft = _Draft(scene, quality)
+    side = math.isqrt(quality.samples)
+    mesh = quality.surface.method == "mesh"
+
+    consts: dict[str, int | float | bool] = {
+        **draft.consts,
+        "SURFACE_FILTER": quality.surface.filter,
+        "REFINE": quality.surface.refine,
+        "MARCH_STEPS": quality.surface.steps,
+        "SAMPLE_SIDE": side,
+    }
+    chosen = [*draft.slots, SlotFile("find", "surface/newton.glsl" if mesh else "surface/march.glsl")]
+    combine = scene.foam.combine if scene.foam else "max"
+    surface_fragment = [*_COMMON]
+    for slot in surface_slots(combine):
+        surface_fragment += slot_pieces(slot, chosen)
+    surface_fragment.append("surface/main.glsl")
+    if mesh:
+        surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]
+    else:
+        surface_vertex = ["vertex/fullscreen.glsl"]
+    programs = {
+        "surface": Program(
+            vertex=assemble(surface_vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
+            fragment=assemble(surface_fragment, consts),
+        ),
+        "sky": Program(
+            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
+            fragment=assemble(
+                [*_COMMON, *slot_pieces(SKY, chosen), *slot_pieces(DISC, chosen), "sky/main.glsl"], consts
+            ),
+        ),
+        "present": Program(
+            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
+        ),
+    }
+    for spec in draft.passes:
+        programs[spec.program] = Program(
+            vertex=assemble(spec.vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(spec.fragment, consts)
+        )
+    targets = {
+        **draft.targets,
+        "samples": Target(size=ViewportSize(scale=side), format=quality.target, depth=True),
+    }
+    linear = "samples"
+    resolve: list[Pass] = []
+    if side > 1:
+        linear = "linear"
+        targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
+        programs["resolve"] = Program(
+            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            fragment=assemble(["output/resolve.glsl"], consts),
+        )
+        resolve = [
+            Pass(
+                name="mean of the samples",
+                when="frame",
+                program="resolve",
+                target=linear,
+                mesh=Fullscreen(),
+                inputs={"u_samples": TargetInput(target="samples")},
+            )
+        ]
+    passes = [
+        *(
+            Pass(
+                name=spec.name,
+                when="frame",
+                program=spec.program,
+                target=spec.target,
+                mesh=spec.mesh,
+                inputs=spec.inputs,
+                uniforms=spec.uniforms,
+            )
+            for spec in draft.passes
+        ),
+        Pass(
+            name="surface",
+            when="frame",
+            program="surface",
+            target="samples",
+            mesh=Grid(rows=quality.surface.cells, columns=quality.surface.cells) if mesh else Fullscreen(),
+            inputs=draft.inputs,
+            state=State(depth=True, clear=True),
+        ),
+        Pass(
+            name="sky", when="frame", program="sky", target="samples", mesh=Fullscreen(), state=State(depth=True)
+        ),
+        *resolve,
+        Pass(
+            name="tone",
+            when="frame",
+            program="present",
+            target="screen",
+            mesh=Fullscreen(),
+            inputs={"u_linear": TargetInput(target=linear)},
+        ),
+    ]
+    uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.steepest)}
+    return FramePlan(
+        effects=tuple(draft.effects),
+        skipped=tuple(draft.skipped),
+        programs=programs,
+        textures={name: _texture(use) for name, use in draft.textures.items()},
+        targets=targets,
+        passes=tuple(_bound(one, programs, uniforms) for one in passes),
+        uniforms=_used(uniforms, programs),
+        linear=linear,
+        samples=quality.samples,
+        live=tuple(sorted(_live(uniforms))),
+    )
+
+
+def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
+    return {
+        "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
+        "u_eye_height": Uniform(type="float", rules=(CameraRule(what="eye_height"),)),
+        "u_ray_x": Uniform(type="vec3", rules=(CameraRule(what="ray_x"),)),
+        "u_ray_y": Uniform(type="vec3", rules=(CameraRule(what="ray_y"),)),
+        "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
+        "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
+        "u_surface_top": number(top),
+        "u_surface_steepest": number(steepest),
+    }
+
+
+def _texture(use: TextureUse) -> Texture:
+    data = texture(use.source)
+    return Texture(
+        url=f"/api/textures/{use.source}",
+        sha256=data.sha256,
+        format=data.format,
+        width=data.width,
+        height=data.height,
+        levels=data.levels,
+        filter=use.filter,
+        wrap=use.wrap,
+    )
+
+
+def _bound(one: Pass, programs: dict[str, Program], uniforms: dict[str, Uniform]) -> Pass:
+    """The pass with the inputs that its program reads; raises where a uniform has no rule or a sampler no input."""
+    program = programs[one.program]
+    declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
+    samplers = {name for name, sampler in declared.items() if sampler}
+    for name in sorted(declared.keys() - samplers):
+        if name not in uniforms and name not in one.uniforms:
+            raise AssemblyError(f"pass {one.name}: uniform {name} has no rule")
+    missing = samplers - one.inputs.keys()
+    if missing:
+        raise AssemblyError(f"pass {one.name}: nothing to read for {sorted(missing)}")
+    return one.model_copy(update={"inputs": {name: source for name, source in one.inputs.items() if name in samplers}})
+
+
+def _used(uniforms: dict[str, Uniform], programs: dict[str, Program]) -> dict[str, Uniform]:
+    """The uniforms that some program declares."""
+    declared: set[str] = set()
+    for program in programs.values():
+        declared |= declared_uniforms(program.vertex).keys() | declared_uniforms(program.fragment).keys()
+    return {name: uniform for name, uniform in sorted(uniforms.items()) if name in declared}
+
+
+def _live(uniforms: dict[str, Uniform]) -> set[str]:
+    return {
+        rule.field
+        for uniform in uniforms.values()
+        for rule in uniform.rules
+        if rule.rule == "constant" and rule.field is not None
+    }

@@ -1,0 +1,96 @@
+"""The slots of the surface and sky shaders: what may fill them, and how several files of one slot join.
+
+A slot's files define the same functions, so the planner can pick any. Where a slot takes several files, each prefixes
+its functions, and the planner writes the function that joins them.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+
+@dataclass(frozen=True)
+class Join:
+    """A joining function: ``returns name(parameters)`` from ``prefix_suffix(arguments)`` of each file."""
+
+    returns: str
+    name: str
+    parameters: str
+    suffix: str
+    arguments: str
+    how: Literal["sum", "max", "product"] = "sum"
+    limit: str = ""
+    """GLSL expression that the joined value may not exceed."""
+
+    def glsl(self, prefixes: Sequence[str]) -> str:
+        """The function's text; no file at all gives zero."""
+        calls = [f"{prefix}_{self.suffix}({self.arguments})" for prefix in prefixes]
+        if not calls:
+            value = f"{self.returns}(0.0)"
+        elif self.how == "max":
+            value = calls[0]
+            for call in calls[1:]:
+                value = f"max({value}, {call})"
+        else:
+            value = (" + " if self.how == "sum" else " * ").join(calls)
+        if self.limit and len(calls) > 1:
+            value = f"min({value}, {self.limit})"
+        return f"{self.returns} {self.name}({self.parameters}) {{\n    return {value};\n}}\n"
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A place in a shader. ``joins``: for slots of several files; ``default``: the file of a slot that nothing fills."""
+
+    name: str
+    default: str = ""
+    joins: tuple[Join, ...] = ()
+
+
+WAVES = Slot(
+    "waves",
+    joins=(
+        Join("vec3", "waves", "vec2 p", "waves", "p"),
+        Join("vec4", "waves_shading", "vec2 p, Footprint fp", "shading", "p, fp"),
+    ),
+)
+"""Height and gradient of the surface; the second function with what is smaller than the footprint taken out."""
+
+DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "detail", "p, fp"),))
+"""Slopes that have no height: gradient, and the mean square slope taken out."""
+
+FIND = Slot("find")
+"""How the ray finds the surface; filled by the quality."""
+
+SATURATION_MAX = Slot(
+    "saturation",
+    joins=(
+        Join("float", "saturation", "vec2 p, float height, Footprint fp", "saturation", "p, height, fp", "max", "4.0"),
+    ),
+)
+SATURATION_PRODUCT = Slot(
+    "saturation",
+    joins=(
+        Join(
+            "float", "saturation", "vec2 p, float height, Footprint fp", "saturation", "p, height, fp", "product", "4.0"
+        ),
+    ),
+)
+"""Foam saturation, in [0, 4]."""
+
+LOOK = Slot("look", default="look/none.glsl")
+"""Foam amount from saturation."""
+OVER = Slot("over", default="foam/over.glsl")
+"""How foam meets water."""
+ALBEDO = Slot("albedo", default="foam/no_albedo.glsl")
+SKY = Slot("sky", default="sky/none.glsl")
+DISC = Slot("disc")
+BODY = Slot("body")
+SHADE = Slot("shade", default="shade/flat.glsl")
+TONE = Slot("tone", default="tone/clamp.glsl")
+
+
+def surface_slots(combine: Literal["max", "product"]) -> tuple[Slot, ...]:
+    """The slots of the surface's fragment shader, in the order of the text."""
+    saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
+    return (WAVES, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, SHADE)

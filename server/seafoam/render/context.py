@@ -1,0 +1,45 @@
+"""The one GL context of a process: found, checked, and set to the state that OpenGL ES starts in."""
+
+import os
+from ctypes.util import find_library
+
+import moderngl
+
+_ES3 = "GL_ARB_ES3_compatibility"
+_REMEDY = (
+    "install Mesa's software renderer (Debian, Ubuntu: apt-get install libegl1 libgl1 libgl1-mesa-dri), or run where a "
+    "GPU driver offers EGL"
+)
+
+
+class NoRendererError(RuntimeError):
+    """There is no usable OpenGL here. The text says what was tried and what to install."""
+
+
+def create_context(device_index: int | None = None) -> moderngl.Context:
+    """A headless EGL context that compiles ``#version 300 es``.
+
+    ``device_index``: which EGL device, ``None`` for the driver's own choice. Raises :class:`NoRendererError`.
+    Desktop GL compiles ES 3.00 text through GL_ARB_ES3_compatibility (core since 4.3), so the same bytes run here and
+    in WebGL2.
+    """
+    settings = {"backend": "egl", "libgl": _library("GL", "libGL.so.1"), "libegl": _library("EGL", "libEGL.so.1")}
+    if device_index is not None:
+        settings["device_index"] = str(device_index)
+        os.environ.setdefault("GLCONTEXT_DEVICE_INDEX", str(device_index))
+    try:
+        context = moderngl.create_context(standalone=True, require=330, **settings)
+    except Exception as error:  # moderngl raises plain Exception for every failure of the driver
+        raise NoRendererError(f"no OpenGL context: {error}; {_REMEDY}") from error
+    if context.version_code < 430 and _ES3 not in context.extensions:
+        name = context.info["GL_RENDERER"]
+        context.release()
+        raise NoRendererError(f"{name} has OpenGL {context.version_code / 100:.1f} without {_ES3}; {_REMEDY}")
+    context.gc_mode = "context_gc"
+    context.enable_only(moderngl.PROGRAM_POINT_SIZE)
+    return context
+
+
+def _library(name: str, soname: str) -> str:
+    # find_library needs a compiler or ldconfig, which slim images lack; the soname does not.
+    return find_library(name) or soname

@@ -1,0 +1,293 @@
+"""The moderngl executor: draws frame plans in the one GL context of its process.
+
+Rules that hold it together: one context a process, one thread for life (GL calls from another thread give no error
+and zeros), nothing released by the garbage collector behind our back.
+"""
+
+import threading
+import time as clock
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.effects.contribution import FixedSize, Grid, Target, TextureInput
+from seafoam.plan.assemble import declared_uniforms
+from seafoam.plan.model import FramePlan, Pass, Program, Texture
+from seafoam.plan.rules import FrameState, evaluate
+from seafoam.render.context import NoRendererError, create_context
+from seafoam.scene.models import Camera
+from seafoam.textures import texture
+
+__all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
+
+Output = Literal["rgba8", "linear", "samples"]
+
+_TEXTURE_FORMATS = {"R16UI": (1, "u2"), "R16F": (1, "f2"), "RG16F": (2, "f2"), "R32F": (1, "f4"), "RG32F": (2, "f4")}
+_TARGET_FORMATS = {"RGBA16F": "f2", "RGBA32F": "f4", "RGBA8": "f1"}
+_BYTES = {"u2": 2, "f2": 2, "f4": 4}
+_FILTERS = {
+    "nearest": (moderngl.NEAREST, moderngl.NEAREST),
+    "linear": (moderngl.LINEAR, moderngl.LINEAR),
+    "linear_mipmap_linear": (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR),
+}
+_PROGRAMS_KEPT = 96
+_TEXTURES_KEPT = 48
+_TARGETS_KEPT = 12
+
+
+class ShaderError(RuntimeError):
+    """A program of a plan does not compile here."""
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """A frame, top row first.
+
+    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``; float32 linear with A = foam coverage for ``linear``; the same
+    before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in ``render``
+    (draw until finished) and ``read``.
+    """
+
+    pixels: NDArray[np.uint8] | NDArray[np.float32]
+    timings: dict[str, float]
+
+
+class _Cache:
+    """GL objects by key, the least lately used released first."""
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+        self._items: OrderedDict[Any, Any] = OrderedDict()
+
+    def get(self, key: Any, make: Callable[[], Any]) -> Any:
+        if key in self._items:
+            self._items.move_to_end(key)
+            return self._items[key]
+        item = self._items[key] = make()
+        return item
+
+    def trim(self) -> None:
+        """Release what is over the limit; called between frames, when nothing is in use."""
+        while len(self._items) > self._size:
+            self._release(self._items.popitem(last=False)[1])
+
+    def clear(self) -> None:
+        while self._items:
+            self._release(self._items.popitem()[1])
+
+    @staticmethod
+    def _release(item: Any) -> None:
+        for part in item if isinstance(item, tuple) else (item,):
+            part.release()
+
+
+class Executor:
+    """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` where there is none."""
+
+    def __init__(self, device_index: int | None = None) -> None:
+        self._thread = threading.get_ident()
+        self._context = create_context(device_index)
+        self.info: dict[str, str] = {
+            "vendor": self._context.info["GL_VENDOR"],
+            "renderer": self._context.info["GL_RENDERER"],
+            "version": self._context.info["GL_VERSION"],
+        }
+        self.max_side = int(self._context.info["GL_MAX_TEXTURE_SIZE"])
+        self._programs = _Cache(_PROGRAMS_KEPT)
+        self._textures = _Cache(_TEXTURES_KEPT)
+        self._targets = _Cache(_TARGETS_KEPT)
+        self._meshes = _Cache(16)
+
+    def render(
+        self,
+        plan: FramePlan,
+        *,
+        time: float,
+        camera: Camera,
+        width: int,
+        height: int,
+        output: Output = "rgba8",
+    ) -> Rendered:
+        """Draw a frame of ``plan`` at ``time`` (s, any finite number up to 1e9) from ``camera``, ``width`` × ``height`` px.
+
+        Raises :class:`ShaderError` where a program does not compile, ``RuntimeError`` after any GL error or from any
+        thread but the one that made the executor.
+        """
+        self._own_thread()
+        start = clock.perf_counter()
+        target_name = {"rgba8": "screen", "linear": plan.linear, "samples": "samples"}[output]
+        framebuffers = {name: self._target(name, target, width, height) for name, target in plan.targets.items()}
+        framebuffers["screen"] = self._targets.get(
+            ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
+        )
+        for index, one in enumerate(plan.passes):
+            if one.target == "screen" and output != "rgba8":
+                continue
+            self._draw(plan, one, index, framebuffers, time, camera, width, height)
+        self._context.finish()
+        drawn = clock.perf_counter()
+        framebuffer = framebuffers[target_name][0]
+        dtype: Literal["f1", "f4"] = "f1" if output == "rgba8" else "f4"
+        raw = framebuffer.read(components=4, alignment=1, dtype=dtype)
+        shape = (framebuffer.height, framebuffer.width, 4)
+        pixels = np.frombuffer(raw, np.uint8 if output == "rgba8" else np.float32).reshape(shape)[::-1]
+        error = self._context.error
+        if error != "GL_NO_ERROR":
+            raise RuntimeError(f"{error} while drawing")
+        for cache in (self._programs, self._textures, self._targets):
+            cache.trim()
+        self._context.gc()
+        return Rendered(
+            np.ascontiguousarray(pixels), {"render": drawn - start, "read": clock.perf_counter() - drawn}
+        )
+
+    def compile(self, program: Program) -> None:
+        """Compile a program, or raise :class:`ShaderError`."""
+        self._own_thread()
+        self._program(program)
+
+    def close(self) -> None:
+        """Release everything, the context last."""
+        self._own_thread()
+        for cache in (self._programs, self._textures, self._targets, self._meshes):
+            cache.clear()
+        self._context.gc()
+        self._context.release()
+
+    def _own_thread(self) -> None:
+        if threading.get_ident() != self._thread:
+            raise RuntimeError("a GL context belongs to the thread that made it; elsewhere it draws nothing, silently")
+
+    def _draw(
+        self,
+        plan: FramePlan,
+        one: Pass,
+        index: int,
+        framebuffers: dict[str, tuple[moderngl.Framebuffer, ...]],
+        time: float,
+        camera: Camera,
+        width: int,
+        height: int,
+    ) -> None:
+        framebuffer = framebuffers[one.target][0]
+        model = plan.programs[one.program]
+        program = self._program(model)
+        framebuffer.use()
+        framebuffer.viewport = (0, 0, framebuffer.width, framebuffer.height)
+        self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | (moderngl.DEPTH_TEST if one.state.depth else 0))
+        self._context.depth_func = "<"
+        if one.state.clear:
+            framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        state = FrameState(time, camera, width, height, framebuffer.width, framebuffer.height, index)
+        for unit, (name, source) in enumerate(sorted(one.inputs.items())):
+            if name not in program:
+                continue
+            if isinstance(source, TextureInput):
+                found = self._texture(source.texture, plan.textures[source.texture])
+            else:
+                found = framebuffers[source.target][1]
+            found.use(unit)
+            program[name].value = unit
+        # Names the compiler dropped are declared in the text and absent here.
+        for name in declared_uniforms(model.vertex) | declared_uniforms(model.fragment):
+            if name in program and name not in one.inputs:
+                uniform = one.uniforms.get(name) or plan.uniforms[name]
+                program[name].write(evaluate(uniform, state).tobytes())
+        self._mesh(one, program).render(moderngl.TRIANGLES, vertices=-1 if isinstance(one.mesh, Grid) else 3)
+
+    def _program(self, model: Program) -> moderngl.Program:
+        def make() -> moderngl.Program:
+            try:
+                return self._context.program(vertex_shader=model.vertex.text, fragment_shader=model.fragment.text)
+            except moderngl.Error as error:
+                raise ShaderError(f"{error}\n{_listing(model)}") from error
+
+        program: moderngl.Program = self._programs.get((model.vertex.sha256, model.fragment.sha256), make)
+        return program
+
+    def _texture(self, name: str, model: Texture) -> moderngl.Texture:
+        def make() -> moderngl.Texture:
+            data = texture(model.url.removeprefix("/api/textures/"))
+            if data.sha256 != model.sha256:
+                raise RuntimeError(f"texture {name} is not the one the plan was made for")
+            components, dtype = _TEXTURE_FORMATS[model.format]
+            made = self._context.texture((model.width, model.height), components, dtype=dtype, alignment=1)
+            if model.levels > 1:
+                # The only way moderngl allocates the levels, which are then written one by one.
+                made.build_mipmaps(0, model.levels - 1)
+            offset = 0
+            for level in range(model.levels):
+                level_width, level_height = max(model.width >> level, 1), max(model.height >> level, 1)
+                size = level_width * level_height * components * _BYTES[dtype]
+                made.write(data.data[offset : offset + size], level=level, alignment=1)
+                offset += size
+            made.filter = _FILTERS[model.filter]
+            made.repeat_x = made.repeat_y = model.wrap == "repeat"
+            return made
+
+        made: moderngl.Texture = self._textures.get((model.sha256, model.filter, model.wrap), make)
+        return made
+
+    def _target(self, name: str, target: Target, width: int, height: int) -> tuple[moderngl.Framebuffer, ...]:
+        if isinstance(target.size, FixedSize):
+            size = (target.size.width, target.size.height)
+        else:
+            size = (width * target.size.scale, height * target.size.scale)
+
+        def make() -> tuple[Any, ...]:
+            made = self._framebuffer(size, target.format, depth=target.depth)
+            made[1].filter = _FILTERS[target.filter]
+            made[1].repeat_x = made[1].repeat_y = target.wrap == "repeat"
+            return made
+
+        found: tuple[Any, ...] = self._targets.get((name, size, target.format, target.filter, target.wrap), make)
+        return found
+
+    def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
+        if max(size) > self.max_side:
+            raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's {self.max_side} pixels a side")
+        color = self._context.texture(size, 4, dtype=_TARGET_FORMATS[kind], alignment=1)
+        color.filter = _FILTERS["nearest"]
+        color.repeat_x = color.repeat_y = False
+        if not depth:
+            return self._context.framebuffer([color]), color
+        buffer = self._context.depth_renderbuffer(size)
+        return self._context.framebuffer([color], buffer), color, buffer
+
+    def _mesh(self, one: Pass, program: moderngl.Program) -> moderngl.VertexArray:
+        key = (program.glo, one.mesh)
+
+        def make() -> tuple[Any, ...]:
+            if not isinstance(one.mesh, Grid):
+                return (self._context.vertex_array(program, []),)
+            vertices, indices = grid(one.mesh.rows, one.mesh.columns)
+            buffers = self._context.buffer(vertices.tobytes()), self._context.buffer(indices.tobytes())
+            return self._context.vertex_array(program, [(buffers[0], "2f", "a_grid")], buffers[1]), *buffers
+
+        array: moderngl.VertexArray = self._meshes.get(key, make)[0]
+        return array
+
+
+def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
+    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles a cell."""
+    u = np.arange(columns + 1, dtype=np.float64) / columns
+    v = np.arange(rows + 1, dtype=np.float64) / rows
+    vertices = np.stack(np.meshgrid(u, v, indexing="xy"), axis=-1).reshape(-1, 2).astype(np.float32)
+    row, column = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
+    first = row * (columns + 1) + column
+    corners = np.stack([first, first + 1, first + columns + 1, first + columns + 2], axis=-1)
+    indices = corners[..., [0, 1, 2, 2, 1, 3]].reshape(-1).astype(np.uint32)
+    return vertices, indices
+
+
+def _listing(model: Program) -> str:
+    parts = []
+    for stage, shader in (("vertex", model.vertex), ("fragment", model.fragment)):
+        files = ", ".join(f"{file.path} from line {file.line}" for file in shader.files)
+        parts.append(f"{stage}: {files}")
+    return "\n".join(parts)

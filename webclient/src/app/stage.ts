@@ -1,0 +1,203 @@
+/** The canvas: owns the GPU, draws one picture or two side by side, measures how long it takes. */
+import type { CameraState } from "../camera/state";
+import { type Gpu, openContext, openGpu } from "../gl/gpu";
+import { GpuTimer } from "../gl/timer";
+import type { Frame, Rectangle } from "../plan/executor";
+import { Resolution } from "./resolution";
+import type { Slot } from "./slot";
+
+/** More pixels than two a point cost much and show nothing. */
+const MAX_PIXEL_RATIO = 2;
+/** Where the CPU draws, the first frame is not tried at full size. */
+const SOFTWARE_SCALE = 0.5;
+/** A still picture is drawn once more at full size, unless that would take longer than this, ms. */
+const PATIENCE = 2500;
+const REST = 500;
+
+export interface View {
+  time: number;
+  camera: CameraState;
+  /** Where the right picture begins, as a share of the width; 1 where there is only one. */
+  divider: number;
+}
+
+export interface Timing {
+  /** ms; null until measured. */
+  frame: number | null;
+  /** Whether the GPU's own clock measured it. */
+  measuredByGpu: boolean;
+  fps: number;
+  width: number;
+  height: number;
+  scale: number;
+}
+
+export interface StageEvents {
+  lost(): void;
+  restored(): void;
+  failed(error: unknown): void;
+}
+
+interface Flight {
+  fence: WebGLSync;
+  start: number;
+}
+
+export class Stage {
+  readonly gl: WebGL2RenderingContext;
+  gpu: Gpu;
+  /** Something changed that the picture shows. */
+  dirty = true;
+  private timer: GpuTimer | null = null;
+  private readonly resolution: Resolution;
+  private readonly flights: Flight[] = [];
+  private readonly drawn: number[] = [];
+  private frameTime: number | null = null;
+  private lastDraw = 0;
+  private sharp = false;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly slots: readonly [Slot, Slot],
+    private readonly hidden: ReadonlySet<string>,
+    private readonly events: StageEvents,
+  ) {
+    this.gl = openContext(canvas);
+    this.gpu = openGpu(this.gl, hidden);
+    this.resolution = new Resolution(this.gpu.capabilities.software ? SOFTWARE_SCALE : 1);
+    this.timer = this.makeTimer();
+    canvas.addEventListener("webglcontextlost", (event) => {
+      // Without this the browser never offers the context again.
+      event.preventDefault();
+      this.flights.length = 0;
+      this.events.lost();
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.gpu = openGpu(this.gl, this.hidden);
+      this.timer = this.makeTimer();
+      this.dirty = true;
+      this.events.restored();
+    });
+    new ResizeObserver(() => (this.dirty = true)).observe(canvas);
+  }
+
+  /** Call once an animation frame; draws where there is something new to show. `moving`: more frames will follow. */
+  tick(now: number, view: View, moving: boolean): void {
+    if (this.gl.isContextLost()) return;
+    this.collect(now);
+    const resting = !moving && !this.dirty;
+    const [left] = this.slots;
+    if (left.ready === null || this.flights.length > (this.gpu.capabilities.software ? 0 : 1)) return;
+    if (resting) {
+      const { scale } = this.resolution;
+      const full = (this.frameTime ?? 0) / (scale * scale);
+      if (this.sharp || scale === 1 || now - this.lastDraw < REST || full > PATIENCE) return;
+      this.sharp = true;
+    } else {
+      this.sharp = false;
+    }
+    this.dirty = false;
+    this.lastDraw = now;
+    this.fit(this.sharp ? 1 : this.resolution.scale);
+    const { software } = this.gpu.capabilities;
+    if (!software) this.timer?.begin();
+    this.draw(view);
+    if (!software) this.timer?.end();
+    const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.gl.flush();
+    if (fence) this.flights.push({ fence, start: performance.now() });
+  }
+
+  /** Draws at full size and gives the picture as a PNG. */
+  async png(view: View): Promise<Blob> {
+    this.fit(1);
+    this.draw(view);
+    this.dirty = true;
+    // The drawing buffer is only there until the browser takes it: no await before this.
+    return new Promise((resolve, reject) =>
+      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture could not be encoded"))), "image/png"),
+    );
+  }
+
+  timing(): Timing {
+    const now = performance.now();
+    while (this.drawn[0] !== undefined && now - this.drawn[0] > 1000) this.drawn.shift();
+    return {
+      frame: this.frameTime,
+      measuredByGpu: this.timer !== null,
+      fps: this.drawn.length,
+      width: this.canvas.width,
+      height: this.canvas.height,
+      scale: this.sharp ? 1 : this.resolution.scale,
+    };
+  }
+
+  /** The picture became another one, so what was measured says little about it. */
+  reconsider(): void {
+    this.resolution.reconsider();
+    this.dirty = true;
+  }
+
+  private draw({ time, camera, divider }: View): void {
+    const { width, height } = this.canvas;
+    const [left, right] = this.slots;
+    const frame: Frame = { time, camera, width, height, screen: null, scissor: null, scene: null };
+    try {
+      if (right.ready === null) {
+        left.ready?.executor.draw({ ...frame, scene: left.ready.scene });
+        return;
+      }
+      const x = Math.round(width * divider);
+      const parts: [Slot, Rectangle][] = [
+        [left, { x: 0, y: 0, width: x, height }],
+        [right, { x, y: 0, width: width - x, height }],
+      ];
+      for (const [slot, scissor] of parts) {
+        if (slot.ready && scissor.width > 0) slot.ready.executor.draw({ ...frame, scissor, scene: slot.ready.scene });
+      }
+    } catch (error) {
+      this.slots.forEach((slot) => slot.clear());
+      this.events.failed(error);
+    }
+  }
+
+  private fit(scale: number): void {
+    const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO) * scale;
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    // Setting a canvas's size clears it, even to the same size.
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+  }
+
+  /** Takes note of the frames that have left the GPU. */
+  private collect(now: number): void {
+    const { gl } = this;
+    for (let flight = this.flights[0]; flight !== undefined; flight = this.flights[0]) {
+      if (gl.getSyncParameter(flight.fence, gl.SYNC_STATUS) !== gl.SIGNALED) break;
+      gl.deleteSync(flight.fence);
+      this.flights.shift();
+      const elapsed = performance.now() - flight.start;
+      const previous = this.drawn.at(-1);
+      this.drawn.push(now);
+      if (this.timer === null) this.note(this.gpu.capabilities.software || previous === undefined ? elapsed : Math.min(elapsed, now - previous));
+      if (!this.sharp && this.resolution.frame(elapsed)) this.dirty = true;
+    }
+    const measured = this.timer?.poll();
+    if (typeof measured === "number") this.note(measured);
+  }
+
+  private note(milliseconds: number): void {
+    if (this.sharp) return;
+    this.frameTime = this.frameTime === null ? milliseconds : this.frameTime * 0.85 + milliseconds * 0.15;
+  }
+
+  private makeTimer(): GpuTimer | null {
+    const { extensions, software } = this.gpu.capabilities;
+    if (software || !extensions.has("EXT_disjoint_timer_query_webgl2")) return null;
+    const extension = this.gl.getExtension("EXT_disjoint_timer_query_webgl2") as ConstructorParameters<
+      typeof GpuTimer
+    >[1] | null;
+    return extension && new GpuTimer(this.gl, extension);
+  }
+}

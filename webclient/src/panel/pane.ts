@@ -1,0 +1,200 @@
+/** Draws a panel model with Tweakpane. */
+import type { BindingApi, FolderApi } from "@tweakpane/core";
+import { Pane } from "tweakpane";
+import type { Choice } from "../api";
+import { get, type Json, steps } from "../scene/json";
+import { logSlider } from "./log-slider";
+import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls } from "./model";
+import { format, shown, stored } from "./values";
+
+export interface PaneEvents {
+  change(pointer: string, value: Json): void;
+  /** The names behind a URL; empty until they are known. */
+  names(url: string): readonly Choice[];
+}
+
+/** Copies a scene's value into a widget. */
+type Refresh = (scene: Json) => void;
+
+const DEGREE = "°";
+
+export class ScenePane {
+  private pane: Pane | null = null;
+  private model: GroupControl | null = null;
+  private refreshers: Refresh[] = [];
+  /** Folders that the visitor has opened or closed, by pointer: they stay so when the panel is built anew. */
+  private readonly expanded = new Map<string, boolean>();
+  private updating = false;
+
+  constructor(
+    private readonly container: HTMLElement,
+    private readonly events: PaneEvents,
+  ) {}
+
+  /** Shows a scene; widgets are built anew only where the scene calls for other ones. */
+  show(model: GroupControl, scene: Json, rebuild = false): void {
+    if (rebuild || this.pane === null || !sameControls(this.model, model)) this.build(model, scene);
+    this.updating = true;
+    for (const refresh of this.refreshers) refresh(scene);
+    this.pane?.refresh();
+    this.updating = false;
+  }
+
+  private build(model: GroupControl, scene: Json): void {
+    const scroll = this.container.parentElement?.scrollTop ?? 0;
+    this.pane?.dispose();
+    this.model = model;
+    this.refreshers = [];
+    this.pane = new Pane({ container: this.container });
+    this.pane.registerPlugin({ id: "log-slider", plugins: [logSlider] } as never);
+    for (const control of model.children) this.add(this.pane, control, scene);
+    if (this.container.parentElement) this.container.parentElement.scrollTop = scroll;
+  }
+
+  private add(parent: FolderApi, control: Control, scene: Json): void {
+    switch (control.kind) {
+      case "group": {
+        const folder = this.folder(parent, control.pointer, control.label, control.hint);
+        for (const inner of control.children) this.add(folder, inner, scene);
+        return;
+      }
+      case "optional":
+        return this.addOptional(parent, control, scene);
+      case "list":
+        return this.addList(parent, control, scene);
+      case "number":
+        return this.addNumber(parent, control, scene);
+      case "toggle":
+        return this.bind(parent, control, scene, {}, false);
+      case "text":
+        return this.bind(parent, control, scene, {}, "");
+      case "choice":
+        return this.bind(parent, control, scene, { options: control.options.map((value) => ({ text: labelOf(value), value })) }, "");
+      case "name": {
+        const current = get(scene, control.pointer);
+        const names = [...this.events.names(control.url)];
+        // A name that is not listed, such as one made on request, stays choosable.
+        if (typeof current === "string" && !names.some(({ name }) => name === current)) names.unshift({ name: current, title: current });
+        return this.bind(parent, control, scene, { options: names.map(({ name, title }) => ({ text: title, value: name })) }, "");
+      }
+      case "colour":
+        return this.addColour(parent, control, scene);
+    }
+  }
+
+  private folder(parent: FolderApi, pointer: string, title: string, hint: string): FolderApi {
+    const deep = steps(pointer).length > 1;
+    const folder = parent.addFolder({ title, expanded: this.expanded.get(pointer) ?? !deep });
+    folder.on("fold", ({ expanded, target }) => {
+      if (target === folder) this.expanded.set(pointer, expanded);
+    });
+    const button = folder.element.querySelector("button");
+    if (button) button.title = hint;
+    return folder;
+  }
+
+  /** One widget for one value, as it stands in the scene. */
+  private bind(parent: FolderApi, control: Control, scene: Json, options: object, fallback: string | boolean): void {
+    const held = { value: fallback };
+    const refresh: Refresh = (now) => {
+      const value = get(now, control.pointer);
+      if (typeof value === "string" || typeof value === "boolean") held.value = value;
+    };
+    refresh(scene);
+    this.refreshers.push(refresh);
+    const binding = parent.addBinding(held, "value", { label: control.label, ...options });
+    describe(binding, control.label, control.hint);
+    binding.on("change", ({ value }) => this.changed(control.pointer, value));
+  }
+
+  private addNumber(parent: FolderApi, control: NumberControl, scene: Json): void {
+    const held = { value: 0 };
+    const refresh: Refresh = (now) => {
+      const value = get(now, control.pointer);
+      if (typeof value === "number") held.value = shown(control, value);
+    };
+    refresh(scene);
+    this.refreshers.push(refresh);
+    const [min, max] = [control.min, control.max].map((bound) => (bound === null ? undefined : shown(control, bound)));
+    const span = min !== undefined && max !== undefined ? max - min : 100;
+    const binding = parent.addBinding(held, "value", {
+      label: control.label,
+      ...(min === undefined ? {} : { min }),
+      ...(max === undefined ? {} : { max }),
+      ...(control.logarithmic ? { view: "log" } : {}),
+      ...(control.step === 1 ? { step: 1 } : { keyScale: span / 200, pointerScale: span / 1000 }),
+      format: (value: number) => format(value) + (control.angle ? DEGREE : ""),
+    });
+    describe(binding, control.label, control.hint);
+    binding.on("change", ({ value }) => this.changed(control.pointer, stored(control, value)));
+  }
+
+  private addColour(parent: FolderApi, control: Control, scene: Json): void {
+    const held = { value: { r: 0, g: 0, b: 0 } };
+    const refresh: Refresh = (now) => {
+      const value = get(now, control.pointer);
+      if (!Array.isArray(value)) return;
+      const [r, g, b] = value.map(Number);
+      held.value = { r: r ?? 0, g: g ?? 0, b: b ?? 0 };
+    };
+    refresh(scene);
+    this.refreshers.push(refresh);
+    const binding = parent.addBinding(held, "value", { label: control.label, color: { type: "float" } });
+    describe(binding, control.label, control.hint);
+    binding.on("change", ({ value: { r, g, b } }) => this.changed(control.pointer, [r, g, b].map((c) => Number(c.toFixed(4)))));
+  }
+
+  private addOptional(parent: FolderApi, control: OptionalControl, scene: Json): void {
+    const { inner } = control;
+    const here = inner?.kind === "group" ? this.folder(parent, control.pointer, control.label, control.hint) : parent;
+    const held = { on: inner !== null };
+    const binding = here.addBinding(held, "on", { label: inner?.kind === "group" ? "on" : control.label });
+    describe(binding, control.label, control.hint);
+    binding.on("change", ({ value }) => this.changed(control.pointer, value ? control.initial : null));
+    if (inner === null) return;
+    if (inner.kind === "group") for (const each of inner.children) this.add(here, each, scene);
+    else this.add(here, { ...inner, label: "" }, scene);
+  }
+
+  private addList(parent: FolderApi, control: ListControl, scene: Json): void {
+    const folder = this.folder(parent, control.pointer, `${control.label} (${control.items.length})`, control.hint);
+    const current = () => {
+      const value = get(scene, control.pointer);
+      return Array.isArray(value) ? value : [];
+    };
+    control.items.forEach(({ control: item, variant }, i) => {
+      const name = variant === null ? item.label : `${i + 1} · ${labelOf(variant)}`;
+      const inside = this.folder(folder, item.pointer, name, item.hint);
+      if (control.variants.length > 1 && variant !== null) {
+        const held = { variant };
+        const options = control.variants.map(({ name: value }) => ({ text: labelOf(value), value }));
+        const binding = inside.addBinding(held, "variant", { label: control.discriminator ?? "kind", options });
+        describe(binding, control.discriminator ?? "kind", control.variants.map((v) => `${v.name}: ${v.hint}`).join("\n"));
+        binding.on("change", ({ value }) => {
+          const chosen = control.variants.find((v) => v.name === value);
+          if (chosen) this.changed(item.pointer, chosen.initial);
+        });
+      }
+      if (item.kind === "group") for (const inner of item.children) this.add(inside, inner, scene);
+      else this.add(inside, item, scene);
+      if (control.items.length > control.least) {
+        inside.addButton({ title: "Remove" }).on("click", () => this.changed(control.pointer, current().filter((_, k) => k !== i)));
+      }
+    });
+    if (control.items.length >= control.most) return;
+    for (const { name, initial, hint } of control.variants) {
+      const button = folder.addButton({ title: `Add ${labelOf(name)}` });
+      button.element.title = hint;
+      button.on("click", () => this.changed(control.pointer, [...current(), initial]));
+    }
+  }
+
+  private changed(pointer: string, value: Json): void {
+    if (!this.updating) this.events.change(pointer, value);
+  }
+}
+
+function describe(binding: BindingApi, label: string, hint: string): void {
+  binding.element.title = hint;
+  for (const input of binding.element.querySelectorAll("input, select")) input.setAttribute("aria-label", label || hint);
+}
