@@ -8,7 +8,7 @@ uniform float u_mie_depth;
 vec3 sky_light(vec3 d) {
     float gamma = dot(d, u_sun_direction);
     vec3 depth = u_rayleigh_depth + u_mie_depth;
-    float mass = 1.0 / (max(d.y, 0.0) + 0.03);
+    float mass = 1.0 / (max(d.y, 0.0) + 0.09);
     float rayleigh = 0.0596831036594608 * (1.0 + gamma * gamma);
     // 1 + G^2 - 2 G gamma is at least (1 - G)^2, so the power stays finite
     float mie = 0.0336144922 / pow(max(1.5776 - 1.52 * gamma, 0.0576), 1.5);

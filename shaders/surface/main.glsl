@@ -17,7 +17,7 @@ void main() {
     float amount = foam_amount(f, p, fp);
 
     vec3 d = normalize(ray);
-    vec3 foam_normal = normalize(vec3(-shading.y, 1.0, -shading.z));
+    vec3 foam_normal = normalize(vec3(-shading.y - 0.5 * ripple.x, 1.0, -shading.z - 0.5 * ripple.y));
     vec3 normal = normalize(vec3(-shading.y - ripple.x, 1.0, -shading.z - ripple.y));
     vec3 water = exposure() * water_light(d, normal, shading.w + ripple.z, shading.x);
     vec3 foam = exposure() * foam_light(foam_normal);

@@ -30,6 +30,8 @@ void main() {
     float radius = height * cos(depression) / sin(depression);
 
     vec2 p = radius * vec2(cos(azimuth), sin(azimuth));
-    v_position = vec3(p.x, waves(p).x, p.y);
+    vec3 ray = vec3(p.x, -u_eye_height, p.y);
+    ray /= max(dot(ray, u_ray_z), 0.1 * length(ray));
+    v_position = vec3(p.x, waves_shading(p, footprint(ray, length(p) / max(length(ray.xz), 1e-6), vec3(0.0, 1.0, 0.0))).x, p.y);
     gl_Position = u_view_projection * vec4(v_position, 1.0);
 }

@@ -2,7 +2,7 @@
 // theta = phase - k.p; the phase holds time and the eye's place, reduced in float64. Exact to float32 at any time.
 uniform vec4 u_parametric[PARAMETRIC_COUNT]; // k.x, k.z (rad/m), A (m), K
 uniform float u_parametric_phase[PARAMETRIC_COUNT];
-uniform float u_parametric_mss[PARAMETRIC_COUNT]; // mean square slope of the whole wave
+uniform vec2 u_parametric_mean[PARAMETRIC_COUNT]; // mean square slope and mean height (m) of the whole wave
 
 // Height over A, and its derivative by theta. With s = sin(theta/2 + pi/4): u = s^2 and du/dtheta = s cos(theta/2 + pi/4).
 vec2 parametric_profile(float theta, float exponent) {
@@ -31,7 +31,7 @@ vec3 parametric_waves(vec2 p) {
     return sum;
 }
 
-// Height, gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
+// Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
 vec4 parametric_shading(vec2 p, Footprint fp) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
@@ -43,7 +43,8 @@ vec4 parametric_shading(vec2 p, Footprint fp) {
             float b = dot(wave.xy, fp.y);
             kept = exp(-0.125 * min(a * a + b * b, 600.0));
         }
-        sum += vec4(profile.x, -kept * profile.y * wave.xy, (1.0 - kept * kept) * u_parametric_mss[i]);
+        vec2 mean = u_parametric_mean[i];
+        sum += vec4(mix(mean.y, profile.x, kept), -kept * profile.y * wave.xy, (1.0 - kept * kept) * mean.x);
     }
     return sum;
 }

@@ -64,9 +64,8 @@ export class Api {
   }
 
   /** The server's own picture of a scene. */
-  async frame(scene: Json, query: Record<string, string | number>): Promise<Blob> {
-    const search = new URLSearchParams(Object.entries(query).map(([key, value]) => [key, String(value)]));
-    return (await this.fetch(`api/frames?${search}`, post(scene))).blob();
+  async frame(request: { scene: Json; quality: Json; time: number; width: number; height: number }): Promise<Blob> {
+    return (await this.fetch("api/frames", post(request))).blob();
   }
 
   thumbnail(name: string): string {

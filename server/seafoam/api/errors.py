@@ -126,11 +126,11 @@ KINDS: dict[type[Exception], Kind] = {
 def problem_responses(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """OpenAPI descriptions of the problems that an operation may answer with."""
     content = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}
-    described = {}
+    described: dict[int | str, dict[str, Any]] = {}
     for status in sorted(statuses):
         titles = [kind.title for kind in KINDS.values() if kind.status == status]
         described[status] = {"description": "; ".join(titles) or HTTPStatus(status).phrase, "content": content}
-    return dict(described)
+    return described
 
 
 def problem(
@@ -180,7 +180,8 @@ def pointer_of(location: Sequence[str | int], value: Any, missing: bool) -> tupl
     """The path into ``value`` that a pydantic location means: without the names of union members."""
     path: list[str | int] = []
     for index, step in enumerate(location):
-        if isinstance(value, Mapping) and step in value or isinstance(value, list) and isinstance(step, int):
+        named = isinstance(value, dict) and step in value
+        if named or (isinstance(value, list) and isinstance(step, int)):
             path.append(step)
             value = value[step]
         elif missing and index == len(location) - 1:
@@ -267,4 +268,5 @@ async def _http(request: Request, error: Exception) -> JSONResponse:
 
 async def _unexpected(request: Request, error: Exception) -> JSONResponse:
     # The server's log has the traceback; a client learns nothing of the inside.
-    return problem(request.url.path, 500, "the server failed; its log has the details", name="internal", title="Internal error")
+    detail = "the server failed; its log has the details"
+    return problem(request.url.path, 500, detail, name="internal", title="Internal error")

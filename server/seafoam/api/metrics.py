@@ -44,7 +44,9 @@ class Metrics:
             ("seafoam_workers_active", "Render processes at work", lambda: pool.active),
         ):
             Gauge(name, text, registry=self.registry).set_function(read)
-        state = Gauge("seafoam_renderer_state", "1 for the state the renderer is in", ("state",), registry=self.registry)
+        state = Gauge(
+            "seafoam_renderer_state", "1 for the state the renderer is in", ("state",), registry=self.registry
+        )
         for name in _STATES:
             state.labels(name).set_function(lambda name=name: float(pool.state == name))  # type: ignore[misc]
         self.registry.register(_Restarts(pool))

@@ -31,7 +31,8 @@ def one_value_each(request: Request) -> None:
     names = [name for name, _ in request.query_params.multi_items()]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
-        raise BadRequestError(*(FieldProblem(parameter=name, detail=f"{name} is given more than once") for name in twice))
+        errors = (FieldProblem(parameter=name, detail=f"{name} is given more than once") for name in twice)
+        raise BadRequestError(*errors)
 
 
 def strictly(model: type[M]) -> Any:
@@ -51,9 +52,10 @@ def strictly(model: type[M]) -> Any:
 
 def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
     """An optional query parameter with the range and description of a field of the scene."""
-    bounds = {}
+    bounds: dict[str, Any] = {}
     for rule in info.metadata:
-        bounds |= {name: getattr(rule, name) for name in ("ge", "le", "max_length", "pattern") if getattr(rule, name, None) is not None}
+        found = {name: getattr(rule, name, None) for name in ("ge", "le", "max_length", "pattern")}
+        bounds |= {name: value for name, value in found.items() if value is not None}
     return Field(default=None, description=description or info.description, **(bounds | override))
 
 
@@ -71,7 +73,9 @@ class QualityParameter(Parameters):
 class SceneOverrides(QualityParameter):
     """What may be changed of a preset's scene."""
 
-    look: Look | None = Field(default=None, description="Look of the foam instead of the preset's", examples=["halftone"])
+    look: Look | None = Field(
+        default=None, description="Look of the foam instead of the preset's", examples=["halftone"]
+    )
     mask: str | None = _same(
         Foam.model_fields["mask"],
         "Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed",
@@ -106,7 +110,9 @@ class FrameParameters(SceneOverrides):
         examples=[12.5],
     )
     width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's own", examples=[640])
-    height: int | None = Field(default=None, ge=1, description="Height, pixels; absent: the preset's own", examples=[360])
+    height: int | None = Field(
+        default=None, ge=1, description="Height, pixels; absent: the preset's own", examples=[360]
+    )
     x: float | None = _axis(0, "Eye, m along +x; absent, like the rest of the camera: the preset's own")
     y: float | None = _axis(1, "Eye, m above the troughs")
     z: float | None = _axis(2, "Eye, m along +z")
@@ -117,7 +123,8 @@ class FrameParameters(SceneOverrides):
 
     def camera(self, own: Camera) -> Camera:
         """The preset's own camera, with what is given put in its place."""
-        x, y, z = (given if given is not None else at for given, at in zip((self.x, self.y, self.z), own.position, strict=True))
+        eye = zip((self.x, self.y, self.z), own.position, strict=True)
+        x, y, z = (at if given is None else given for given, at in eye)
         angles = {name: value for name in ("yaw", "pitch", "roll", "fov") if (value := getattr(self, name)) is not None}
         return own.model_copy(update={"position": (x, y, z), **angles})
 

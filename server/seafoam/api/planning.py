@@ -26,7 +26,9 @@ def _compiled(scene: Scene, quality: Quality) -> CompiledPlan:
     return CompiledPlan(plan, plan.canonical_json(), plan.sha256)
 
 
-def compile_scene(scene: Scene, quality: Quality, *, scene_at: str | None, parameters: Collection[str] = ()) -> CompiledPlan:
+def compile_scene(
+    scene: Scene, quality: Quality, *, scene_at: str | None, parameters: Collection[str] = ()
+) -> CompiledPlan:
     """Plan a scene.
 
     A scene that cannot be planned raises :class:`BadRequestError`. It names the member of the body, where the scene

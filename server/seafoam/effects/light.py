@@ -26,6 +26,10 @@ def _air_mass(y: float) -> float:
     return 1.0 / (max(y, 0.0) + 0.03)
 
 
+def _view_air_mass(y: float) -> float:
+    return 1.0 / (y + 0.09)
+
+
 def sun_direction(light: Light) -> Rgb:
     """Unit vector toward the sun."""
     level = math.cos(light.sun_elevation)
@@ -62,7 +66,7 @@ def sky_irradiance(light: Light) -> Rgb:
         # Even steps in sin² of the elevation angle weigh by the cosine of incidence: dΩ cos = ½ d(y²) dφ.
         y = math.sqrt((i + 0.5) / count)
         level = math.sqrt(1.0 - y * y)
-        mass = _air_mass(y)
+        mass = _view_air_mass(y)
         ring = [0.0, 0.0, 0.0]
         for j in range(count):
             phi = (j + 0.5) * math.pi / count

@@ -22,7 +22,7 @@ _HELD = 1e-4
 def _profile_slope(exponent: float, s: float, c: float) -> float:
     """d(u^K)/dθ with u = s², s = sin(θ/2 + π/4), c its cosine."""
     held = max(s, _HELD) if exponent < 0.5 else s
-    return exponent * held ** (2.0 * exponent - 1.0) * c
+    return exponent * math.pow(held, 2.0 * exponent - 1.0) * c
 
 
 def _steepest(exponent: float) -> float:
@@ -30,14 +30,15 @@ def _steepest(exponent: float) -> float:
     if exponent <= 0.5:
         return _profile_slope(exponent, _HELD, 1.0)
     u = (exponent - 0.5) / exponent
-    return exponent * u ** (exponent - 0.5) * math.sqrt(1.0 - u)
+    return exponent * math.pow(u, exponent - 0.5) * math.sqrt(1.0 - u)
 
 
-def _mean_square(exponent: float) -> float:
-    """Mean of (d(u^K)/dθ)² over a period, by the midpoint rule, which is spectrally exact for a smooth wave."""
+def _means(exponent: float) -> tuple[float, float]:
+    """Means of (d(u^K)/dθ)² and of u^K over a period, by the midpoint rule, spectrally exact for a smooth wave."""
     count = 256
-    angles = ((i + 0.5) * math.pi / (2 * count) for i in range(count))
-    return sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
+    angles = [(i + 0.5) * math.pi / (2 * count) for i in range(count)]
+    square = sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
+    return square, sum(math.sin(a) ** (2.0 * exponent) for a in angles) / count
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -47,14 +48,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     data: list[Constant] = []
     phases: list[Phase] = []
-    mss: list[Constant] = []
+    means: list[Constant] = []
     steepest = 0.0
     for wave in waves:
         kx, kz = wavevector(wave, scene.water.depth)
         k = math.hypot(kx, kz)
         data.append(Constant(value=(kx, kz, wave.amplitude, wave.exponent)))
         phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
-        mss.append(Constant(value=(significant((k * wave.amplitude) ** 2 * _mean_square(wave.exponent)),)))
+        square, level = _means(wave.exponent)
+        means.append(
+            Constant(value=(significant((k * wave.amplitude) ** 2 * square), significant(wave.amplitude * level)))
+        )
         steepest += k * wave.amplitude * _steepest(wave.exponent)
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
@@ -63,7 +67,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={
             "u_parametric": array("vec4", data, len(waves)),
             "u_parametric_phase": array("float", phases, len(waves)),
-            "u_parametric_mss": array("float", mss, len(waves)),
+            "u_parametric_mean": array("vec2", means, len(waves)),
         },
         top=sum(wave.amplitude for wave in waves),
         steepest=steepest,

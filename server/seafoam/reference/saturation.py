@@ -101,7 +101,7 @@ class FrontIntegral:
         self.full = 2.0 * math.atan2(1.0, math.log(intensity) / math.log(base))
         """ψ₁: f is 1 or more from 0 to here."""
         self.cell = (2.0 * math.pi - self.full) / CELLS
-        edges = self.full + self.cell * np.arange(CELLS + 1)
+        edges = np.linspace(self.full, 2.0 * math.pi, CELLS + 1)
         nodes, weights = np.polynomial.legendre.leggauss(8)
         inner: Floats = edges[:-1, None] + 0.5 * self.cell * (nodes + 1.0)
         cells = 0.5 * self.cell * (_front(inner, intensity, base) @ weights)

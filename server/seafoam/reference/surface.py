@@ -85,8 +85,7 @@ def curvature_bound(A: float, K: float) -> float:
 
 
 def _cycle() -> Floats:
-    result: Floats = np.arange(BOUND_SAMPLES + 1) * (2.0 * math.pi / BOUND_SAMPLES)
-    return result
+    return np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
 
 
 def _slab(eye_y: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:

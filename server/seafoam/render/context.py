@@ -1,7 +1,7 @@
 """The one GL context of a process: found, checked, and set to the state that OpenGL ES starts in."""
 
-import os
 from ctypes.util import find_library
+from typing import Any
 
 import moderngl
 
@@ -23,10 +23,9 @@ def create_context(device_index: int | None = None) -> moderngl.Context:
     Desktop GL compiles ES 3.00 text through GL_ARB_ES3_compatibility (core since 4.3), so the same bytes run here and
     in WebGL2.
     """
-    settings = {"backend": "egl", "libgl": _library("GL", "libGL.so.1"), "libegl": _library("EGL", "libEGL.so.1")}
+    settings: dict[str, Any] = {"backend": "egl", "libgl": _library("GL", "libGL.so.1"), "libegl": _library("EGL", "libEGL.so.1")}
     if device_index is not None:
-        settings["device_index"] = str(device_index)
-        os.environ.setdefault("GLCONTEXT_DEVICE_INDEX", str(device_index))
+        settings["device_index"] = device_index
     try:
         context = moderngl.create_context(standalone=True, require=330, **settings)
     except Exception as error:  # moderngl raises plain Exception for every failure of the driver

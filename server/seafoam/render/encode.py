@@ -32,7 +32,8 @@ def encode(pixels: NDArray[Any], format: FrameFormat) -> bytes:
     pixels: (height, width, 4); uint8 for ``png`` and ``webp``, float32 for ``npy``.
 
     ``png`` and ``webp`` hold RGB, sRGB-encoded, lossless, without gamma or profile chunks; ``npy`` holds all four
-    channels, linear, little-endian. The same pixels give the same bytes. Raises ``ValueError`` for another shape or type.
+    channels, linear, little-endian. The same pixels give the same bytes. Raises ``ValueError`` for another shape or
+    type.
     """
     expected = np.dtype(np.float32 if needs_linear(format) else np.uint8)
     if pixels.ndim != 3 or pixels.shape[2] != 4 or pixels.dtype != expected:

@@ -168,7 +168,7 @@ class Executor:
         plan: FramePlan,
         one: Pass,
         index: int,
-        framebuffers: dict[str, tuple[moderngl.Framebuffer, ...]],
+        framebuffers: dict[str, tuple[Any, ...]],
         time: float,
         camera: Camera,
         width: int,
@@ -192,12 +192,12 @@ class Executor:
             else:
                 found = framebuffers[source.target][1]
             found.use(unit)
-            program[name].value = unit
+            program[name] = unit
         # Names the compiler dropped are declared in the text and absent here.
         for name in declared_uniforms(model.vertex) | declared_uniforms(model.fragment):
             if name in program and name not in one.inputs:
                 uniform = one.uniforms.get(name) or plan.uniforms[name]
-                program[name].write(evaluate(uniform, state).tobytes())
+                _member(program, name).write(evaluate(uniform, state).tobytes())
         self._mesh(one, program).render(moderngl.TRIANGLES, vertices=-1 if isinstance(one.mesh, Grid) else 3)
 
     def _program(self, model: Program) -> moderngl.Program:
@@ -233,7 +233,7 @@ class Executor:
         made: moderngl.Texture = self._textures.get((model.sha256, model.filter, model.wrap), make)
         return made
 
-    def _target(self, name: str, target: Target, width: int, height: int) -> tuple[moderngl.Framebuffer, ...]:
+    def _target(self, name: str, target: Target, width: int, height: int) -> tuple[Any, ...]:
         if isinstance(target.size, FixedSize):
             size = (target.size.width, target.size.height)
         else:
@@ -271,6 +271,12 @@ class Executor:
 
         array: moderngl.VertexArray = self._meshes.get(key, make)[0]
         return array
+
+
+def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:
+    member = program[name]
+    assert isinstance(member, moderngl.Uniform)
+    return member
 
 
 def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:

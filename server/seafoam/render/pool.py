@@ -256,12 +256,10 @@ class _Answer(Generic[T]):
 _renderer: Renderer | _Unavailable = _Unavailable("this process has not been set up as a render worker")
 
 
-def _start_worker(factory: Callable[[], Renderer], threads: int, device_index: int | None) -> None:
+def _start_worker(factory: Callable[[], Renderer], threads: int) -> None:
     """Set a worker up, on its main thread. Never raises: an initializer that fails breaks Pebble's pool for good."""
     global _renderer
     os.environ.setdefault("LP_NUM_THREADS", str(threads))
-    if device_index is not None:
-        os.environ["GLCONTEXT_DEVICE_INDEX"] = str(device_index)
     try:
         renderer = factory()
         draw_canary(renderer)
@@ -304,7 +302,6 @@ class RenderPool:
     queue: frames that may wait for a worker; absent: twice the workers.
     deadline: seconds that a frame may take, waiting included.
     recycle: frames after which a worker is replaced, because GL stacks leak; 0: never.
-    device_index: which EGL device to open; absent: the first.
     check_seconds: how often an idle pool draws its canary, and a pool without GL looks for one again.
     factory: makes the renderer, in the worker; must be importable there.
     """
@@ -316,7 +313,6 @@ class RenderPool:
         queue: int | None = None,
         deadline: float = 10.0,
         recycle: int = 1000,
-        device_index: int | None = None,
         check_seconds: float = 60.0,
         factory: Callable[[], Renderer] = Executor,
     ) -> None:
@@ -336,7 +332,7 @@ class RenderPool:
         self._recycle = recycle
         self._check_seconds = check_seconds
         threads = max(1, (os.cpu_count() or 1) // workers)
-        self._initargs = (factory, threads, device_index)
+        self._initargs = (factory, threads)
         self._jobs_of_worker: Counter[int] = Counter()
         self._recent_seconds = 1.0
         self._processes: ProcessPool | None = None
@@ -530,5 +526,5 @@ class RenderPool:
 
 
 def _discard(processes: ProcessPool) -> None:
-    processes.stop()
+    processes.stop()  # type: ignore[no-untyped-call]
     processes.join()

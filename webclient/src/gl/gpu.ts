@@ -33,7 +33,7 @@ export function openContext(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   const gl = canvas.getContext("webgl2", {
     alpha: false,
     antialias: false,
-    depth: true,
+    depth: false,
     powerPreference: "high-performance",
   });
   if (gl === null) {

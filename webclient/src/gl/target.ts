@@ -45,9 +45,8 @@ export function makeScreen(gl: WebGL2RenderingContext, width: number, height: nu
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colour);
-  const depth = depthBuffer(gl, width, height);
   checkComplete(gl, `screen of ${width} × ${height}`);
-  const target = { framebuffer, texture: null, depth, width, height };
+  const target = { framebuffer, texture: null, depth: null, width, height };
   const dispose = () => {
     deleteTarget(gl, target);
     gl.deleteRenderbuffer(colour);

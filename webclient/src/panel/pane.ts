@@ -25,6 +25,7 @@ export class ScenePane {
   /** Folders that the visitor has opened or closed, by pointer: they stay so when the panel is built anew. */
   private readonly expanded = new Map<string, boolean>();
   private updating = false;
+  private scene: Json = null;
 
   constructor(
     private readonly container: HTMLElement,
@@ -33,6 +34,7 @@ export class ScenePane {
 
   /** Shows a scene; widgets are built anew only where the scene calls for other ones. */
   show(model: GroupControl, scene: Json, rebuild = false): void {
+    this.scene = scene;
     if (rebuild || this.pane === null || !sameControls(this.model, model)) this.build(model, scene);
     this.updating = true;
     for (const refresh of this.refreshers) refresh(scene);
@@ -159,7 +161,7 @@ export class ScenePane {
   private addList(parent: FolderApi, control: ListControl, scene: Json): void {
     const folder = this.folder(parent, control.pointer, `${control.label} (${control.items.length})`, control.hint);
     const current = () => {
-      const value = get(scene, control.pointer);
+      const value = get(this.scene, control.pointer);
       return Array.isArray(value) ? value : [];
     };
     control.items.forEach(({ control: item, variant }, i) => {

@@ -69,6 +69,7 @@ export class Executor {
     readonly plan: FramePlan,
     private readonly passes: readonly BoundPass[],
     private readonly leases: readonly Lease<unknown>[],
+    readonly programs: ReadonlyMap<string, Program>,
   ) {}
 
   /** Compiles and loads everything that the plan needs, without stopping the page. */
@@ -95,7 +96,8 @@ export class Executor {
         const program = required(programs.get(pass.program), `program ${pass.program}`).value;
         return { pass, index, program, mesh: mesh.value, ...bind(gpu.gl, plan, pass, program, textures) };
       });
-      return new Executor(gpu, plan, passes, leases);
+      const linked = new Map([...programs].map(([name, { value }]) => [name, value]));
+      return new Executor(gpu, plan, passes, leases, linked);
     } catch (error) {
       for (const lease of leases) lease.release();
       throw error;

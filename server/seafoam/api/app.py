@@ -1,0 +1,107 @@
+"""The app: routers, errors, limits and the render pool, put together."""
+
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from functools import partial
+from importlib.metadata import version
+from typing import Any
+
+from fastapi import Depends, FastAPI
+from fastapi.openapi.utils import get_openapi
+from starlette.middleware import Middleware
+from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
+
+from seafoam.api import errors, pages
+from seafoam.api.context import Context
+from seafoam.api.errors import Problem, problem_responses
+from seafoam.api.metrics import MeasureRequests, Metrics
+from seafoam.api.middleware import HeadAsGet, LimitBody, NoSniff
+from seafoam.api.parameters import one_value_each
+from seafoam.api.routers import frames, health, masks, plans, presets, textures
+from seafoam.api.settings import Settings
+from seafoam.api.workshop import Workshop
+from seafoam.render.executor import Executor
+from seafoam.render.pool import Renderer, RenderPool
+
+GZIP_LEVEL = 4
+"""Plans are a tenth of their size at level 4 and hardly less at 9."""
+NOT_WORTH_GZIP = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/x-npy", "image/*", "font/*")
+
+_DESCRIPTION = """
+Water with halftoned foam, after Yingst, Alford and Parberry (2011).
+
+A **scene** says what the sea is, a **quality** how exactly to compute it. Both make a **frame plan**, which the server
+and the browser run alike. Every frame is a function of scene, quality, camera, size and time, so the same request gives
+the same bytes. SI units, radians, +y up. Errors are `application/problem+json` (RFC 9457) and name the field and what
+it may be.
+"""
+
+
+def create_app(settings: Settings | None = None, *, renderer: Callable[[], Renderer] | None = None) -> FastAPI:
+    """The server's app.
+
+    settings: absent: from the environment. renderer: makes what the workers render with, absent: the GL executor; must
+    be importable, because the workers are spawned.
+    """
+    settings = settings or Settings()
+    pool = RenderPool(
+        workers=settings.workers,
+        queue=settings.queue,
+        deadline=settings.deadline,
+        recycle=settings.recycle,
+        factory=renderer or partial(Executor, settings.device_index),
+    )
+    metrics = Metrics(pool)
+
+    @asynccontextmanager
+    async def lifespan(_: FastAPI) -> AsyncIterator[None]:
+        await pool.start()
+        yield
+        await pool.stop()
+
+    app = FastAPI(
+        title="Seafoam",
+        version=version("seafoam"),
+        description=_DESCRIPTION,
+        docs_url=None,
+        redoc_url=None,
+        lifespan=lifespan,
+        dependencies=[Depends(one_value_each)],
+        middleware=[
+            Middleware(HeadAsGet),
+            Middleware(NoSniff),
+            Middleware(MeasureRequests, metrics=metrics),
+            Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
+            Middleware(LimitBody, limit=settings.max_body),
+        ],
+    )
+    app.state.context = Context(settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8))
+    for router in (presets.router, plans.router, frames.router, masks.router, textures.router):
+        app.include_router(router, prefix="/api", responses=problem_responses(400, 500))
+    app.include_router(health.router)
+    errors.install(app)
+    pages.install(app)
+    _describe(app, settings)
+    return app
+
+
+def _describe(app: FastAPI, settings: Settings) -> None:
+    """Complete the OpenAPI document with the problem schema and the limits that are settings."""
+
+    def openapi() -> dict[str, Any]:
+        if app.openapi_schema is None:
+            document = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+            schemas = document["components"]["schemas"]
+            problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
+            schemas |= problem.pop("$defs") | {"Problem": problem}
+            frame = document["paths"]["/api/frames/{preset}.{format}"]["get"]
+            sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
+            sides += [one["schema"] for one in frame["parameters"] if one["name"] in ("width", "height")]
+            for schema in sides:
+                for alternative in schema.get("anyOf", [schema]):
+                    if alternative["type"] == "integer":
+                        alternative["maximum"] = settings.max_side
+            app.openapi_schema = document
+        return app.openapi_schema
+
+    app.openapi = openapi  # type: ignore[method-assign]

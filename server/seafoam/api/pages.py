@@ -1,0 +1,59 @@
+"""Pages for people: the web client at ``/`` and the API's manual at ``/docs``, all served from here."""
+
+import importlib.util
+from pathlib import Path
+
+from fastapi import FastAPI
+from fastapi.openapi.docs import get_swagger_ui_html
+from starlette.responses import HTMLResponse, PlainTextResponse, Response
+from starlette.staticfiles import StaticFiles
+from starlette.types import Scope
+
+from seafoam.api.caching import IMMUTABLE, REVALIDATE
+from seafoam.resources import data_dir
+
+NOT_BUILT = """Seafoam is running, but its web client has not been built.
+
+Build it with:  make webclient
+The manual of the API is at /docs, a picture at /api/frames/lace.png.
+"""
+
+
+class WebClient(StaticFiles):
+    """The built web client, or a text that says how to build it."""
+
+    def __init__(self, directory: Path) -> None:
+        super().__init__(directory=directory, html=True, check_dir=False)
+        self.folder = directory
+
+    async def check_config(self) -> None:
+        """A client that is not built yet is no error."""
+
+    async def get_response(self, path: str, scope: Scope) -> Response:
+        """A file; built files under ``assets`` carry their hash in their name, so they never change."""
+        if path == "." and not (self.folder / "index.html").is_file():
+            return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
+        response = await super().get_response(path, scope)
+        response.headers["Cache-Control"] = IMMUTABLE if path.startswith("assets/") else REVALIDATE
+        return response
+
+
+def install(app: FastAPI) -> None:
+    """Serve the pages wherever no route of the app matches."""
+    found = importlib.util.find_spec("fastapi_offline")
+    assert found is not None
+    assert found.origin is not None
+    # Swagger UI's files are all that is used of that package: FastAPI's own page would load them from a CDN.
+    app.mount("/docs/static", StaticFiles(directory=Path(found.origin).parent / "static"), name="docs-static")
+    app.add_api_route("/docs", _manual, include_in_schema=False)
+    app.router.default = WebClient(data_dir("webclient"))
+
+
+async def _manual() -> HTMLResponse:
+    return get_swagger_ui_html(
+        openapi_url="/openapi.json",
+        title="Seafoam: API",
+        swagger_js_url="/docs/static/swagger-ui-bundle.js",
+        swagger_css_url="/docs/static/swagger-ui.css",
+        swagger_favicon_url="/docs/static/favicon.png",
+    )

@@ -1,0 +1,119 @@
+"""``/api/frames``: pictures of the sea, rendered by the pool."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Query, Request
+from starlette.responses import Response
+
+from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
+from seafoam.api.context import Context, InContext
+from seafoam.api.errors import problem_responses
+from seafoam.api.parameters import FrameParameters, FrameRequest, strictly
+from seafoam.api.planning import CompiledPlan, compile_scene
+from seafoam.api.routers.presets import PresetName, find_preset
+from seafoam.quality import TIERS
+from seafoam.render.encode import MEDIA_TYPES, FrameFormat
+from seafoam.render.pool import Frame, FrameJob
+
+router = APIRouter(tags=["frames"])
+
+STAGES = ("queue", "plan", "render", "read", "encode")
+CLIENT_CLOSED_REQUEST = 499
+"""nginx's status for a client that left; only the log and the metrics see it."""
+
+_TEXT = {"type": "string"}
+_RESPONSES: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "The frame: an sRGB picture, or linear float32 (height, width, 4) whose last is foam coverage",
+        "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
+        "headers": {
+            "ETag": {"description": "Of all that the bytes depend on, the renderer included", "schema": _TEXT},
+            "Server-Timing": {"description": f"Milliseconds by stage: {', '.join(STAGES)}", "schema": _TEXT},
+            "Seafoam-Plan": {"description": "SHA-256 of the plan that was run", "schema": _TEXT},
+            "Seafoam-Renderer": {"description": "GL renderer that ran it", "schema": _TEXT},
+        },
+    }
+}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+
+
+@router.get(
+    "/frames/{preset}.{format}",
+    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 500, 503, 504),
+    response_class=Response,
+)
+async def get_frame(
+    preset: PresetName,
+    format: Annotated[FrameFormat, Path(description="png, webp (lossless), or npy (linear float32)")],
+    asked: Annotated[FrameParameters, Query()],
+    request: Request,
+    context: InContext,
+) -> Response:
+    """A frame of a preset. Whatever is not given is the preset's own."""
+    found = find_preset(preset)
+    width = found.size[0] if asked.width is None else asked.width
+    height = found.size[1] if asked.height is None else asked.height
+    quality = TIERS[asked.quality]
+    context.settings.frame_limits.check(width, height, quality.samples)
+    scene = asked.apply(found.scene)
+    time = found.time if asked.time is None else asked.time
+    job = FrameJob(scene, quality, time, asked.camera(scene.camera), width, height, format)
+    compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None, parameters=asked.changed)
+    tag, headers = await _identity(job, compiled, context)
+    headers["Cache-Control"] = REVALIDATE
+    return not_modified(request, tag, headers) or await _rendered(job, tag, headers, request, context)
+
+
+@router.post("/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 503, 504), response_class=Response)
+async def render_frame(asked: strictly(FrameRequest), request: Request, context: InContext) -> Response:  # type: ignore[valid-type]
+    """A frame of a scene sent as JSON."""
+    body: FrameRequest = asked
+    context.settings.frame_limits.check(body.width, body.height, body.knobs.samples)
+    camera = body.camera or body.scene.camera
+    job = FrameJob(body.scene, body.knobs, body.time, camera, body.width, body.height, body.format)
+    compiled = await context.plans.run(compile_scene, body.scene, body.knobs, scene_at="/scene")
+    tag, headers = await _identity(job, compiled, context)
+    headers["Cache-Control"] = NO_STORE
+    return await _rendered(job, tag, headers, request, context)
+
+
+async def _identity(job: FrameJob, compiled: CompiledPlan, context: Context) -> tuple[str, dict[str, str]]:
+    """Entity tag and headers of a frame, before it is rendered."""
+    await context.pool.wait_until_settled()
+    info = context.pool.info
+    camera = job.camera.model_dump(mode="json")
+    tag = tag_of(compiled.sha256, job.time, camera, job.width, job.height, job.format, info)
+    return tag, {"Seafoam-Plan": compiled.sha256, "Seafoam-Renderer": info["renderer"]}
+
+
+async def _rendered(job: FrameJob, tag: str, headers: dict[str, str], request: Request, context: Context) -> Response:
+    frame = await _unless_gone(request, context, job)
+    if frame is None:
+        return Response(status_code=CLIENT_CLOSED_REQUEST)
+    context.metrics.count_frame(frame, job.format)
+    timing = ", ".join(f"{stage};dur={1000 * frame.timings[stage]:.2f}" for stage in STAGES)
+    return Response(
+        frame.content,
+        headers={"ETag": tag, "Server-Timing": timing, **headers},
+        media_type=MEDIA_TYPES[job.format],
+    )
+
+
+async def _unless_gone(request: Request, context: Context, job: FrameJob) -> Frame | None:
+    """The frame, or None once nobody waits for it: a client that left gives its place in the queue back."""
+    rendering = asyncio.ensure_future(context.pool.render(job))
+    leaving = asyncio.ensure_future(_client_gone(request))
+    try:
+        await asyncio.wait({rendering, leaving}, return_when=asyncio.FIRST_COMPLETED)
+        return await rendering if rendering.done() else None
+    finally:
+        for task in (rendering, leaving):
+            if not task.done():
+                task.cancel()
+                await asyncio.gather(task, return_exceptions=True)
+
+
+async def _client_gone(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass

@@ -1,0 +1,301 @@
+"""``/api/masks``: the halftone masks, shipped and made on request, in every format, with their spectra."""
+
+import json
+from collections.abc import Callable
+from enum import IntEnum
+from functools import lru_cache
+from typing import Annotated, Any, Literal
+
+from fastapi import APIRouter, Path, Query, Request
+from pydantic import BaseModel, Field
+from starlette.responses import Response
+
+from seafoam.api.caching import REVALIDATE, not_modified, tag_of
+from seafoam.api.context import Context, InContext
+from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
+from seafoam.api.parameters import Parameters
+from seafoam.masks.catalogue import (
+    ON_REQUEST_SECONDS,
+    Mask,
+    MaskEntry,
+    UnknownMaskError,
+    custom_mask,
+    load_catalogue,
+    load_mask,
+)
+from seafoam.masks.construct import estimated_seconds
+from seafoam.masks.families import DEFAULT_SIGMA, SEED_MAX, SIGMA_MAX, SIGMA_MIN, Family, Method, sigma_range
+from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
+from seafoam.masks.torus import Ranks
+
+router = APIRouter(tags=["masks"])
+
+MaskName = Annotated[str, Path(description="Name of a mask, see /api/masks", examples=["vac-24"], max_length=40)]
+MaskFormat = Literal["png", "npy", "u16", "dds"]
+MaskFormatPath = Annotated[
+    MaskFormat,
+    Path(
+        description="png: 16-bit greyscale of floor(rank 65536/N); npy: float32 thresholds (rank + 0.5)/N; "
+        "u16: raw little-endian floor(rank 65536/N); dds: R16_UNORM with a DX10 header"
+    ),
+]
+
+ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
+    "png": ("image/png", to_png16),
+    "npy": ("application/x-npy", to_npy),
+    "u16": ("application/octet-stream", to_u16),
+    "dds": ("image/vnd-ms.dds", to_dds),
+}
+SIGMA_STEPS = 200
+"""Into which a range of sigma is cut to find what is quick enough."""
+
+
+class MaskSize(IntEnum):
+    """Tile sides, texels."""
+
+    S32 = 32
+    S64 = 64
+    S128 = 128
+    S256 = 256
+    S512 = 512
+
+
+class CustomMask(Parameters):
+    """A mask made on request. The same arguments give the same mask."""
+
+    family: Family = Field(
+        description="vac: void and cluster; blur: filtered white noise; clump; bubble; mix", examples=["vac"]
+    )
+    sigma: float | None = Field(
+        default=None,
+        ge=SIGMA_MIN,
+        le=SIGMA_MAX,
+        description="The family's length, texels, at most an eighth of size (bubble and mix: at least 2); "
+        f"absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or what size allows",
+        examples=[3.0],
+    )
+    size: MaskSize = Field(default=MaskSize.S256, description="Side of the tile, texels")
+    seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Which mask of its kind")
+
+
+class MaskParametersOut(BaseModel):
+    """What determines a mask."""
+
+    sigma: float = Field(description="The family's length, texels")
+    size: int = Field(description="Side of the tile, texels")
+    seed: int
+    method: Method | None = Field(description="How vac was ordered; null for the others")
+
+
+class MaskInfo(BaseModel):
+    """What a mask is and how it was made."""
+
+    name: str
+    title: str
+    summary: str
+    family: Family
+    parameters: MaskParametersOut
+    generator: str = Field(description="Version of the construction rules")
+    sha256: str = Field(description="Of the ranks as little-endian uint32, row by row")
+    value_rule: str
+    license: str
+
+
+_BYTES = {"schema": {"type": "string", "format": "binary"}}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+
+
+def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dict[str, Any]]:
+    content = {kind: {} if kind == "application/json" else _BYTES for kind in media}
+    found: dict[int | str, dict[str, Any]] = {200: {"description": description, "content": content}}
+    return found | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
+
+
+_DATA = ("The mask's ranks", *(media for media, _ in ENCODERS.values()))
+_DATA8 = ("8-bit greyscale PNG of floor(rank 256/N), for quick use", "image/png")
+_SIDECAR = ("How the mask was made, its hash, filtering tables and spectrum", "application/json")
+_SPECTRUM = ("RAPS and anisotropy by grey level", "application/json")
+_PLOT = ("RAPS and anisotropy, plotted", "image/png")
+
+
+def _shipped(name: str) -> Mask:
+    try:
+        return load_mask(name)
+    except UnknownMaskError:
+        raise NotFoundError(f"there is no mask {name!r}", "mask", tuple(load_catalogue())) from None
+
+
+def check_custom(asked: CustomMask) -> None:
+    """Refuse what the family cannot be made with, or not quickly enough, naming the range that can.
+
+    Raises :class:`BadRequestError`.
+    """
+    least, greatest = sigma_range(asked.family, asked.size)
+    if asked.sigma is not None and not least <= asked.sigma <= greatest:
+        detail = f"sigma: {asked.family} at size {asked.size:d} takes {least:g} to {greatest:g} texels"
+        raise BadRequestError(
+            FieldProblem(parameter="sigma", detail=detail, allowed={"minimum": least, "maximum": greatest})
+        )
+    seconds = estimated_seconds(asked.family, asked.sigma, int(asked.size))
+    if seconds > ON_REQUEST_SECONDS:
+        steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
+        quick = [
+            sigma for sigma in steps if estimated_seconds(asked.family, sigma, int(asked.size)) <= ON_REQUEST_SECONDS
+        ]
+        allowed = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
+        within = f"sigma {quick[0]:g} to {quick[-1]:g}" if quick else "a smaller size"
+        detail = (
+            f"sigma: this mask takes about {seconds:.0f} s to make; on request at most {ON_REQUEST_SECONDS:g} s, "
+            f"which at size {asked.size:d} allows {within}"
+        )
+        raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
+
+
+def _custom(asked: CustomMask) -> Mask:
+    check_custom(asked)
+    return custom_mask(asked.family, asked.sigma, int(asked.size), asked.seed)
+
+
+def _ranks_as(encoder: Callable[[Ranks], bytes]) -> Callable[[Mask], bytes]:
+    return lambda mask: encoder(mask.ranks)
+
+
+def _info(mask: Mask) -> bytes:
+    return json.dumps(mask.entry.to_json()).encode()
+
+
+def _sidecar(mask: Mask) -> bytes:
+    return json.dumps(mask.sidecar()).encode()
+
+
+def _spectrum(mask: Mask) -> bytes:
+    return json.dumps(mask.spectrum.to_json()).encode()
+
+
+@lru_cache(maxsize=32)
+def _plot(mask: Mask) -> bytes:
+    # Matplotlib takes a second to import, so only a server that is asked for a plot pays.
+    from seafoam.masks.plots import plot_spectrum
+
+    return plot_spectrum(mask.spectrum, mask.entry.title)
+
+
+async def _answer(
+    source: Callable[[], Mask],
+    encode: Callable[[Mask], bytes],
+    media_type: str,
+    request: Request,
+    context: Context,
+    file: str = "",
+) -> Response:
+    """A mask as bytes; 304 before they are made."""
+    mask = await context.masks.run(source)
+    headers = {"Cache-Control": REVALIDATE}
+    if file:
+        headers["Content-Disposition"] = f'inline; filename="{mask.entry.name}{file}"'
+    tag = tag_of(mask.entry.to_json(), request.url.path.rpartition("/")[2])
+    if current := not_modified(request, tag, headers):
+        return current
+    content = await context.masks.run(encode, mask)
+    return Response(content, headers={"ETag": tag, **headers}, media_type=media_type)
+
+
+@router.get("/masks", response_model=list[MaskInfo], responses=problem_responses(422))
+async def list_masks(_: Annotated[Parameters, Query()]) -> list[dict[str, Any]]:
+    """The shipped masks."""
+    entries: list[MaskEntry] = list(load_catalogue().values())
+    return [entry.to_json() for entry in entries]
+
+
+@router.get(
+    "/masks/custom",
+    responses=problem_responses(422, 503) | {200: {"model": MaskInfo}},
+    response_class=Response,
+)
+async def get_custom_mask(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+    """A mask made on request: what it is. Its data is below this path with the same parameters."""
+    return await _answer(lambda: _custom(asked), _info, "application/json", request, context)
+
+
+@router.get("/masks/custom/data.{format}", responses=_answers(*_DATA, custom=True), response_class=Response)
+async def get_custom_data(
+    format: MaskFormatPath, asked: Annotated[CustomMask, Query()], request: Request, context: InContext
+) -> Response:
+    """The data of a mask made on request."""
+    media, encoder = ENCODERS[format]
+    return await _answer(lambda: _custom(asked), _ranks_as(encoder), media, request, context, f".{format}")
+
+
+@router.get("/masks/custom/data8.png", responses=_answers(*_DATA8, custom=True), response_class=Response)
+async def get_custom_data8(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+    """A mask made on request, in 8 bits."""
+    return await _answer(lambda: _custom(asked), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
+
+
+@router.get("/masks/custom/sidecar", responses=_answers(*_SIDECAR, custom=True), response_class=Response)
+async def get_custom_sidecar(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+    """What accompanies the data of a mask made on request."""
+    return await _answer(lambda: _custom(asked), _sidecar, "application/json", request, context, ".json")
+
+
+@router.get("/masks/custom/spectrum", responses=_answers(*_SPECTRUM, custom=True), response_class=Response)
+async def get_custom_spectrum(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+    """The measured spectrum of a mask made on request."""
+    return await _answer(lambda: _custom(asked), _spectrum, "application/json", request, context)
+
+
+@router.get("/masks/custom/spectrum.png", responses=_answers(*_PLOT, custom=True), response_class=Response)
+async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+    """The measured spectrum of a mask made on request, as a plot."""
+    return await _answer(lambda: _custom(asked), _plot, "image/png", request, context, "-spectrum.png")
+
+
+@router.get(
+    "/masks/{mask}", responses=problem_responses(404, 422, 503) | {200: {"model": MaskInfo}}, response_class=Response
+)
+async def get_mask(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
+    """A shipped mask: size, family, sigma, seed, hash, how it was made."""
+    return await _answer(lambda: _shipped(mask), _info, "application/json", request, context)
+
+
+@router.get("/masks/{mask}/data.{format}", responses=_answers(*_DATA, custom=False), response_class=Response)
+async def get_data(
+    mask: MaskName,
+    format: MaskFormatPath,
+    _: Annotated[Parameters, Query()],
+    request: Request,
+    context: InContext,
+) -> Response:
+    """The data of a shipped mask."""
+    media, encoder = ENCODERS[format]
+    return await _answer(lambda: _shipped(mask), _ranks_as(encoder), media, request, context, f".{format}")
+
+
+@router.get("/masks/{mask}/data8.png", responses=_answers(*_DATA8, custom=False), response_class=Response)
+async def get_data8(
+    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """A shipped mask, in 8 bits."""
+    return await _answer(lambda: _shipped(mask), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
+
+
+@router.get("/masks/{mask}/sidecar", responses=_answers(*_SIDECAR, custom=False), response_class=Response)
+async def get_sidecar(
+    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """What accompanies the data of a shipped mask."""
+    return await _answer(lambda: _shipped(mask), _sidecar, "application/json", request, context, ".json")
+
+
+@router.get("/masks/{mask}/spectrum", responses=_answers(*_SPECTRUM, custom=False), response_class=Response)
+async def get_spectrum(
+    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """The measured spectrum of a shipped mask."""
+    return await _answer(lambda: _shipped(mask), _spectrum, "application/json", request, context)
+
+
+@router.get("/masks/{mask}/spectrum.png", responses=_answers(*_PLOT, custom=False), response_class=Response)
+async def get_plot(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
+    """The measured spectrum of a shipped mask, as a plot."""
+    return await _answer(lambda: _shipped(mask), _plot, "image/png", request, context, "-spectrum.png")

@@ -1,0 +1,60 @@
+"""``/api/plans``: compiled scenes, for an executor to run."""
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query, Request
+from starlette.responses import Response
+
+from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified
+from seafoam.api.context import InContext
+from seafoam.api.errors import problem_responses
+from seafoam.api.parameters import PlanRequest, SceneOverrides, strictly
+from seafoam.api.planning import CompiledPlan, compile_scene
+from seafoam.api.routers.presets import PresetName, find_preset
+from seafoam.plan.model import FramePlan
+from seafoam.quality import TIERS
+
+router = APIRouter(tags=["plans"])
+
+_HEADERS = {
+    "ETag": {"description": "The plan's SHA-256, quoted", "schema": {"type": "string"}},
+    "Seafoam-Plan": {"description": "The plan's SHA-256", "schema": {"type": "string"}},
+}
+_RESPONSES: dict[int | str, dict[str, Any]] = {
+    200: {
+        "model": FramePlan,
+        "description": "The plan; the same scene and quality give the same bytes",
+        "headers": _HEADERS,
+    }
+}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+
+
+@router.get(
+    "/plans/{preset}",
+    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 503),
+    response_class=Response,
+)
+async def get_plan(
+    preset: PresetName, asked: Annotated[SceneOverrides, Query()], request: Request, context: InContext
+) -> Response:
+    """The frame plan of a preset."""
+    scene = asked.apply(find_preset(preset).scene)
+    compiled = await context.plans.run(
+        compile_scene, scene, TIERS[asked.quality], scene_at=None, parameters=asked.changed
+    )
+    headers = {"Cache-Control": REVALIDATE, "Seafoam-Plan": compiled.sha256}
+    return not_modified(request, f'"{compiled.sha256}"', headers) or _plan(compiled, headers)
+
+
+@router.post("/plans", responses=_RESPONSES | problem_responses(413, 415, 422, 503), response_class=Response)
+async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Response:  # type: ignore[valid-type]
+    """The frame plan of a scene sent as JSON."""
+    body: PlanRequest = asked
+    compiled = await context.plans.run(compile_scene, body.scene, body.knobs, scene_at="/scene")
+    return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})
+
+
+def _plan(compiled: CompiledPlan, headers: dict[str, str]) -> Response:
+    tagged = {"ETag": f'"{compiled.sha256}"', **headers}
+    return Response(compiled.content, headers=tagged, media_type="application/json")

@@ -1,0 +1,91 @@
+"""``/api/presets``: the named scenes. ``/api/quality``: the tiers and knobs to compute them with."""
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Query
+from pydantic import BaseModel, Field
+
+from seafoam.api.context import InContext
+from seafoam.api.errors import NotFoundError, problem_responses
+from seafoam.api.parameters import Parameters
+from seafoam.api.planning import compile_scene
+from seafoam.quality import TIERS, Quality, Tier
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import Preset, load_preset, preset_names
+
+router = APIRouter(tags=["presets"])
+
+PresetName = Annotated[str, Path(description="Name of a preset, see /api/presets", examples=["lace"], max_length=80)]
+
+
+class PresetSummary(BaseModel):
+    """A preset, without its scene."""
+
+    name: str
+    title: str
+    summary: str
+    size: tuple[int, int] = Field(description="Width and height it was made for, pixels")
+    time: float = Field(description="A time at which it looks its best, s")
+    effects: list[str] = Field(description="The effects that it runs")
+
+
+class PresetDetail(PresetSummary):
+    """A preset."""
+
+    scene: Scene
+
+
+class QualityTiers(BaseModel):
+    """What quality may be."""
+
+    tiers: dict[Tier, Quality] = Field(description="The named tiers, from the fastest")
+    knobs: dict[str, Any] = Field(description="JSON schema of the single knobs: ranges, units and defaults")
+
+
+def find_preset(name: str) -> Preset:
+    """A preset by name; raises :class:`NotFoundError` with the names there are."""
+    try:
+        return load_preset(name)
+    except KeyError:
+        raise NotFoundError(f"there is no preset {name!r}", "preset", preset_names()) from None
+
+
+def _effects(preset: Preset) -> list[str]:
+    compiled = compile_scene(preset.scene, TIERS["standard"], scene_at="")
+    return [effect.name for effect in compiled.plan.effects]
+
+
+def _summaries() -> list[PresetSummary]:
+    presets = [load_preset(name) for name in preset_names()]
+    return [
+        PresetSummary(**preset.model_dump(include=set(PresetSummary.model_fields)), effects=_effects(preset))
+        for preset in presets
+    ]
+
+
+@router.get("/presets", responses=problem_responses(422, 503))
+async def list_presets(_: Annotated[Parameters, Query()], context: InContext) -> list[PresetSummary]:
+    """All presets, in the order of the menu."""
+    return await context.plans.run(_summaries)
+
+
+@router.get("/presets/{preset}", responses=problem_responses(404, 422, 503))
+async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> PresetDetail:
+    """One preset with its full scene: a starting point for POST /api/frames and /api/plans."""
+    found = find_preset(preset)
+    effects = await context.plans.run(_effects, found)
+    summary = found.model_dump(include=set(PresetSummary.model_fields))
+    return PresetDetail(**summary, effects=effects, scene=found.scene)
+
+
+@router.get("/quality", responses=problem_responses(422))
+async def get_quality(_: Annotated[Parameters, Query()]) -> QualityTiers:
+    """The tiers of quality with the value of every knob, and what each knob may be."""
+    return QualityTiers(tiers=TIERS, knobs=Quality.model_json_schema())
+
+
+@router.get("/accuracy/{preset}", responses=problem_responses(404, 422), status_code=404, response_model=None)
+async def get_accuracy(preset: PresetName, _: Annotated[Parameters, Query()]) -> None:
+    """The measured cost of accuracy of a preset; 404 while there is no measurement of it."""
+    found = find_preset(preset)
+    raise NotFoundError(f"the cost of accuracy of {found.name!r} has not been measured yet", "preset")

@@ -1,0 +1,59 @@
+"""``/api/textures``: the bytes of the textures that plans name."""
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Query, Request
+from pydantic import Field
+from starlette.responses import Response
+
+from seafoam.api.caching import IMMUTABLE, REVALIDATE, not_modified
+from seafoam.api.context import InContext
+from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
+from seafoam.api.parameters import Parameters
+from seafoam.textures import texture
+
+router = APIRouter(tags=["textures"])
+
+
+class TextureParameters(Parameters):
+    """Which bytes are meant."""
+
+    sha256: str | None = Field(
+        default=None,
+        pattern="^[0-9a-f]{64}$",
+        description="The plan's hash of the bytes: with it the answer may be kept for ever; other bytes are refused",
+    )
+
+
+_RESPONSES: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "All levels from the largest, rows from v = 0, tightly packed, little-endian",
+        "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
+        "headers": {"ETag": {"description": "SHA-256 of the bytes, quoted", "schema": {"type": "string"}}},
+    },
+    304: {"description": "The client's copy (If-None-Match) is current"},
+}
+
+
+@router.get("/textures/{name:path}", responses=_RESPONSES | problem_responses(404, 422, 503), response_class=Response)
+async def get_texture(
+    name: Annotated[
+        str, Path(description="Name of a texture, from a plan", examples=["mask/vac-24/ranks"], max_length=120)
+    ],
+    asked: Annotated[TextureParameters, Query()],
+    request: Request,
+    context: InContext,
+) -> Response:
+    """The bytes of a texture. Format and size stand in the plan."""
+    try:
+        found = await context.masks.run(texture, name)
+    except (KeyError, ValueError):
+        raise NotFoundError(f"there is no texture {name!r}", "name") from None
+    if asked.sha256 not in (None, found.sha256):
+        detail = f"sha256: {name!r} has the hash {found.sha256}: the plan is of another version"
+        raise BadRequestError(FieldProblem(parameter="sha256", detail=detail, allowed={"enum": [found.sha256]}))
+    headers = {"Cache-Control": IMMUTABLE if asked.sha256 else REVALIDATE}
+    tag = f'"{found.sha256}"'
+    return not_modified(request, tag, headers) or Response(
+        found.data, headers={"ETag": tag, **headers}, media_type="application/octet-stream"
+    )

@@ -1,0 +1,241 @@
+"""Saturations, reading images, and the looks."""
+
+import math
+
+import numpy as np
+import pytest
+from seafoam.reference import looks, sampling
+from seafoam.reference.saturation import (
+    CAP,
+    FRONT_CONSTANTS,
+    front_integral,
+    front_saturation,
+    front_saturation_filtered,
+    gate,
+    group,
+    height_saturation,
+    joined,
+    phase_width,
+)
+from seafoam.reference.waves import wave_set
+from seafoam.scene.models import ParametricWave, Scene
+
+WAVE = ParametricWave(amplitude=0.8, wavelength=11.0, direction=0.4, exponent=2.0, phase=0.3)
+RNG_RANKS = np.random.default_rng(5).permutation(64 * 64).reshape(64, 64)
+EVEN = np.linspace(0.0, 1.0, sampling.QUANTILE_ENTRIES)
+
+
+@pytest.mark.parametrize(
+    ("constants", "delta", "base", "spatial"),
+    [("text", math.pi / 2, math.e, 2 * math.pi), ("listing", 1.07, 2.718, 6.28)],
+)
+def test_front_is_the_papers_formula(constants: str, delta: float, base: float, spatial: float) -> None:
+    x = np.linspace(-40.0, 40.0, 3001)
+    z = 0.2 * x
+    time = 3.1
+    k = FRONT_CONSTANTS[constants]
+    at = group(wave_set(Scene(waves=(WAVE,)), time, (0.0, 0.0), k.spatial), x, z, k.delta)
+    omega = math.sqrt(9.81 * 2.0 * math.pi / WAVE.wavelength)
+    theta = omega * time - spatial / WAVE.wavelength * (x * math.cos(0.4) + z * math.sin(0.4)) + WAVE.phase
+    away = np.abs(np.sin(0.5 * theta + delta + 0.5 * math.pi)) > 0.05
+    literal = np.minimum(base ** (-np.tan(0.5 * theta[away] + delta)) / 4.0, 4.0)
+    np.testing.assert_allclose(front_saturation(at.X, at.Y, 4.0, k.base)[away], literal, rtol=1e-9)
+    assert np.count_nonzero(away) > 2800
+
+
+def test_front_at_and_around_the_pole() -> None:
+    X = np.array([1.0, 1.0, 1.0, -1.0, 0.0, -1.0])
+    Y = np.array([0.0, 1e-9, -1e-9, 0.0, 0.0, -0.0])
+    np.testing.assert_allclose(front_saturation(X, Y, 4.0), [4.0, 4.0, 0.0, 0.25, 0.25, 0.25], atol=1e-30)
+
+
+def test_equal_waves_front_as_one() -> None:
+    x, z = np.linspace(-20.0, 20.0, 200), np.linspace(0.0, 5.0, 200)
+    one = group(wave_set(Scene(waves=(WAVE,)), 2.0, (0.0, 0.0)), x, z, 1.07)
+    three = group(wave_set(Scene(waves=(WAVE,) * 3), 2.0, (0.0, 0.0)), x, z, 1.07)
+    for name in ("X", "Y", "slope_of_x", "slope_of_y", "rho"):
+        np.testing.assert_allclose(getattr(three, name), getattr(one, name), atol=1e-13)
+    np.testing.assert_allclose(one.rho, 1.0, atol=1e-14)
+
+
+def test_flat_waves_weigh_the_same() -> None:
+    flat = WAVE.model_copy(update={"amplitude": 0.0})
+    x = np.linspace(0.0, 9.0, 50)
+    one = group(wave_set(Scene(waves=(WAVE,)), 2.0, (0.0, 0.0)), x, x, 1.0)
+    two = group(wave_set(Scene(waves=(flat, flat)), 2.0, (0.0, 0.0)), x, x, 1.0)
+    np.testing.assert_allclose(two.X, one.X, atol=1e-14)
+
+
+def test_no_waves_front_at_even_saturation() -> None:
+    x = np.zeros(3)
+    none = group(wave_set(Scene(), 2.0, (0.0, 0.0)), x, x, 1.0)
+    np.testing.assert_array_equal(front_saturation(none.X, none.Y, 4.0), 0.25)
+
+
+def test_phase_width_is_the_phase_over_the_footprint() -> None:
+    other = ParametricWave(amplitude=0.3, wavelength=7.0, direction=-1.0)
+    waves = wave_set(Scene(waves=(WAVE, other)), 2.0, (0.0, 0.0))
+    x, z, step = np.linspace(-20.0, 20.0, 99), np.linspace(3.0, -8.0, 99), 1e-6
+
+    def psi(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        at = group(waves, x, z, 1.2)
+        return np.arctan2(at.Y, at.X)
+
+    width = phase_width(group(waves, x, z, 1.2), np.full((99, 2), [step, 0.0]), np.full((99, 2), [0.0, 2.0 * step]))
+    turn = 2.0 * math.pi
+    along_x = np.abs(np.remainder(psi(x + step, z) - psi(x, z) + math.pi, turn) - math.pi)
+    along_z = np.abs(np.remainder(psi(x, z + 2.0 * step) - psi(x, z) + math.pi, turn) - math.pi)
+    np.testing.assert_allclose(width, along_x + along_z, rtol=1e-4)
+
+
+@pytest.mark.parametrize("intensity", [0.25, 1.0, 4.0, 100.0])
+def test_filtered_front_is_the_mean(intensity: float) -> None:
+    rng = np.random.default_rng(6)
+    psi = rng.uniform(-math.pi, math.pi, 60)
+    psi[:4] = [0.0, 1e-3, -1e-3, math.pi]
+    width = 10.0 ** rng.uniform(-2.0, 1.3, 60)
+    count = 40_001
+    inner = psi[:, None] + width[:, None] * ((np.arange(count) + 0.5) / count - 0.5)
+    expected = np.minimum(front_saturation(np.cos(inner), np.sin(inner), intensity), 1.0).mean(axis=1)
+    np.testing.assert_allclose(
+        front_saturation_filtered(np.cos(psi), np.sin(psi), width, intensity), expected, atol=2.0 / count
+    )
+
+
+def test_sharp_filtered_front_is_the_front() -> None:
+    psi = np.linspace(-3.1, 3.1, 500)
+    sharp = np.minimum(front_saturation(np.cos(psi), np.sin(psi), 4.0), 1.0)
+    for width in (0.0, 1e-9, 2e-6):
+        filtered = front_saturation_filtered(np.cos(psi), np.sin(psi), np.full(500, width), 4.0)
+        np.testing.assert_allclose(filtered, sharp, atol=1e-5)
+    jump = front_saturation_filtered(np.ones(3), np.array([-2.5e-8, 0.0, 2.5e-8]), np.full(3, 1e-7), 4.0)
+    np.testing.assert_allclose(jump, [0.25, 0.5, 0.75], atol=1e-9)
+
+
+def test_front_integral_starts_full() -> None:
+    integral = front_integral(4.0)
+    assert integral.full == pytest.approx(2.0 * math.atan2(1.0, math.log(4.0)))
+    np.testing.assert_allclose(integral(np.array([0.0, 0.5, integral.full])), [0.0, 0.5, integral.full], atol=1e-14)
+
+
+def test_gate() -> None:
+    rho = np.array([0.0, 0.2, 0.4, 0.6, 1.0])
+    np.testing.assert_array_equal(gate(rho, (0.0, 0.0)), 1.0)
+    np.testing.assert_allclose(gate(rho, (0.2, 0.6)), [0.0, 0.0, 0.5, 1.0, 1.0], atol=1e-15)
+    np.testing.assert_allclose(gate(rho, (0.4, 0.4)), [0.0, 0.0, 0.0, 1.0, 1.0])
+
+
+def test_height_saturation() -> None:
+    H = np.array([-5.0, 0.3, 0.6, 0.9, 99.0])
+    np.testing.assert_allclose(height_saturation(H, 0.3, 0.9), [0.0, 0.0, 0.5, 1.0, CAP], atol=1e-15)
+
+
+def test_joined() -> None:
+    parts = [np.array([0.5, 3.0, 0.0]), np.array([2.0, 3.0, 9.0])]
+    np.testing.assert_array_equal(joined(parts, "max", 4.0), [2.0, 3.0, 4.0])
+    np.testing.assert_array_equal(joined(parts, "product", 4.0), [1.0, 4.0, 0.0])
+    np.testing.assert_array_equal(joined(parts, "product", 1.0), [0.5, 1.0, 0.0])
+
+
+def test_looks_are_the_papers_equations() -> None:
+    rng = np.random.default_rng(7)
+    f, m, t = rng.uniform(0.0, 4.0, 999), rng.uniform(0.0, 1.0, 999), rng.uniform(0.0, 1.0, 999)
+    got = (
+        looks.textured(f, t),
+        looks.halftone(f, m),
+        looks.fading(f, m),
+        looks.halftone_textured(f, m, t),
+        looks.listing(f, m, t),
+    )
+    for i in range(999):
+        over = f[i] > m[i]
+        half = min(max(f[i] / 2.0 - m[i], 0.0), 1.0) if over else 0.0
+        expected = (
+            min(f[i], 1.0) * t[i],
+            1.0 if over else 0.0,
+            half,
+            half * t[i],
+            min(max(f[i] - m[i], 0.15), 3.0) * t[i] if over else 0.0,
+        )
+        assert tuple(float(a[i]) for a in got) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("fade", [0.0, 0.2])
+@pytest.mark.parametrize("level", [0.0, 1.5, 3.0])
+def test_filtered_coverage_is_the_saturation_on_average(level: float, fade: float) -> None:
+    rng = np.random.default_rng(8)
+    u, v = rng.random((2, 40_000))
+    both = sampling.trilinear(sampling.moments(RNG_RANKS), u, v, np.full(u.size, level))
+    zero = np.zeros(u.size)
+    for s in (0.15, 0.5, 0.8):
+        A = looks.filtered_coverage(
+            np.full(u.size, s), both[:, 0], both[:, 1], zero, zero, np.full(u.size, level), EVEN, fade
+        )
+        assert (A >= 0.0).all()
+        assert (A <= 1.0).all()
+        # The ramp of a fade ends at s, not around it: half a width is lost.
+        assert A.mean() == pytest.approx(s - 0.5 * fade, abs=0.02)
+
+
+@pytest.mark.parametrize("level", [-30.0, -0.5, 0.0, 9.0])
+def test_filtered_coverage_ends_exactly(level: float) -> None:
+    rng = np.random.default_rng(9)
+    b, mean = rng.random((2, 500))
+    rest = (mean, mean * mean + 0.01, b, np.full(500, 0.02), np.full(500, level), EVEN, 0.0)
+    np.testing.assert_array_equal(looks.filtered_coverage(np.zeros(500), *rest), 0.0)
+    np.testing.assert_array_equal(looks.filtered_coverage(np.ones(500), *rest), 1.0)
+
+
+def test_magnified_coverage_is_the_hard_threshold() -> None:
+    rng = np.random.default_rng(10)
+    b = rng.uniform(0.0, 1.0, 500)
+    s = rng.uniform(0.05, 0.95, 500)
+    clear = np.abs(sampling.quantile(EVEN, s) - b) > 1e-3
+    zero = np.zeros(500)
+    sharp = looks.filtered_coverage(s, b, b * b, b, zero, np.full(500, -20.0), EVEN, 0.0)
+    np.testing.assert_array_equal(sharp[clear], looks.converged_coverage(s, b, EVEN, 0.0)[clear])
+
+
+def test_quantile_is_exact_at_its_entries() -> None:
+    i = np.arange(sampling.QUANTILE_ENTRIES)
+    position = i / (sampling.QUANTILE_ENTRIES - 1)
+    s = np.where(position <= 0.5, 2.0 * position**2, 1.0 - 2.0 * (1.0 - position) ** 2)
+    table = np.sort(np.random.default_rng(11).random(sampling.QUANTILE_ENTRIES))
+    np.testing.assert_allclose(sampling.quantile(table, s), table, atol=1e-12)
+
+
+def test_texel_centres() -> None:
+    image = np.random.default_rng(12).random((8, 8))
+    column, row = np.meshgrid(np.arange(8), np.arange(8))
+    u, v = ((column + 0.5) / 8 - 3.0).ravel(), ((row + 0.5) / 8 + 5.0).ravel()
+    np.testing.assert_allclose(sampling.bilinear(image, u, v), image.ravel(), atol=1e-13)
+    np.testing.assert_array_equal(sampling.nearest(image, u, v), image.ravel())
+
+
+def test_trilinear_blends_levels() -> None:
+    chain = sampling.box_chain(np.random.default_rng(13).random((16, 16)))
+    u, v = np.random.default_rng(14).random((2, 300))
+    level = np.full(300, 1.25)
+    expected = 0.75 * sampling.bilinear(chain[1], u, v) + 0.25 * sampling.bilinear(chain[2], u, v)
+    np.testing.assert_allclose(sampling.trilinear(chain, u, v, level), expected, atol=1e-14)
+    np.testing.assert_allclose(sampling.trilinear(chain, u, v, level + 50.0), chain[0].mean(), atol=1e-14)
+    np.testing.assert_allclose(sampling.trilinear(chain, u, v, level - 50.0), sampling.bilinear(chain[0], u, v))
+
+
+def test_bspline_of_a_ramp_is_the_ramp() -> None:
+    ramp = np.arange(32.0)[None, :] + 2.0 * np.arange(32.0)[:, None]
+    u, v = np.random.default_rng(15).uniform(0.2, 0.8, (2, 200))
+    value, along_u, along_v = sampling.bspline(ramp, u, v)
+    np.testing.assert_allclose(value, (32.0 * u - 0.5) + 2.0 * (32.0 * v - 0.5), atol=1e-12)
+    np.testing.assert_allclose(along_u, 32.0, atol=1e-10)
+    np.testing.assert_allclose(along_v, 64.0, atol=1e-10)
+
+
+def test_bspline_gradient() -> None:
+    image = np.random.default_rng(16).random((16, 16))
+    u, v = np.random.default_rng(17).uniform(-2.0, 2.0, (2, 200))
+    step = 1e-6
+    _, along_u, along_v = sampling.bspline(image, u, v)
+    for got, du, dv in ((along_u, step, 0.0), (along_v, 0.0, step)):
+        numeric = (sampling.bspline(image, u + du, v + dv)[0] - sampling.bspline(image, u - du, v - dv)[0]) / (2 * step)
+        np.testing.assert_allclose(got, numeric, atol=1e-6)

@@ -1,0 +1,106 @@
+"""Sun, sky, water and the picture's curves."""
+
+import math
+
+import numpy as np
+import pytest
+from seafoam.reference import light
+from seafoam.reference.types import unit
+from seafoam.scene.models import Light, Water
+
+ELEVATIONS = [-1.57, -0.05, 0.0, 0.01, 0.6, 1.5707]
+
+
+def sphere(count: int, seed: int = 0) -> np.ndarray:
+    """Unit vectors (count, 3), even over the sphere."""
+    return unit(np.random.default_rng(seed).standard_normal((count, 3)))
+
+
+@pytest.mark.parametrize("elevation", ELEVATIONS)
+def test_sky_is_positive_and_continuous_at_the_horizon(elevation: float) -> None:
+    air = light.air(Light(sun_elevation=elevation))
+    azimuth = np.linspace(0.0, 2.0 * math.pi, 50)
+
+    def ring(y: float) -> np.ndarray:
+        level = math.sqrt(1.0 - y * y)
+        return air.sky(np.stack((level * np.cos(azimuth), np.full(50, y), level * np.sin(azimuth)), axis=-1))
+
+    assert (air.sky(sphere(2000)) > 0.0).all()
+    np.testing.assert_allclose(ring(1e-9), ring(-1e-9), rtol=1e-5)
+
+
+def test_sky_is_blue_overhead_and_brighter_at_the_horizon() -> None:
+    air = light.air(Light(sun_elevation=0.6, sun_azimuth=0.0))
+    zenith, horizon = air.sky(np.array([0.0, 1.0, 0.0])), air.sky(unit(np.array([0.0, 0.02, 1.0])))
+    assert zenith[2] > 1.5 * zenith[0]
+    assert (horizon > zenith).all()
+
+
+@pytest.mark.parametrize("elevation", ELEVATIONS)
+def test_sky_irradiance_is_the_mean_of_random_directions(elevation: float) -> None:
+    air = light.air(Light(sun_elevation=elevation, turbidity=3.0))
+    d = sphere(400_000, 3)
+    d[:, 1] = np.abs(d[:, 1])
+    expected = 2.0 * math.pi * (air.sky(d) * d[:, 1:2]).mean(axis=0)
+    np.testing.assert_allclose(air.sky_irradiance, expected, rtol=0.01)
+
+
+def test_fresnel_ends() -> None:
+    r = ((1.34 - 1.0) / (1.34 + 1.0)) ** 2
+    np.testing.assert_allclose(light.fresnel(np.array([0.0, 1.0])), [1.0, r])
+
+
+def test_fresnel_is_the_mean_of_both_polarisations() -> None:
+    c = np.linspace(0.01, 1.0, 100)
+    inner = np.sqrt(1.0 - (1.0 - c * c) / 1.34**2)
+    across, along = (c - 1.34 * inner) / (c + 1.34 * inner), (1.34 * c - inner) / (1.34 * c + inner)
+    np.testing.assert_allclose(light.fresnel(c), 0.5 * (across**2 + along**2), rtol=1e-12)
+
+
+def test_tone_rises_from_black_to_white() -> None:
+    x = np.linspace(0.0, 40.0, 5000)
+    y = light.tone(x)
+    assert y[0] == 0.0
+    assert y[-1] == 1.0
+    assert (np.diff(y) >= 0.0).all()
+    np.testing.assert_allclose(light.srgb(np.array([0.0, 0.0031308, 0.5, 1.0])), [0.0, 0.04045, 0.7354, 1.0], atol=1e-4)
+
+
+def test_disc_is_where_the_sun_is() -> None:
+    air = light.air(Light(sun_elevation=0.5, sun_azimuth=1.0))
+    np.testing.assert_allclose(light.sun_disc(air, air.sun), np.minimum(air.sun_irradiance / 6.8e-5, 3000.0))
+    np.testing.assert_array_equal(light.sun_disc(air, unit(air.sun + [0.006, 0.0, 0.0])), 0.0)
+    assert (light.sun_disc(light.air(Light(sun_elevation=-0.1)), air.sun) == 0.0).all()
+
+
+@pytest.mark.parametrize("elevation", ELEVATIONS)
+@pytest.mark.parametrize("depth", [None, 0.05, 20.0])
+def test_water_is_finite_from_everywhere(elevation: float, depth: float | None) -> None:
+    air = light.air(Light(sun_elevation=elevation))
+    d, n = sphere(3000, 1), sphere(3000, 2)
+    n[:, 1] = np.abs(n[:, 1])
+    # Straight at the sun, straight away from it, and along the surface.
+    d[0], d[1], d[2], n[2] = air.sun, -air.sun, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]
+    H = np.random.default_rng(3).uniform(0.0, 2.0, 3000)
+    L = light.water(air, Water(depth=depth), 2.0, d, n, H)
+    assert np.isfinite(L).all()
+    assert (L >= 0.0).all()
+
+
+def test_thick_water_over_a_floor_is_deep_water() -> None:
+    air, d, n, H = light.air(Light()), sphere(200, 4), np.tile([0.0, 1.0, 0.0], (200, 1)), np.zeros(200)
+    d[:, 1] = -np.abs(d[:, 1])
+    np.testing.assert_allclose(
+        light.water(air, Water(depth=9000.0), 1.0, d, n, H), light.water(air, Water(), 1.0, d, n, H), rtol=1e-12
+    )
+
+
+def test_haze_ends_in_the_sky_at_the_horizon() -> None:
+    air, d = light.air(Light()), sphere(100, 5)
+    d[0] = [0.0, -1.0, 0.0]
+    L = np.full((100, 3), 0.3)
+    np.testing.assert_allclose(light.haze(air, 1000.0, L, d, np.zeros(100)), L)
+    far = light.haze(air, 1000.0, L, d, np.full(100, 1e9))
+    np.testing.assert_allclose(far[1:], air.sky(unit(d[1:] * [1.0, 0.0, 1.0])))
+    seen = light.haze(air, 1000.0, np.zeros((100, 3)), d, np.full(100, 1000.0))
+    np.testing.assert_allclose(seen / far, 0.98, atol=1e-3)

@@ -1,0 +1,442 @@
+/** The page as a whole: joins what the visitor chooses to what is drawn. */
+import { type Api, ApiError, type Choice, type Preset, type PresetSummary } from "../api";
+import { Controls } from "../camera/controls";
+import { cameraFromScene } from "../camera/state";
+import { controlOf, type GroupControl, choices as choicesIn, schemaNamed } from "../panel/model";
+import { ScenePane } from "../panel/pane";
+import { compile } from "../plan/executor";
+import { CAMERA } from "../plan/live";
+import { apply, diff, get, isObject, type JsonObject, steps, withValue } from "../scene/json";
+import { type Hook, renderOffscreen } from "../testhook";
+import type { Curtain } from "../ui/curtain";
+import { type Comparable, Divider, plainOptions } from "../ui/divider";
+import { byId, element } from "../ui/dom";
+import { Gallery } from "../ui/gallery";
+import { icon, type IconName } from "../ui/icons";
+import { Notes } from "../ui/notes";
+import { Readout } from "../ui/readout";
+import { Settings } from "../ui/settings";
+import { Toasts } from "../ui/toast";
+import { Transport } from "../ui/transport";
+import { Clock } from "./clock";
+import { Slot } from "./slot";
+import { Stage } from "./stage";
+import { type Choices, Store } from "./store";
+import { decode, encode, type LinkState } from "./url";
+
+/** Names the quality, where it is what two pictures are compared by. */
+const QUALITY = "quality";
+const QUALITY_DEFAULT = "standard";
+/** The address follows the visitor's choices once they rest, ms. */
+const ADDRESS_REST = 400;
+/** The camera's least height over the highest crest, m. */
+const CLEARANCE = 0.3;
+const WIDE = "(min-width: 701px)";
+
+export class App {
+  private readonly clock = new Clock();
+  private readonly toasts = new Toasts(byId("toasts"));
+  private readonly readout = new Readout();
+  private readonly notes = new Notes();
+  private readonly names = new Map<string, readonly Choice[]>();
+  private readonly slots: readonly [Slot, Slot];
+  private readonly stage: Stage;
+  private readonly controls: Controls;
+  private readonly settings: Settings;
+  private readonly gallery: Gallery;
+  private readonly divider: Divider;
+  private readonly pane: ScenePane;
+  private readonly transport: Transport;
+  private readonly busy = new Set<number>();
+  private addressTimer = 0;
+  private lastTick = 0;
+  private settle: { resolve: () => void; reject: (error: unknown) => void } | null = null;
+
+  /** Reads the address, asks the server for what it names, and starts to draw. */
+  static async open(api: Api, curtain: Curtain): Promise<void> {
+    const link = decode(location.hash);
+    const [presets, openapi] = await Promise.all([api.presets(), api.openapi()]);
+    const known = presets.find(({ name }) => name === link.preset) ?? presets[0];
+    if (known === undefined) throw new Error("The server has no presets.");
+    const preset = await api.preset(known.name);
+    new App(api, curtain, presets, openapi, preset, link);
+  }
+
+  private readonly store: Store;
+
+  private constructor(
+    private readonly api: Api,
+    private readonly curtain: Curtain,
+    presets: readonly PresetSummary[],
+    private readonly openapi: JsonObject,
+    preset: Preset,
+    link: LinkState,
+  ) {
+    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const scene = apply(preset.scene, link.changes);
+    this.store = new Store({
+      preset,
+      scene: isObject(scene) ? scene : preset.scene,
+      quality: link.quality ?? QUALITY_DEFAULT,
+      split: link.split,
+    });
+    this.clock.jump(link.time ?? preset.time);
+    this.clock.setSpeed(link.speed ?? 1);
+    this.clock.playing = !(link.paused ?? calm);
+
+    this.slots = [this.makeSlot(0), this.makeSlot(1)];
+    const hidden = new Set((new URLSearchParams(location.search).get("hide") ?? "").split(",").filter(Boolean));
+    const canvas = byId("canvas") as HTMLCanvasElement;
+    this.stage = new Stage(canvas, this.slots, hidden, {
+      lost: () => this.toasts.show("The graphics driver took a break; the picture comes back by itself."),
+      restored: () => this.slots.forEach((slot) => slot.reload()),
+      failed: (error) => this.failed(error),
+    });
+    this.controls = new Controls(canvas, link.camera ?? cameraFromScene(preset.scene), !calm);
+    this.settings = new Settings(byId("settings"), this.tiers(), this.controls, this.notes, {
+      quality: (quality) => this.store.set({ quality }),
+      reset: () => this.reset(),
+      serverFrame: () => void this.serverFrame(),
+    });
+    this.pane = new ScenePane(this.settings.scene, {
+      change: (pointer, value) => this.store.set({ scene: withValue(this.store.now.scene, pointer, value) as JsonObject }),
+      names: (url) => this.namesFrom(url),
+    });
+    this.gallery = new Gallery(byId("gallery"), presets, (name) => api.thumbnail(name), (name) => void this.choose(name));
+    this.divider = new Divider(
+      byId("divider"),
+      (split) => this.store.set({ split }),
+      (field) => this.compareBy(field),
+    );
+    this.transport = new Transport(byId("transport"), this.clock, () => this.store.now.preset.time, this.readout.root);
+    this.tools();
+    this.settings.toggle(matchMedia(WIDE).matches && window.innerWidth > 1100);
+
+    this.store.onChange((now, before) => this.changed(now, before));
+    this.clock.onChange(() => this.moved());
+    this.controls.onMove(() => this.moved());
+    window.addEventListener("hashchange", () => void this.follow(decode(location.hash)));
+    setInterval(() => this.readout.show(this.stage.timing(), this.clock.playing), 250);
+
+    window.seafoam = this.hook();
+    this.showChoices(this.store.now);
+    this.plan(0);
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  private makeSlot(index: 0 | 1): Slot {
+    return new Slot(this.api, {
+      gpu: () => this.stage.gpu,
+      changed: () => this.planned(),
+      failed: (error) => this.failed(error),
+      busy: (busy) => {
+        if (busy) this.busy.add(index);
+        else this.busy.delete(index);
+        this.settings.busy(this.busy.size > 0);
+      },
+    });
+  }
+
+  private tick(now: number): void {
+    requestAnimationFrame((next) => this.tick(next));
+    const seconds = this.lastTick === 0 ? 0 : (now - this.lastTick) / 1000;
+    this.lastTick = now;
+    const moving = this.controls.step(seconds);
+    this.clock.advance(seconds);
+    this.stage.tick(now, this.view(), moving || this.clock.playing);
+    if (this.clock.playing) this.transport.update();
+  }
+
+  private view() {
+    return { time: this.clock.time, camera: this.controls.camera, divider: this.store.now.split?.at ?? 1 };
+  }
+
+  /** Something was chosen. */
+  private changed(now: Choices, before: Choices): void {
+    const onlyTheDivider = now.split?.at !== before.split?.at && now.scene === before.scene && now.quality === before.quality;
+    if (onlyTheDivider) this.stage.dirty = true;
+    this.showChoices(now);
+    this.plan();
+    this.moved();
+  }
+
+  /** Time or camera moved, or something was chosen: the picture and the address follow. */
+  private moved(): void {
+    this.stage.dirty = true;
+    clearTimeout(this.addressTimer);
+    this.addressTimer = window.setTimeout(() => history.replaceState(null, "", `#${encode(this.link(false))}`), ADDRESS_REST);
+  }
+
+  private plan(delay?: number): void {
+    const { scene, quality, split } = this.store.now;
+    const wanted = (value: string | null) => {
+      if (split === null || value === null) return { scene, quality };
+      return split.field === QUALITY ? { scene, quality: value } : { scene: withValue(scene, split.field, value), quality };
+    };
+    const [left, right] = this.slots;
+    left.show(wanted(split?.left ?? null), delay);
+    if (split) right.show(wanted(split.right), delay);
+    else right.clear();
+  }
+
+  /** A slot has a picture, or its live fields have moved. */
+  private planned(): void {
+    const { plan } = this.slots[0];
+    this.notes.show(plan);
+    const tops = Object.values(plan?.uniforms ?? {}).flatMap(({ rules }) =>
+      rules.flatMap((rule) => (rule.rule === "camera" && rule.what === "view_projection" ? [rule.top] : [])),
+    );
+    this.controls.lowest = Math.max(0, ...tops) + CLEARANCE;
+    this.stage.reconsider();
+    this.curtain.lift();
+    this.settle?.resolve();
+  }
+
+  private showChoices({ preset, scene, quality, split }: Choices): void {
+    byId("title").textContent = preset.title;
+    byId("summary").textContent = preset.summary;
+    document.title = `${preset.title} · Seafoam`;
+    this.gallery.select(preset.name);
+    this.settings.show(quality);
+    const model = this.panel(scene);
+    if (model) this.pane.show(model, scene);
+    this.divider.show(split, this.comparables());
+  }
+
+  /** The panel's model; the camera has controls of its own. */
+  private panel(scene: JsonObject): GroupControl | null {
+    const schema = schemaNamed(this.openapi, "Scene");
+    const control = schema && controlOf(this.openapi, schema, scene, "", "scene");
+    if (control?.kind !== "group") return null;
+    return { ...control, children: control.children.filter(({ pointer }) => pointer !== CAMERA) };
+  }
+
+  /** All that two pictures can differ in: every choice of the scene at hand, and the quality. */
+  private comparables(): Comparable[] {
+    const model = this.panel(this.store.now.scene);
+    const fields = (model ? choicesIn(model) : []).map((control) => ({
+      field: control.pointer,
+      title: control.label,
+      options: control.kind === "choice" ? plainOptions(control.options) : this.namesFrom(control.url),
+    }));
+    return [...fields, { field: QUALITY, title: QUALITY, options: plainOptions(this.tiers()) }];
+  }
+
+  private toggleSplit(): void {
+    if (this.store.now.split) {
+      this.store.set({ split: null });
+      return;
+    }
+    // The choice with the most values has the most to show.
+    const [first] = this.comparables().sort((a, b) => Number(isPlain(b)) - Number(isPlain(a)) || b.options.length - a.options.length);
+    if (first) this.compareBy(first.field);
+  }
+
+  /** Starts a comparison: what the scene has now against the first other value. */
+  private compareBy(field: string): void {
+    const { scene, quality, split } = this.store.now;
+    const options = this.comparables().find((each) => each.field === field)?.options ?? [];
+    const current = field === QUALITY ? quality : get(scene, field);
+    const right = typeof current === "string" ? current : (options.at(-1)?.name ?? "");
+    const left = options.find(({ name }) => name !== right)?.name ?? right;
+    this.store.set({ split: { field, left, right, at: split?.at ?? 0.5 } });
+  }
+
+  /** Names that the server lists; asked for once. */
+  private namesFrom(url: string): readonly Choice[] {
+    const known = this.names.get(url);
+    if (known) return known;
+    this.names.set(url, []);
+    this.api.choices(url).then(
+      (names) => {
+        this.names.set(url, names);
+        const { scene, split } = this.store.now;
+        const model = this.panel(scene);
+        if (model) this.pane.show(model, scene, true);
+        this.divider.show(split, this.comparables());
+      },
+      (error: unknown) => {
+        this.names.delete(url);
+        this.failed(error);
+      },
+    );
+    return [];
+  }
+
+  /** The tiers of quality, as the server's own description lists them. */
+  private tiers(): string[] {
+    const paths = get(this.openapi, "/paths/~1api~1plans~1{preset}/get/parameters");
+    const parameter = Array.isArray(paths) ? paths.find((p) => isObject(p) && p["name"] === QUALITY) : undefined;
+    const schema = parameter === undefined ? undefined : get(parameter, "/schema");
+    const reference = isObject(schema) ? schema["$ref"] : undefined;
+    const resolved = typeof reference === "string" ? get(this.openapi, reference.slice(1)) : schema;
+    const tiers = isObject(resolved) ? resolved["enum"] : undefined;
+    return Array.isArray(tiers) ? tiers.filter((tier) => typeof tier === "string") : [QUALITY_DEFAULT];
+  }
+
+  private async choose(name: string): Promise<void> {
+    if (name === this.store.now.preset.name) return;
+    try {
+      this.open(await this.api.preset(name));
+    } catch (error) {
+      this.failed(error);
+    }
+  }
+
+  private open(preset: Preset): void {
+    const { split } = this.store.now;
+    // A comparison stays where the new sea has the field, too.
+    const kept = split && (split.field === QUALITY || typeof get(preset.scene, split.field) === "string") ? split : null;
+    this.controls.set(cameraFromScene(preset.scene));
+    this.clock.jump(preset.time);
+    this.store.set({ preset, scene: preset.scene, split: kept });
+  }
+
+  private reset(): void {
+    this.open(this.store.now.preset);
+  }
+
+  /** Goes where an edited or pasted address points. */
+  private async follow(link: LinkState): Promise<void> {
+    try {
+      const { preset: current } = this.store.now;
+      const preset = link.preset === null || link.preset === current.name ? current : await this.api.preset(link.preset);
+      const scene = apply(preset.scene, link.changes);
+      this.controls.set(link.camera ?? cameraFromScene(preset.scene));
+      this.clock.jump(link.time ?? preset.time);
+      if (link.speed !== null) this.clock.setSpeed(link.speed);
+      if (link.paused !== null) this.clock.playing = !link.paused;
+      this.store.set({
+        preset,
+        scene: isObject(scene) ? scene : preset.scene,
+        quality: link.quality ?? QUALITY_DEFAULT,
+        split: link.split,
+      });
+    } catch (error) {
+      this.failed(error);
+    }
+  }
+
+  /** `exact`: with the moment, even while time runs. */
+  private link(exact: boolean): LinkState {
+    const { preset, scene, quality, split } = this.store.now;
+    const moment = exact || !this.clock.playing;
+    return {
+      preset: preset.name,
+      changes: diff(preset.scene, scene),
+      quality: quality === QUALITY_DEFAULT ? null : quality,
+      time: moment ? this.clock.time : null,
+      paused: this.clock.playing ? null : true,
+      speed: this.clock.speed,
+      camera: this.controls.camera,
+      split,
+    };
+  }
+
+  private tools(): void {
+    const tool = (name: IconName, label: string, run: () => void) => {
+      const button = element("button", { type: "button", class: "round", title: label, "aria-label": label }, icon(name));
+      button.addEventListener("click", run);
+      return button;
+    };
+    byId("tools").append(
+      tool("compare", "Compare two looks side by side", () => this.toggleSplit()),
+      tool("download", "Save the picture as PNG", () => void this.download()),
+      tool("link", "Copy a link to exactly this", () => void this.copyLink()),
+      tool("settings", "Settings", () => this.settings.toggle()),
+    );
+  }
+
+  private async download(): Promise<void> {
+    try {
+      save(await this.stage.png(this.view()), `${this.fileName()}.png`);
+    } catch (error) {
+      this.failed(error);
+    }
+  }
+
+  private async serverFrame(): Promise<void> {
+    this.settings.rendering(true);
+    const { scene, quality } = this.store.now;
+    const { width, height } = this.stage.canvas.getBoundingClientRect();
+    try {
+      const picture = await this.api.frame({
+        scene: withValue(scene, CAMERA, { ...this.controls.camera, position: [...this.controls.camera.position] }),
+        quality,
+        time: this.clock.time,
+        width: Math.round(width),
+        height: Math.round(height),
+      });
+      save(picture, `${this.fileName()}-server.png`);
+    } catch (error) {
+      this.failed(error);
+    } finally {
+      this.settings.rendering(false);
+    }
+  }
+
+  private fileName(): string {
+    return `seafoam-${this.store.now.preset.name}-${this.clock.time.toFixed(2)}s`;
+  }
+
+  private async copyLink(): Promise<void> {
+    history.replaceState(null, "", `#${encode(this.link(true))}`);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.toasts.show("Link copied: it restores this very picture.");
+    } catch {
+      this.toasts.show("The browser keeps its clipboard closed; the link is in the address bar.");
+    }
+  }
+
+  /** Tells the visitor; the old picture stays. */
+  private failed(error: unknown): void {
+    const message = error instanceof Error ? error.message : String(error);
+    if (this.slots[0].ready === null && !(error instanceof ApiError && error.status >= 400 && error.status < 500)) {
+      this.curtain.fail("No picture yet", message, "Try again");
+    } else {
+      this.curtain.lift();
+    }
+    this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
+    this.settle?.reject(error);
+  }
+
+  private hook(): Hook {
+    const ready = new Promise<void>((resolve, reject) => (this.settle = { resolve, reject }));
+    ready.catch(() => undefined);
+    const loser = () => this.stage.gl.getExtension("WEBGL_lose_context");
+    let held: WEBGL_lose_context | null = null;
+    return {
+      ready,
+      renderer: this.stage.gpu.capabilities.renderer,
+      render: (planOrPreset, options) => renderOffscreen(this.stage.gpu, this.api, planOrPreset, options),
+      compile: (plan) => compile(this.stage.gpu, plan),
+      loseContext: () => {
+        // Once the context is lost, the extension can no longer be asked for.
+        held = loser();
+        held?.loseContext();
+      },
+      restoreContext: () => held?.restoreContext(),
+      state: () => ({
+        ...this.link(true),
+        plan: this.slots[0].plan?.version ?? null,
+        pictures: this.slots.filter(({ ready: picture }) => picture !== null).length,
+        lost: this.stage.gl.isContextLost(),
+        timing: this.stage.timing(),
+        playing: this.clock.playing,
+      }),
+    };
+  }
+}
+
+/** Whether a choice is the scene's own, and not of one of a list's items, which are many. */
+function isPlain({ field }: Comparable): boolean {
+  return field !== QUALITY && steps(field).every((step) => !/^\d+$/.test(step));
+}
+
+function save(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
+  element("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+

@@ -1,0 +1,69 @@
+/** The line between two pictures: drag it, or move it with the arrow keys; each side says what it shows. */
+import type { Split } from "../app/store";
+import { labelOf } from "../panel/model";
+import { element, fillSelect } from "./dom";
+
+export interface Comparable {
+  field: string;
+  title: string;
+  options: readonly { name: string; title: string }[];
+}
+
+export class Divider {
+  private readonly handle = element("div", {
+    class: "handle",
+    role: "slider",
+    tabindex: 0,
+    "aria-label": "Divider between the two pictures",
+    "aria-valuemin": 0,
+    "aria-valuemax": 100,
+  });
+  private readonly field = element("select", { "aria-label": "What to compare" });
+  private readonly left = element("select", { "aria-label": "Left picture" });
+  private readonly right = element("select", { "aria-label": "Right picture" });
+  private split: Split | null = null;
+
+  constructor(
+    private readonly container: HTMLElement,
+    private readonly change: (split: Split) => void,
+    private readonly begin: (field: string) => void,
+  ) {
+    const sides = element("div", { class: "sides" }, this.left, this.field, this.right);
+    container.append(element("div", { class: "line" }), this.handle, sides);
+    this.handle.addEventListener("pointerdown", (event) => this.handle.setPointerCapture(event.pointerId));
+    this.handle.addEventListener("pointermove", (event) => {
+      if (this.handle.hasPointerCapture(event.pointerId)) this.move(event.clientX / container.clientWidth);
+    });
+    this.handle.addEventListener("keydown", (event) => {
+      const step = { ArrowLeft: -0.02, ArrowRight: 0.02, Home: -1, End: 1 }[event.key];
+      if (step === undefined || !this.split) return;
+      event.preventDefault();
+      this.move(this.split.at + step);
+    });
+    this.field.addEventListener("change", () => this.begin(this.field.value));
+    const sidesChanged = () => this.split && this.change({ ...this.split, left: this.left.value, right: this.right.value });
+    this.left.addEventListener("change", sidesChanged);
+    this.right.addEventListener("change", sidesChanged);
+  }
+
+  show(split: Split | null, comparables: readonly Comparable[]): void {
+    this.split = split;
+    this.container.hidden = split === null;
+    if (split === null) return;
+    const options = comparables.find(({ field }) => field === split.field)?.options ?? [];
+    fillSelect(this.field, comparables.map(({ field, title }) => ({ name: field, title: `by ${title}` })), split.field);
+    fillSelect(this.left, options, split.left);
+    fillSelect(this.right, options, split.right);
+    this.container.style.setProperty("--at", `${split.at * 100}%`);
+    this.handle.setAttribute("aria-valuenow", String(Math.round(split.at * 100)));
+  }
+
+  private move(at: number): void {
+    if (this.split) this.change({ ...this.split, at: Math.min(0.98, Math.max(0.02, at)) });
+  }
+}
+
+/** Options whose names are their own titles. */
+export function plainOptions(names: readonly string[]): { name: string; title: string }[] {
+  return names.map((name) => ({ name, title: labelOf(name) }));
+}
