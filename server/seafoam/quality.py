@@ -17,7 +17,8 @@ class SurfaceQuality(Knobs):
     """How the eye's ray finds the surface."""
 
     method: Literal["mesh", "march"] = Field(
-        default="mesh", description="mesh: a grid finds the surface, Newton steps finish; march: Lipschitz steps along the ray"
+        default="mesh",
+        description="mesh: a grid finds the surface, Newton steps finish; march: Lipschitz steps along the ray",
     )
     cells: int = Field(default=192, ge=8, le=1024, description="Cells of the grid along each side")
     refine: int = Field(default=2, ge=0, le=8, description="Newton steps a pixel")
@@ -29,7 +30,9 @@ class Quality(Knobs):
     """Everything that trades time against error."""
 
     surface: SurfaceQuality = SurfaceQuality()
-    chop: Literal["tile", "exact"] = Field(default="tile", description="Ripples from a tile drawn each frame, or summed per pixel")
+    chop: Literal["tile", "exact"] = Field(
+        default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
+    )
     chop_size: int = Field(default=256, ge=32, le=1024, description="Texels along a side of the ripple tile")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")

@@ -7,6 +7,7 @@ from typing import get_args
 
 import numpy as np
 import pytest
+
 from seafoam.reference import Assets, load_truth, render, scene_sha256, truth_is_current
 from seafoam.reference.truth import save_truth
 from seafoam.scene.models import (
@@ -73,7 +74,8 @@ def test_sides(assets: Assets) -> None:
     assert (sky[:, -1] > sky[:, 0]).all()
     rolled = low_sun.model_copy(update={"camera": Camera(pitch=0.3, roll=0.5 * math.pi)})
     turned = render(rolled, time=0.0, width=8, height=8).rgb.sum(axis=2)
-    assert (turned[0] > turned[-1]).all()
+    # R = U₀ and U = −R₀: the bottom of the picture is what was its right.
+    assert (turned[-1] > turned[0]).all()
 
 
 def test_chunks_do_not_show(assets: Assets, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -141,7 +143,8 @@ def test_another_camera_stands_in(assets: Assets) -> None:
 
 
 def test_both_modes_agree_where_nothing_is_sharp(assets: Assets) -> None:
-    smooth = Scene(waves=WAVES, camera=Camera(position=(0.0, 9.0, 0.0), pitch=-0.6), light=Light(sun_azimuth=2.0))
+    near = Camera(position=(0.0, 3.0, 0.0), pitch=-0.9, fov=0.5)
+    smooth = Scene(waves=WAVES, camera=near, light=Light(sun_azimuth=2.0))
     same = render(smooth, time=1.0, width=16, height=12, samples=4, assets=assets)
     converged = render(smooth, time=1.0, width=16, height=12, samples=8, mode="converged", assets=assets)
     np.testing.assert_allclose(same.rgb, converged.rgb, rtol=0.02)

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+
 from seafoam.reference import light
 from seafoam.reference.types import unit
 from seafoam.scene.models import Light, Water
@@ -69,7 +70,7 @@ def test_tone_rises_from_black_to_white() -> None:
 def test_disc_is_where_the_sun_is() -> None:
     air = light.air(Light(sun_elevation=0.5, sun_azimuth=1.0))
     np.testing.assert_allclose(light.sun_disc(air, air.sun), np.minimum(air.sun_irradiance / 6.8e-5, 3000.0))
-    np.testing.assert_array_equal(light.sun_disc(air, unit(air.sun + [0.006, 0.0, 0.0])), 0.0)
+    np.testing.assert_array_equal(light.sun_disc(air, unit(air.sun + np.array([0.02, 0.0, 0.0]))), 0.0)
     assert (light.sun_disc(light.air(Light(sun_elevation=-0.1)), air.sun) == 0.0).all()
 
 

@@ -39,6 +39,10 @@ export class ApiError extends Error {
   }
 }
 
+/** The status of a server that is busy for the moment, and how often it is asked. */
+const BUSY = 503;
+const ATTEMPTS = 4;
+
 export class Api {
   /** `base`: the server's address; the page's own by default. */
   constructor(private readonly base: string = document.baseURI) {}
@@ -68,8 +72,10 @@ export class Api {
     return (await this.fetch("api/frames", post(request))).blob();
   }
 
-  thumbnail(name: string): string {
-    return this.url(`api/frames/${encodeURIComponent(name)}.png?width=192&height=108&quality=draft`);
+  /** A small picture of a preset. */
+  async thumbnail(name: string): Promise<Blob> {
+    const path = `api/frames/${encodeURIComponent(name)}.png?width=192&height=108`;
+    return (await this.fetch(path)).blob();
   }
 
   async bytes(url: string): Promise<ArrayBuffer> {
@@ -92,15 +98,18 @@ export class Api {
   }
 
   private async fetch(path: string, init?: RequestInit): Promise<Response> {
-    let response: Response;
-    try {
-      response = await fetch(this.url(path), init);
-    } catch (error) {
-      if (error instanceof DOMException && error.name === "AbortError") throw error;
-      throw new ApiError("The server does not answer.", 0);
+    for (let attempt = 1; ; attempt++) {
+      let response: Response;
+      try {
+        response = await fetch(this.url(path), init);
+      } catch (error) {
+        if (error instanceof DOMException && error.name === "AbortError") throw error;
+        throw new ApiError("The server does not answer.", 0);
+      }
+      if (response.ok) return response;
+      if (response.status !== BUSY || attempt === ATTEMPTS) throw await problem(response);
+      await new Promise((resolve) => setTimeout(resolve, 1000 * (Number(response.headers.get("Retry-After")) || attempt)));
     }
-    if (response.ok) return response;
-    throw await problem(response);
   }
 }
 

@@ -77,7 +77,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     )
     app.state.context = Context(settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8))
     for router in (presets.router, plans.router, frames.router, masks.router, textures.router):
-        app.include_router(router, prefix="/api", responses=problem_responses(400, 500))
+        app.include_router(router, responses=problem_responses(400, 500))
     app.include_router(health.router)
     errors.install(app)
     pages.install(app)

@@ -249,7 +249,7 @@ async def _invalid(request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, RequestValidationError)
     openapi = request.app.openapi()
     route = request.scope["route"]
-    operation = openapi["paths"].get(route.path, {}).get(request.method.lower(), {})
+    operation = openapi["paths"].get(route.path_format, {}).get(request.method.lower(), {})
     errors = field_errors(error, openapi, operation)
     detail = "; ".join(item.detail for item in errors)
     kind = KINDS[BadRequestError]

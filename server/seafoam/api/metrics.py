@@ -100,7 +100,7 @@ class MeasureRequests:
             await self.app(scope, receive, counting)
         finally:
             # A path as it stands would be a label for every misspelling.
-            route = getattr(scope.get("route"), "path", "(page)")
+            route = getattr(scope.get("route"), "path_format", "(page)")
             self.metrics.requests.labels(scope["method"], route, str(status)).inc()
             self.metrics.durations.labels(scope["method"], route).observe(time.perf_counter() - began)
             self.metrics.sent.labels(route).inc(sent)

@@ -15,7 +15,7 @@ from seafoam.resources import data_dir
 NOT_BUILT = """Seafoam is running, but its web client has not been built.
 
 Build it with:  make webclient
-The manual of the API is at /docs, a picture at /api/frames/lace.png.
+The manual of the API is at /docs, a picture at /api/frames/default.png.
 """
 
 

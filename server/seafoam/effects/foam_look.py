@@ -55,7 +55,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam is None:
         return None
     masked = foam.look != "textured"
-    textured = foam.look in ("textured", "halftone_textured", "listing") or (foam.look == "filtered" and foam.texture > 0)
+    textured = foam.look in ("textured", "halftone_textured", "listing") or (
+        foam.look == "filtered" and foam.texture > 0
+    )
     needs: tuple[str, ...] = ()
     consts: dict[str, int | float | bool] = {}
     uniforms: dict[str, Uniform] = {"u_foam_albedo": number(foam.albedo, "/foam/albedo")}
@@ -112,4 +114,3 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 EFFECT = Effect("foam look", contribute)
-

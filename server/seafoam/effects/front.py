@@ -44,9 +44,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | Skipped | None:
         kx, kz = (turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
         weight = wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves)
         data.append(Constant(value=(kx, kz, weight, 0.0)))
-        phases.append(
-            Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz))
-        )
+        phases.append(Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz)))
     gated = front.group != (0.0, 0.0)
     pointer = f"/foam/saturation/{index}"
     consts: dict[str, int | float | bool] = {"FRONT_COUNT": len(data), "FRONT_GATED": gated}
@@ -73,9 +71,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | Skipped | None:
         consts={**consts, "FRONT_NODES": FRONT_NODES, "FRONT_FULL": front_full(front.intensity, log_base)},
         uniforms=uniforms,
         inputs={"u_front_integral": TextureInput(texture="front_integral")},
-        textures={
-            "front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")
-        },
+        textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},
     )
 
 

@@ -69,8 +69,12 @@ class Pass(PlanPart):
     program: str
     target: str = Field(description="A target of the plan, or 'screen': the RGBA8 picture itself")
     mesh: Mesh
-    inputs: dict[str, TextureInput | TargetInput] = Field(default_factory=dict, description="Sampler name -> what it reads")
-    uniforms: dict[str, Uniform] = Field(default_factory=dict, description="Uniforms of this pass alone; they win over the plan's")
+    inputs: dict[str, TextureInput | TargetInput] = Field(
+        default_factory=dict, description="Sampler name -> what it reads"
+    )
+    uniforms: dict[str, Uniform] = Field(
+        default_factory=dict, description="Uniforms of this pass alone; they win over the plan's"
+    )
     state: State = State()
 
 

@@ -174,9 +174,7 @@ def make_plan(scene: Scene, quality: Quality) -> FramePlan:
             inputs=draft.inputs,
             state=State(depth=True, clear=True),
         ),
-        Pass(
-            name="sky", when="frame", program="sky", target="samples", mesh=Fullscreen(), state=State(depth=True)
-        ),
+        Pass(name="sky", when="frame", program="sky", target="samples", mesh=Fullscreen(), state=State(depth=True)),
         *resolve,
         Pass(
             name="tone",

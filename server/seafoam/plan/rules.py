@@ -103,9 +103,7 @@ def _camera(rule: CameraRule, state: FrameState) -> tuple[float, ...]:
             )
             lift = [-eye * row[1] for row in rows]
             lift[2] -= 2.0 * near
-            return tuple(
-                value for column in range(3) for value in (row[column] for row in rows)
-            ) + tuple(lift)
+            return tuple(value for column in range(3) for value in (row[column] for row in rows)) + tuple(lift)
 
 
 def axes(camera: Camera) -> tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]:

@@ -40,7 +40,7 @@ class Join:
 
 @dataclass(frozen=True)
 class Slot:
-    """A place in a shader. ``joins``: for slots of several files; ``default``: the file of a slot that nothing fills."""
+    """A place in a shader. ``joins``: where it takes several files; ``default``: the file where nothing fills it."""
 
     name: str
     default: str = ""

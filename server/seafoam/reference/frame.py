@@ -202,16 +202,19 @@ class _Shader:
             a = self._foam(scene.foam, self.assets, x, z, H, tau, D, N)
         adds = scene.foam is not None and scene.foam.look == "listing"
         if air is None or scene.light is None:
-            colour = np.repeat(a[:, None], 3, axis=1)
+            colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
             n = unit(surface.normal(h_x + c_x, h_z + c_z))
             colour = light.water(air, scene.water, self.waves.top, d, n, H)
             if scene.foam is not None:
-                white = light.foam(air, scene.foam.albedo, unit(N))
-                colour = (colour if adds else colour * (1.0 - a[:, None])) + white * a[:, None]
+                stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
+                white = light.foam(air, scene.foam.albedo, stiff)
+                if adds:
+                    total = self._exposure * (colour + white * a[:, None])
+                    colour = np.clip(total, 0.0, 1.0) / self._exposure
+                else:
+                    colour = colour * (1.0 - a[:, None]) + white * a[:, None]
             colour = light.haze(air, scene.light.visibility, colour, d, distance) * self._exposure
-        if adds:
-            colour = np.clip(colour, 0.0, 1.0)
         return colour, np.minimum(a, 1.0)
 
     def _foam(

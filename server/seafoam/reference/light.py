@@ -17,6 +17,7 @@ RAYLEIGH = np.array([0.055, 0.108, 0.215])
 MIE_LEAST = 0.01
 MIE_PER_TURBIDITY = 0.04
 AIR_MASS_OFFSET = 0.03
+VIEW_AIR_MASS_OFFSET = 0.09
 SUN_POWER = 20.0
 SUN_RISE = 0.02
 TWILIGHT = 12.0
@@ -68,6 +69,12 @@ def air_mass(y: Floats) -> Floats:
     return result
 
 
+def view_air_mass(y: Floats) -> Floats:
+    """M_v(y) = 1/(max(y, 0) + 0.09): the air that a look passes, thinner at the horizon than the sun's light meets."""
+    result: Floats = 1.0 / (np.maximum(y, 0.0) + VIEW_AIR_MASS_OFFSET)
+    return result
+
+
 def air(light: Light) -> Air:
     """The air under a light."""
     elevation, azimuth = light.sun_elevation, light.sun_azimuth
@@ -88,7 +95,7 @@ def sky(of: Air, d: Floats) -> Floats:
     rayleigh = RAYLEIGH * (3.0 / (16.0 * math.pi)) * (1.0 + gamma * gamma)
     mie = of.mie * (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
     scattered = (rayleigh + mie) / of.depth + FLAT_SHARE
-    result: Floats = of.air_light * scattered * (1.0 - np.exp(-of.depth * air_mass(height)))
+    result: Floats = of.air_light * scattered * (1.0 - np.exp(-of.depth * view_air_mass(height)))
     return result
 
 

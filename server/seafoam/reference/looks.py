@@ -74,7 +74,8 @@ def filtered_coverage(
     A = A * smoothstep(0.0, END, s)
     if fade == 0.0:
         A = 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
-    return A
+    # Rounding of the quotient.
+    return np.clip(A, 0.0, 1.0)
 
 
 def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floats:

@@ -142,18 +142,19 @@ class _Search:
         return result
 
     def first(self, low: Floats, high: Floats) -> Floats:
-        """First zero of G in [low, high]; (r,) m, infinite where there is none."""
+        """First zero of G between the ends of the slab; (r,) m, infinite where there is none."""
         count = low.size
         # Rounding must not put an eye above all crests under one of them.
         outside = 1.0 if self.eye_y > self.top else -1.0 if self.eye_y < 0.0 else 0.0
         side = np.where(self.value(low) >= 0.0, 1.0, -1.0) if outside == 0.0 else np.full(count, outside)
         before = np.full(count, np.inf)
         after = np.full(count, np.inf)
+        # No ray leaves the slab on the other side without a crossing, whatever rounding says of G there.
+        sure = (np.abs(self.rise) >= LEVEL) & (side * self.rise < 0.0) & ((high < FAR) | (outside != 0.0))
         # Steeper than any slope: one crossing, between the ends.
-        steep = (side > 0.0) & (-self.rise > self.slope * self.level)
-        ends_below = steep & (self.value(high) <= 0.0)
-        before[ends_below], after[ends_below] = low[ends_below], high[ends_below]
-        dips = self._march(np.flatnonzero(~steep), low, high, side, before, after)
+        steep = sure & (side > 0.0) & (-self.rise > self.slope * self.level)
+        before[steep], after[steep] = low[steep], high[steep]
+        dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
         self._search_dips(dips, side, before, after)
         found = np.flatnonzero(np.isfinite(after))
         result = np.full(count, np.inf)
@@ -162,7 +163,7 @@ class _Search:
         return result
 
     def _march(
-        self, rays: Indices, low: Floats, high: Floats, side: Floats, before: Floats, after: Floats
+        self, rays: Indices, low: Floats, high: Floats, side: Floats, sure: Bools, before: Floats, after: Floats
     ) -> list[tuple[Indices, Floats, Floats]]:
         """Bracket the first sign change of each ray in ``before`` and ``after``; return the suspect minima.
 
@@ -172,7 +173,7 @@ class _Search:
         if rays.size == 0:
             return dips
         rate, rise, level = self.rate[:, rays], self.rise[rays], self.level[rays]
-        sign, s, end = side[rays], low[rays], high[rays]
+        sign, s, end, certain = side[rays], low[rays], high[rays], sure[rays]
         g = sign * self._value(s, rate, rise)
         s_old, g_old = s, np.full(s.shape, np.inf)
         closing = self.slope * level - sign * rise
@@ -187,7 +188,7 @@ class _Search:
             safe = np.where(closing > 0.0, g / np.where(closing > 0.0, closing, 1.0), np.inf)
             s_new = np.minimum(s + np.maximum(fine, safe), end)
             g_new = sign * self._value(s_new, rate, rise)
-            crossed = live & (g_new <= 0.0)
+            crossed = live & ((g_new <= 0.0) | (certain & (s_new >= end)))
             where = rays[crossed]
             before[where], after[where] = s[crossed], s_new[crossed]
             width = np.maximum(s - s_old, s_new - s) * level
@@ -202,6 +203,7 @@ class _Search:
             if left < 0.75 * live.size:
                 rays, rate, rise, level = rays[live], rate[:, live], rise[live], level[live]
                 sign, end, closing, fine = sign[live], end[live], closing[live], fine[live]
+                certain = certain[live]
                 s, g, s_old, g_old = s[live], g[live], s_old[live], g_old[live]
                 live = np.ones(left, np.bool_)
 

@@ -23,7 +23,11 @@ def create_context(device_index: int | None = None) -> moderngl.Context:
     Desktop GL compiles ES 3.00 text through GL_ARB_ES3_compatibility (core since 4.3), so the same bytes run here and
     in WebGL2.
     """
-    settings: dict[str, Any] = {"backend": "egl", "libgl": _library("GL", "libGL.so.1"), "libegl": _library("EGL", "libEGL.so.1")}
+    settings: dict[str, Any] = {
+        "backend": "egl",
+        "libgl": _library("GL", "libGL.so.1"),
+        "libegl": _library("EGL", "libEGL.so.1"),
+    }
     if device_index is not None:
         settings["device_index"] = device_index
     try:

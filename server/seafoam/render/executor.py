@@ -48,8 +48,8 @@ class ShaderError(RuntimeError):
 class Rendered:
     """A frame, top row first.
 
-    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``; float32 linear with A = foam coverage for ``linear``; the same
-    before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in ``render``
+    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``; float32 linear with A = foam coverage for ``linear``;
+    the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in ``render``
     (draw until finished) and ``read``.
     """
 
@@ -113,7 +113,7 @@ class Executor:
         height: int,
         output: Output = "rgba8",
     ) -> Rendered:
-        """Draw a frame of ``plan`` at ``time`` (s, any finite number up to 1e9) from ``camera``, ``width`` × ``height`` px.
+        """Draw a frame of ``plan`` at ``time`` (s, up to ±1e9) from ``camera``, ``width`` × ``height`` pixels.
 
         Raises :class:`ShaderError` where a program does not compile, ``RuntimeError`` after any GL error or from any
         thread but the one that made the executor.
@@ -142,9 +142,7 @@ class Executor:
         for cache in (self._programs, self._textures, self._targets):
             cache.trim()
         self._context.gc()
-        return Rendered(
-            np.ascontiguousarray(pixels), {"render": drawn - start, "read": clock.perf_counter() - drawn}
-        )
+        return Rendered(np.ascontiguousarray(pixels), {"render": drawn - start, "read": clock.perf_counter() - drawn})
 
     def compile(self, program: Program) -> None:
         """Compile a program, or raise :class:`ShaderError`."""

@@ -29,10 +29,20 @@ class ParametricWave(Part):
     amplitude: float = Field(default=0.5, ge=0.0, le=50.0, description="A: height of the crest above the trough, m")
     wavelength: float = Field(default=12.0, ge=0.05, le=2000.0, description="λ: crest to crest in deep water, m")
     direction: float = Field(
-        default=0.0, ge=-6.2832, le=6.2832, description="Heading of travel, rad from +x toward +z", json_schema_extra={"unit": "rad"}
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Heading of travel, rad from +x toward +z",
+        json_schema_extra={"unit": "rad"},
     )
     exponent: float = Field(default=2.0, ge=0.1, le=100.0, description="K: 1 is a sine, more sharpens the crest")
-    phase: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="θ at the origin at time 0, rad", json_schema_extra={"unit": "rad"})
+    phase: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="θ at the origin at time 0, rad",
+        json_schema_extra={"unit": "rad"},
+    )
     speed: float | None = Field(
         default=None, ge=0.0, le=200.0, description="s: phase speed, m/s; absent: √(gλ/2π), deep water"
     )
@@ -51,9 +61,11 @@ class FrontSaturation(Part):
     source: Literal["front"] = "front"
     constants: Literal["text", "listing"] = Field(
         default="text",
-        description="text: δ = π/2, 2π, e as the paper's text has them; listing: δ = 1.07, 6.28, 2.718 as its code has them",
+        description="text: δ = π/2, 2π, e, as the paper's text has them; listing: δ = 1.07, 6.28, 2.718, as its code has",
     )
-    intensity: float = Field(default=4.0, ge=0.25, le=100.0, description="C: the larger, the less foam; the paper uses 4")
+    intensity: float = Field(
+        default=4.0, ge=0.25, le=100.0, description="C: the larger, the less foam; the paper uses 4"
+    )
     group: tuple[Share, Share] = Field(
         default=(0.0, 0.0),
         description="Crests foam where the waves add up: none below the first, full above the second share of the "
@@ -71,7 +83,9 @@ class HeightSaturation(Part):
     """Foam by height: f = (H − H0)/(Hmax − H0) (Kryachko 2005)."""
 
     source: Literal["height"] = "height"
-    base: float = Field(default=0.3, ge=-100.0, le=100.0, description="H0: height above the troughs where foam starts, m")
+    base: float = Field(
+        default=0.3, ge=-100.0, le=100.0, description="H0: height above the troughs where foam starts, m"
+    )
     full: float = Field(default=0.9, ge=-100.0, le=200.0, description="Hmax: height where foam is full, m")
 
     @model_validator(mode="after")
@@ -93,8 +107,8 @@ class Foam(Part):
     combine: Literal["max", "product"] = Field(default="max", description="How several saturations join")
     look: Look = Field(
         default="filtered",
-        description="textured: a texture faded by f (figure 7a); halftone: eq. 1; fading: eq. 2; halftone_textured: eq. 3; "
-        "listing: the published code; filtered: the area-correct threshold",
+        description="textured: a texture faded by f (figure 7a); halftone: eq. 1; fading: eq. 2; halftone_textured: "
+        "eq. 3; listing: the published code; filtered: the area-correct threshold",
     )
     mask: str = Field(
         default="vac-24",
@@ -103,19 +117,39 @@ class Foam(Part):
         description="A mask of the catalogue, or family:sigma:size:seed",
     )
     mask_tile: float = Field(default=12.0, ge=0.05, le=1000.0, description="Side of one tile of the mask, m")
-    mask_angle: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Turn of the mask about +y, rad", json_schema_extra={"unit": "rad"})
+    mask_angle: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Turn of the mask about +y, rad",
+        json_schema_extra={"unit": "rad"},
+    )
     texture_tile: float = Field(default=3.0, ge=0.05, le=1000.0, description="Side of one tile of the foam texture, m")
     texture: Share = Field(default=0.0, description="How much the foam texture thins the filtered look")
-    fade: Share = Field(default=0.0, description="Width of the filtered look's ramp: bubbles fade over it before they pop")
+    fade: Share = Field(
+        default=0.0, description="Width of the filtered look's ramp: bubbles fade over it before they pop"
+    )
     albedo: Share = Field(default=0.9, description="Share of light that foam scatters back")
 
 
 class Chop(Part):
     """Wind ripples, too small for the mesh: they tilt the surface and leave its height alone."""
 
-    wind_direction: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Heading of the wind, rad from +x toward +z", json_schema_extra={"unit": "rad"})
+    wind_direction: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Heading of the wind, rad from +x toward +z",
+        json_schema_extra={"unit": "rad"},
+    )
     slope: float = Field(default=0.12, ge=0.0, le=0.6, description="Root mean square slope of all ripples")
-    spread: float = Field(default=1.0, ge=0.0, le=3.1416, description="Standard deviation of their headings, rad", json_schema_extra={"unit": "rad"})
+    spread: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=3.1416,
+        description="Standard deviation of their headings, rad",
+        json_schema_extra={"unit": "rad"},
+    )
     seed: int = Field(default=1, ge=0, le=65535, description="Which ripples of their kind")
 
 
@@ -128,20 +162,40 @@ class Water(Part):
         Annotated[float, Field(ge=0.01, le=1000.0)],
     ] = Field(default=(7.0, 30.0, 70.0), description="Distance to 1/e for red, green, blue, m (Outerra: 7, 30, 70)")
     scattering: float = Field(default=0.005, ge=0.0, le=0.5, description="Scattering coefficient, 1/m (Outerra: 0.005)")
-    depth: float | None = Field(default=None, ge=0.05, le=11000.0, description="Depth of the floor under the troughs, m; absent: deep water")
+    depth: float | None = Field(
+        default=None, ge=0.05, le=11000.0, description="Depth of the floor under the troughs, m; absent: deep water"
+    )
     floor_albedo: Rgb = Field(default=(0.62, 0.54, 0.40), description="Reflectance of the floor")
-    translucency: float = Field(default=0.25, ge=0.0, le=2.0, description="How strongly a thin crest lets the sun through")
-    roughness: float = Field(default=0.05, ge=0.03, le=0.5, description="Root mean square slope of what is smaller than a ripple")
+    translucency: float = Field(
+        default=0.25, ge=0.0, le=2.0, description="How strongly a thin crest lets the sun through"
+    )
+    roughness: float = Field(
+        default=0.05, ge=0.03, le=0.5, description="Root mean square slope of what is smaller than a ripple"
+    )
     chop: Chop | None = Field(default=None, description="Wind ripples; absent: none")
 
 
 class Light(Part):
     """Sun, sky and haze. Absent: no light at all, foam white on black as the paper's equations have it."""
 
-    sun_azimuth: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Where the sun stands, rad from +x toward +z", json_schema_extra={"unit": "rad"})
-    sun_elevation: float = Field(default=0.6, ge=-1.5708, le=1.5708, description="Height of the sun over the horizon, rad", json_schema_extra={"unit": "rad"})
+    sun_azimuth: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Where the sun stands, rad from +x toward +z",
+        json_schema_extra={"unit": "rad"},
+    )
+    sun_elevation: float = Field(
+        default=0.6,
+        ge=-1.5708,
+        le=1.5708,
+        description="Height of the sun over the horizon, rad",
+        json_schema_extra={"unit": "rad"},
+    )
     turbidity: float = Field(default=2.5, ge=1.0, le=10.0, description="Haze of the air: 1 pure air, 2 clear, 10 hazy")
-    visibility: float = Field(default=20000.0, ge=50.0, le=1e6, description="Distance at which contrast has fallen to 2 %, m")
+    visibility: float = Field(
+        default=20000.0, ge=50.0, le=1e6, description="Distance at which contrast has fallen to 2 %, m"
+    )
     exposure: float = Field(default=0.0, ge=-10.0, le=10.0, description="Exposure, stops")
 
 
@@ -153,10 +207,26 @@ class Camera(Part):
         Annotated[float, Field(ge=-1000.0, le=1e5)],
         Annotated[float, Field(ge=-1e7, le=1e7)],
     ] = Field(default=(0.0, 6.0, 0.0), description="Eye, m; y is counted from the troughs")
-    yaw: float = Field(default=0.0, ge=-6.2832, le=6.2832, description="Heading, rad from −z toward +x", json_schema_extra={"unit": "rad"})
-    pitch: float = Field(default=-0.15, ge=-1.5708, le=1.5708, description="Elevation of the view, rad", json_schema_extra={"unit": "rad"})
-    roll: float = Field(default=0.0, ge=-3.1416, le=3.1416, description="Turn about the view, rad", json_schema_extra={"unit": "rad"})
-    fov: float = Field(default=0.8727, ge=0.01, le=2.6, description="Vertical field of view, rad", json_schema_extra={"unit": "rad"})
+    yaw: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Heading, rad from −z toward +x",
+        json_schema_extra={"unit": "rad"},
+    )
+    pitch: float = Field(
+        default=-0.15,
+        ge=-1.5708,
+        le=1.5708,
+        description="Elevation of the view, rad",
+        json_schema_extra={"unit": "rad"},
+    )
+    roll: float = Field(
+        default=0.0, ge=-3.1416, le=3.1416, description="Turn about the view, rad", json_schema_extra={"unit": "rad"}
+    )
+    fov: float = Field(
+        default=0.8727, ge=0.01, le=2.6, description="Vertical field of view, rad", json_schema_extra={"unit": "rad"}
+    )
 
 
 class Scene(Part):

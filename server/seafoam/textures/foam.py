@@ -1,4 +1,4 @@
-"""The foam texture: a froth of bubbles of several sizes, bright where their walls meet. Ours, tileable, deterministic."""
+"""The foam texture: a froth of bubbles of several sizes, bright where walls meet. Ours, tileable, deterministic."""
 
 from functools import lru_cache
 

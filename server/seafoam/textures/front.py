@@ -1,4 +1,4 @@
-"""The integral of the front saturation over its phase, tabulated for the filtered look (docs/formulae.md, section 4)."""
+"""Integral of the front saturation over its phase, a table for the filtered look (docs/formulae.md, section 4)."""
 
 import math
 

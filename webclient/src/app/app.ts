@@ -50,6 +50,7 @@ export class App {
   private readonly busy = new Set<number>();
   private addressTimer = 0;
   private lastTick = 0;
+  private picturesAsked = false;
   private settle: { resolve: () => void; reject: (error: unknown) => void } | null = null;
 
   /** Reads the address, asks the server for what it names, and starts to draw. */
@@ -102,7 +103,7 @@ export class App {
       change: (pointer, value) => this.store.set({ scene: withValue(this.store.now.scene, pointer, value) as JsonObject }),
       names: (url) => this.namesFrom(url),
     });
-    this.gallery = new Gallery(byId("gallery"), presets, (name) => api.thumbnail(name), (name) => void this.choose(name));
+    this.gallery = new Gallery(byId("gallery"), presets, (name) => void this.choose(name));
     this.divider = new Divider(
       byId("divider"),
       (split) => this.store.set({ split }),
@@ -190,6 +191,8 @@ export class App {
     this.stage.reconsider();
     this.curtain.lift();
     this.settle?.resolve();
+    if (!this.picturesAsked) void this.gallery.load((name) => this.api.thumbnail(name));
+    this.picturesAsked = true;
   }
 
   private showChoices({ preset, scene, quality, split }: Choices): void {

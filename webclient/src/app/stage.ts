@@ -135,6 +135,7 @@ export class Stage {
   /** The picture became another one, so what was measured says little about it. */
   reconsider(): void {
     this.resolution.reconsider();
+    this.frameTime = null;
     this.dirty = true;
   }
 
@@ -188,7 +189,7 @@ export class Stage {
   }
 
   private note(milliseconds: number): void {
-    if (this.sharp) return;
+    if (this.sharp || this.resolution.warmingUp) return;
     this.frameTime = this.frameTime === null ? milliseconds : this.frameTime * 0.85 + milliseconds * 0.15;
   }
 

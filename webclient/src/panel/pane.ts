@@ -3,7 +3,7 @@ import type { BindingApi, FolderApi } from "@tweakpane/core";
 import { Pane } from "tweakpane";
 import type { Choice } from "../api";
 import { get, type Json, steps } from "../scene/json";
-import { logSlider } from "./log-slider";
+import { element } from "../ui/dom";
 import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls } from "./model";
 import { format, shown, stored } from "./values";
 
@@ -48,7 +48,6 @@ export class ScenePane {
     this.model = model;
     this.refreshers = [];
     this.pane = new Pane({ container: this.container });
-    this.pane.registerPlugin({ id: "log-slider", plugins: [logSlider] } as never);
     for (const control of model.children) this.add(this.pane, control, scene);
     if (this.container.parentElement) this.container.parentElement.scrollTop = scroll;
   }
@@ -56,7 +55,7 @@ export class ScenePane {
   private add(parent: FolderApi, control: Control, scene: Json): void {
     switch (control.kind) {
       case "group": {
-        const folder = this.folder(parent, control.pointer, control.label, control.hint);
+        const folder = this.folder(parent, control, control.label);
         for (const inner of control.children) this.add(folder, inner, scene);
         return;
       }
@@ -84,9 +83,11 @@ export class ScenePane {
     }
   }
 
-  private folder(parent: FolderApi, pointer: string, title: string, hint: string): FolderApi {
-    const deep = steps(pointer).length > 1;
-    const folder = parent.addFolder({ title, expanded: this.expanded.get(pointer) ?? !deep });
+  private folder(parent: FolderApi, { pointer, hint, kind }: Control, title: string): FolderApi {
+    // Of a long panel, the first group that is no list is the one to begin with.
+    const first = this.model?.children.find((control) => control.kind !== "list")?.pointer;
+    const open = pointer === first || (kind !== "list" && steps(pointer).length === 2);
+    const folder = parent.addFolder({ title, expanded: this.expanded.get(pointer) ?? open });
     folder.on("fold", ({ expanded, target }) => {
       if (target === folder) this.expanded.set(pointer, expanded);
     });
@@ -117,16 +118,20 @@ export class ScenePane {
     };
     refresh(scene);
     this.refreshers.push(refresh);
-    const [min, max] = [control.min, control.max].map((bound) => (bound === null ? undefined : shown(control, bound)));
-    const span = min !== undefined && max !== undefined ? max - min : 100;
+    const { min, max } = control;
+    const span = min !== null && max !== null ? shown(control, max - min) : 100;
+    // With bounds Tweakpane makes a linear slider; a logarithmic one takes its place.
+    const bounds =
+      min === null || max === null || control.logarithmic ? {} : { min: shown(control, min), max: shown(control, max) };
     const binding = parent.addBinding(held, "value", {
       label: control.label,
-      ...(min === undefined ? {} : { min }),
-      ...(max === undefined ? {} : { max }),
-      ...(control.logarithmic ? { view: "log" } : {}),
+      ...bounds,
       ...(control.step === 1 ? { step: 1 } : { keyScale: span / 200, pointerScale: span / 1000 }),
       format: (value: number) => format(value) + (control.angle ? DEGREE : ""),
     });
+    if (control.logarithmic && min !== null && max !== null) {
+      this.refreshers.push(addLogSlider(binding, held, min, max));
+    }
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value }) => this.changed(control.pointer, stored(control, value)));
   }
@@ -148,7 +153,7 @@ export class ScenePane {
 
   private addOptional(parent: FolderApi, control: OptionalControl, scene: Json): void {
     const { inner } = control;
-    const here = inner?.kind === "group" ? this.folder(parent, control.pointer, control.label, control.hint) : parent;
+    const here = inner?.kind === "group" ? this.folder(parent, control, control.label) : parent;
     const held = { on: inner !== null };
     const binding = here.addBinding(held, "on", { label: inner?.kind === "group" ? "on" : control.label });
     describe(binding, control.label, control.hint);
@@ -159,14 +164,14 @@ export class ScenePane {
   }
 
   private addList(parent: FolderApi, control: ListControl, scene: Json): void {
-    const folder = this.folder(parent, control.pointer, `${control.label} (${control.items.length})`, control.hint);
+    const folder = this.folder(parent, control, `${control.label} (${control.items.length})`);
     const current = () => {
       const value = get(this.scene, control.pointer);
       return Array.isArray(value) ? value : [];
     };
     control.items.forEach(({ control: item, variant }, i) => {
       const name = variant === null ? item.label : `${i + 1} · ${labelOf(variant)}`;
-      const inside = this.folder(folder, item.pointer, name, item.hint);
+      const inside = this.folder(folder, item, name);
       if (control.variants.length > 1 && variant !== null) {
         const held = { variant };
         const options = control.variants.map(({ name: value }) => ({ text: labelOf(value), value }));
@@ -194,6 +199,27 @@ export class ScenePane {
   private changed(pointer: string, value: Json): void {
     if (!this.updating) this.events.change(pointer, value);
   }
+}
+
+/** A slider whose middle is the geometric mean, beside the number; gives what brings it up to date. */
+function addLogSlider(binding: BindingApi, held: { value: number }, min: number, max: number): Refresh {
+  const slider = element("input", { type: "range", class: "log", min: Math.log10(min), max: Math.log10(max), step: "any" });
+  const refresh = () => {
+    const log = Math.log10(Math.max(held.value, min));
+    slider.value = String(log);
+    const share = (log - Math.log10(min)) / Math.log10(max / min);
+    slider.style.setProperty("--share", `${100 * Math.min(1, share)}%`);
+  };
+  slider.addEventListener("input", () => {
+    // Three digits are as fine as a slider can be set.
+    held.value = Number((10 ** Number(slider.value)).toPrecision(3));
+    binding.refresh();
+  });
+  const place = binding.element.querySelector(".tp-lblv_v");
+  place?.classList.add("with-log");
+  place?.prepend(slider);
+  refresh();
+  return refresh;
 }
 
 function describe(binding: BindingApi, label: string, hint: string): void {

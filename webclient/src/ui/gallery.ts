@@ -6,16 +6,12 @@ export class Gallery {
   private readonly buttons = new Map<string, HTMLButtonElement>();
 
   constructor(
-    container: HTMLElement,
+    private readonly container: HTMLElement,
     presets: readonly PresetSummary[],
-    picture: (name: string) => string,
     choose: (name: string) => void,
   ) {
     for (const { name, title, summary } of presets) {
-      const image = element("img", { src: picture(name), alt: "", loading: "lazy", decoding: "async", width: 192, height: 108 });
-      // Without a picture the title alone must do.
-      image.addEventListener("error", () => image.remove());
-      const button = element("button", { type: "button", role: "option", title: summary }, image, element("span", {}, title));
+      const button = element("button", { type: "button", role: "option", title: summary }, element("span", {}, title));
       button.addEventListener("click", () => choose(name));
       this.buttons.set(name, button);
       container.append(button);
@@ -33,7 +29,18 @@ export class Gallery {
   select(name: string): void {
     for (const [each, button] of this.buttons) button.setAttribute("aria-selected", String(each === name));
     const chosen = this.buttons.get(name);
-    const strip = chosen?.parentElement;
-    if (chosen && strip) strip.scrollLeft = chosen.offsetLeft - (strip.clientWidth - chosen.offsetWidth) / 2;
+    if (chosen) this.container.scrollLeft = chosen.offsetLeft - (this.container.clientWidth - chosen.offsetWidth) / 2;
+  }
+
+  /** Fills in the pictures one after another: the server has better things to do than to draw all at once. */
+  async load(picture: (name: string) => Promise<Blob>): Promise<void> {
+    for (const [name, button] of this.buttons) {
+      try {
+        const image = element("img", { src: URL.createObjectURL(await picture(name)), alt: "", width: 192, height: 108 });
+        button.prepend(image);
+      } catch {
+        // Without a picture the title alone must do.
+      }
+    }
   }
 }

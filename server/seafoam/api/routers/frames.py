@@ -16,7 +16,7 @@ from seafoam.quality import TIERS
 from seafoam.render.encode import MEDIA_TYPES, FrameFormat
 from seafoam.render.pool import Frame, FrameJob
 
-router = APIRouter(tags=["frames"])
+router = APIRouter(prefix="/api", tags=["frames"])
 
 STAGES = ("queue", "plan", "render", "read", "encode")
 CLIENT_CLOSED_REQUEST = 499

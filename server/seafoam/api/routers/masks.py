@@ -28,7 +28,7 @@ from seafoam.masks.families import DEFAULT_SIGMA, SEED_MAX, SIGMA_MAX, SIGMA_MIN
 from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
 from seafoam.masks.torus import Ranks
 
-router = APIRouter(tags=["masks"])
+router = APIRouter(prefix="/api", tags=["masks"])
 
 MaskName = Annotated[str, Path(description="Name of a mask, see /api/masks", examples=["vac-24"], max_length=40)]
 MaskFormat = Literal["png", "npy", "u16", "dds"]

@@ -14,7 +14,7 @@ from seafoam.api.routers.presets import PresetName, find_preset
 from seafoam.plan.model import FramePlan
 from seafoam.quality import TIERS
 
-router = APIRouter(tags=["plans"])
+router = APIRouter(prefix="/api", tags=["plans"])
 
 _HEADERS = {
     "ETag": {"description": "The plan's SHA-256, quoted", "schema": {"type": "string"}},

@@ -13,9 +13,9 @@ from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Preset, load_preset, preset_names
 
-router = APIRouter(tags=["presets"])
+router = APIRouter(prefix="/api", tags=["presets"])
 
-PresetName = Annotated[str, Path(description="Name of a preset, see /api/presets", examples=["lace"], max_length=80)]
+PresetName = Annotated[str, Path(description="Name of a preset, see /api/presets", examples=["default"], max_length=80)]
 
 
 class PresetSummary(BaseModel):

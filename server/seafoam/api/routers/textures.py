@@ -12,7 +12,7 @@ from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, pro
 from seafoam.api.parameters import Parameters
 from seafoam.textures import texture
 
-router = APIRouter(tags=["textures"])
+router = APIRouter(prefix="/api", tags=["textures"])
 
 
 class TextureParameters(Parameters):

@@ -1,0 +1,355 @@
+"""The command ``seafoam``: serve, render, masks, doctor.
+
+Bad input ends in one line that names the field and what it may be, and in exit code 2; what the machine lacks in one
+line with the remedy, and in exit code 1. Heavy modules are imported by the commands that need them: spawned render
+workers import this module too.
+"""
+
+import json
+import logging
+import re
+import socket
+import sys
+import webbrowser
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
+
+import typer
+from typer.exceptions import TyperException
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel, ValidationError
+
+    from seafoam.masks.catalogue import Mask
+
+app = typer.Typer(
+    help="Real-time water with halftoned foam.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+masks = typer.Typer(help="Halftone masks: list the shipped ones, make others, measure them.", no_args_is_help=True)
+app.add_typer(masks, name="masks")
+
+BAD_INPUT = 2
+UNABLE = 1
+OPEN_CONNECTIONS = 256
+"""Beyond which the server answers 503 without looking: a page takes a dozen, the render queue has bounds of its own."""
+LARGEST_SIDE = 8192
+LARGEST_SAMPLED_SIDE = 16384
+LARGEST_SAMPLES = 16384 * 8192
+"""Largest frame of ``render``: nobody else waits, so only memory bounds it."""
+_QUIET = ("/healthz", "/readyz", "/metrics")
+
+E = TypeVar("E", bound=str)
+
+Output = Annotated[Path, typer.Option("--output", "-o", help="File to write; its extension says the format.")]
+
+
+class CommandError(TyperException):
+    """Ends the command with one line on stderr."""
+
+    def __init__(self, message: str, exit_code: int = BAD_INPUT) -> None:
+        super().__init__(message)
+        self.exit_code = exit_code
+
+
+@app.command()
+def serve(
+    host: Annotated[str | None, typer.Option(help="Address to listen on [default: 127.0.0.1].")] = None,
+    port: Annotated[int | None, typer.Option(help="Port to listen on, 0 for a free one [default: 8000].")] = None,
+    open_browser: Annotated[bool, typer.Option("--open", help="Open the page in a browser.")] = False,
+) -> None:
+    """Serve the web client and the API. Settings are environment variables that begin with SEAFOAM_."""
+    import uvicorn
+    from pydantic import ValidationError
+
+    from seafoam.api.app import create_app
+    from seafoam.api.settings import Settings
+
+    given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
+    try:
+        settings = Settings(**given)
+    except ValidationError as error:
+        _refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+    try:
+        listening = socket.create_server((settings.host, settings.port), backlog=2048)
+    except OSError as error:
+        detail = f"cannot listen on {settings.host}:{settings.port}: {error.strerror}; choose another with --port"
+        raise CommandError(detail, UNABLE) from error
+    shown = "127.0.0.1" if settings.host in ("", "0.0.0.0", "::") else settings.host
+    address = f"http://{shown}:{listening.getsockname()[1]}"
+    logging.basicConfig(level=logging.INFO, format="%(levelname)s: %(message)s")
+    config = uvicorn.Config(create_app(settings), limit_concurrency=OPEN_CONNECTIONS, timeout_graceful_shutdown=5)
+    logging.getLogger("uvicorn.access").addFilter(_not_a_probe)
+
+    class Server(uvicorn.Server):
+        async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+            await super().startup(sockets)
+            typer.echo(f"Seafoam is at {address}  (API: {address}/docs)")
+            if open_browser:
+                webbrowser.open(address)
+
+    Server(config).run(sockets=[listening])
+
+
+@app.command()
+def render(
+    preset: Annotated[str, typer.Argument(help="A preset, see: seafoam presets.")],
+    output: Output,
+    time: Annotated[float | None, typer.Option(help="Time, s [default: the preset's].")] = None,
+    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT, pixels [default: the preset's].")] = None,
+    quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
+    look: Annotated[str | None, typer.Option(help="Look of the foam [default: the preset's].")] = None,
+    mask: Annotated[str | None, typer.Option(help="Mask of the foam, or family:sigma:size:seed.")] = None,
+    x: Annotated[float | None, typer.Option(help="Eye, m along +x [default, as below: the preset's].")] = None,
+    y: Annotated[float | None, typer.Option(help="Eye, m above the troughs.")] = None,
+    z: Annotated[float | None, typer.Option(help="Eye, m along +z.")] = None,
+    yaw: Annotated[float | None, typer.Option(help="Heading, rad from -z toward +x.")] = None,
+    pitch: Annotated[float | None, typer.Option(help="Elevation of the view, rad.")] = None,
+    roll: Annotated[float | None, typer.Option(help="Turn about the view, rad.")] = None,
+    fov: Annotated[float | None, typer.Option(help="Vertical field of view, rad.")] = None,
+) -> None:
+    """Render a frame to a .png, .webp (lossless) or .npy (linear float32) file, without a server."""
+    from pydantic import ValidationError
+
+    from seafoam.api.errors import ApiError
+    from seafoam.api.parameters import FrameParameters
+    from seafoam.api.routers.presets import find_preset
+    from seafoam.plan import PlanError
+    from seafoam.quality import TIERS
+    from seafoam.render.encode import FRAME_FORMATS
+    from seafoam.render.executor import Executor, NoRendererError
+    from seafoam.render.pool import FrameJob, FrameLimits, FrameTooLargeError, render_frame
+    from seafoam.scene.presets import preset_names
+
+    if preset not in preset_names():
+        raise CommandError(f"PRESET: there is no {preset!r}; there are {', '.join(preset_names())}")
+    found = find_preset(preset)
+    extension = _extension(output, FRAME_FORMATS)
+    width, height = found.size if size is None else _size(size)
+    given = {
+        "time": time, "quality": quality, "look": look, "mask": mask, "width": width, "height": height,
+        "x": x, "y": y, "z": z, "yaw": yaw, "pitch": pitch, "roll": roll, "fov": fov,
+    }  # fmt: skip
+    try:
+        asked = FrameParameters.model_validate({name: value for name, value in given.items() if value is not None})
+        knobs = TIERS[asked.quality]
+        FrameLimits(LARGEST_SIDE, LARGEST_SAMPLED_SIDE, LARGEST_SAMPLES).check(width, height, knobs.samples)
+        scene = asked.apply(found.scene)
+    except ValidationError as error:
+        _refuse(error, FrameParameters, lambda field: "--size" if field in ("width", "height") else f"--{field}")
+    except FrameTooLargeError as error:
+        raise CommandError(f"--size: {error}") from error
+    except ApiError as error:
+        raise CommandError(f"--{error}") from error
+    at = found.time if asked.time is None else asked.time
+    job = FrameJob(scene, knobs, at, asked.camera(scene.camera), width, height, extension)
+    try:
+        executor = Executor()
+        frame = render_frame(executor, job)
+        renderer = executor.info["renderer"]
+    except PlanError as error:
+        member = error.pointer.rpartition("/")[2]
+        where = f"--{member}" if member in asked.changed else error.pointer
+        raise CommandError(f"{where}: {error.message}") from error
+    except NoRendererError as error:
+        raise CommandError(str(error), UNABLE) from error
+    _write(output, frame.content)
+    times = ", ".join(f"{stage} {1000 * seconds:.0f} ms" for stage, seconds in frame.timings.items())
+    typer.echo(f"{output}: {width} × {height}, {len(frame.content):,} bytes; {times}; {renderer}")
+
+
+@app.command()
+def presets() -> None:
+    """List the presets."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from seafoam.scene.presets import load_preset, preset_names
+
+    table = Table("name", "title", "size", "time", "summary", box=None, pad_edge=False)
+    for name in preset_names():
+        preset = load_preset(name)
+        width, height = preset.size
+        table.add_row(name, preset.title, f"{width}x{height}", f"{preset.time:g} s", preset.summary)
+    Console().print(table)
+
+
+@app.command()
+def doctor() -> None:
+    """Say what this machine has and what is missing, with the commands that mend it. Exit code 0: able to render."""
+    from rich.console import Console
+    from rich.text import Text
+
+    from seafoam.doctor import able_to_render, examine
+
+    console = Console(soft_wrap=True)
+    marks = {"good": ("ok", "green"), "optional": ("--", "yellow"), "missing": ("no", "red")}
+    findings = examine()
+    for finding in findings:
+        mark, style = marks[finding.state]
+        console.print(Text(f"{finding.what:<13}") + Text(mark, style) + Text(f"  {finding.detail}"))
+        if finding.remedy:
+            console.print(Text(f"{'':<13}    {finding.remedy}", "bold"))
+    able = able_to_render(findings)
+    console.print(Text("This machine can render." if able else "This machine cannot render yet."))
+    raise typer.Exit(0 if able else UNABLE)
+
+
+@app.command()
+def openapi() -> None:
+    """Print the API's OpenAPI document."""
+    from seafoam.api.app import create_app
+
+    typer.echo(json.dumps(create_app().openapi(), indent=1, ensure_ascii=False))
+
+
+@masks.command("list")
+def list_masks() -> None:
+    """List the shipped masks."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from seafoam.masks.catalogue import load_catalogue
+
+    table = Table("name", "family", "sigma", "size", "seed", "sha256", "title", box=None, pad_edge=False)
+    for name, entry in load_catalogue().items():
+        table.add_row(
+            name, entry.family, f"{entry.sigma:g}", str(entry.size), str(entry.seed), entry.sha256[:12], entry.title
+        )
+    Console().print(table)
+
+
+@masks.command("make")
+def make_mask(
+    output: Output,
+    family: Annotated[str, typer.Option(help="vac, blur, clump, bubble or mix.")] = "vac",
+    sigma: Annotated[float | None, typer.Option(help="The family's length, texels [default: the family's].")] = None,
+    size: Annotated[int, typer.Option(help="Side of the tile, texels: 32, 64, 128, 256 or 512.")] = 512,
+    seed: Annotated[int, typer.Option(help="Which mask of its kind.")] = 0,
+    method: Annotated[str, typer.Option(help="How vac is ordered: exact takes minutes, batched seconds.")] = "batched",
+    bits: Annotated[int, typer.Option(help="Of a .png: 16 or 8.")] = 16,
+) -> None:
+    """Make a mask and write it as .png, .npy (float32 thresholds), .u16 (raw) or .dds (R16_UNORM)."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeElapsedColumn
+
+    from seafoam.masks import construct, formats
+
+    encoders = {
+        "png": formats.to_png16 if bits == 16 else formats.to_png8,
+        "npy": formats.to_npy,
+        "u16": formats.to_u16,
+        "dds": formats.to_dds,
+    }
+    encoder = encoders[_extension(output, tuple(encoders))]
+    if bits not in (8, 16):
+        raise CommandError(f"--bits: {bits} is not one of 8, 16")
+    columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
+    console = Console(stderr=True)
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task("", total=1.0)
+        try:
+            ranks = construct.make_mask(
+                family,
+                sigma=sigma,
+                size=size,
+                seed=seed,
+                method=method,
+                progress=lambda share: bar.update(task, completed=share),
+            )
+        except ValueError as error:
+            raise CommandError(f"--{error}") from error
+    content = encoder(ranks)
+    _write(output, content)
+    typer.echo(f"{output}: {family}, {size} × {size}, {len(content):,} bytes")
+
+
+@masks.command("spectrum")
+def mask_spectrum(
+    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed.")],
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the spectrum as JSON.")] = False,
+) -> None:
+    """Measure a mask: radially averaged power and anisotropy, as a plot or as JSON."""
+    if (output is None) == (not as_json):
+        raise CommandError("--output or --json: give one of them")
+    mask = _mask(name)
+    if output is None:
+        typer.echo(json.dumps(mask.spectrum.to_json()))
+        return
+    from seafoam.masks.plots import plot_spectrum
+
+    _extension(output, ("png",))
+    _write(output, plot_spectrum(mask.spectrum, mask.entry.title))
+    typer.echo(f"{output}: spectrum of {mask.entry.title}")
+
+
+def main(arguments: Sequence[str] | None = None) -> NoReturn:
+    """Run the command and exit: 0, 1 where the machine is unable, 2 for bad input, 130 when interrupted."""
+    try:
+        code = app(arguments, standalone_mode=False)
+    except TyperException as error:
+        message = error.format_message()
+        if message:  # empty where no arguments at all were given and the help has been shown
+            typer.echo(f"seafoam: {message}", err=True)
+        sys.exit(error.exit_code)
+    except typer.Abort:
+        sys.exit(130)
+    sys.exit(code or 0)
+
+
+def _not_a_probe(record: logging.LogRecord) -> bool:
+    """Keep health checks, which come every few seconds, out of the access log."""
+    arguments = record.args
+    return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(_QUIET))
+
+
+def _refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> NoReturn:
+    from seafoam.api.allowed import allowed_at, describe_allowed
+
+    schema: Mapping[str, Any] = model.model_json_schema()
+    lines = []
+    for item in error.errors():
+        field = str(item["loc"][0])
+        allowed = allowed_at(schema, schema, (field,))
+        may_be = f" (allowed: {describe_allowed(allowed)})" if allowed else ""
+        lines.append(f"{option(field)}: {item['input']!r} is not allowed{may_be}")
+    raise CommandError("; ".join(lines)) from error
+
+
+def _size(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d{1,6})[x×](\d{1,6})", text)
+    if found is None:
+        raise CommandError(f"--size: {text!r} is not WIDTHxHEIGHT in pixels, such as 1280x720")
+    return int(found[1]), int(found[2])
+
+
+def _extension(path: Path, known: Sequence[E]) -> E:
+    for name in known:
+        if path.suffix.lower() == f".{name}":
+            return name
+    endings = ", ".join(f".{name}" for name in known)
+    raise CommandError(f"--output: {path.name!r} does not end in one of {endings}")
+
+
+def _mask(name: str) -> "Mask":
+    from seafoam.masks.catalogue import UnknownMaskError, load_catalogue
+    from seafoam.textures import mask_by_name
+
+    try:
+        return mask_by_name(name)
+    except UnknownMaskError:
+        known = ", ".join(load_catalogue())
+        raise CommandError(f"NAME: there is no mask {name!r}; there are {known}, or family:sigma:size:seed") from None
+    except ValueError as error:
+        raise CommandError(f"NAME: {error}") from error
+
+
+def _write(path: Path, content: bytes) -> None:
+    try:
+        path.write_bytes(content)
+    except OSError as error:
+        raise CommandError(f"--output: cannot write {path}: {error.strerror}", UNABLE) from error

@@ -1,0 +1,137 @@
+"""What this machine has and what is missing, each with the command that mends it."""
+
+import multiprocessing
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from pebble import ProcessExpired, ProcessPool
+
+from seafoam.resources import data_dir
+
+PROBE_SECONDS = 60.0
+TOOL_SECONDS = 20.0
+CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+LEAST_NODE = 20
+SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "swrast")
+
+State = Literal["good", "missing", "optional"]
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing looked for. ``missing`` keeps frames from being rendered; ``optional`` does not."""
+
+    what: str
+    state: State
+    detail: str
+    remedy: str = ""
+
+
+def probe_renderer() -> dict[str, str]:
+    """Draw a small picture in this process and report the GL; runs in a process of its own, which GL may kill.
+
+    Raises :class:`seafoam.render.executor.NoRendererError`.
+    """
+    from seafoam.render.executor import Executor
+    from seafoam.render.pool import draw_canary
+
+    executor = Executor()
+    draw_canary(executor)
+    return executor.info
+
+
+def examine(probe: Callable[[], dict[str, str]] = probe_renderer) -> list[Finding]:
+    """Look for everything that rendering, the web client and the tests need. Takes some seconds; starts a process."""
+    return [_python(), *_renderer(probe), _masks(), _webclient(), _node(), _chromium()]
+
+
+def able_to_render(findings: list[Finding]) -> bool:
+    """Whether nothing that frames need is missing."""
+    return all(finding.state != "missing" for finding in findings)
+
+
+def _python() -> Finding:
+    return Finding("Python", "good", sys.version.split()[0])
+
+
+def _renderer(probe: Callable[[], dict[str, str]]) -> list[Finding]:
+    pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
+    try:
+        info = pool.schedule(probe, timeout=PROBE_SECONDS).result()
+    except (ProcessExpired, BrokenProcessPool):
+        remedy = "update or reinstall the GL driver: apt-get install --reinstall libgl1-mesa-dri"
+        return [Finding("OpenGL", "missing", "the driver crashed while drawing", remedy)]
+    except TimeoutError:
+        return [Finding("OpenGL", "missing", f"no picture within {PROBE_SECONDS:g} s", "update the GL driver")]
+    except Exception as error:
+        # Whatever the driver's bindings raise, the text says what to do.
+        problem, _, remedy = str(error).partition("; ")
+        return [Finding("OpenGL", "missing", problem, remedy)]
+    finally:
+        pool.stop()  # type: ignore[no-untyped-call]
+        pool.join()
+    software = any(name in info["renderer"].lower() for name in SOFTWARE)
+    kind = "software, correct but slow" if software else "hardware"
+    return [
+        Finding("OpenGL", "good", f"{info['renderer']} ({kind})"),
+        Finding("", "good", f"{info['vendor']}, {info['version']}"),
+        Finding("GLSL ES 3.00", "good", "compiles, and a test picture was drawn"),
+    ]
+
+
+def _masks() -> Finding:
+    from seafoam.masks.catalogue import load_catalogue
+
+    directory = data_dir("masks")
+    try:
+        names = list(load_catalogue())
+    except (OSError, ValueError, KeyError) as error:
+        return Finding("Masks", "missing", f"no catalogue in {directory}: {error}", "reinstall seafoam")
+    absent = [name for name in names if not (directory / f"{name}.ranks").is_file()]
+    if absent:
+        return Finding("Masks", "missing", f"without data: {', '.join(absent)}", "reinstall seafoam")
+    return Finding("Masks", "good", f"{len(names)} in {directory}")
+
+
+def _webclient() -> Finding:
+    index = data_dir("webclient") / "index.html"
+    if index.is_file():
+        return Finding("Web client", "good", f"built, {index.parent}")
+    return Finding("Web client", "optional", "not built: the page at / is a text", "make webclient")
+
+
+def _node() -> Finding:
+    found = _version_of("node")
+    remedy = f"install Node.js {LEAST_NODE} or later: apt-get install nodejs npm, or nodejs.org"
+    if found is None:
+        return Finding("Node.js", "optional", "not found; only needed to build the web client", remedy)
+    path, version = found
+    major = version.lstrip("v").split(".")[0]
+    if not major.isdigit() or int(major) < LEAST_NODE:
+        return Finding("Node.js", "optional", f"{version} is too old to build the web client", remedy)
+    return Finding("Node.js", "good", f"{version}, {path}")
+
+
+def _chromium() -> Finding:
+    for name in CHROMIUM_NAMES:
+        if found := _version_of(name):
+            path, version = found
+            return Finding("Chromium", "good", f"{version}, {path}")
+    return Finding("Chromium", "optional", "not found; only the browser tests need it", "apt-get install chromium")
+
+
+def _version_of(program: str) -> tuple[Path, str] | None:
+    path = shutil.which(program)
+    if path is None:
+        return None
+    try:
+        shown = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=TOOL_SECONDS, check=True)
+    except (OSError, subprocess.SubprocessError):
+        return None
+    return Path(path), shown.stdout.strip()
