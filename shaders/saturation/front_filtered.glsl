@@ -2,7 +2,7 @@
 // The integral's table is piecewise cubic: node values and slopes (f itself), from FRONT_FULL, where f = 1, to 2 pi.
 uniform sampler2D u_front_integral;
 
-// In (0, 2 pi], from FRONT_FULL on.
+// Integral from 0; psi in [FRONT_FULL, 2 pi].
 float front_integral(float psi) {
     float x = (psi - FRONT_FULL) * (float(FRONT_NODES - 1) / (TAU - FRONT_FULL));
     int i = clamp(int(x), 0, FRONT_NODES - 2);
@@ -26,25 +26,26 @@ float front_within(float a, float b, float start) {
     float to = max(b, full);
     float span = to - from;
     float fading = 0.0;
-    if (span > 0.1) {
+    if (span > 0.15) {
         fading = front_integral(to - start) - front_integral(from - start);
     } else if (span > 0.0) {
-        // Differences of a table lose digits on a short span: two-point Gauss there.
+        // Differences of a table lose digits on a short span: three-point Gauss there.
         float mid = 0.5 * (from + to);
-        float arm = 0.288675134594813 * span;
-        fading = 0.5 * span * (front_at(mid - arm) + front_at(mid + arm));
+        float arm = 0.387298334620742 * span;
+        fading = span * (5.0 * (front_at(mid - arm) + front_at(mid + arm)) + 8.0 * front_at(mid)) / 18.0;
     }
     return plateau + fading;
 }
 
 // Mean over psi -+ width/2; psi in [-pi, pi].
 float front_mean(float psi, float width) {
-    float whole = front_integral(TAU) + FRONT_FULL;
-    // Wide windows: whole periods first, and the rest, at most one period, as one window.
+    float whole = front_integral(TAU);
+    // Wide windows: whole periods first; what is left lies round psi, or round its opposite after an odd number of turns.
     float turns = floor(width / TAU);
     float rest = min(width - turns * TAU, TAU);
-    float low = psi - 0.5 * rest;
-    float high = psi + 0.5 * rest;
+    float centre = mod(turns, 2.0) > 0.5 ? (psi > 0.0 ? psi - PI : psi + PI) : psi;
+    float low = centre - 0.5 * rest;
+    float high = centre + 0.5 * rest;
     if (turns > 0.0 && rest < 1e-3) {
         return whole / TAU;
     }

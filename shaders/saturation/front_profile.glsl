@@ -2,9 +2,14 @@
 uniform float u_front_intensity; // C
 uniform float u_front_log_base;  // ln E
 
-// The half angle's cotangent is (rho + x) / y: no tangent to be inaccurate near its pole.
+// The half angle's cotangent is (rho + x) / y = y / (rho - x): no tangent to be inaccurate near its pole, and of the two
+// forms the one that does not cancel.
 float front_profile(vec2 signal, float rho) {
-    float top = rho + signal.x;
-    float exponent = signal.y == 0.0 ? (top > 0.0 ? 80.0 : 0.0) : clamp(top / signal.y, -80.0, 80.0);
+    float exponent;
+    if (signal.x > 0.0) {
+        exponent = signal.y == 0.0 ? 80.0 : clamp((rho + signal.x) / signal.y, -80.0, 80.0);
+    } else {
+        exponent = rho > 0.0 ? signal.y / (rho - signal.x) : 0.0;
+    }
     return min(exp(u_front_log_base * exponent) / u_front_intensity, 4.0);
 }

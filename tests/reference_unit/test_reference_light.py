@@ -30,6 +30,22 @@ def test_sky_is_positive_and_continuous_at_the_horizon(elevation: float) -> None
     np.testing.assert_allclose(ring(1e-9), ring(-1e-9), rtol=1e-5)
 
 
+def test_sky_is_the_pages_formula() -> None:
+    y, up, gamma = 0.3, 0.2, 0.5
+    of = Light(sun_elevation=math.asin(y), turbidity=2.0)
+    level, sun_level = math.sqrt(1.0 - up * up), math.sqrt(1.0 - y * y)
+    turn = math.acos((gamma - up * y) / (level * sun_level))
+    got = light.air(of).sky(np.array([level * math.cos(turn), up, level * math.sin(turn)]))
+    for channel, rayleigh in enumerate((0.055, 0.108, 0.215)):
+        mie = 0.05
+        tau = rayleigh + mie
+        in_air = 20.0 * math.exp(-0.5 * tau / (y + 0.03)) + 0.002
+        phase = rayleigh * 3.0 / (16.0 * math.pi) * (1.0 + gamma**2)
+        phase += mie * (1.0 - 0.76**2) / (4.0 * math.pi * (1.0 + 0.76**2 - 1.52 * gamma) ** 1.5)
+        expected = in_air * (phase / tau + 0.04) * (1.0 - math.exp(-tau / (up + 0.09)))
+        assert got[channel] == pytest.approx(expected, rel=1e-12)
+
+
 def test_sky_is_blue_overhead_and_brighter_at_the_horizon() -> None:
     air = light.air(Light(sun_elevation=0.6, sun_azimuth=0.0))
     zenith, horizon = air.sky(np.array([0.0, 1.0, 0.0])), air.sky(unit(np.array([0.0, 0.02, 1.0])))

@@ -173,7 +173,10 @@ def install(app: FastAPI) -> None:
 
 def field_errors(error: RequestValidationError, openapi: Schema, operation: Schema) -> list[FieldProblem]:
     """The places that validation refused, each with what the operation's schema allows there."""
-    return [_field_error(dict(item), error.body, openapi, operation) for item in error.errors()]
+    items = error.errors()
+    # A list with a bad item also counts as too short, which says nothing new.
+    telling = [item for item in items if item["type"] != "too_short" or item["input"] in ([], {}, "")]
+    return [_field_error(dict(item), error.body, openapi, operation) for item in telling or items]
 
 
 def pointer_of(location: Sequence[str | int], value: Any, missing: bool) -> tuple[str | int, ...]:

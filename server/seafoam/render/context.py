@@ -38,7 +38,6 @@ def create_context(device_index: int | None = None) -> moderngl.Context:
         name = context.info["GL_RENDERER"]
         context.release()
         raise NoRendererError(f"{name} has OpenGL {context.version_code / 100:.1f} without {_ES3}; {_REMEDY}")
-    context.gc_mode = "context_gc"
     context.enable_only(moderngl.PROGRAM_POINT_SIZE)
     return context
 

@@ -1,7 +1,7 @@
 """The moderngl executor: draws frame plans in the one GL context of its process.
 
 Rules that hold it together: one context a process, one thread for life (GL calls from another thread give no error
-and zeros), nothing released by the garbage collector behind our back.
+and zeros), every object released by hand (moderngl's collected release fails on objects that were released before).
 """
 
 import threading
@@ -141,7 +141,6 @@ class Executor:
             raise RuntimeError(f"{error} while drawing")
         for cache in (self._programs, self._textures, self._targets):
             cache.trim()
-        self._context.gc()
         return Rendered(np.ascontiguousarray(pixels), {"render": drawn - start, "read": clock.perf_counter() - drawn})
 
     def compile(self, program: Program) -> None:
@@ -154,7 +153,6 @@ class Executor:
         self._own_thread()
         for cache in (self._programs, self._textures, self._targets, self._meshes):
             cache.clear()
-        self._context.gc()
         self._context.release()
 
     def _own_thread(self) -> None:

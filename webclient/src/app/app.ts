@@ -128,7 +128,10 @@ export class App {
   private makeSlot(index: 0 | 1): Slot {
     return new Slot(this.api, {
       gpu: () => this.stage.gpu,
-      changed: () => this.planned(),
+      changed: (fresh) => {
+        if (fresh) this.planned();
+        this.stage.dirty = true;
+      },
       failed: (error) => this.failed(error),
       busy: (busy) => {
         if (busy) this.busy.add(index);
@@ -180,7 +183,7 @@ export class App {
     else right.clear();
   }
 
-  /** A slot has a picture, or its live fields have moved. */
+  /** A slot has a new picture. */
   private planned(): void {
     const { plan } = this.slots[0];
     this.notes.show(plan);

@@ -2,7 +2,7 @@
 
 const SLOW = 50;
 const FAST = 22;
-const LEAST = 0.2;
+const LEAST = 0.25;
 /** Frames that must agree before the scale moves up. */
 const PATIENCE = 12;
 /** First frames of a picture, which the driver may spend on compiling. */

@@ -25,7 +25,8 @@ export interface Ready {
 
 export interface SlotEvents {
   gpu(): Gpu;
-  changed(): void;
+  /** There is something new to draw; `fresh`: by a new plan. */
+  changed(fresh: boolean): void;
   failed(error: unknown): void;
   /** Whether a plan is on its way. */
   busy(busy: boolean): void;
@@ -54,7 +55,7 @@ export class Slot {
     if (ready && equal(ready.planned.quality, wanted.quality) && serves(ready.executor.plan, ready.planned.scene, wanted.scene)) {
       this.cancel();
       ready.scene = wanted.scene;
-      this.events.changed();
+      this.events.changed(false);
       return;
     }
     this.load(wanted, delay);
@@ -85,14 +86,15 @@ export class Slot {
     const request = new AbortController();
     this.request = request;
     this.events.busy(true);
+    const outdated = () => request.signal.aborted;
     const run = async () => {
       await new Promise((resolve) => setTimeout(resolve, delay));
-      if (request.signal.aborted) return;
+      if (outdated()) return;
       const gpu = this.events.gpu();
       // One camera for all: the same scene seen from elsewhere is the same plan, and the server's cache knows it.
       const plan = await this.api.plan(withValue(wanted.scene, CAMERA, undefined), wanted.quality, request.signal);
       const executor = await Executor.load(gpu, plan, (texture) => this.api.bytes(texture.url));
-      if (request.signal.aborted || gpu !== this.events.gpu()) {
+      if (outdated() || gpu !== this.events.gpu()) {
         executor.dispose();
         return;
       }
@@ -100,10 +102,10 @@ export class Slot {
       this.ready = { executor, planned: wanted, scene: wanted.scene };
       this.request = null;
       this.events.busy(false);
-      this.events.changed();
+      this.events.changed(true);
     };
     run().catch((error: unknown) => {
-      if (request.signal.aborted) return;
+      if (outdated()) return;
       this.request = null;
       // The same scene may be asked for again, once the server is back.
       this.wanted = null;

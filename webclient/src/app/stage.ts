@@ -41,6 +41,8 @@ export interface StageEvents {
 interface Flight {
   fence: WebGLSync;
   start: number;
+  /** Drawn at full size because nothing moved: its time says nothing about motion. */
+  sharp: boolean;
 }
 
 export class Stage {
@@ -105,7 +107,7 @@ export class Stage {
     if (!software) this.timer?.end();
     const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
-    if (fence) this.flights.push({ fence, start: performance.now() });
+    if (fence) this.flights.push({ fence, start: performance.now(), sharp: this.sharp });
   }
 
   /** Draws at full size and gives the picture as a PNG. */
@@ -179,17 +181,19 @@ export class Stage {
       gl.deleteSync(flight.fence);
       this.flights.shift();
       const elapsed = performance.now() - flight.start;
-      const previous = this.drawn.at(-1);
+      const previous = this.drawn.at(-1) ?? -Infinity;
       this.drawn.push(now);
-      if (this.timer === null) this.note(this.gpu.capabilities.software || previous === undefined ? elapsed : Math.min(elapsed, now - previous));
-      if (!this.sharp && this.resolution.frame(elapsed)) this.dirty = true;
+      if (flight.sharp) continue;
+      // Frames overlap on a GPU: what counts is from one to the next. A CPU draws one at a time.
+      if (this.timer === null) this.note(this.gpu.capabilities.software ? elapsed : Math.min(elapsed, now - previous));
+      if (this.resolution.frame(elapsed)) this.dirty = true;
     }
     const measured = this.timer?.poll();
     if (typeof measured === "number") this.note(measured);
   }
 
   private note(milliseconds: number): void {
-    if (this.sharp || this.resolution.warmingUp) return;
+    if (this.resolution.warmingUp) return;
     this.frameTime = this.frameTime === null ? milliseconds : this.frameTime * 0.85 + milliseconds * 0.15;
   }
 

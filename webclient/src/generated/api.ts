@@ -3,10 +3,523 @@
  * Do not make direct changes to the file.
  */
 
-export type paths = Record<string, never>;
+export interface paths {
+    "/api/presets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Presets
+         * @description All presets, in the order of the menu.
+         */
+        get: operations["list_presets_api_presets_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/presets/{preset}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Preset
+         * @description One preset with its full scene: a starting point for POST /api/frames and /api/plans.
+         */
+        get: operations["get_preset_api_presets__preset__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/quality": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Quality
+         * @description The tiers of quality with the value of every knob, and what each knob may be.
+         */
+        get: operations["get_quality_api_quality_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/accuracy/{preset}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Accuracy
+         * @description The measured cost of accuracy of a preset; 404 while there is no measurement of it.
+         */
+        get: operations["get_accuracy_api_accuracy__preset__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/plans/{preset}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Plan
+         * @description The frame plan of a preset.
+         */
+        get: operations["get_plan_api_plans__preset__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/plans": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Make Plan
+         * @description The frame plan of a scene sent as JSON.
+         */
+        post: operations["make_plan_api_plans_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/frames/{preset}.{format}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Frame
+         * @description A frame of a preset. Whatever is not given is the preset's own.
+         */
+        get: operations["get_frame_api_frames__preset___format__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/frames": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Render Frame
+         * @description A frame of a scene sent as JSON.
+         */
+        post: operations["render_frame_api_frames_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Masks
+         * @description The shipped masks.
+         */
+        get: operations["list_masks_api_masks_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/custom": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Custom Mask
+         * @description A mask made on request: what it is. Its data is below this path with the same parameters.
+         */
+        get: operations["get_custom_mask_api_masks_custom_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/custom/data.{format}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Custom Data
+         * @description The data of a mask made on request.
+         */
+        get: operations["get_custom_data_api_masks_custom_data__format__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/custom/data8.png": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Custom Data8
+         * @description A mask made on request, in 8 bits.
+         */
+        get: operations["get_custom_data8_api_masks_custom_data8_png_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/custom/sidecar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Custom Sidecar
+         * @description What accompanies the data of a mask made on request.
+         */
+        get: operations["get_custom_sidecar_api_masks_custom_sidecar_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/custom/spectrum": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Custom Spectrum
+         * @description The measured spectrum of a mask made on request.
+         */
+        get: operations["get_custom_spectrum_api_masks_custom_spectrum_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/custom/spectrum.png": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Custom Plot
+         * @description The measured spectrum of a mask made on request, as a plot.
+         */
+        get: operations["get_custom_plot_api_masks_custom_spectrum_png_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/{mask}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Mask
+         * @description A shipped mask: size, family, sigma, seed, hash, how it was made.
+         */
+        get: operations["get_mask_api_masks__mask__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/{mask}/data.{format}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Data
+         * @description The data of a shipped mask.
+         */
+        get: operations["get_data_api_masks__mask__data__format__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/{mask}/data8.png": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Data8
+         * @description A shipped mask, in 8 bits.
+         */
+        get: operations["get_data8_api_masks__mask__data8_png_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/{mask}/sidecar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Sidecar
+         * @description What accompanies the data of a shipped mask.
+         */
+        get: operations["get_sidecar_api_masks__mask__sidecar_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/{mask}/spectrum": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Spectrum
+         * @description The measured spectrum of a shipped mask.
+         */
+        get: operations["get_spectrum_api_masks__mask__spectrum_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/{mask}/spectrum.png": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Plot
+         * @description The measured spectrum of a shipped mask, as a plot.
+         */
+        get: operations["get_plot_api_masks__mask__spectrum_png_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/textures/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Texture
+         * @description The bytes of a texture. Format and size stand in the plan.
+         */
+        get: operations["get_texture_api_textures__name__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/healthz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Health
+         * @description Whether the web process is alive.
+         */
+        get: operations["get_health_healthz_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/readyz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Readiness
+         * @description Whether frames can be rendered, and by what. Plans, masks and the page need no renderer.
+         */
+        get: operations["get_readiness_readyz_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/metrics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Metrics
+         * @description Counters and durations for Prometheus.
+         */
+        get: operations["get_metrics_metrics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+}
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
+        /**
+         * Alive
+         * @description The web process answers.
+         */
+        Alive: {
+            /**
+             * Status
+             * @default alive
+             * @constant
+             */
+            status: "alive";
+        };
         /**
          * Camera
          * @description A pinhole camera. Yaw 0 looks toward −z, a positive yaw turns toward +x, a positive pitch looks up.
@@ -117,11 +630,8 @@ export interface components {
             rule: "constant";
             /** Value */
             value: number[];
-            /**
-             * Field
-             * @default null
-             */
-            field: string | null;
+            /** Field */
+            field?: string | null;
         };
         /**
          * EffectNote
@@ -279,6 +789,57 @@ export interface components {
             live: string[];
         };
         /**
+         * FrameRequest
+         * @description A frame of a scene.
+         */
+        FrameRequest: {
+            /**
+             * @description What the sea is
+             * @example {
+             *       "foam": {},
+             *       "waves": [
+             *         {
+             *           "model": "parametric"
+             *         }
+             *       ]
+             *     }
+             */
+            scene: components["schemas"]["Scene"];
+            /**
+             * Quality
+             * @description A tier, or every knob that differs from standard
+             * @default standard
+             */
+            quality: ("draft" | "standard" | "high" | "reference") | components["schemas"]["Quality"];
+            /**
+             * Time
+             * @description Time, s
+             * @default 0
+             */
+            time: number;
+            /**
+             * Width
+             * @description Width, pixels
+             * @default 1280
+             */
+            width: number;
+            /**
+             * Height
+             * @description Height, pixels
+             * @default 720
+             */
+            height: number;
+            /**
+             * Format
+             * @description png, webp (lossless), or npy (linear float32)
+             * @default png
+             * @enum {string}
+             */
+            format: "png" | "webp" | "npy";
+            /** @description Absent: the scene's own */
+            camera?: components["schemas"]["Camera"] | null;
+        };
+        /**
          * FrontSaturation
          * @description Foam born at the front of a crest and fading behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
          *
@@ -292,7 +853,7 @@ export interface components {
             source: "front";
             /**
              * Constants
-             * @description text: δ = π/2, 2π, e as the paper's text has them; listing: δ = 1.07, 6.28, 2.718 as its code has them
+             * @description text: δ = π/2, 2π, e, as the paper's text has them; listing: δ = 1.07, 6.28, 2.718, as its code has
              * @default text
              * @enum {string}
              */
@@ -415,6 +976,67 @@ export interface components {
             period: number;
         };
         /**
+         * MaskInfo
+         * @description What a mask is and how it was made.
+         */
+        MaskInfo: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            /** Summary */
+            summary: string;
+            /**
+             * Family
+             * @enum {string}
+             */
+            family: "vac" | "blur" | "clump" | "bubble" | "mix";
+            parameters: components["schemas"]["MaskParametersOut"];
+            /**
+             * Generator
+             * @description Version of the construction rules
+             */
+            generator: string;
+            /**
+             * Sha256
+             * @description Of the ranks as little-endian uint32, row by row
+             */
+            sha256: string;
+            /** Value Rule */
+            value_rule: string;
+            /** License */
+            license: string;
+        };
+        /**
+         * MaskParametersOut
+         * @description What determines a mask.
+         */
+        MaskParametersOut: {
+            /**
+             * Sigma
+             * @description The family's length, texels
+             */
+            sigma: number;
+            /**
+             * Size
+             * @description Side of the tile, texels
+             */
+            size: number;
+            /** Seed */
+            seed: number;
+            /**
+             * Method
+             * @description How vac was ordered; null for the others
+             */
+            method: ("exact" | "batched") | null;
+        };
+        /**
+         * MaskSize
+         * @description Tile sides, texels.
+         * @enum {integer}
+         */
+        MaskSize: 32 | 64 | 128 | 256 | 512;
+        /**
          * ParametricWave
          * @description Periodic height field y = A((sin θ + 1)/2)^K (Van Drasek et al. 2010, in Yingst et al. 2011).
          */
@@ -458,9 +1080,8 @@ export interface components {
             /**
              * Speed
              * @description s: phase speed, m/s; absent: √(gλ/2π), deep water
-             * @default null
              */
-            speed: number | null;
+            speed?: number | null;
         };
         /**
          * Pass
@@ -538,6 +1159,91 @@ export interface components {
             ];
         };
         /**
+         * PlanRequest
+         * @description A scene to plan.
+         */
+        PlanRequest: {
+            /**
+             * @description What the sea is
+             * @example {
+             *       "foam": {},
+             *       "waves": [
+             *         {
+             *           "model": "parametric"
+             *         }
+             *       ]
+             *     }
+             */
+            scene: components["schemas"]["Scene"];
+            /**
+             * Quality
+             * @description A tier, or every knob that differs from standard
+             * @default standard
+             */
+            quality: ("draft" | "standard" | "high" | "reference") | components["schemas"]["Quality"];
+        };
+        /**
+         * PresetDetail
+         * @description A preset.
+         */
+        PresetDetail: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            /** Summary */
+            summary: string;
+            /**
+             * Size
+             * @description Width and height it was made for, pixels
+             */
+            size: [
+                number,
+                number
+            ];
+            /**
+             * Time
+             * @description A time at which it looks its best, s
+             */
+            time: number;
+            /**
+             * Effects
+             * @description The effects that it runs
+             */
+            effects: string[];
+            scene: components["schemas"]["Scene"];
+        };
+        /**
+         * PresetSummary
+         * @description A preset, without its scene.
+         */
+        PresetSummary: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            /** Summary */
+            summary: string;
+            /**
+             * Size
+             * @description Width and height it was made for, pixels
+             */
+            size: [
+                number,
+                number
+            ];
+            /**
+             * Time
+             * @description A time at which it looks its best, s
+             */
+            time: number;
+            /**
+             * Effects
+             * @description The effects that it runs
+             */
+            effects: string[];
+        };
+        /**
          * Program
          * @description A vertex and a fragment shader.
          */
@@ -589,6 +1295,85 @@ export interface components {
             target: "RGBA16F" | "RGBA32F";
         };
         /**
+         * QualityTiers
+         * @description What quality may be.
+         */
+        QualityTiers: {
+            /**
+             * Tiers
+             * @description The named tiers, from the fastest
+             */
+            tiers: {
+                [key: string]: components["schemas"]["Quality"];
+            };
+            /**
+             * Knobs
+             * @description JSON schema of the single knobs: ranges, units and defaults
+             */
+            knobs: {
+                [key: string]: unknown;
+            };
+        };
+        /**
+         * Ready
+         * @description Frames can be rendered.
+         */
+        Ready: {
+            /**
+             * Status
+             * @default ready
+             * @constant
+             */
+            status: "ready";
+            renderer: components["schemas"]["RendererInfo"];
+            /**
+             * Last Drawn
+             * @description Seconds since a canary or frame was last drawn
+             */
+            last_drawn: number;
+            /**
+             * Workers
+             * @description Render processes
+             */
+            workers: number;
+            /**
+             * Active
+             * @description Of them at work
+             */
+            active: number;
+            /**
+             * Waiting
+             * @description Frames that wait
+             */
+            waiting: number;
+            /**
+             * Queue
+             * @description Frames that may wait
+             */
+            queue: number;
+        };
+        /**
+         * RendererInfo
+         * @description The GL in use.
+         */
+        RendererInfo: {
+            /**
+             * Vendor
+             * @example Mesa
+             */
+            vendor: string;
+            /**
+             * Renderer
+             * @example llvmpipe (LLVM 15.0.6, 256 bits)
+             */
+            renderer: string;
+            /**
+             * Version
+             * @example 4.5 (Core Profile) Mesa 22.3.6
+             */
+            version: string;
+        };
+        /**
          * Scene
          * @description What the sea is.
          */
@@ -598,11 +1383,8 @@ export interface components {
              * @default []
              */
             waves: components["schemas"]["ParametricWave"][];
-            /**
-             * @description Absent: no foam
-             * @default null
-             */
-            foam: components["schemas"]["Foam"] | null;
+            /** @description Absent: no foam */
+            foam?: components["schemas"]["Foam"] | null;
             water?: components["schemas"]["Water"];
             /** @description null: unlit, foam white on black */
             light?: components["schemas"]["Light"] | null;
@@ -840,9 +1622,8 @@ export interface components {
             /**
              * Depth
              * @description Depth of the floor under the troughs, m; absent: deep water
-             * @default null
              */
-            depth: number | null;
+            depth?: number | null;
             /**
              * Floor Albedo
              * @description Reflectance of the floor
@@ -869,11 +1650,8 @@ export interface components {
              * @default 0.05
              */
             roughness: number;
-            /**
-             * @description Wind ripples; absent: none
-             * @default null
-             */
-            chop: components["schemas"]["Chop"] | null;
+            /** @description Wind ripples; absent: none */
+            chop?: components["schemas"]["Chop"] | null;
         };
         /**
          * Wrap
@@ -901,6 +1679,85 @@ export interface components {
              */
             period: number;
         };
+        /**
+         * FieldProblem
+         * @description What is wrong with one member or parameter.
+         */
+        FieldProblem: {
+            /**
+             * Pointer
+             * @description JSON pointer (RFC 6901) into the request body
+             * @default null
+             */
+            pointer: string | null;
+            /**
+             * Parameter
+             * @description Name of the query or path parameter
+             * @default null
+             */
+            parameter: string | null;
+            /**
+             * Detail
+             * @description What is wrong with it
+             */
+            detail: string;
+            /**
+             * Allowed
+             * @description What is allowed: minimum and maximum (inclusive), enum, members, pattern or type
+             * @default null
+             * @example {
+             *       "maximum": 4096,
+             *       "minimum": 1
+             *     }
+             */
+            allowed: {
+                [key: string]: unknown;
+            } | null;
+        };
+        /**
+         * Problem
+         * @description An error, after RFC 9457.
+         */
+        Problem: {
+            /**
+             * Type
+             * @description Names the kind of problem
+             * @example urn:seafoam:problem:bad-request
+             */
+            type: string;
+            /**
+             * Title
+             * @description The kind of problem in words
+             */
+            title: string;
+            /**
+             * Status
+             * @description The HTTP status
+             */
+            status: number;
+            /**
+             * Detail
+             * @description What went wrong this time
+             */
+            detail: string;
+            /**
+             * Instance
+             * @description The path that was asked for
+             */
+            instance: string;
+            /**
+             * Errors
+             * @description Where the request is wrong
+             * @default null
+             */
+            errors: components["schemas"]["FieldProblem"][] | null;
+            /**
+             * Remedy
+             * @description What the operator can do about it
+             * @default null
+             */
+            remedy: string | null;
+        };
     };
     responses: never;
     parameters: never;
@@ -908,6 +1765,7 @@ export interface components {
     headers: never;
     pathItems: never;
 }
+export type Alive = components['schemas']['Alive'];
 export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];
 export type Chop = components['schemas']['Chop'];
@@ -916,18 +1774,28 @@ export type EffectNote = components['schemas']['EffectNote'];
 export type FixedSize = components['schemas']['FixedSize'];
 export type Foam = components['schemas']['Foam'];
 export type FramePlan = components['schemas']['FramePlan'];
+export type FrameRequest = components['schemas']['FrameRequest'];
 export type FrontSaturation = components['schemas']['FrontSaturation'];
 export type Fullscreen = components['schemas']['Fullscreen'];
 export type Grid = components['schemas']['Grid'];
 export type HeightSaturation = components['schemas']['HeightSaturation'];
 export type Light = components['schemas']['Light'];
 export type Loop = components['schemas']['Loop'];
+export type MaskInfo = components['schemas']['MaskInfo'];
+export type MaskParametersOut = components['schemas']['MaskParametersOut'];
+export type MaskSize = components['schemas']['MaskSize'];
 export type ParametricWave = components['schemas']['ParametricWave'];
 export type Pass = components['schemas']['Pass'];
 export type PassIndex = components['schemas']['PassIndex'];
 export type Phase = components['schemas']['Phase'];
+export type PlanRequest = components['schemas']['PlanRequest'];
+export type PresetDetail = components['schemas']['PresetDetail'];
+export type PresetSummary = components['schemas']['PresetSummary'];
 export type Program = components['schemas']['Program'];
 export type Quality = components['schemas']['Quality'];
+export type QualityTiers = components['schemas']['QualityTiers'];
+export type Ready = components['schemas']['Ready'];
+export type RendererInfo = components['schemas']['RendererInfo'];
 export type Scene = components['schemas']['Scene'];
 export type Shader = components['schemas']['Shader'];
 export type SourceFile = components['schemas']['SourceFile'];
@@ -942,5 +1810,1720 @@ export type Viewport = components['schemas']['Viewport'];
 export type ViewportSize = components['schemas']['ViewportSize'];
 export type Water = components['schemas']['Water'];
 export type Wrap = components['schemas']['Wrap'];
+export type FieldProblem = components['schemas']['FieldProblem'];
+export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;
-export type operations = Record<string, never>;
+export interface operations {
+    list_presets_api_presets_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PresetSummary"][];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_preset_api_presets__preset__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PresetDetail"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_quality_api_quality_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["QualityTiers"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_accuracy_api_accuracy__preset__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_plan_api_plans__preset__get: {
+        parameters: {
+            query?: {
+                /** @description Tier of quality; POST takes single knobs */
+                quality?: "draft" | "standard" | "high" | "reference";
+                /** @description Look of the foam instead of the preset's */
+                look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
+                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed */
+                mask?: string | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The plan; the same scene and quality give the same bytes */
+            200: {
+                headers: {
+                    /** @description The plan's SHA-256, quoted */
+                    ETag?: string;
+                    /** @description The plan's SHA-256 */
+                    "Seafoam-Plan"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FramePlan"];
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    make_plan_api_plans_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PlanRequest"];
+            };
+        };
+        responses: {
+            /** @description The plan; the same scene and quality give the same bytes */
+            200: {
+                headers: {
+                    /** @description The plan's SHA-256, quoted */
+                    ETag?: string;
+                    /** @description The plan's SHA-256 */
+                    "Seafoam-Plan"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FramePlan"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body must be JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_frame_api_frames__preset___format__get: {
+        parameters: {
+            query?: {
+                /** @description Tier of quality; POST takes single knobs */
+                quality?: "draft" | "standard" | "high" | "reference";
+                /** @description Look of the foam instead of the preset's */
+                look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
+                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed */
+                mask?: string | null;
+                /** @description Time, s; absent: the preset's own */
+                time?: number | null;
+                /** @description Width, pixels; absent: the preset's own */
+                width?: number | null;
+                /** @description Height, pixels; absent: the preset's own */
+                height?: number | null;
+                /** @description Eye, m along +x; absent, like the rest of the camera: the preset's own */
+                x?: number | null;
+                /** @description Eye, m above the troughs */
+                y?: number | null;
+                /** @description Eye, m along +z */
+                z?: number | null;
+                /** @description Heading, rad from −z toward +x */
+                yaw?: number | null;
+                /** @description Elevation of the view, rad */
+                pitch?: number | null;
+                /** @description Turn about the view, rad */
+                roll?: number | null;
+                /** @description Vertical field of view, rad */
+                fov?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+                /** @description png, webp (lossless), or npy (linear float32) */
+                format: "png" | "webp" | "npy";
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The frame: an sRGB picture, or linear float32 (height, width, 4) whose last is foam coverage */
+            200: {
+                headers: {
+                    /** @description Of all that the bytes depend on, the renderer included */
+                    ETag?: string;
+                    /** @description Milliseconds by stage: queue, plan, render, read, encode */
+                    "Server-Timing"?: string;
+                    /** @description SHA-256 of the plan that was run */
+                    "Seafoam-Plan"?: string;
+                    /** @description GL renderer that ran it */
+                    "Seafoam-Renderer"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                    "image/webp": string;
+                    "application/x-npy": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame was not finished in time */
+            504: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    render_frame_api_frames_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["FrameRequest"];
+            };
+        };
+        responses: {
+            /** @description The frame: an sRGB picture, or linear float32 (height, width, 4) whose last is foam coverage */
+            200: {
+                headers: {
+                    /** @description Of all that the bytes depend on, the renderer included */
+                    ETag?: string;
+                    /** @description Milliseconds by stage: queue, plan, render, read, encode */
+                    "Server-Timing"?: string;
+                    /** @description SHA-256 of the plan that was run */
+                    "Seafoam-Plan"?: string;
+                    /** @description GL renderer that ran it */
+                    "Seafoam-Renderer"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                    "image/webp": string;
+                    "application/x-npy": string;
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body must be JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame was not finished in time */
+            504: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_masks_api_masks_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MaskInfo"][];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_custom_mask_api_masks_custom_get: {
+        parameters: {
+            query: {
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                sigma?: number | null;
+                /** @description Side of the tile, texels */
+                size?: components["schemas"]["MaskSize"];
+                /** @description Which mask of its kind */
+                seed?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MaskInfo"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_custom_data_api_masks_custom_data__format__get: {
+        parameters: {
+            query: {
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                sigma?: number | null;
+                /** @description Side of the tile, texels */
+                size?: components["schemas"]["MaskSize"];
+                /** @description Which mask of its kind */
+                seed?: number;
+            };
+            header?: never;
+            path: {
+                /** @description png: 16-bit greyscale of floor(rank 65536/N); npy: float32 thresholds (rank + 0.5)/N; u16: raw little-endian floor(rank 65536/N); dds: R16_UNORM with a DX10 header */
+                format: "png" | "npy" | "u16" | "dds";
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mask's ranks */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                    "application/x-npy": string;
+                    "application/octet-stream": string;
+                    "image/vnd-ms.dds": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_custom_data8_api_masks_custom_data8_png_get: {
+        parameters: {
+            query: {
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                sigma?: number | null;
+                /** @description Side of the tile, texels */
+                size?: components["schemas"]["MaskSize"];
+                /** @description Which mask of its kind */
+                seed?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description 8-bit greyscale PNG of floor(rank 256/N), for quick use */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_custom_sidecar_api_masks_custom_sidecar_get: {
+        parameters: {
+            query: {
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                sigma?: number | null;
+                /** @description Side of the tile, texels */
+                size?: components["schemas"]["MaskSize"];
+                /** @description Which mask of its kind */
+                seed?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description How the mask was made, its hash, filtering tables and spectrum */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_custom_spectrum_api_masks_custom_spectrum_get: {
+        parameters: {
+            query: {
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                sigma?: number | null;
+                /** @description Side of the tile, texels */
+                size?: components["schemas"]["MaskSize"];
+                /** @description Which mask of its kind */
+                seed?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description RAPS and anisotropy by grey level */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_custom_plot_api_masks_custom_spectrum_png_get: {
+        parameters: {
+            query: {
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                sigma?: number | null;
+                /** @description Side of the tile, texels */
+                size?: components["schemas"]["MaskSize"];
+                /** @description Which mask of its kind */
+                seed?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description RAPS and anisotropy, plotted */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_mask_api_masks__mask__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a mask, see /api/masks */
+                mask: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MaskInfo"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_data_api_masks__mask__data__format__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a mask, see /api/masks */
+                mask: string;
+                /** @description png: 16-bit greyscale of floor(rank 65536/N); npy: float32 thresholds (rank + 0.5)/N; u16: raw little-endian floor(rank 65536/N); dds: R16_UNORM with a DX10 header */
+                format: "png" | "npy" | "u16" | "dds";
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mask's ranks */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                    "application/x-npy": string;
+                    "application/octet-stream": string;
+                    "image/vnd-ms.dds": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_data8_api_masks__mask__data8_png_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a mask, see /api/masks */
+                mask: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description 8-bit greyscale PNG of floor(rank 256/N), for quick use */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_sidecar_api_masks__mask__sidecar_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a mask, see /api/masks */
+                mask: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description How the mask was made, its hash, filtering tables and spectrum */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_spectrum_api_masks__mask__spectrum_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a mask, see /api/masks */
+                mask: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description RAPS and anisotropy by grey level */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_plot_api_masks__mask__spectrum_png_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a mask, see /api/masks */
+                mask: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description RAPS and anisotropy, plotted */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_texture_api_textures__name__get: {
+        parameters: {
+            query?: {
+                /** @description The plan's hash of the bytes: with it the answer may be kept for ever; other bytes are refused */
+                sha256?: string | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of a texture, from a plan */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description All levels from the largest, rows from v = 0, tightly packed, little-endian */
+            200: {
+                headers: {
+                    /** @description SHA-256 of the bytes, quoted */
+                    ETag?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_health_healthz_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Alive"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_readiness_readyz_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Ready"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_metrics_metrics_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Prometheus' text format */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+}

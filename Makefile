@@ -1,0 +1,82 @@
+# make demo: everything it takes, then the page.   make test: everything it takes, then every test.
+SHELL := /bin/bash
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+NODE := scripts/node.sh
+WEB := webclient
+PORT ?= 8000
+
+WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public -type f 2>/dev/null) $(WEB)/index.html $(WEB)/package-lock.json \
+	$(WEB)/vite.config.ts $(WEB)/tsconfig.json
+
+.PHONY: demo test lint test-python test-web bench setup setup-test webclient wheel bake docs lock clean
+
+demo: setup
+	$(BIN)/seafoam serve --port $(PORT) --open
+
+test: lint test-web test-python
+
+setup: $(VENV)/.installed webclient
+	@scripts/system.sh
+
+setup-test: setup
+	@scripts/system.sh browser
+
+$(VENV)/.installed: requirements.lock pyproject.toml hatch_build.py
+	@scripts/system.sh
+	@echo "Installing Python packages into $(VENV)"
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@$(BIN)/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
+	@$(BIN)/pip install -q --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@touch $@
+
+webclient: $(WEB)/dist/index.html
+
+$(WEB)/node_modules/.installed: $(WEB)/package-lock.json | $(VENV)/.installed
+	@echo "Installing the web client's packages"
+	@cd $(WEB) && ../$(NODE) npm ci --no-audit --no-fund --silent
+	@touch $@
+
+$(WEB)/dist/index.html: $(WEB_SOURCES) $(WEB)/node_modules/.installed
+	@echo "Building the web client"
+	@cd $(WEB) && ../$(NODE) npm run build --silent
+	@touch $@
+
+lint: setup-test
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	cd $(WEB) && ../$(NODE) npm run lint --silent
+
+test-web: setup-test
+	cd $(WEB) && ../$(NODE) npm test --silent
+
+test-python: setup-test
+	$(BIN)/pytest -q
+
+bench: setup-test
+	$(BIN)/python -m bench
+
+wheel: setup
+	$(BIN)/pip wheel -q --no-deps --no-build-isolation -w dist .
+
+# Baked data, checked in; these commands make it again.
+bake: setup
+	$(BIN)/seafoam masks bake
+	$(BIN)/python tests/golden/make_uniform_rules.py
+	$(BIN)/python -m seafoam.reference.bake
+
+docs: setup-test
+	$(BIN)/seafoam openapi > $(WEB)/openapi.json
+	cd $(WEB) && ../$(NODE) npm run types --silent
+	$(BIN)/python docs/make_pictures.py
+
+lock: $(VENV)/.installed
+	$(BIN)/pip install -q uv
+	$(BIN)/uv pip compile pyproject.toml --extra dev --universal --python-version 3.11 --generate-hashes \
+		--no-emit-index-url --no-header --upgrade -o requirements.lock
+
+clean:
+	rm -rf $(VENV) $(WEB)/node_modules $(WEB)/dist dist

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Finds what pip and npm cannot bring: OpenGL, and with "browser" a Chromium. Installs it from Debian's packages where it
+# may (root, or sudo without a password); otherwise prints the one command to run and stops.
+set -euo pipefail
+
+missing=()
+has_library() { ldconfig -p 2>/dev/null | grep -q "$1" || [ -n "$(find /usr/lib /usr/local/lib -name "$1*" -print -quit 2>/dev/null)" ]; }
+
+has_library libEGL.so.1 || missing+=(libegl1)
+has_library libGL.so.1 || missing+=(libgl1)
+has_library swrast_dri.so || has_library libgallium || ls /usr/share/glvnd/egl_vendor.d/*nvidia* >/dev/null 2>&1 || missing+=(libgl1-mesa-dri)
+if [ "${1:-}" = browser ] && ! command -v chromium >/dev/null && ! command -v chromium-browser >/dev/null; then
+  missing+=(chromium)
+fi
+if ! python3 -c 'import venv, ensurepip' 2>/dev/null; then
+  missing+=(python3-venv)
+fi
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+if ! command -v apt-get >/dev/null; then
+  echo "Seafoam needs these Debian packages or their like on your system: ${missing[*]}" >&2
+  exit 1
+fi
+command="apt-get install -y --no-install-recommends ${missing[*]}"
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=()
+elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+  as_root=(sudo -n)
+else
+  echo "Missing: ${missing[*]}. Run this once, then try again:" >&2
+  echo "  sudo apt-get update && sudo $command" >&2
+  exit 1
+fi
+echo "Installing Debian packages: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq
+# shellcheck disable=SC2086
+"${as_root[@]}" $command >/dev/null

@@ -1,0 +1,64 @@
+"""Renderers for tests, importable by spawned workers."""
+
+import os
+import signal
+import time as clock
+from dataclasses import dataclass
+
+import numpy as np
+
+from seafoam.render.executor import NoRendererError
+
+HANG = 777.0
+CRASH = 666.0
+RAISE = 555.0
+SLOW = 444.0
+SLOW_SECONDS = 0.6
+REMEDY = "no OpenGL context: none here; install a driver"
+
+
+@dataclass
+class FakeRendered:
+    pixels: np.ndarray
+    timings: dict[str, float]
+
+
+class FakeRenderer:
+    """Draws a gradient that depends on everything a frame depends on; some times make it misbehave."""
+
+    def __init__(self) -> None:
+        self.info = {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
+
+    def render(self, plan, *, time, camera, width, height, output):
+        match time:
+            case 777.0:
+                clock.sleep(600)
+            case 666.0:
+                os.kill(os.getpid(), signal.SIGKILL)
+            case 555.0:
+                raise ValueError("secret of the driver")
+            case 444.0:
+                clock.sleep(SLOW_SECONDS)
+        seed = hash((plan.sha256, round(time, 6), camera.yaw, camera.position)) % 251 if time else 0
+        ramp = np.linspace(0.0, 1.0, width * height * 4).reshape(height, width, 4)
+        pixels = ramp.astype(np.float32) if output == "linear" else (ramp * 250 + seed % 5).astype(np.uint8)
+        return FakeRendered(pixels, {"render": 0.001, "read": 0.001})
+
+
+class BlankRenderer(FakeRenderer):
+    """Draws nothing, as a lost context does."""
+
+    def render(self, plan, *, time, camera, width, height, output):
+        return FakeRendered(np.zeros((height, width, 4), np.uint8), {"render": 0.0, "read": 0.0})
+
+
+class DyingRenderer(FakeRenderer):
+    """Takes its process along when it starts."""
+
+    def __init__(self) -> None:
+        os.kill(os.getpid(), signal.SIGKILL)
+
+
+def no_renderer():
+    """A machine without GL."""
+    raise NoRendererError(REMEDY)

@@ -1,0 +1,236 @@
+"""Every look and saturation of the GLSL against its float64 form, poles included (docs/formulae.md, sections 2, 4, 5)."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from gpu import Probe
+from seafoam.reference import looks, sampling, saturation, waves
+from seafoam.textures import FRONT_NODES, front_full, front_integral_name, mask_by_name
+
+TOLERANCE = 1e-5
+NUMBERS = "common/numbers.glsl"
+PHASE = ("saturation/front_phase.glsl", "saturation/front_profile.glsl")
+CONSTANTS = {"text": (math.pi / 2, math.e), "listing": (1.07, 2.718)}
+
+
+def phases() -> NDArray[np.float32]:
+    """Phases ψ in [−π, π]: even, and crowding toward the pole at 0 and the ends."""
+    even = np.linspace(-math.pi, math.pi, 4001)
+    near = np.geomspace(1e-7, 1.0, 400)
+    ends = math.pi - np.geomspace(1e-6, 1.0, 200)
+    return np.concatenate([even, near, -near, ends, -ends, [0.0]]).astype(np.float32)
+
+
+def front_uniforms(intensity: float, base: float) -> dict[str, object]:
+    return {
+        "u_front_wave": [1.0, 0.0, 1.0, 0.0],
+        "u_front_phase": [0.0],
+        "u_front_intensity": intensity,
+        "u_front_log_base": math.log(base),
+        "u_front_group": [0.0, 1.0],
+    }
+
+
+@pytest.mark.parametrize("constants", ["text", "listing"])
+@pytest.mark.parametrize("intensity", [0.25, 4.0, 30.0])
+def test_front_equals_its_float64_form(probe: Probe, constants: str, intensity: float) -> None:
+    _, base = CONSTANTS[constants]
+    psi = phases()
+    # One wave with k = (1, 0) and phase 0: psi = -p.x, through every line of the shader.
+    got = probe(
+        [NUMBERS, *PHASE, "saturation/front.glsl"],
+        "y.x = front_saturation(vec2(-x.x, 0.0), 0.0, Footprint(vec2(0.0), vec2(0.0)));",
+        psi[:, None],
+        consts={"FRONT_COUNT": 1, "FRONT_GATED": False},
+        uniforms=front_uniforms(intensity, base),
+    )[:, 0]
+    wide = psi.astype(np.float64)
+    want = saturation.front_saturation(np.cos(wide), np.sin(wide), intensity, base)
+    want[wide == 0.0] = 4.0
+    assert np.isfinite(got).all()
+    assert np.abs(got - want).max() <= TOLERANCE
+
+
+@pytest.mark.parametrize("constants", ["text", "listing"])
+def test_front_is_the_papers_formula(probe: Probe, constants: str) -> None:
+    """The literal exp(−tan(θ/2 + δ))/C, on both sides of its pole."""
+    delta, base = CONSTANTS[constants]
+    pole = math.pi - 2.0 * delta
+    theta = np.concatenate([np.linspace(pole + 0.05, pole + 6.2, 2000), pole + np.geomspace(1e-3, 0.05, 100)])
+    wrapped = np.arctan2(np.sin(theta + 2 * delta - math.pi), np.cos(theta + 2 * delta - math.pi)).astype(np.float32)
+    got = probe(
+        [NUMBERS, *PHASE],
+        "y.x = front_profile(vec2(cos(x.x), sin(x.x)), 1.0);",
+        wrapped[:, None],
+        consts={"FRONT_COUNT": 1, "FRONT_GATED": False},
+        uniforms=front_uniforms(4.0, base),
+    )[:, 0]
+    exact = wrapped.astype(np.float64) + math.pi - 2 * delta
+    literal = np.minimum(base ** np.clip(-np.tan(exact / 2 + delta), -700, 700) / 4.0, 4.0)
+    assert np.abs(got - literal).max() <= TOLERANCE
+
+
+@pytest.mark.parametrize("intensity", [0.5, 4.0, 30.0])
+def test_filtered_front_equals_its_float64_form(probe: Probe, intensity: float) -> None:
+    psi = phases()[::3]
+    widths = np.array([1e-4, 3e-3, 0.05, 0.1, 0.3, 1.0, 3.0, 6.28, 6.3, 20.0, 1000.0], np.float32)
+    grid = np.stack(np.meshgrid(psi, widths), axis=-1).reshape(-1, 2)
+    got = probe(
+        [NUMBERS, *PHASE, "saturation/front_filtered.glsl"],
+        "y.x = front_mean(x.x, x.y);",
+        grid,
+        consts={
+            "FRONT_COUNT": 1,
+            "FRONT_GATED": False,
+            "FRONT_NODES": FRONT_NODES,
+            "FRONT_FULL": front_full(intensity, 1.0),
+        },
+        uniforms=front_uniforms(intensity, math.e),
+        textures={"u_front_integral": front_integral_name(intensity, 1.0)},
+    )[:, 0]
+    wide = grid.astype(np.float64)
+    want = saturation.front_saturation_filtered(np.cos(wide[:, 0]), np.sin(wide[:, 0]), wide[:, 1], intensity)
+    assert np.isfinite(got).all()
+    # A window that just touches the jump covers it by a share of (its float32 edge) / width.
+    allowed = TOLERANCE + 5e-7 / wide[:, 1]
+    assert (np.abs(got - want) <= allowed).all()
+
+
+@pytest.mark.parametrize(("file", "cap"), [("height", 4.0), ("height_filtered", 1.0)])
+def test_height_equals_its_float64_form(probe: Probe, file: str, cap: float) -> None:
+    heights = np.linspace(-3.0, 9.0, 3001, dtype=np.float32)
+    got = probe(
+        [NUMBERS, f"saturation/{file}.glsl"],
+        "y.x = height_saturation(vec2(0.0), x.x, Footprint(vec2(0.0), vec2(0.0)));",
+        heights[:, None],
+        uniforms={"u_height_base": np.float32(0.3), "u_height_full": np.float32(2.1)},
+    )[:, 0]
+    want = np.minimum(
+        saturation.height_saturation(heights.astype(np.float64), float(np.float32(0.3)), float(np.float32(2.1))), cap
+    )
+    assert np.abs(got - want).max() <= TOLERANCE
+
+
+@pytest.mark.parametrize("exponent", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 8.0, 100.0])
+def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float) -> None:
+    theta = phases()
+    got = probe(
+        [NUMBERS, "waves/parametric.glsl"],
+        "y.xy = parametric_profile(x.x, x.y);",
+        np.column_stack([theta, np.full_like(theta, exponent)]),
+        consts={"PARAMETRIC_COUNT": 1, "SURFACE_FILTER": False},
+    )
+    wide, power = theta.astype(np.float64), float(np.float32(exponent))
+    assert np.isfinite(got).all()
+    height = waves.wave_height(wide, 1.0, power)
+    slope = waves.wave_derivative(wide, 1.0, power)
+    # What float32's rounding of the angle may do to the exact profile; a power K multiplies relative rounding by 2K.
+    near = [waves.wave_height(wide + shift, 1.0, power) for shift in (-2.4e-7, 2.4e-7)]
+    allowed = np.maximum(np.abs(near[0] - height), np.abs(near[1] - height)) + 5e-7 * (1.0 + power)
+    # The cusp itself lies between two float32 angles.
+    allowed[np.abs(np.sin(wide / 2 + math.pi / 4)) < 1.2e-7] += (1.2e-7) ** (2.0 * power)
+    assert (np.abs(got[:, 0] - height) <= allowed).all()
+    # The slope of a cusp is held within 1e-4 of the trough; elsewhere it is exact to the same measure.
+    clear = np.abs(np.sin(wide / 2 + math.pi / 4)) > 2e-4
+    near = [waves.wave_derivative(wide + shift, 1.0, power) for shift in (-2.4e-7, 2.4e-7)]
+    allowed = np.maximum(np.abs(near[0] - slope), np.abs(near[1] - slope)) + 1e-6 * (1.0 + power) * np.maximum(
+        1, abs(slope)
+    )
+    assert (np.abs(got[:, 1] - slope) <= allowed)[clear].all()
+
+
+def grid_of(*axes: NDArray[np.float64]) -> NDArray[np.float32]:
+    return np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, len(axes)).astype(np.float32)
+
+
+HARD = {
+    "textured": lambda f, m, t: looks.textured(f, t),
+    "halftone": lambda f, m, t: looks.halftone(f, m),
+    "fading": lambda f, m, t: looks.fading(f, m),
+    "halftone_textured": looks.halftone_textured,
+    "listing": looks.listing,
+}
+
+
+@pytest.mark.parametrize("look", HARD)
+def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
+    """The look's file with the mask and the texture replaced by inputs."""
+    values = grid_of(
+        np.concatenate([[0.0, 1e-6, 4.0], np.linspace(0, 4, 81)]),
+        np.concatenate([[0.5 / 262144, 1 - 0.5 / 262144], np.linspace(0.01, 0.99, 50)]),
+        np.linspace(0, 1, 6),
+    )
+    stand_ins = (
+        "=vec4 given;\n"
+        "float mask_threshold(vec2 p) {\n    return given.y;\n}\n"
+        "float foam_texture(vec2 p, Footprint fp) {\n    return given.z;\n}\n"
+    )
+    got = probe(
+        [NUMBERS, stand_ins, f"look/{look}.glsl"],
+        "given = x;\n y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(0.0), vec2(0.0)));",
+        values,
+    )[:, 0]
+    f, m, t = values.astype(np.float64).T
+    assert np.abs(got - HARD[look](f, m, t)).max() <= TOLERANCE
+
+
+@pytest.mark.parametrize("mask_name", ["vac-1.5", "vac-24", "mix"])
+@pytest.mark.parametrize("fade", [0.0, 0.3])
+def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str, fade: float) -> None:
+    mask = mask_by_name(mask_name)
+    rng = np.random.default_rng(5)
+    count = 6000
+    texels = 2.0 ** rng.uniform(-6, 7, count)
+    inputs = np.column_stack(
+        [rng.choice([0.0, 1e-3, 0.02, 0.3, 0.6, 0.97, 1.0], count), rng.random(count), rng.random(count), texels / 512]
+    ).astype(np.float32)
+    got = probe(
+        [
+            NUMBERS,
+            "foam/mask_coordinates.glsl",
+            "foam/mask_exact.glsl",
+            "foam/moments_float.glsl",
+            "=float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n",
+            "look/filtered.glsl",
+        ],
+        "y.x = filtered_coverage(x.x, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
+        inputs,
+        consts={
+            "MASK_SIZE": 512,
+            "MASK_LEVELS": 10,
+            "QUANTILES": len(mask.quantile),
+            "FOAM_FADES": fade > 0,
+            "FOAM_TEXTURED": False,
+        },
+        uniforms={"u_foam_fade": fade},
+        textures={
+            "u_mask_ranks": f"mask/{mask_name}/ranks",
+            "u_mask_moments": f"mask/{mask_name}/moments-float",
+            "u_mask_quantiles": f"mask/{mask_name}/quantiles",
+        },
+    )[:, 0]
+    s, u, v, w = inputs.astype(np.float64).T
+    # The spline reads 16 bits of each threshold, the moments all of them.
+    held = ((mask.ranks >> 2) + 0.5) / 65536.0
+    foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
+    level = sampling.footprint_level(foot_u, foot_v, 512)
+    both = sampling.trilinear(sampling.moments(mask.ranks), u, v, level)
+    b, b_u, b_v = sampling.bspline(held, u, v)
+    e = 0.5 * (np.abs(b_u * w) + np.abs(0.3 * b_u * w + 0.8 * b_v * w))
+    table = np.asarray(mask.quantile)
+    want = looks.filtered_coverage(s, both[:, 0], both[:, 1], b, e, level, table, fade)
+    near = looks.magnification(level)
+    deviation = np.sqrt(np.maximum(both[:, 1] - both[:, 0] ** 2, 0.0))
+    half = np.maximum(np.maximum(math.sqrt(3.0) * deviation * (1 - near), e * near), 5e-4)
+    assert np.isfinite(got).all()
+    assert (got[s == 0.0] == 0.0).all()
+    if fade == 0.0:
+        assert (got[s == 1.0] == 1.0).all()
+    # The quotient by 2 half spreads float32's rounding of the thresholds (and, at a texel's centre, of the variance).
+    soft = half > 0.05
+    assert soft.sum() > 1000
+    assert np.abs(got - want)[soft].max() <= TOLERANCE
+    assert (np.abs(got - want) <= TOLERANCE + 2e-6 / half).all()

@@ -1,0 +1,87 @@
+import { describe, expect, it, vi } from "vitest";
+import { Resolution } from "../src/app/resolution";
+import { gridData } from "../src/gl/mesh";
+import { Pool } from "../src/gl/pool";
+import { annotate } from "../src/gl/program";
+import { targetSize } from "../src/gl/target";
+
+describe("a grid", () => {
+  it("runs over [0, 1]², columns first, two triangles a cell", () => {
+    const { vertices, indices } = gridData(1, 2);
+    expect([...vertices]).toEqual([0, 0, 0.5, 0, 1, 0, 0, 1, 0.5, 1, 1, 1]);
+    expect([...indices]).toEqual([0, 1, 3, 3, 1, 4, 1, 2, 4, 4, 2, 5]);
+  });
+});
+
+describe("a target", () => {
+  it("follows the picture or stands fixed", () => {
+    const rest = { format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat" } as const;
+    expect(targetSize({ ...rest, size: { rule: "viewport", scale: 2 } }, 30, 20)).toEqual([60, 40]);
+    expect(targetSize({ ...rest, size: { rule: "fixed", width: 8, height: 4 } }, 30, 20)).toEqual([8, 4]);
+  });
+});
+
+describe("a compiler's message", () => {
+  const shader = { text: "", sha256: "", files: [{ path: "b.glsl", line: 40 }, { path: "a.glsl", line: 5 }] }; // prettier-ignore
+
+  it("names the file and the line within it", () => {
+    expect(annotate("ERROR: 0:42: 'x' : undeclared\0", shader)).toBe("ERROR: b.glsl:3: 'x' : undeclared");
+    expect(annotate("0:7(12): error: no", shader)).toBe("a.glsl:3(12): error: no");
+    expect(annotate("ERROR: 0:1: bad", shader)).toBe("ERROR: 0:1: bad");
+  });
+});
+
+describe("a pool", () => {
+  it("shares, keeps the last unused, and destroys the rest", () => {
+    const destroy = vi.fn();
+    const pool = new Pool<string>(destroy, 1);
+    const first = pool.acquire("a", () => "A");
+    const again = pool.acquire("a", () => "never");
+    expect(again.value).toBe("A");
+    first.release();
+    first.release();
+    again.release();
+    expect(destroy).not.toHaveBeenCalled();
+    pool.acquire("b", () => "B").release();
+    expect(destroy).toHaveBeenCalledExactlyOnceWith("A");
+    expect(pool.size).toBe(1);
+  });
+
+  it("does not hand on what is broken", () => {
+    const pool = new Pool<string>(() => undefined, 9);
+    pool.acquire("a", () => "broken").discard();
+    expect(pool.acquire("a", () => "whole").value).toBe("whole");
+  });
+});
+
+describe("the resolution", () => {
+  const frames = (resolution: Resolution, milliseconds: number, count: number) => {
+    for (let i = 0; i < count; i++) resolution.frame(milliseconds);
+  };
+
+  it("ignores the first frames, which may be compiling", () => {
+    const resolution = new Resolution();
+    frames(resolution, 4000, 2);
+    expect(resolution.scale).toBe(1);
+  });
+
+  it("falls while frames are slow, and not without end", () => {
+    const resolution = new Resolution();
+    frames(resolution, 200, 3);
+    expect(resolution.scale).toBeLessThan(1);
+    frames(resolution, 2000, 50);
+    expect(resolution.scale).toBe(0.25);
+  });
+
+  it("rises where there is room, but not back to what was too slow", () => {
+    const resolution = new Resolution();
+    frames(resolution, 80, 3);
+    const low = resolution.scale;
+    frames(resolution, 5, 200);
+    expect(resolution.scale).toBeGreaterThan(low);
+    expect(resolution.scale).toBeLessThan(1);
+    resolution.reconsider();
+    frames(resolution, 5, 200);
+    expect(resolution.scale).toBe(1);
+  });
+});

@@ -1,0 +1,46 @@
+import { describe, expect, it } from "vitest";
+import { decode, encode, type LinkState } from "../src/app/url";
+
+const full: LinkState = {
+  preset: "default",
+  changes: [
+    ["/foam/look", "halftone"],
+    ["/waves/0/amplitude", 0.1 + 0.2],
+    ["/light", null],
+    ["/water/chop", undefined],
+    ["/foam/saturation", [{ source: "height", base: 0.3 }]],
+    ["/name", "a&b=c#d ~%20 λ \"quoted\""],
+  ],
+  quality: "high",
+  time: -1234567.0000001,
+  paused: true,
+  speed: 0.25,
+  camera: { position: [1 / 3, 6, -1e7], yaw: -0.1, pitch: 1e-17, roll: 0, fov: 0.8727 },
+  split: { field: "/foam/look", left: "textured", right: "filtered", at: 0.25 },
+};
+
+describe("a link", () => {
+  it("restores everything, to the last bit", () => {
+    expect(decode(`#${encode(full)}`)).toEqual(full);
+  });
+
+  it("survives the browser's own parsing", () => {
+    const url = new URL(`http://127.0.0.1/#${encode(full)}`);
+    expect(decode(url.hash)).toEqual(full);
+  });
+
+  it("is short where nothing was changed", () => {
+    const plain = { ...full, changes: [], quality: null, time: null, paused: null, speed: 1, camera: null, split: null };
+    expect(encode(plain)).toBe("preset=default");
+    expect(decode("#preset=default")).toEqual({ ...plain, speed: null });
+  });
+
+  it.each(["", "#", "#time=soon&camera=1,2&scene={&split=a", "#camera=1,2,3,4,5,6,x", "#scene=%E0%A4%A", "#=1&&"])(
+    "that is broken gives nothing: %s",
+    (fragment) => {
+      const { changes, ...rest } = decode(fragment);
+      expect(changes).toEqual([]);
+      expect(Object.values(rest).every((value) => value === null)).toBe(true);
+    },
+  );
+});
