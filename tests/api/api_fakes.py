@@ -4,6 +4,7 @@ import os
 import signal
 import time as clock
 from dataclasses import dataclass
+from zlib import crc32
 
 import numpy as np
 
@@ -39,9 +40,9 @@ class FakeRenderer:
                 raise ValueError("secret of the driver")
             case 444.0:
                 clock.sleep(SLOW_SECONDS)
-        seed = hash((plan.sha256, round(time, 6), camera.yaw, camera.position)) % 251 if time else 0
+        seed = crc32(repr((plan.sha256, time, camera)).encode())
         ramp = np.linspace(0.0, 1.0, width * height * 4).reshape(height, width, 4)
-        pixels = ramp.astype(np.float32) if output == "linear" else (ramp * 250 + seed % 5).astype(np.uint8)
+        pixels = ramp.astype(np.float32) if output == "linear" else (ramp * 200 + seed % 50).astype(np.uint8)
         return FakeRendered(pixels, {"render": 0.001, "read": 0.001})
 
 

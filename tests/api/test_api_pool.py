@@ -57,6 +57,7 @@ async def worker_of(pool):
 def test_a_frame_past_its_deadline_is_given_up_and_the_next_succeeds():
     async def work(pool):
         await pool.wait_until_settled()
+        pool.deadline = 1.0
         began = time.perf_counter()
         with pytest.raises(DeadlineError):
             await pool.render(job(HANG))
@@ -66,17 +67,18 @@ def test_a_frame_past_its_deadline_is_given_up_and_the_next_succeeds():
         assert (await pool.render(job())).content
         assert pool.restarts["deadline"] == 1
 
-    with_pool(work, deadline=1.0)
+    with_pool(work)
 
 
 def test_the_deadline_counts_waiting():
     async def work(pool):
         await pool.wait_until_settled()
+        pool.deadline = 1.5 * SLOW_SECONDS
         results = await asyncio.gather(*(pool.render(job(SLOW)) for _ in range(3)), return_exceptions=True)
         assert sum(isinstance(result, DeadlineError) for result in results) >= 1
         assert not isinstance(results[0], Exception)
 
-    with_pool(work, deadline=1.5 * SLOW_SECONDS)
+    with_pool(work)
 
 
 def test_a_worker_that_dies_while_idle_is_replaced():
@@ -275,8 +277,9 @@ def test_a_full_queue_over_http(serve):
 
 
 def test_a_deadline_over_http(serve):
-    with serve(deadline=4.0) as client:
+    with serve() as client:
         assert client.get("/api/frames/default.png?width=8&height=8").status_code == 200
+        client.app.state.context.pool.deadline = 1.0
         response = client.get(f"/api/frames/default.png?width=8&height=8&time={HANG}")
         assert response.status_code == 504
         assert response.json()["type"] == "urn:seafoam:problem:deadline"

@@ -52,7 +52,8 @@ def ripples(chop: Chop) -> tuple[tuple[Ripple, ...], ...]:
     weights = []
     for cascade, tile in enumerate(TILES):
         longest, shortest = _RANGES[cascade][1], _RANGES[cascade][0]
-        drawn = []
+        drawn: list[tuple[float, float, float, float]] = []
+        taken: set[tuple[int, int]] = set()
         for index in range(WAVES_PER_TILE):
             share = (index + _uniform(chop.seed, cascade, index, 0)) / WAVES_PER_TILE
             wavelength = longest * (shortest / longest) ** share
@@ -62,8 +63,10 @@ def ripples(chop: Chop) -> tuple[tuple[Ripple, ...], ...]:
             heading = chop.wind_direction + chop.spread * normal
             number = tile / wavelength
             ix, iz = round(number * math.cos(heading)), round(number * math.sin(heading))
-            if ix == 0 and iz == 0:
-                ix = 1
+            # Two ripples on one wavevector would add up or cancel; the next free whole number takes the second.
+            while (ix, iz) in taken or (ix == 0 and iz == 0):
+                ix += 1
+            taken.add((ix, iz))
             kx, kz = 2.0 * math.pi * ix / tile, 2.0 * math.pi * iz / tile
             k = math.hypot(kx, kz)
             drawn.append((k, kx, kz, 2.0 * math.pi * _uniform(chop.seed, cascade, index, 3)))

@@ -17,7 +17,7 @@ export function serves(plan: FramePlan, planned: Json, wanted: Json): boolean {
 
 /** A constant's numbers: the scene's own where the rule names a field that holds as many, else the plan's. */
 export function liveRule(rule: Rule, scene: Json | null): Rule {
-  if (rule.rule !== "constant" || rule.field === null || scene === null) return rule;
+  if (rule.rule !== "constant" || typeof rule.field !== "string" || scene === null) return rule;
   const value = get(scene, rule.field);
   const numbers = Array.isArray(value) ? value : [value];
   return numbers.length === rule.value.length && numbers.every((n) => typeof n === "number")
