@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from gpu import Probe
+from report import Report
 from seafoam.render.executor import Executor
 
 
@@ -20,3 +21,18 @@ def executor() -> Iterator[Executor]:
 def probe(executor: Executor) -> Probe:
     """Runs shader functions on arrays."""
     return Probe(executor)
+
+
+REPORT = Report()
+
+
+@pytest.fixture(scope="session")
+def report() -> Report:
+    """Collects figures to print at the end of the run."""
+    return REPORT
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Print what the tests measured."""
+    for line in REPORT.lines():
+        terminalreporter.write_line(line)

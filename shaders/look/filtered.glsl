@@ -22,22 +22,35 @@ vec4 spline_slopes(float t) {
     return 0.5 * vec4(-u * u, (3.0 * t - 4.0) * t, (4.0 - 3.0 * u) * u, t * t);
 }
 
-// Uniform cubic B-spline of the mask, and its gradient by uv.
-vec3 mask_spline(vec2 uv) {
+vec4 spline_bends(float t) {
+    float u = 1.0 - t;
+    return vec4(u, 3.0 * t - 2.0, 3.0 * u - 2.0, t);
+}
+
+// Mean of the mask's uniform cubic B-spline over the footprint, to second order, and half its change across it.
+vec2 mask_spline(vec2 uv, vec2 uv_x, vec2 uv_y) {
     vec2 at = fract(uv) * float(MASK_SIZE) - 0.5;
     vec2 base = floor(at);
     vec4 wx = spline_weights(at.x - base.x);
     vec4 wy = spline_weights(at.y - base.y);
     vec4 sx = spline_slopes(at.x - base.x);
     vec4 sy = spline_slopes(at.y - base.y);
+    vec4 bx = spline_bends(at.x - base.x);
+    vec4 by = spline_bends(at.y - base.y);
     vec3 sum = vec3(0.0);
+    vec3 bend = vec3(0.0);
     for (int j = 0; j < 4; ++j) {
         ivec2 row = ivec2(base) + ivec2(-1, j - 1);
         vec4 m = vec4(mask_texel(row), mask_texel(row + ivec2(1, 0)), mask_texel(row + ivec2(2, 0)), mask_texel(row + ivec2(3, 0)));
         float along = dot(wx, m);
-        sum += vec3(wy[j] * along, wy[j] * dot(sx, m), sy[j] * along);
+        float across = dot(sx, m);
+        sum += vec3(wy[j] * along, wy[j] * across, sy[j] * along);
+        bend += vec3(wy[j] * dot(bx, m), by[j] * along, sy[j] * across);
     }
-    return vec3(sum.x, sum.yz * float(MASK_SIZE));
+    vec2 x = uv_x * float(MASK_SIZE);
+    vec2 y = uv_y * float(MASK_SIZE);
+    float curvature = bend.x * (x.x * x.x + y.x * y.x) + bend.y * (x.y * x.y + y.y * y.y) + 2.0 * bend.z * (x.x * x.y + y.x * y.y);
+    return vec2(sum.x + curvature / 24.0, 0.5 * length(vec2(dot(sum.yz, x), dot(sum.yz, y))));
 }
 
 // Integral of the ramp clamp(x / fade, 0, 1).
@@ -59,8 +72,8 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     float saturation_here = s;
     float edge = 0.0;
     if (far < 1.0) {
-        vec3 spline = mask_spline(uv);
-        edge = 0.5 * (abs(dot(spline.yz, uv_x)) + abs(dot(spline.yz, uv_y))) * (1.0 - far);
+        vec2 spline = mask_spline(uv, uv_x, uv_y);
+        edge = spline.y * (1.0 - far);
         threshold = mix(spline.x, threshold, far);
         saturation_here = mix(quantile(s), s, far);
     }

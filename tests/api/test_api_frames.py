@@ -144,7 +144,7 @@ def test_a_frame_at_the_ends_of_time(real, time):
     linear = np.load(io.BytesIO(frame(real, "npy", width=48, height=27, time=time).content))
     assert np.isfinite(linear).all()
     assert linear[..., :3].std() > 0.01
-    assert 0.0 <= linear[..., 3].min()
+    assert linear[..., 3].min() >= 0.0
     assert linear[..., 3].max() <= 1.0
 
 

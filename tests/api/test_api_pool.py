@@ -249,7 +249,15 @@ def test_limits_are_checked_before_anything_is_allocated():
 
 
 def test_without_gl_everything_but_frames_is_served(without_gl):
-    for url in ("/", "/docs", "/api/presets", "/api/plans/default", "/api/masks/vac-6/data.png", "/healthz", "/metrics"):
+    for url in (
+        "/",
+        "/docs",
+        "/api/presets",
+        "/api/plans/default",
+        "/api/masks/vac-6/data.png",
+        "/healthz",
+        "/metrics",
+    ):
         assert without_gl.get(url).status_code == 200, url
 
 

@@ -1,4 +1,4 @@
-"""Writes the golden vectors that pin the uniform rules of both executors: ``python tests/golden/make_uniform_rules.py``."""
+"""Writes the golden vectors that pin the uniform rules of both executors; run it as a script."""
 
 import json
 import math

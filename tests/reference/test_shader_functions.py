@@ -1,4 +1,4 @@
-"""Every look and saturation of the GLSL against its float64 form, poles included (docs/formulae.md, sections 2, 4, 5)."""
+"""Every look and saturation of the GLSL against its float64 form, poles included (docs/formulae.md)."""
 
 import math
 
@@ -218,8 +218,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
     foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
     level = sampling.footprint_level(foot_u, foot_v, 512)
     both = sampling.trilinear(sampling.moments(mask.ranks), u, v, level)
-    b, b_u, b_v = sampling.bspline(held, u, v)
-    e = 0.5 * (np.abs(b_u * w) + np.abs(0.3 * b_u * w + 0.8 * b_v * w))
+    b, e = looks.spline_over_footprint(sampling.bspline(held, u, v), foot_u, foot_v)
     table = np.asarray(mask.quantile)
     want = looks.filtered_coverage(s, both[:, 0], both[:, 1], b, e, level, table, fade)
     near = looks.magnification(level)

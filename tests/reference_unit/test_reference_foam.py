@@ -227,17 +227,45 @@ def test_trilinear_blends_levels() -> None:
 def test_bspline_of_a_ramp_is_the_ramp() -> None:
     ramp = np.arange(32.0)[None, :] + 2.0 * np.arange(32.0)[:, None]
     u, v = np.random.default_rng(15).uniform(0.2, 0.8, (2, 200))
-    value, along_u, along_v = sampling.bspline(ramp, u, v)
-    np.testing.assert_allclose(value, (32.0 * u - 0.5) + 2.0 * (32.0 * v - 0.5), atol=1e-12)
-    np.testing.assert_allclose(along_u, 32.0, atol=1e-10)
-    np.testing.assert_allclose(along_v, 64.0, atol=1e-10)
+    spline = sampling.bspline(ramp, u, v)
+    np.testing.assert_allclose(spline.value, (32.0 * u - 0.5) + 2.0 * (32.0 * v - 0.5), atol=1e-12)
+    np.testing.assert_allclose(spline.u, 32.0, atol=1e-10)
+    np.testing.assert_allclose(spline.v, 64.0, atol=1e-10)
+    for second in (spline.uu, spline.vv, spline.uv):
+        np.testing.assert_allclose(second, 0.0, atol=1e-9)
 
 
-def test_bspline_gradient() -> None:
+def test_bspline_derivatives() -> None:
     image = np.random.default_rng(16).random((16, 16))
     u, v = np.random.default_rng(17).uniform(-2.0, 2.0, (2, 200))
     step = 1e-6
-    _, along_u, along_v = sampling.bspline(image, u, v)
-    for got, du, dv in ((along_u, step, 0.0), (along_v, 0.0, step)):
-        numeric = (sampling.bspline(image, u + du, v + dv)[0] - sampling.bspline(image, u - du, v - dv)[0]) / (2 * step)
-        np.testing.assert_allclose(got, numeric, atol=1e-6)
+    spline = sampling.bspline(image, u, v)
+    for first, second, cross, du, dv in (
+        (spline.u, spline.uu, spline.uv, step, 0.0),
+        (spline.v, spline.vv, spline.uv, 0.0, step),
+    ):
+        after, before = sampling.bspline(image, u + du, v + dv), sampling.bspline(image, u - du, v - dv)
+        np.testing.assert_allclose(first, (after.value - before.value) / (2 * step), atol=1e-6)
+        along, other = (
+            ((after.u - before.u), (after.v - before.v)) if du else ((after.v - before.v), (after.u - before.u))
+        )
+        np.testing.assert_allclose(second, along / (2 * step), atol=1e-3)
+        np.testing.assert_allclose(cross, other / (2 * step), atol=1e-3)
+
+
+def test_spline_over_a_footprint_is_the_mean_there() -> None:
+    image = np.random.default_rng(18).random((16, 16))
+    u, v = np.random.default_rng(19).uniform(0.0, 1.0, (2, 50))
+    side = np.column_stack([np.full(50, 0.2 / 16), np.full(50, 0.05 / 16)])
+    other = np.column_stack([np.full(50, -0.03 / 16), np.full(50, 0.15 / 16)])
+    mean, half = looks.spline_over_footprint(sampling.bspline(image, u, v), side, other)
+    offsets = (np.arange(12) + 0.5) / 12 - 0.5
+    values = np.stack(
+        [
+            sampling.bspline(image, u + a * side[:, 0] + b * other[:, 0], v + a * side[:, 1] + b * other[:, 1]).value
+            for a in offsets
+            for b in offsets
+        ]
+    )
+    np.testing.assert_allclose(mean, values.mean(axis=0), atol=1e-4)
+    np.testing.assert_allclose(half, np.sqrt(3.0) * values.std(axis=0), atol=2e-3)

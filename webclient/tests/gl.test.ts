@@ -67,10 +67,15 @@ describe("the resolution", () => {
 
   it("falls while frames are slow, and not without end", () => {
     const resolution = new Resolution();
-    frames(resolution, 200, 3);
-    expect(resolution.scale).toBeLessThan(1);
-    frames(resolution, 2000, 50);
-    expect(resolution.scale).toBe(0.25);
+    for (let i = 0; i < 40; i++) resolution.frame(5000 * resolution.scale ** 2);
+    expect(resolution.scale).toBeLessThan(0.15);
+    expect(resolution.scale).toBeGreaterThanOrEqual(0.1);
+  });
+
+  it("gives sharpness back where it bought no time", () => {
+    const resolution = new Resolution();
+    frames(resolution, 400, 40);
+    expect(resolution.scale).toBe(1);
   });
 
   it("rises where there is room, but not back to what was too slow", () => {
@@ -80,8 +85,10 @@ describe("the resolution", () => {
     frames(resolution, 5, 200);
     expect(resolution.scale).toBeGreaterThan(low);
     expect(resolution.scale).toBeLessThan(1);
-    resolution.reconsider();
+    resolution.reconsider(1);
     frames(resolution, 5, 200);
     expect(resolution.scale).toBe(1);
+    resolution.reconsider(0.5);
+    expect(resolution.scale).toBe(0.5);
   });
 });

@@ -262,7 +262,7 @@ class _Shader:
         self, foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_x: Floats, foot_y: Floats
     ) -> Floats:
         if not self.filtering:
-            b, _, _ = sampling.bspline(assets.thresholds, u, v)
+            b = sampling.bspline(assets.thresholds, u, v).value
             return looks.converged_coverage(s, b, assets.quantile, foam.fade)
         foot_u, foot_v = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
         level = sampling.footprint_level(foot_u, foot_v, assets.thresholds.shape[0])
@@ -270,10 +270,8 @@ class _Shader:
         b, e = np.zeros_like(s), np.zeros_like(s)
         near = np.flatnonzero(looks.magnification(level) > 0.0)
         if near.size:
-            b[near], b_u, b_v = sampling.bspline(assets.thresholds, u[near], v[near])
-            e[near] = 0.5 * (
-                np.abs(b_u * foot_u[near, 0] + b_v * foot_u[near, 1])
-                + np.abs(b_u * foot_v[near, 0] + b_v * foot_v[near, 1])
+            b[near], e[near] = looks.spline_over_footprint(
+                sampling.bspline(assets.thresholds, u[near], v[near]), foot_u[near], foot_v[near]
             )
         return looks.filtered_coverage(s, both[:, 0], both[:, 1], b, e, level, assets.quantile, foam.fade)
 

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from .sampling import quantile
+from .sampling import Spline, quantile
 from .types import Floats, smoothstep
 
 LEAST_HALF = 5e-4
@@ -55,13 +55,20 @@ def magnification(level: Floats) -> Floats:
     return 1.0 - smoothstep(-1.0, 0.0, level)
 
 
+def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
+    """b and e: mean of the B-spline mask over a footprint (r, 2), (r, 2), and half the width of its box; (r,) each."""
+    mean = spline.value + (spline.bend(foot_u) + spline.bend(foot_v)) / 24.0
+    half: Floats = 0.5 * np.hypot(spline.along(foot_u), spline.along(foot_v))
+    return mean, half
+
+
 def filtered_coverage(
     s: Floats, mean: Floats, second: Floats, b: Floats, e: Floats, level: Floats, table: Floats, fade: float
 ) -> Floats:
     """A(s): the share of a footprint that a threshold of the mask covers; in [0, 1].
 
-    ``mean`` and ``second`` are the moments (m, m²) in the footprint, b the B-spline mask and e half its change over
-    the footprint, ``level`` log₂ of the longer footprint in texels, ``table`` the quantile table (65,).
+    ``mean`` and ``second`` are the moments (m, m²) in the footprint, b and e
+    come from :func:`spline_over_footprint`, ``level`` log₂ of the longer footprint in texels, ``table`` the quantile table (65,).
     """
     near = magnification(level)
     w = 1.0 - near

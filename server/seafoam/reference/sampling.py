@@ -4,6 +4,8 @@ Coordinates u run along columns and v along rows, 1 a tile. Images are (size, si
 from v = 0, size a power of two.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -72,21 +74,44 @@ def trilinear(chain: list[Floats], u: Floats, v: Floats, level: Floats) -> Float
     return result
 
 
-def bspline(image: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats, Floats]:
-    """Uniform cubic B-spline of texels, no prefilter: value, ∂/∂u and ∂/∂v (a tile); (r,) each."""
+@dataclass(frozen=True)
+class Spline:
+    """A B-spline at r places: value, gradient and second derivatives by u and v (a tile); (r,) each."""
+
+    value: Floats
+    u: Floats
+    v: Floats
+    uu: Floats
+    vv: Floats
+    uv: Floats
+
+    def along(self, step: Floats) -> Floats:
+        """Derivative along steps (r, 2), 1 a tile; (r,)."""
+        result: Floats = self.u * step[:, 0] + self.v * step[:, 1]
+        return result
+
+    def bend(self, step: Floats) -> Floats:
+        """Second derivative along steps (r, 2); (r,)."""
+        x, y = step[:, 0], step[:, 1]
+        result: Floats = self.uu * x * x + self.vv * y * y + 2.0 * self.uv * x * y
+        return result
+
+
+def bspline(image: Floats, u: Floats, v: Floats) -> Spline:
+    """Uniform cubic B-spline of texels, no prefilter."""
     size = image.shape[0]
     x, y = u * size - 0.5, v * size - 0.5
     i, j = np.floor(x), np.floor(y)
     across, down = _spline(x - i), _spline(y - j)
-    value, along_u, along_v = np.zeros_like(u), np.zeros_like(u), np.zeros_like(u)
+    orders = {"value": (0, 0), "u": (1, 0), "v": (0, 1), "uu": (2, 0), "vv": (0, 2), "uv": (1, 1)}
+    sums = {name: np.zeros_like(u) for name in orders}
     for a in range(4):
         row = _wrapped(j + (a - 1.0), size)
         for b in range(4):
             texel = image[row, _wrapped(i + (b - 1.0), size)]
-            value += down[0][a] * across[0][b] * texel
-            along_u += down[0][a] * across[1][b] * texel
-            along_v += down[1][a] * across[0][b] * texel
-    return value, along_u * size, along_v * size
+            for name, (by_u, by_v) in orders.items():
+                sums[name] += down[by_v][a] * across[by_u][b] * texel
+    return Spline(**{name: sums[name] * float(size) ** sum(order) for name, order in orders.items()})
 
 
 def quantile(table: Floats, s: ArrayLike) -> Floats:
@@ -114,10 +139,10 @@ def _wrapped(index: Floats, size: int) -> Indices:
     return np.mod(index, size).astype(np.intp)
 
 
-def _spline(f: Floats) -> tuple[list[Floats], list[Floats]]:
-    """Weights of texels −1, 0, 1, 2 at the fraction f past texel 0, and their derivatives a texel."""
+def _spline(f: Floats) -> tuple[list[Floats], list[Floats], list[Floats]]:
+    """Weights of texels −1, 0, 1, 2 at the fraction f past texel 0, their first and second derivatives a texel."""
     g = 1.0 - f
     outer, inner = f * f * f / 6.0, 2.0 / 3.0 - 0.5 * f * f * (2.0 - f)
     weights = [g * g * g / 6.0, inner, 2.0 / 3.0 - 0.5 * g * g * (2.0 - g), outer]
     rates = [-0.5 * g * g, 0.5 * f * (3.0 * f - 4.0), 0.5 * g * (4.0 - 3.0 * g), 0.5 * f * f]
-    return weights, rates
+    return weights, rates, [g, 3.0 * f - 2.0, 3.0 * g - 2.0, f]

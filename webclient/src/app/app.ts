@@ -6,7 +6,7 @@ import { controlOf, type GroupControl, choices as choicesIn, schemaNamed } from 
 import { ScenePane } from "../panel/pane";
 import { compile } from "../plan/executor";
 import { CAMERA } from "../plan/live";
-import { apply, diff, get, isObject, type JsonObject, steps, withValue } from "../scene/json";
+import { apply, diff, get, isObject, type Json, type JsonObject, steps, withValue } from "../scene/json";
 import { type Hook, renderOffscreen } from "../testhook";
 import type { Curtain } from "../ui/curtain";
 import { type Comparable, Divider, plainOptions } from "../ui/divider";
@@ -21,7 +21,7 @@ import { Transport } from "../ui/transport";
 import { Clock } from "./clock";
 import { Slot } from "./slot";
 import { Stage } from "./stage";
-import { type Choices, Store } from "./store";
+import { type Choices, type Split, Store } from "./store";
 import { decode, encode, type LinkState } from "./url";
 
 /** Names the quality, where it is what two pictures are compared by. */
@@ -74,13 +74,7 @@ export class App {
     link: LinkState,
   ) {
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const scene = apply(preset.scene, link.changes);
-    this.store = new Store({
-      preset,
-      scene: isObject(scene) ? scene : preset.scene,
-      quality: link.quality ?? QUALITY_DEFAULT,
-      split: link.split,
-    });
+    this.store = new Store(chosen(preset, link));
     this.clock.jump(link.time ?? preset.time);
     this.clock.setSpeed(link.speed ?? 1);
     this.clock.playing = !(link.paused ?? calm);
@@ -95,12 +89,12 @@ export class App {
     });
     this.controls = new Controls(canvas, link.camera ?? cameraFromScene(preset.scene), !calm);
     this.settings = new Settings(byId("settings"), this.tiers(), this.controls, this.notes, {
-      quality: (quality) => this.store.set({ quality }),
+      quality: (quality) => this.store.set({ quality, split: this.splitWith(QUALITY, quality) }),
       reset: () => this.reset(),
       serverFrame: () => void this.serverFrame(),
     });
     this.pane = new ScenePane(this.settings.scene, {
-      change: (pointer, value) => this.store.set({ scene: withValue(this.store.now.scene, pointer, value) as JsonObject }),
+      change: (pointer, value) => this.edit(pointer, value),
       names: (url) => this.namesFrom(url),
     });
     this.gallery = new Gallery(byId("gallery"), presets, (name) => void this.choose(name));
@@ -228,6 +222,19 @@ export class App {
     return [...fields, { field: QUALITY, title: QUALITY, options: plainOptions(this.tiers()) }];
   }
 
+  /** The panel moved a field of the scene. */
+  private edit(pointer: string, value: Json): void {
+    const scene = withValue(this.store.now.scene, pointer, value);
+    if (!isObject(scene)) return;
+    this.store.set({ scene, split: fitting(scene, this.splitWith(pointer, value)) });
+  }
+
+  /** The comparison after a field was set: the right picture follows the field that is compared. */
+  private splitWith(field: string, value: Json): Split | null {
+    const { split } = this.store.now;
+    return split?.field === field && typeof value === "string" ? { ...split, right: value } : split;
+  }
+
   private toggleSplit(): void {
     if (this.store.now.split) {
       this.store.set({ split: null });
@@ -290,12 +297,9 @@ export class App {
   }
 
   private open(preset: Preset): void {
-    const { split } = this.store.now;
-    // A comparison stays where the new sea has the field, too.
-    const kept = split && (split.field === QUALITY || typeof get(preset.scene, split.field) === "string") ? split : null;
     this.controls.set(cameraFromScene(preset.scene));
     this.clock.jump(preset.time);
-    this.store.set({ preset, scene: preset.scene, split: kept });
+    this.store.set({ preset, scene: preset.scene, split: fitting(preset.scene, this.store.now.split) });
   }
 
   private reset(): void {
@@ -307,17 +311,11 @@ export class App {
     try {
       const { preset: current } = this.store.now;
       const preset = link.preset === null || link.preset === current.name ? current : await this.api.preset(link.preset);
-      const scene = apply(preset.scene, link.changes);
       this.controls.set(link.camera ?? cameraFromScene(preset.scene));
       this.clock.jump(link.time ?? preset.time);
       if (link.speed !== null) this.clock.setSpeed(link.speed);
       if (link.paused !== null) this.clock.playing = !link.paused;
-      this.store.set({
-        preset,
-        scene: isObject(scene) ? scene : preset.scene,
-        quality: link.quality ?? QUALITY_DEFAULT,
-        split: link.split,
-      });
+      this.store.set(chosen(preset, link));
     } catch (error) {
       this.failed(error);
     }
@@ -433,6 +431,18 @@ export class App {
       }),
     };
   }
+}
+
+/** What a link chooses of a preset. */
+function chosen(preset: Preset, link: LinkState): Choices {
+  const changed = apply(preset.scene, link.changes);
+  const scene = isObject(changed) ? changed : preset.scene;
+  return { preset, scene, quality: link.quality ?? QUALITY_DEFAULT, split: fitting(scene, link.split) };
+}
+
+/** A comparison stays only where the scene has the field that is compared. */
+function fitting(scene: JsonObject, split: Split | null): Split | null {
+  return split && (split.field === QUALITY || typeof get(scene, split.field) === "string") ? split : null;
 }
 
 /** Whether a choice is the scene's own, and not of one of a list's items, which are many. */

@@ -8,10 +8,13 @@ import type { Slot } from "./slot";
 
 /** More pixels than two a point cost much and show nothing. */
 const MAX_PIXEL_RATIO = 2;
-/** Where the CPU draws, the first frame is not tried at full size. */
+/** Where the CPU draws, the first frame of a picture is not tried at full size: a frame of seconds would lose the context. */
 const SOFTWARE_SCALE = 0.5;
-/** A still picture is drawn once more at full size, unless that would take longer than this, ms. */
-const PATIENCE = 2500;
+/** Frames drawn at rest to learn what one costs. */
+const TRIALS = 6;
+/** A still picture grows sharper in steps, until the next one would take longer than this, ms. */
+const PATIENCE = 3000;
+const SHARPER = 2;
 const REST = 500;
 
 export interface View {
@@ -41,8 +44,9 @@ export interface StageEvents {
 interface Flight {
   fence: WebGLSync;
   start: number;
-  /** Drawn at full size because nothing moved: its time says nothing about motion. */
-  sharp: boolean;
+  scale: number;
+  /** Drawn because nothing moved: its time says nothing about motion. */
+  resting: boolean;
 }
 
 export class Stage {
@@ -51,12 +55,17 @@ export class Stage {
   /** Something changed that the picture shows. */
   dirty = true;
   private timer: GpuTimer | null = null;
-  private readonly resolution: Resolution;
+  private readonly resolution = new Resolution();
   private readonly flights: Flight[] = [];
   private readonly drawn: number[] = [];
   private frameTime: number | null = null;
   private lastDraw = 0;
-  private sharp = false;
+  /** Of the latest frame. */
+  private scale = 1;
+  /** Of the latest frame that has left the GPU. */
+  private finished: { scale: number; milliseconds: number } | null = null;
+  /** Frames since the picture became another one. */
+  private trials = 0;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -66,7 +75,6 @@ export class Stage {
   ) {
     this.gl = openContext(canvas);
     this.gpu = openGpu(this.gl, hidden);
-    this.resolution = new Resolution(this.gpu.capabilities.software ? SOFTWARE_SCALE : 1);
     this.timer = this.makeTimer();
     canvas.addEventListener("webglcontextlost", (event) => {
       // Without this the browser never offers the context again.
@@ -87,27 +95,24 @@ export class Stage {
   tick(now: number, view: View, moving: boolean): void {
     if (this.gl.isContextLost()) return;
     this.collect(now);
-    const resting = !moving && !this.dirty;
+    const unmeasured = this.frameTime === null && this.trials < TRIALS;
+    const resting = !moving && !this.dirty && !unmeasured;
     const [left] = this.slots;
     if (left.ready === null || this.flights.length > (this.gpu.capabilities.software ? 0 : 1)) return;
-    if (resting) {
-      const { scale } = this.resolution;
-      const full = (this.frameTime ?? 0) / (scale * scale);
-      if (this.sharp || scale === 1 || now - this.lastDraw < REST || full > PATIENCE) return;
-      this.sharp = true;
-    } else {
-      this.sharp = false;
-    }
+    const scale = resting ? this.sharperScale(now) : this.resolution.scale;
+    if (scale === null) return;
     this.dirty = false;
     this.lastDraw = now;
-    this.fit(this.sharp ? 1 : this.resolution.scale);
+    this.trials += 1;
+    this.scale = scale;
+    this.fit(scale);
     const { software } = this.gpu.capabilities;
     if (!software) this.timer?.begin();
     this.draw(view);
     if (!software) this.timer?.end();
     const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
-    if (fence) this.flights.push({ fence, start: performance.now(), sharp: this.sharp });
+    if (fence) this.flights.push({ fence, start: performance.now(), scale, resting });
   }
 
   /** Draws at full size and gives the picture as a PNG. */
@@ -130,14 +135,16 @@ export class Stage {
       fps: this.drawn.length,
       width: this.canvas.width,
       height: this.canvas.height,
-      scale: this.sharp ? 1 : this.resolution.scale,
+      scale: this.scale,
     };
   }
 
   /** The picture became another one, so what was measured says little about it. */
   reconsider(): void {
-    this.resolution.reconsider();
+    const samples = Math.max(...this.slots.map((slot) => slot.plan?.samples ?? 1));
+    this.resolution.reconsider(this.gpu.capabilities.software ? SOFTWARE_SCALE / Math.sqrt(samples) : 1);
     this.frameTime = null;
+    this.trials = 0;
     this.dirty = true;
   }
 
@@ -164,6 +171,14 @@ export class Stage {
     }
   }
 
+  /** The scale at which a picture at rest is worth another frame; null where it is as sharp as it will be. */
+  private sharperScale(now: number): number | null {
+    const { finished } = this;
+    if (finished === null || finished.scale !== this.scale || this.scale >= 1 || now - this.lastDraw < REST) return null;
+    const next = Math.min(1, this.scale * SHARPER);
+    return finished.milliseconds * (next / this.scale) ** 2 > PATIENCE ? null : next;
+  }
+
   private fit(scale: number): void {
     const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO) * scale;
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
@@ -183,7 +198,8 @@ export class Stage {
       const elapsed = performance.now() - flight.start;
       const previous = this.drawn.at(-1) ?? -Infinity;
       this.drawn.push(now);
-      if (flight.sharp) continue;
+      this.finished = { scale: flight.scale, milliseconds: elapsed };
+      if (flight.resting) continue;
       // Frames overlap on a GPU: what counts is from one to the next. A CPU draws one at a time.
       if (this.timer === null) this.note(this.gpu.capabilities.software ? elapsed : Math.min(elapsed, now - previous));
       if (this.resolution.frame(elapsed)) this.dirty = true;

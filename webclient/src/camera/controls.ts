@@ -1,5 +1,5 @@
 /** Mouse, touch, pen and keyboard drive the camera. */
-import { look, move, orbit, pivot, widen, zoom } from "./motion";
+import { look, move, orbit, pivot, type Pivot, widen, zoom } from "./motion";
 import type { CameraState } from "./state";
 
 export type Mode = "orbit" | "fly";
@@ -27,6 +27,8 @@ export class Controls {
   private turning = { yaw: 0, pitch: 0 };
   /** Speed of the eye: right, up, forward, in heights a second. */
   private speed = { right: 0, up: 0, forward: 0 };
+  /** What the orbit at hand turns about; found anew after every other move. */
+  private about: Pivot | null = null;
   private readonly listeners = new Set<() => void>();
 
   constructor(
@@ -52,7 +54,7 @@ export class Controls {
   }
 
   set(camera: CameraState): void {
-    this.camera = camera;
+    this.go(camera);
     this.turning = { yaw: 0, pitch: 0 };
     this.speed = { right: 0, up: 0, forward: 0 };
     this.tell();
@@ -78,7 +80,7 @@ export class Controls {
     if (right || up || forward) {
       // Speed grows with height, as the ground seems to slow down.
       const metres = Math.max(1.5, this.camera.position[1] * 0.8) * dt;
-      this.camera = move(this.camera, right * metres, up * metres, forward * metres, this.lowestNow());
+      this.go(move(this.camera, right * metres, up * metres, forward * metres, this.lowestNow()));
     }
     const keyTurn = TURN_BY_KEY * dt;
     this.turning.yaw += (held("ArrowRight") - held("ArrowLeft")) * keyTurn;
@@ -89,8 +91,8 @@ export class Controls {
       this.turning.yaw *= 1 - share;
       this.turning.pitch *= 1 - share;
     }
-    if (held("Equal", "NumpadAdd")) this.camera = zoom(this.camera, Math.exp(-dt), this.lowestNow());
-    if (held("Minus", "NumpadSubtract")) this.camera = zoom(this.camera, Math.exp(dt), this.lowestNow());
+    if (held("Equal", "NumpadAdd")) this.go(zoom(this.camera, Math.exp(-dt), this.lowestNow()));
+    if (held("Minus", "NumpadSubtract")) this.go(zoom(this.camera, Math.exp(dt), this.lowestNow()));
     const moved = this.camera !== before;
     if (moved) this.tell();
     return moved;
@@ -109,7 +111,13 @@ export class Controls {
     this.camera =
       this.mode === "fly"
         ? look(this.camera, yaw, pitch)
-        : orbit(this.camera, pivot(this.camera), yaw, pitch, this.lowestNow());
+        : orbit(this.camera, (this.about ??= pivot(this.camera)), yaw, pitch, this.lowestNow());
+  }
+
+  /** Any move but a turn. */
+  private go(camera: CameraState): void {
+    this.camera = camera;
+    this.about = null;
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
@@ -131,12 +139,12 @@ export class Controls {
     if (other) {
       const span = (t: Touch) => Math.hypot(t.x - other.x, t.y - other.y);
       const metres = pivot(this.camera).distance * radians;
-      this.camera = zoom(this.camera, span(last) / Math.max(span(now), 1), this.lowestNow());
-      this.camera = move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.lowestNow());
+      this.go(zoom(this.camera, span(last) / Math.max(span(now), 1), this.lowestNow()));
+      this.go(move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.lowestNow()));
       this.tell();
     } else if (event.buttons & 2 || (event.buttons & 1 && event.shiftKey)) {
       const metres = pivot(this.camera).distance * radians;
-      this.camera = move(this.camera, -dx * metres, dy * metres, 0, this.lowestNow());
+      this.go(move(this.camera, -dx * metres, dy * metres, 0, this.lowestNow()));
       this.tell();
     } else {
       const sign = this.mode === "fly" ? -1 : -1.6;
@@ -154,7 +162,7 @@ export class Controls {
     // Browsers count in pixels, lines or pages; a pinch on a trackpad arrives as a wheel with Ctrl held.
     const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
     const factor = Math.exp(Math.max(-240, Math.min(240, pixels)) * (event.ctrlKey ? 0.01 : 0.0012));
-    this.camera = event.shiftKey ? widen(this.camera, factor) : zoom(this.camera, factor, this.lowestNow());
+    this.go(event.shiftKey ? widen(this.camera, factor) : zoom(this.camera, factor, this.lowestNow()));
     this.tell();
   };
 

@@ -32,8 +32,14 @@ export function move(camera: CameraState, right: number, up: number, forward: nu
   return { ...camera, position: place(position, lowest) };
 }
 
+export interface Pivot {
+  point: Vec3;
+  /** From the eye, m. */
+  distance: number;
+}
+
 /** What an orbit turns about: where the view meets the troughs, but neither at the feet nor at the horizon. */
-export function pivot(camera: CameraState): { point: Vec3; distance: number } {
+export function pivot(camera: CameraState): Pivot {
   const { forward } = basis(camera);
   const reach = forward[1] < 0 ? camera.position[1] / -forward[1] : Infinity;
   const distance = clamp(reach, 2, Math.max(8, 8 * camera.position[1]));
@@ -41,7 +47,7 @@ export function pivot(camera: CameraState): { point: Vec3; distance: number } {
 }
 
 /** Turns about a point that stays where it is in the picture. */
-export function orbit(camera: CameraState, about: { point: Vec3; distance: number }, yaw: number, pitch: number, lowest: number): CameraState {
+export function orbit(camera: CameraState, about: Pivot, yaw: number, pitch: number, lowest: number): CameraState {
   // The steepest rise that keeps the eye out of the water.
   const highest = Math.asin(clamp((about.point[1] - lowest) / about.distance, -1, 1));
   const wanted = clamp(camera.pitch + pitch, -STEEPEST, STEEPEST);

@@ -2,7 +2,7 @@
 import type { BindingApi, FolderApi } from "@tweakpane/core";
 import { Pane } from "tweakpane";
 import type { Choice } from "../api";
-import { get, type Json, steps } from "../scene/json";
+import { child, get, type Json, steps } from "../scene/json";
 import { element } from "../ui/dom";
 import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls } from "./model";
 import { format, shown, stored } from "./values";
@@ -86,7 +86,9 @@ export class ScenePane {
   private folder(parent: FolderApi, { pointer, hint, kind }: Control, title: string): FolderApi {
     // Of a long panel, the first group that is no list is the one to begin with.
     const first = this.model?.children.find((control) => control.kind !== "list")?.pointer;
-    const open = pointer === first || (kind !== "list" && steps(pointer).length === 2);
+    const path = steps(pointer);
+    const part = kind !== "list" && path.length === 2 && !/^\d+$/.test(path[1] ?? "");
+    const open = pointer === first || part;
     const folder = parent.addFolder({ title, expanded: this.expanded.get(pointer) ?? open });
     folder.on("fold", ({ expanded, target }) => {
       if (target === folder) this.expanded.set(pointer, expanded);
@@ -192,7 +194,10 @@ export class ScenePane {
     for (const { name, initial, hint } of control.variants) {
       const button = folder.addButton({ title: `Add ${labelOf(name)}` });
       button.element.title = hint;
-      button.on("click", () => this.changed(control.pointer, [...current(), initial]));
+      button.on("click", () => {
+        this.expanded.set(child(control.pointer, current().length), true);
+        this.changed(control.pointer, [...current(), initial]);
+      });
     }
   }
 

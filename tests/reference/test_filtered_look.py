@@ -1,0 +1,153 @@
+"""The filtered look: right coverage at every scale, round edges up close, no shimmer far away (docs/formulae.md, 5)."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter
+
+from report import Report
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Foam, HeightSaturation, Look, Scene
+from seafoam.scene.presets import load_preset
+
+TILE = 5.12
+"""512 texels of 1 cm."""
+FOV = 0.02
+"""So narrow that every pixel has the same footprint to 10⁻⁴."""
+
+
+def flat(saturation: float, look: Look = "filtered", mask: str = "vac-1.5") -> Scene:
+    """Unlit flat water, the same saturation everywhere: at height 0 (H − H0)/(Hmax − H0) is −H0 for Hmax = 1 + H0."""
+    source = HeightSaturation(base=-saturation, full=1.0 - saturation)
+    return Scene(foam=Foam(saturation=(source,), look=look, mask=mask, mask_tile=TILE, mask_angle=0.0), light=None)
+
+
+def looking_down(texels_a_pixel: float, side: int, x: float = 0.0, z: float = 0.0) -> Camera:
+    height = 0.01 * texels_a_pixel * side / (2.0 * math.tan(0.5 * FOV))
+    return Camera(position=(x, height, z), pitch=-math.pi / 2, fov=FOV)
+
+
+def coverage(
+    executor: Executor, saturation: float, texels_a_pixel: float, side: int, *, quality: Quality = TIERS["standard"]
+) -> NDArray[np.float32]:
+    """Foam amounts, (side, side)."""
+    # An odd place, so that pixels do not sit on texels.
+    camera = looking_down(texels_a_pixel, side, x=0.0037, z=-1.2345)
+    plan = make_plan(flat(saturation), quality)
+    rendered = executor.render(plan, time=0.0, camera=camera, width=side, height=side, output="linear")
+    return rendered.pixels[..., 3]  # type: ignore[return-value]
+
+
+SATURATIONS = (0.03, 0.1, 0.25, 0.4, 0.55, 0.7, 0.9, 0.97)
+
+
+@pytest.mark.parametrize(
+    ("texels_a_pixel", "side", "bound"),
+    [
+        (2.0, 512, 0.01),
+        (8.0, 256, 0.001),
+        (16.0, 128, 0.001),
+        (64.0, 128, 0.001),
+        (0.5, 1024, 0.003),
+        (0.25, 2048, 0.003),
+    ],
+)
+def test_mean_coverage_is_the_saturation(
+    executor: Executor, report: Report, texels_a_pixel: float, side: int, bound: float
+) -> None:
+    """Over whole tiles, so that the mask itself has no say in the mean."""
+    assert texels_a_pixel * side % 512 == 0
+    saturations = SATURATIONS if texels_a_pixel >= 0.5 else (0.03, 0.4, 0.9)
+    errors = [abs(float(coverage(executor, s, texels_a_pixel, side).mean(dtype=np.float64)) - s) for s in saturations]
+    report.add(
+        "Mean coverage of the filtered look against the saturation (vac-1.5)",
+        texels_a_pixel=f"{texels_a_pixel:g}",
+        worst=f"{max(errors):.5f}",
+        bound=f"{bound:g}",
+    )
+    assert max(errors) <= bound
+
+
+@pytest.mark.parametrize("texels_a_pixel", [0.01, 0.3, 0.7, 1.0, 2.0, 8.0, 100.0])
+def test_none_at_0_and_all_at_1(executor: Executor, texels_a_pixel: float) -> None:
+    assert (coverage(executor, 0.0, texels_a_pixel, 128) == 0.0).all()
+    assert (coverage(executor, 1.0, texels_a_pixel, 128) == 1.0).all()
+
+
+def axis_aligned_share(picture: NDArray[np.float32]) -> float:
+    """Share of the edges' strength whose direction is within 3 degrees of an axis; 1/15 where all are alike."""
+    # Over a few pixels, so that the raster itself has no direction.
+    smooth = gaussian_filter(picture.astype(np.float64), 2.0)
+    dy, dx = np.gradient(smooth)
+    strength = np.hypot(dx, dy)
+    angle = np.degrees(np.arctan2(dy, dx)) % 90.0
+    aligned = (angle < 3.0) | (angle > 87.0)
+    return float(strength[aligned].sum() / strength.sum())
+
+
+@pytest.mark.parametrize("mask", ["vac-24", "mix"])
+def test_up_close_no_edge_is_square(executor: Executor, report: Report, mask: str) -> None:
+    """A texel 48 pixels wide: the paper's look shows its squares, the filtered look round bubbles, antialiased."""
+    side = 480
+    shares = {}
+    for look in ("halftone", "filtered"):
+        plan = make_plan(flat(0.4, look, mask), TIERS["standard"])
+        camera = looking_down(1.0 / 48.0, side, x=0.003, z=0.0071)
+        picture = executor.render(plan, time=0.0, camera=camera, width=side, height=side, output="linear").pixels[
+            ..., 3
+        ]
+        shares[look] = axis_aligned_share(picture)  # type: ignore[arg-type]
+        if look == "filtered":
+            soft = np.mean((picture > 0.02) & (picture < 0.98))
+            assert 0.0 < soft < 0.2
+    report.add(
+        "Edges along the texel grid, 48 pixels a texel (1/15 = no preference)",
+        mask=mask,
+        **{look: f"{share:.3f}" for look, share in shares.items()},
+    )
+    assert shares["halftone"] > 0.8
+    assert shares["filtered"] < 0.2
+
+
+def shimmer(executor: Executor, look: Look) -> float:
+    """How much more a far pixel changes at one sample than at 64 while the camera turns a third of a pixel; levels.
+
+    Time is frozen. Rows from the horizon to 8 degrees below it.
+    """
+    preset = load_preset("paper-halftone")
+    assert preset.scene.foam is not None
+    scene = preset.scene.model_copy(update={"foam": preset.scene.foam.model_copy(update={"look": look})})
+    width, height = 320, 180
+    step = scene.camera.fov / height / 3.0
+    changes = {}
+    for samples in (1, 64):
+        plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": samples}))
+        frames = []
+        for turn in range(4):
+            camera = scene.camera.model_copy(update={"yaw": scene.camera.yaw + turn * step})
+            frame = executor.render(plan, time=preset.time, camera=camera, width=width, height=height, output="linear")
+            frames.append(np.clip(frame.pixels[..., :3].astype(np.float64), 0.0, 1.0))
+        changes[samples] = np.diff(np.stack(frames), axis=0)
+    rows = np.arange(height)
+    up = np.tan(scene.camera.fov / 2) * (1.0 - 2.0 * (rows + 0.5) / height)
+    depression = -(scene.camera.pitch + np.arctan(up))
+    far = (depression > 0.0) & (depression < math.radians(8.0))
+    return float(np.abs(changes[1] - changes[64])[:, far].mean() * 255.0)
+
+
+def test_the_horizon_does_not_shimmer(executor: Executor, report: Report) -> None:
+    measured = {look: shimmer(executor, look) for look in ("halftone", "filtered")}  # type: ignore[arg-type]
+    report.add(
+        "Shimmer within 8° of the horizon: change a frame beyond that of 64 samples, levels of linear light",
+        **{look: f"{value:.2f}" for look, value in measured.items()},
+    )
+    assert measured["filtered"] <= 0.5 * measured["halftone"]
+
+
+def test_filtered_thickens_with_saturation(executor: Executor) -> None:
+    means = [float(coverage(executor, s, 4.0, 128).mean()) for s in (0.1, 0.3, 0.5, 0.7)]
+    assert means == sorted(means)

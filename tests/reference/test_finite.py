@@ -1,0 +1,79 @@
+"""No NaN and no infinity reaches a float target: read before the mean, the clamp and the tone curve."""
+
+import math
+from typing import get_args
+
+import numpy as np
+import pytest
+
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS, SurfaceQuality
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Chop, Foam, FrontSaturation, Light, Look, ParametricWave, Scene, Water
+from seafoam.scene.presets import load_preset, preset_names
+
+CAMERAS = {
+    "down": Camera(position=(0.0, 8.0, 0.0), pitch=-math.pi / 2),
+    "up": Camera(position=(0.0, 8.0, 0.0), pitch=math.pi / 2),
+    "level": Camera(position=(0.0, 8.0, 0.0), pitch=0.0),
+    "in a crest": Camera(position=(0.0, 0.4, 0.0), pitch=-0.2),
+    "under water": Camera(position=(0.0, -3.0, 0.0), pitch=0.3),
+    "far from the origin": Camera(position=(1e7, 8.0, -1e7), pitch=-0.2, roll=1.0),
+    "high": Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
+}
+
+
+def finite(executor: Executor, scene: Scene, tier: str, camera: Camera, time: float) -> bool:
+    quality = TIERS[tier].model_copy(update={"target": "RGBA32F"})  # type: ignore[index]
+    plan = make_plan(scene, quality)
+    pixels = executor.render(plan, time=time, camera=camera, width=96, height=54, output="samples").pixels
+    return bool(np.isfinite(pixels).all() and (pixels >= 0.0).all() and (pixels[..., 3] <= 1.0).all())
+
+
+@pytest.mark.parametrize("tier", ["standard", "reference"])
+@pytest.mark.parametrize("view", CAMERAS)
+@pytest.mark.parametrize("preset", preset_names())
+def test_presets_are_finite_from_anywhere(executor: Executor, preset: str, view: str, tier: str) -> None:
+    assert finite(executor, load_preset(preset).scene, tier, CAMERAS[view], 2.7)
+
+
+HARD_WAVES = {
+    "K 0.1": ParametricWave(exponent=0.1),
+    "K 100": ParametricWave(exponent=100.0, amplitude=5.0),
+    "no height": ParametricWave(amplitude=0.0),
+    "tiny": ParametricWave(wavelength=0.05, amplitude=1e-6),
+    "huge": ParametricWave(wavelength=2000.0, amplitude=50.0, speed=200.0),
+    "near-vertical": ParametricWave(wavelength=0.05, amplitude=50.0, exponent=4.0),
+}
+
+
+@pytest.mark.parametrize("look", get_args(Look))
+@pytest.mark.parametrize("name", HARD_WAVES)
+@pytest.mark.parametrize("constants", ["text", "listing"])
+def test_hard_waves_are_finite(executor: Executor, name: str, look: Look, constants: str) -> None:
+    front = FrontSaturation(constants=constants, group=(0.2, 0.2))  # type: ignore[arg-type]
+    scene = Scene(
+        waves=(HARD_WAVES[name], HARD_WAVES[name].model_copy(update={"direction": math.pi})),
+        foam=Foam(saturation=(front,), look=look, fade=0.2, texture=0.5),
+        water=Water(chop=Chop(), depth=0.05, scattering=0.0),
+    )
+    for time in (0.0, 1e9, -1e9):
+        assert finite(executor, scene, "standard", CAMERAS["level"].model_copy(update={"pitch": -0.4}), time)
+
+
+@pytest.mark.parametrize("elevation", [-math.pi / 2, -0.02, 0.0, 0.02, math.pi / 2])
+def test_every_sun_is_finite(executor: Executor, elevation: float) -> None:
+    scene = load_preset("default").scene.model_copy(update={"light": Light(sun_elevation=elevation)})
+    for view in ("down", "level", "up"):
+        assert finite(executor, scene, "standard", CAMERAS[view], 0.0)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (1, 512), (511, 3)])
+def test_odd_sizes_are_finite(executor: Executor, size: tuple[int, int]) -> None:
+    scene = load_preset("default").scene
+    quality = TIERS["standard"].model_copy(update={"surface": SurfaceQuality(cells=8)})
+    rendered = executor.render(
+        make_plan(scene, quality), time=0.0, camera=scene.camera, width=size[0], height=size[1], output="linear"
+    )
+    assert rendered.pixels.shape == (size[1], size[0], 4)
+    assert np.isfinite(rendered.pixels).all()

@@ -1,0 +1,113 @@
+"""Server frames against the float64 truth in ``tests/references``."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from report import Report
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.reference import camera as cameras
+from seafoam.reference import load_truth, truth_is_current
+from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, SAME_SIZE, TIMES, jobs_of, truth_file
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+REFERENCES = Path(__file__).parent.parent / "references"
+HARD = ("halftone", "fading", "halftone_textured", "listing")
+LEVEL = 255.0
+"""Errors are quoted in 8-bit levels of linear light, display white = 255."""
+
+
+def white(linear: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Linear light up to display white: glitter beyond it is white on any screen."""
+    return np.clip(linear.astype(np.float64), 0.0, 1.0)
+
+
+def rmse(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
+    return float(np.sqrt(np.mean((a - b) ** 2)) * LEVEL)
+
+
+def draw(
+    executor: Executor, scene: Scene, quality: Quality, time: float, size: tuple[int, int], output: str = "linear"
+) -> NDArray[np.float32]:
+    plan = make_plan(scene, quality)
+    rendered = executor.render(
+        plan,
+        time=time,
+        camera=scene.camera,
+        width=size[0],
+        height=size[1],
+        output=output,  # type: ignore[arg-type]
+    )
+    return rendered.pixels  # type: ignore[return-value]
+
+
+def every_job() -> list[tuple[str, Scene]]:
+    return [(job.name, job.scene) for name in preset_names() for job in jobs_of(name, load_preset(name).scene)]
+
+
+def test_truth_is_of_the_scenes_that_are_judged() -> None:
+    """A preset that changed without a new bake would be judged by the wrong picture."""
+    stale = [name for name, scene in every_job() if not truth_is_current(truth_file(REFERENCES, name), scene)]
+    assert not stale, f"run python -m seafoam.reference.bake: {stale}"
+    known = {f"{name}.npz" for name, _ in every_job()}
+    assert {path.name for path in REFERENCES.glob("*.npz")} == known
+
+
+@pytest.mark.parametrize("time", TIMES)
+@pytest.mark.parametrize("preset", preset_names())
+def test_reference_quality_is_the_truth(executor: Executor, report: Report, preset: str, time: float) -> None:
+    scene = load_preset(preset).scene
+    truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
+    want = white(truth.rgb)
+    linear = draw(executor, scene, TIERS["reference"], time, SAME_SIZE)
+    got = white(linear[..., :3])
+    below = cameras.depression(cameras.view(scene.camera, *SAME_SIZE), *SAME_SIZE) > np.radians(1.0)
+    near, whole = rmse(got[below], want[below]), rmse(got, want)
+    samples = draw(executor, scene, TIERS["reference"], time, SAME_SIZE, "samples")
+    flips = float(np.mean((samples[..., 3] > 0.0) != truth.foam))
+    height, width = truth.alpha.shape
+    cells = (linear[..., 3] - truth.alpha)[: height // 8 * 8, : width // 8 * 8].reshape(height // 8, 8, width // 8, 8)
+    tone = float(np.abs(cells.mean(axis=(1, 3))).mean())
+    standard = rmse(white(draw(executor, scene, TIERS["standard"], time, SAME_SIZE)[..., :3]), want)
+    report.add(
+        "Frames against the float64 truth (RMSE in 8-bit levels of linear light, 320 × 180)",
+        preset=preset,
+        time=f"{time:g} s",
+        below_1_degree=f"{near:.3f}",
+        whole=f"{whole:.3f}",
+        flipped=f"{100 * flips:.3f} %",
+        tone=f"{100 * tone:.4f} %",
+        standard=f"{standard:.2f}",
+    )
+    assert near <= 0.5
+    assert whole <= 2.0
+    if scene.foam is not None and scene.foam.look in HARD:
+        assert flips <= 0.005
+        assert tone <= 0.01
+
+
+@pytest.mark.parametrize("preset", EVERY_LOOK)
+def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: Report, preset: str) -> None:
+    """One sample a pixel, each look against its own limit of infinitely many."""
+    scene = load_preset(preset).scene
+    assert scene.foam is not None
+    errors = {}
+    for look in (*HARD, "filtered", "textured"):
+        variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
+        truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
+        linear = draw(executor, variant, TIERS["standard"], CONVERGED_TIME, CONVERGED_SIZE)
+        errors[look] = rmse(white(linear[..., :3]), white(truth.rgb))
+        coverage = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
+        report.add(
+            "One sample a pixel against 256, standard quality, 160 × 90",
+            preset=preset,
+            look=look,
+            picture=f"{errors[look]:.2f}",
+            coverage=f"{coverage:.4f}",
+        )
+    assert errors["filtered"] < min(errors[look] for look in HARD)
