@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from gpu import Probe
-from report import Report
+from report import REPORT, Report
 from seafoam.render.executor import Executor
 
 
@@ -21,9 +21,6 @@ def executor() -> Iterator[Executor]:
 def probe(executor: Executor) -> Probe:
     """Runs shader functions on arrays."""
     return Probe(executor)
-
-
-REPORT = Report()
 
 
 @pytest.fixture(scope="session")

@@ -24,3 +24,7 @@ class Report:
             ]
             lines += ["  ".join(row[name].ljust(w) for name, w in zip(names, widths, strict=True)) for row in rows]
         return lines
+
+
+REPORT = Report()
+"""The one report of a run."""

@@ -167,11 +167,12 @@ def render(
 def presets() -> None:
     """List the presets."""
     from rich.console import Console
-    from rich.table import Table
+    from rich.table import Column, Table
 
     from seafoam.scene.presets import load_preset, preset_names
 
-    table = Table("name", "title", "size", "time", "summary", box=None, pad_edge=False)
+    name_column = Column("name", no_wrap=True)
+    table = Table(name_column, "title", "size", "time", "summary", box=None, pad_edge=False)
     for name in preset_names():
         preset = load_preset(name)
         width, height = preset.size

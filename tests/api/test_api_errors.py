@@ -111,9 +111,12 @@ def test_an_unknown_member_comes_with_the_known_ones(client):
     assert "water" in error["allowed"]["members"]
 
 
-def test_a_missing_member_is_named(client):
-    (error,) = problem(client.post("/api/plans", json={}), 422)["errors"]
-    assert error["pointer"] == "/scene"
+@pytest.mark.parametrize(
+    ("body", "pointer"), [({}, "/scene"), ({"scene": {"camera": {"position": [1, 2]}}}, "/scene/camera/position/2")]
+)
+def test_a_missing_member_is_named(client, body, pointer):
+    (error,) = problem(client.post("/api/plans", json=body), 422)["errors"]
+    assert error["pointer"] == pointer
 
 
 @pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity", "1e999", "9" * 400])

@@ -23,5 +23,7 @@ def _quick_masks(monkeypatch):
 @hypothesis.settings(deadline=None, suppress_health_check=list(hypothesis.HealthCheck), max_examples=8)
 def test_operations_are_as_described(case):
     # Some scenes fit the schema and are refused with reason: an order of two numbers, a mask nobody has.
-    accepted = schemathesis.checks.positive_data_acceptance
-    case.call_and_validate(excluded_checks=[accepted])
+    excluded = [schemathesis.checks.positive_data_acceptance]
+    if case.path == "/readyz":  # 503 is its answer while the workers start
+        excluded.append(schemathesis.checks.not_a_server_error)
+    case.call_and_validate(excluded_checks=excluded)

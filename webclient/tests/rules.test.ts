@@ -72,8 +72,8 @@ describe("edges of the reductions", () => {
   });
 
   it("refuses rules that do not fill the uniform", () => {
-    const uniform = { type: "vec2" as const, count: 1, rules: [{ rule: "constant" as const, value: [1], field: null }] };
-    expect(() => fill(uniform, still, new Float32Array(2))).toThrow(RangeError);
-    expect(() => fill(uniform, still, new Float32Array(0))).toThrow(RangeError);
+    const rules: Rule[] = [{ rule: "constant", value: [1], field: null }];
+    expect(() => fill(rules, still, new Float32Array(2))).toThrow(RangeError);
+    expect(() => fill(rules, still, new Float32Array(0))).toThrow(RangeError);
   });
 });

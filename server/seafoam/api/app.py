@@ -54,7 +54,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     metrics = Metrics(pool)
 
     @asynccontextmanager
-    async def lifespan(_: FastAPI) -> AsyncIterator[None]:
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        app.state.context = Context(settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8))
         await pool.start()
         yield
         await pool.stop()
@@ -75,7 +76,6 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
             Middleware(LimitBody, limit=settings.max_body),
         ],
     )
-    app.state.context = Context(settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8))
     for router in (presets.router, plans.router, frames.router, masks.router, textures.router):
         app.include_router(router, responses=problem_responses(400, 500))
     app.include_router(health.router)

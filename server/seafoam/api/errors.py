@@ -184,7 +184,7 @@ def pointer_of(location: Sequence[str | int], value: Any, missing: bool) -> tupl
     path: list[str | int] = []
     for index, step in enumerate(location):
         named = isinstance(value, dict) and step in value
-        if named or (isinstance(value, list) and isinstance(step, int)):
+        if named or (isinstance(value, list) and isinstance(step, int) and step < len(value)):
             path.append(step)
             value = value[step]
         elif missing and index == len(location) - 1:

@@ -342,7 +342,10 @@ class RenderPool:
 
     async def start(self) -> None:
         """Start the workers and return at once; :attr:`state` tells when they are ready."""
-        self.state = "starting"
+        self.state, self.active = "starting", 0
+        # They belong to the loop that first waits for them, which after a restart is another.
+        self._settled = asyncio.Event()
+        self._slots = asyncio.Semaphore(self.workers)
         self._keep(self._watch())
 
     async def stop(self) -> None:

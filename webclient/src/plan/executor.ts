@@ -40,6 +40,8 @@ export interface Frame {
 interface BoundUniform {
   active: ActiveUniform;
   uniform: Uniform;
+  /** Whether any of its numbers follow the scene. */
+  live: boolean;
   values: Float32Array;
 }
 
@@ -169,8 +171,9 @@ export class Executor {
       targetHeight: target.height,
       passIndex: index,
     };
-    for (const { active, uniform, values } of uniforms) {
-      fill({ ...uniform, rules: uniform.rules.map((rule) => liveRule(rule, frame.scene)) }, state, values);
+    for (const { active, uniform, live, values } of uniforms) {
+      const rules = live ? uniform.rules.map((rule) => liveRule(rule, frame.scene)) : uniform.rules;
+      fill(rules, state, values);
       upload(gl, active, values);
     }
     for (const { location, unit, reads } of samplers) {
@@ -252,7 +255,8 @@ function bind(
     ];
     if (type !== active.type) throw new Error(`pass ${pass.name}: uniform ${name} is no ${uniform.type} in the program`);
     const components = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }[uniform.type];
-    uniforms.push({ active, uniform, values: new Float32Array(components * uniform.count) });
+    const live = uniform.rules.some((rule) => rule.rule === "constant" && typeof rule.field === "string");
+    uniforms.push({ active, uniform, live, values: new Float32Array(components * uniform.count) });
   }
   return { uniforms, samplers };
 }

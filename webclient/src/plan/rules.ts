@@ -91,9 +91,9 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
 }
 
 /** The values of a uniform's rules one after the other, written into `out`; refused unless they fill it exactly. */
-export function fill(uniform: Uniform, state: FrameState, out: Float32Array): void {
+export function fill(rules: readonly Rule[], state: FrameState, out: Float32Array): void {
   let at = 0;
-  for (const rule of uniform.rules) {
+  for (const rule of rules) {
     const values = evaluate(rule, state);
     if (at + values.length > out.length) throw new RangeError("the rules give more numbers than the uniform holds");
     out.set(values, at);

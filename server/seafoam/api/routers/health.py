@@ -9,7 +9,7 @@ from starlette.responses import JSONResponse, Response
 
 from seafoam.api.caching import NO_STORE
 from seafoam.api.context import InContext
-from seafoam.api.errors import problem_responses
+from seafoam.api.errors import BusyError, problem_responses
 from seafoam.api.metrics import CONTENT_TYPE_LATEST
 from seafoam.api.parameters import Parameters
 from seafoam.render.pool import RendererUnavailableError
@@ -55,7 +55,7 @@ async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -
     """Whether frames can be rendered, and by what. Plans, masks and the page need no renderer."""
     pool = context.pool
     if pool.state == "starting":
-        raise RendererUnavailableError("the renderer is starting")
+        raise BusyError("the renderer is starting", retry_after=1)
     if pool.state != "ready":
         raise RendererUnavailableError(pool.remedy or "the renderer is stopped")
     ready = Ready(

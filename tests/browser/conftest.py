@@ -1,0 +1,67 @@
+"""A served page in a real Chromium, on two renderers: the server's own llvmpipe, and SwiftShader."""
+
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, Playwright, sync_playwright
+
+from browsers import Lane, launched, opened
+
+
+@pytest.fixture(scope="session")
+def server() -> Iterator[str]:
+    """Address of a running server."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    process = subprocess.Popen([Path(sys.executable).with_name("seafoam"), "serve", "--port", str(port)])
+    address = f"http://127.0.0.1:{port}"
+    try:
+        for _ in range(300):
+            assert process.poll() is None, "the server stopped"
+            try:
+                if urllib.request.urlopen(f"{address}/readyz", timeout=5).status == 200:
+                    break
+            except (urllib.error.URLError, ConnectionError):
+                time.sleep(0.2)
+        else:
+            raise AssertionError("the server did not become ready within a minute")
+        yield address
+    finally:
+        process.terminate()
+        process.wait(timeout=20)
+
+
+@pytest.fixture(scope="session")
+def playwright() -> Iterator[Playwright]:
+    with sync_playwright() as started:
+        yield started
+
+
+@pytest.fixture(scope="session")
+def llvmpipe(playwright: Playwright) -> Iterator[Lane]:
+    browser = launched(playwright, "llvmpipe")
+    yield Lane("llvmpipe", browser)
+    browser.close()
+
+
+@pytest.fixture(scope="session")
+def swiftshader(playwright: Playwright) -> Iterator[Lane]:
+    browser = launched(playwright, "SwiftShader")
+    yield Lane("SwiftShader", browser)
+    browser.close()
+
+
+@pytest.fixture(scope="module")
+def page(llvmpipe: Lane, server: str) -> Iterator[Page]:
+    """The page on the server's own renderer."""
+    made = opened(llvmpipe, server)
+    yield made
+    made.close()

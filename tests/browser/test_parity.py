@@ -1,0 +1,114 @@
+"""The browser's frames against the server's: same text, same pixels on the same Mesa; a stated tolerance elsewhere."""
+
+import base64
+import io
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PIL import Image
+from playwright.sync_api import Page
+
+from browsers import Lane, opened
+from report import REPORT
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.presets import load_preset, preset_names
+
+TIMES = (0.0, 2.7, 1e9)
+SIZE = (320, 180)
+SWIFTSHADER = {"mean": 0.6, "share_over_2": 0.02}
+"""SwiftShader's sine is good to 2e-4 only (WebGL asks no more), so phases shift by that much: edges of hard foam move by
+a pixel here and there, and glitter, which magnifies slopes a hundredfold, changes level. Mean difference in levels, and
+share of pixels that differ by more than 2 levels."""
+
+
+def drawn(page: Page, preset: str, time: float, **options: Any) -> tuple[NDArray[np.uint8], dict[str, Any]]:
+    """A preset's frame by the page, (height, width, 4), and what else the page tells."""
+    width, height = options.get("size", SIZE)
+    answer = page.evaluate(
+        "([preset, options]) => window.seafoam.render(preset, options)",
+        [preset, {"time": time, "width": width, "height": height, "quality": options.get("quality", "standard")}],
+    )
+    pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(height, width, 4)
+    return pixels, answer
+
+
+def served(executor: Executor, preset: str, time: float, quality: str = "standard") -> NDArray[np.uint8]:
+    scene = load_preset(preset).scene
+    plan = make_plan(scene, TIERS[quality])  # type: ignore[index]
+    return executor.render(plan, time=time, camera=scene.camera, width=SIZE[0], height=SIZE[1]).pixels  # type: ignore[return-value]
+
+
+def assert_sound(pixels: NDArray[np.uint8], answer: dict[str, Any]) -> None:
+    assert answer["glError"] == 0
+    assert pixels[..., :3].std() > 5.0, "a blank picture"
+    assert (pixels[..., 3] == 255).all()
+
+
+@pytest.mark.parametrize("time", TIMES)
+@pytest.mark.parametrize("preset", preset_names())
+def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset: str, time: float) -> None:
+    pixels, answer = drawn(page, preset, time)
+    assert_sound(pixels, answer)
+    plan = make_plan(load_preset(preset).scene, TIERS["standard"])
+    want = {name: {"vertex": p.vertex.sha256, "fragment": p.fragment.sha256} for name, p in plan.programs.items()}
+    assert answer["sources"] == want
+    difference = np.abs(pixels.astype(int) - served(executor, preset, time).astype(int)).max(axis=-1)
+    equal = float((difference == 0).mean())
+    REPORT.add(
+        "Browser against server, both llvmpipe, 320 × 180",
+        preset=preset,
+        time=f"{time:g} s",
+        equal=f"{100 * equal:.4f} %",
+        worst=str(difference.max()),
+    )
+    assert equal >= 0.9999
+    assert difference.max() <= 1
+
+
+@pytest.mark.parametrize("preset", ["default", "paper-halftone"])
+@pytest.mark.parametrize("quality", ["draft", "high", "reference"])
+def test_same_pixels_at_every_tier(page: Page, executor: Executor, preset: str, quality: str) -> None:
+    pixels, answer = drawn(page, preset, 2.7, quality=quality)
+    assert_sound(pixels, answer)
+    difference = np.abs(pixels.astype(int) - served(executor, preset, 2.7, quality).astype(int)).max(axis=-1)
+    assert (difference == 0).mean() >= 0.9999
+    assert difference.max() <= 1
+
+
+def test_the_served_png_is_the_same_picture(page: Page, server: str) -> None:
+    pixels, _ = drawn(page, "default", 2.7)
+    answer = page.request.get(f"{server}/api/frames/default.png?time=2.7&width={SIZE[0]}&height={SIZE[1]}")
+    assert answer.ok
+    png = np.asarray(Image.open(io.BytesIO(answer.body())).convert("RGB"))
+    assert (np.abs(png.astype(int) - pixels[..., :3].astype(int)).max(axis=-1) == 0).mean() >= 0.9999
+
+
+@pytest.fixture(scope="module")
+def other(swiftshader: Lane, server: str) -> Iterator[Page]:
+    made = opened(swiftshader, server)
+    yield made
+    made.close()
+
+
+@pytest.mark.parametrize("time", TIMES)
+@pytest.mark.parametrize("preset", preset_names())
+def test_close_on_another_renderer(other: Page, executor: Executor, preset: str, time: float) -> None:
+    pixels, answer = drawn(other, preset, time)
+    assert_sound(pixels, answer)
+    difference = np.abs(pixels.astype(int) - served(executor, preset, time).astype(int)).max(axis=-1)
+    mean, over = float(difference.mean()), float((difference > 2).mean())
+    REPORT.add(
+        "SwiftShader against server on llvmpipe, 320 × 180",
+        preset=preset,
+        time=f"{time:g} s",
+        mean=f"{mean:.3f}",
+        over_2=f"{100 * over:.2f} %",
+        worst=str(difference.max()),
+    )
+    assert mean <= SWIFTSHADER["mean"]
+    assert over <= SWIFTSHADER["share_over_2"]

@@ -1,0 +1,43 @@
+"""Chromium on a chosen renderer, with the page open."""
+
+import os
+import shutil
+from dataclasses import dataclass
+
+from playwright.sync_api import Browser, Page, Playwright
+
+COMMON = ["--no-sandbox", "--hide-scrollbars"]
+LANES = {
+    # Chromium's --use-gl=egl alone stays on SwiftShader without a word; ANGLE on the system's EGL is what shares Mesa.
+    "llvmpipe": ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"],
+    "SwiftShader": ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+}
+
+
+@dataclass(frozen=True)
+class Lane:
+    """A browser, and what its renderer's name must say."""
+
+    name: str
+    browser: Browser
+
+
+def chromium() -> str:
+    found = os.environ.get("SEAFOAM_CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
+    assert found, "no Chromium: apt-get install chromium"
+    return found
+
+
+def launched(playwright: Playwright, name: str) -> Browser:
+    return playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES[name]])
+
+
+def opened(lane: Lane, server: str, *, query: str = "paused=1", width: int = 640, height: int = 360) -> Page:
+    """The page, with its first picture on the canvas, on the renderer that the lane names."""
+    page = lane.browser.new_page(viewport={"width": width, "height": height}, device_scale_factor=1)
+    page.goto(f"{server}/?{query}", wait_until="load")
+    page.wait_for_function("() => window.seafoam !== undefined")
+    page.evaluate("() => window.seafoam.ready")
+    renderer = page.evaluate("() => window.seafoam.renderer")
+    assert lane.name.lower() in renderer.lower(), f"asked for {lane.name}, got {renderer}"
+    return page

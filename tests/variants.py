@@ -1,0 +1,79 @@
+"""The closed space of shader variants: scenes and qualities that between them ask for every program there is."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import get_args
+
+from seafoam.plan import FramePlan, make_plan
+from seafoam.plan.model import Program
+from seafoam.quality import TIERS, Quality
+from seafoam.scene.models import (
+    Foam,
+    FrontSaturation,
+    HeightSaturation,
+    Light,
+    Look,
+    ParametricWave,
+    Saturation,
+    Scene,
+    Water,
+)
+from seafoam.scene.presets import load_preset, preset_names
+
+SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
+    (FrontSaturation(),),
+    (FrontSaturation(group=(0.2, 0.6), constants="listing"),),
+    (HeightSaturation(),),
+    (FrontSaturation(), HeightSaturation()),
+)
+
+
+def qualities() -> Iterator[Quality]:
+    """The tiers, and every choice of a knob that changes a program's text in kind."""
+    yield from TIERS.values()
+    standard = TIERS["standard"]
+    for method, filtered, chop, target in product(
+        ("mesh", "march"), (True, False), ("tile", "exact"), ("RGBA16F", "RGBA32F")
+    ):
+        surface = standard.surface.model_copy(update={"method": method, "filter": filtered})
+        yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
+
+
+def scenes() -> Iterator[Scene]:
+    """Every slot file at least once, every join, every compile-time switch both ways."""
+    sea = load_preset("default").scene
+    assert sea.foam is not None
+    for look, saturation in product(get_args(Look), SATURATIONS):
+        for combine in ("max", "product") if len(saturation) > 1 else ("max",):
+            foam = Foam(look=look, saturation=saturation, combine=combine)  # type: ignore[arg-type]
+            yield sea.model_copy(update={"foam": foam})
+    for fade, texture in product((0.0, 0.3), repeat=2):
+        yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"fade": fade, "texture": texture})})
+    yield sea.model_copy(update={"foam": None})
+    yield sea.model_copy(update={"light": None})
+    yield sea.model_copy(update={"light": None, "foam": None})
+    yield sea.model_copy(update={"water": Water()})
+    yield sea.model_copy(update={"water": Water(depth=3.0)})
+    yield Scene()
+    yield Scene(foam=Foam(), light=Light())
+    yield Scene(waves=tuple(ParametricWave(wavelength=3.0 + i) for i in range(16)), foam=Foam())
+    yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"mask": "vac:2:64:7"})})
+
+
+def every_plan() -> Iterator[FramePlan]:
+    """Presets at every quality, and every scene at each tier."""
+    for name in preset_names():
+        for quality in qualities():
+            yield make_plan(load_preset(name).scene, quality)
+    for scene in scenes():
+        for quality in TIERS.values():
+            yield make_plan(scene, quality)
+
+
+def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:
+    """Each distinct program once, with a plan that asks for it."""
+    found: dict[tuple[str, str], tuple[FramePlan, str, Program]] = {}
+    for plan in every_plan():
+        for name, program in plan.programs.items():
+            found.setdefault((program.vertex.sha256, program.fragment.sha256), (plan, name, program))
+    return found
