@@ -17,12 +17,18 @@ class SurfaceQuality(Knobs):
     """How the eye's ray finds the surface."""
 
     method: Literal["mesh", "march"] = Field(
-        default="mesh",
-        description="mesh: a grid finds the surface, Newton steps finish; march: Lipschitz steps along the ray",
+        default="march",
+        description="march: steps along the ray that cannot pass the surface; mesh: a grid finds it, Newton steps finish",
     )
-    cells: int = Field(default=192, ge=8, le=1024, description="Cells of the grid along each side")
-    refine: int = Field(default=2, ge=0, le=8, description="Newton steps a pixel")
-    steps: int = Field(default=96, ge=8, le=1024, description="Greatest number of steps of a march")
+    steps: int = Field(default=192, ge=8, le=1024, description="Greatest number of steps of a march")
+    tolerance: float = Field(
+        default=0.1,
+        ge=1e-4,
+        le=1.0,
+        description="A march ends this near the surface, in heights of a sample; Newton finishes",
+    )
+    cells: int = Field(default=192, ge=8, le=1024, description="Cells of the mesh along each side")
+    refine: int = Field(default=2, ge=0, le=8, description="Newton steps a pixel after the mesh")
     filter: bool = Field(default=True, description="Turn waves smaller than a pixel into roughness")
 
 
@@ -39,11 +45,11 @@ class Quality(Knobs):
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(cells=96, refine=1), chop_size=128),
+    "draft": Quality(surface=SurfaceQuality(method="mesh"), chop_size=128),
     "standard": Quality(),
-    "high": Quality(surface=SurfaceQuality(cells=384, refine=3), chop="exact", samples=4),
+    "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", samples=4),
     "reference": Quality(
-        surface=SurfaceQuality(method="march", steps=512, filter=False), chop="exact", samples=16, target="RGBA32F"
+        surface=SurfaceQuality(steps=512, tolerance=2e-4, filter=False), chop="exact", samples=16, target="RGBA32F"
     ),
 }
 

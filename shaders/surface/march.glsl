@@ -25,8 +25,8 @@ bool find_surface(vec3 ray, out float tau, out vec3 wave) {
     leave = min(leave, reach);
     enter = min(enter, leave);
 
-    // A five-thousandth of a sample's height: under it Newton takes over.
-    float fine = 2e-4 * length(u_ray_y) * 2.0 / u_viewport.y;
+    // Share of a sample's height under which Newton takes over.
+    float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
     float fastest = max(u_surface_steepest * speed - ray.y, 1e-6 * length(ray));
     tau = enter;
     float gap = 0.0;

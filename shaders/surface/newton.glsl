@@ -4,7 +4,7 @@ in vec3 v_position;
 bool find_surface(vec3 ray, out float tau, out vec3 wave) {
     vec3 to_mesh = v_position - vec3(0.0, u_eye_height, 0.0);
     tau = dot(to_mesh, ray) / dot(ray, ray);
-    float limit = 0.25 * tau;
+    float limit = 0.05 * tau;
     // Waves too small to be told apart from here have no crest to hide behind: the same filter as the shading's.
     Footprint level = footprint(ray, tau, vec3(0.0, 1.0, 0.0));
     wave = waves_shading(tau * ray.xz, level).xyz;

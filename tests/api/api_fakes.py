@@ -14,7 +14,7 @@ HANG = 777.0
 CRASH = 666.0
 RAISE = 555.0
 SLOW = 444.0
-SLOW_SECONDS = 0.6
+SLOW_SECONDS = 0.5
 REMEDY = "no OpenGL context: none here; install a driver"
 
 

@@ -83,18 +83,11 @@ def test_the_deadline_counts_waiting():
 
 def test_a_worker_that_dies_while_idle_is_replaced():
     async def work(pool):
-        os.kill(await worker_of(pool), signal.SIGKILL)
-        await asyncio.sleep(0.5)
-        assert (await pool.render(job())).content
-        assert pool.restarts["crash"] >= 1
-
-    with_pool(work)
-
-
-def test_a_worker_that_dies_just_before_its_job_is_replaced():
-    async def work(pool):
-        os.kill(await worker_of(pool), signal.SIGKILL)
-        assert (await pool.render(job())).content
+        for seconds_before_the_next_job in (0.5, 0.0):
+            os.kill(await worker_of(pool), signal.SIGKILL)
+            await asyncio.sleep(seconds_before_the_next_job)
+            assert (await pool.render(job())).content
+        assert pool.restarts["crash"] >= 2
 
     with_pool(work)
 

@@ -20,7 +20,7 @@ def _quick_masks(monkeypatch):
 
 
 @schema.parametrize()
-@hypothesis.settings(deadline=None, suppress_health_check=list(hypothesis.HealthCheck), max_examples=8)
+@hypothesis.settings(deadline=None, suppress_health_check=list(hypothesis.HealthCheck), max_examples=4)
 def test_operations_are_as_described(case):
     # Some scenes fit the schema and are refused with reason: an order of two numbers, a mask nobody has.
     excluded = [schemathesis.checks.positive_data_acceptance]

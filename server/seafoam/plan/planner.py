@@ -97,6 +97,7 @@ def make_plan(scene: Scene, quality: Quality) -> FramePlan:
         "SURFACE_FILTER": quality.surface.filter,
         "REFINE": quality.surface.refine,
         "MARCH_STEPS": quality.surface.steps,
+        "MARCH_TOLERANCE": quality.surface.tolerance,
         "SAMPLE_SIDE": side,
     }
     chosen = [*draft.slots, SlotFile("find", "surface/newton.glsl" if mesh else "surface/march.glsl")]
