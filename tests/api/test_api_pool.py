@@ -286,3 +286,36 @@ def test_a_deadline_over_http(serve):
         assert response.json()["type"] == "urn:seafoam:problem:deadline"
         client.app.state.context.pool.deadline = 20.0
         assert client.get("/api/frames/default.png?width=8&height=8").status_code == 200
+
+
+def test_a_client_that_leaves_gives_its_place_back(serve):
+    sent = []
+    scope = {
+        "type": "http", "method": "GET", "path": "/api/frames/default.png", "raw_path": b"/api/frames/default.png",
+        "query_string": b"width=8&height=8", "headers": [], "http_version": "1.1", "scheme": "http", "root_path": "",
+    }  # fmt: skip
+
+    with serve() as client:
+        assert client.get("/api/frames/default.png?width=8&height=8").status_code == 200
+        pool = client.app.state.context.pool
+
+        async def leave():
+            arriving = iter([{"type": "http.request", "body": b"", "more_body": False}])
+
+            async def receive():
+                for message in arriving:
+                    return message
+                await eventually(lambda: pool.waiting == 1)
+                return {"type": "http.disconnect"}
+
+            async def send(message):
+                sent.append(message)
+
+            await pool._slots.acquire()
+            await client.app(scope, receive, send)
+            assert pool.waiting == 0
+            pool._slots.release()
+
+        client.portal.call(leave)
+        assert client.get("/api/frames/default.png?width=8&height=8").status_code == 200
+    assert sent[0]["status"] == 499

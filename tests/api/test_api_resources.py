@@ -196,6 +196,8 @@ def test_openapi_describes_every_operation_with_its_problems(client):
             assert "application/problem+json" in operation["responses"]["422"]["content"], f"{method} {path}"
             for parameter in operation.get("parameters", ()):
                 assert parameter.get("description"), f"{method} {path}: {parameter['name']}"
+                told = any(word in str(parameter["schema"]) for word in ("example", "enum", "pattern", "default"))
+                assert told, f"{method} {path}: {parameter['name']}"
     text = json.dumps(document)
     missing = {name for name in re.findall(r"#/components/schemas/(\w+)", text)} - set(
         document["components"]["schemas"]

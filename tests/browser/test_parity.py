@@ -20,10 +20,13 @@ from seafoam.scene.presets import load_preset, preset_names
 
 TIMES = (0.0, 2.7, 1e9)
 SIZE = (320, 180)
-SWIFTSHADER = {"mean": 0.6, "share_over_2": 0.02}
-"""SwiftShader's sine is good to 2e-4 only (WebGL asks no more), so phases shift by that much: edges of hard foam move by
-a pixel here and there, and glitter, which magnifies slopes a hundredfold, changes level. Mean difference in levels, and
-share of pixels that differ by more than 2 levels."""
+HARD = {"mean": 3.0, "share_over_2": 0.06}
+SOFT = {"mean": 0.6, "share_over_2": 0.01}
+"""What SwiftShader may differ by: mean difference in levels, and share of pixels that differ by more than 2 levels.
+
+Its sine is good to 2e-4 only (WebGL asks no more), so phases shift by that much. Filtered and textured foam move by
+less than a level; a hard threshold flips the pixels whose saturation lies that close to the mask, and glitter, which
+magnifies slopes a hundredfold, changes level here and there."""
 
 
 def drawn(page: Page, preset: str, time: float, **options: Any) -> tuple[NDArray[np.uint8], dict[str, Any]]:
@@ -110,5 +113,7 @@ def test_close_on_another_renderer(other: Page, executor: Executor, preset: str,
         over_2=f"{100 * over:.2f} %",
         worst=str(difference.max()),
     )
-    assert mean <= SWIFTSHADER["mean"]
-    assert over <= SWIFTSHADER["share_over_2"]
+    foam = load_preset(preset).scene.foam
+    allowed = SOFT if foam is None or foam.look in ("filtered", "textured") else HARD
+    assert mean <= allowed["mean"]
+    assert over <= allowed["share_over_2"]

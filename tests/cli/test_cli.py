@@ -2,6 +2,7 @@
 
 import io
 import json
+import logging
 import os
 import signal
 import socket
@@ -308,3 +309,12 @@ def test_a_port_in_use(seafoam):
         code, _, err = seafoam("serve", "--port", taken.getsockname()[1])
     assert code == 1
     assert "--port" in err
+
+
+@pytest.mark.parametrize(
+    ("path", "kept"), [("/healthz", False), ("/readyz", False), ("/metrics", False), ("/api/presets", True)]
+)
+def test_health_checks_are_not_logged(path, kept):
+    arguments = ("127.0.0.1:5", "GET", path, "1.1", 200)
+    record = logging.LogRecord("uvicorn.access", logging.INFO, "", 0, '%s - "%s %s HTTP/%s" %d', arguments, None)
+    assert cli._not_a_probe(record) is kept

@@ -59,9 +59,9 @@ def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
     return Field(default=None, description=description or info.description, **(bounds | override))
 
 
-def _axis(index: int, description: str) -> Any:
+def _axis(index: int, description: str, example: float) -> Any:
     (info,) = (rule for rule in get_args(get_args(Camera.model_fields["position"].annotation)[index])[1:])
-    return _same(info, description)
+    return _same(info, description, examples=[example])
 
 
 class QualityParameter(Parameters):
@@ -113,13 +113,13 @@ class FrameParameters(SceneOverrides):
     height: int | None = Field(
         default=None, ge=1, description="Height, pixels; absent: the preset's own", examples=[360]
     )
-    x: float | None = _axis(0, "Eye, m along +x; absent, like the rest of the camera: the preset's own")
-    y: float | None = _axis(1, "Eye, m above the troughs")
-    z: float | None = _axis(2, "Eye, m along +z")
-    yaw: float | None = _same(Camera.model_fields["yaw"])
-    pitch: float | None = _same(Camera.model_fields["pitch"])
-    roll: float | None = _same(Camera.model_fields["roll"])
-    fov: float | None = _same(Camera.model_fields["fov"])
+    x: float | None = _axis(0, "Eye, m along +x; absent, like the rest of the camera: the preset's own", 0.0)
+    y: float | None = _axis(1, "Eye, m above the troughs", 4.5)
+    z: float | None = _axis(2, "Eye, m along +z", -20.0)
+    yaw: float | None = _same(Camera.model_fields["yaw"], examples=[0.35])
+    pitch: float | None = _same(Camera.model_fields["pitch"], examples=[-0.2])
+    roll: float | None = _same(Camera.model_fields["roll"], examples=[0.0])
+    fov: float | None = _same(Camera.model_fields["fov"], examples=[0.9])
 
     def camera(self, own: Camera) -> Camera:
         """The preset's own camera, with what is given put in its place."""
@@ -156,8 +156,8 @@ class PlanRequest(BaseModel):
 class FrameRequest(PlanRequest):
     """A frame of a scene."""
 
-    time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s")
-    width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels")
-    height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels")
+    time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
+    width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
+    height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description="png, webp (lossless), or npy (linear float32)")
     camera: Camera | None = Field(default=None, description="Absent: the scene's own")

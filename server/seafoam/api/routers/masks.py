@@ -74,11 +74,11 @@ class CustomMask(Parameters):
         f"absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or what size allows",
         examples=[3.0],
     )
-    size: MaskSize = Field(default=MaskSize.S256, description="Side of the tile, texels")
-    seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Which mask of its kind")
+    size: MaskSize = Field(default=MaskSize.S256, description="Side of the tile, texels", examples=[128])
+    seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Which mask of its kind", examples=[2011])
 
 
-class MaskParametersOut(BaseModel):
+class MaskParameters(BaseModel):
     """What determines a mask."""
 
     sigma: float = Field(description="The family's length, texels")
@@ -94,7 +94,7 @@ class MaskInfo(BaseModel):
     title: str
     summary: str
     family: Family
-    parameters: MaskParametersOut
+    parameters: MaskParameters
     generator: str = Field(description="Version of the construction rules")
     sha256: str = Field(description="Of the ranks as little-endian uint32, row by row")
     value_rule: str

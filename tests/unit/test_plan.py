@@ -1,0 +1,162 @@
+"""Frame plans: same bytes, nothing that the scene does not call for, every uniform ruled, live fields truly live."""
+
+import json
+import re
+import subprocess
+import sys
+from typing import Any, get_args
+
+import pytest
+
+from seafoam.effects.contribution import COMPONENTS
+from seafoam.plan import FramePlan, PlanError, make_plan
+from seafoam.plan.assemble import declared_uniforms
+from seafoam.quality import TIERS
+from seafoam.resources import data_dir
+from seafoam.scene.models import Camera, Foam, FrontSaturation, Look, ParametricWave, Scene, Water
+from seafoam.scene.presets import load_preset, preset_names
+
+STANDARD = TIERS["standard"]
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_same_bytes_in_another_process(preset: str) -> None:
+    plan = make_plan(load_preset(preset).scene, STANDARD)
+    code = (
+        "from seafoam.plan import make_plan; from seafoam.quality import TIERS; "
+        "from seafoam.scene.presets import load_preset; "
+        f"print(make_plan(load_preset({preset!r}).scene, TIERS['standard']).sha256)"
+    )
+    other = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
+    assert other == plan.sha256
+
+
+def test_a_plan_survives_its_json() -> None:
+    plan = make_plan(load_preset("default").scene, STANDARD)
+    assert FramePlan.model_validate_json(plan.canonical_json()) == plan
+
+
+@pytest.mark.parametrize("tier", TIERS)
+@pytest.mark.parametrize("preset", preset_names())
+def test_every_uniform_is_filled_and_every_reference_resolves(preset: str, tier: str) -> None:
+    plan = make_plan(load_preset(preset).scene, TIERS[tier])  # type: ignore[index]
+    for one in plan.passes:
+        program = plan.programs[one.program]
+        declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
+        assert {name for name, sampler in declared.items() if sampler} == one.inputs.keys()
+        for source in one.inputs.values():
+            assert getattr(source, "texture", None) in plan.textures or getattr(source, "target", None) in plan.targets
+        assert one.target == "screen" or one.target in plan.targets
+    for uniform in plan.uniforms.values():
+        sizes = {"constant": None, "view_projection": 16, "eye_height": 1}
+        total = 0
+        for rule in uniform.rules:
+            if rule.rule == "constant":
+                total += len(rule.value)
+            elif rule.rule == "camera":
+                total += sizes.get(rule.what) or 3
+            else:
+                total += 2 if rule.rule == "viewport" else 1
+        assert total == COMPONENTS[uniform.type] * uniform.count
+
+
+def test_what_the_scene_does_not_call_for_is_not_there() -> None:
+    bare = make_plan(Scene(light=None), STANDARD)
+    text = "".join(program.fragment.text for program in bare.programs.values())
+    for word in ("u_sun", "u_foam", "u_mask", "u_chop", "parametric", "fresnel"):
+        assert word not in text
+    assert not bare.textures
+    assert not bare.effects
+    assert {one.name for one in bare.passes} == {"surface", "sky", "tone"}
+
+
+@pytest.mark.parametrize("look", get_args(Look))
+def test_a_look_brings_its_own_textures_only(look: Look) -> None:
+    scene = load_preset("paper-halftone").scene
+    assert scene.foam is not None
+    plan = make_plan(scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})}), STANDARD)
+    assert ("mask_ranks" in plan.textures) == (look != "textured")
+    assert ("mask_moments" in plan.textures) == (look == "filtered")
+    assert ("foam_texture" in plan.textures) == (look not in ("halftone", "fading"))
+
+
+def test_a_front_without_waves_is_skipped_with_its_reason() -> None:
+    plan = make_plan(Scene(foam=Foam()), STANDARD)
+    assert [(note.name, note.why) for note in plan.skipped] == [("front foam", "no wave, so no front")]
+
+
+def test_an_unknown_mask_names_its_field() -> None:
+    with pytest.raises(PlanError) as caught:
+        make_plan(Scene(foam=Foam(mask="vac-7")), STANDARD)
+    assert caught.value.pointer == "/foam/mask"
+
+
+def at(document: Any, pointer: str) -> tuple[Any, str]:
+    *path, last = pointer.lstrip("/").split("/")
+    for key in path:
+        document = document[int(key) if isinstance(document, list) else key]
+    return document, last
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_live_fields_change_nothing_but_their_constants(preset: str) -> None:
+    """What the client may do without asking: put the field's new value where the plan names it."""
+    scene = load_preset(preset).scene
+    plan = make_plan(scene, STANDARD)
+    for pointer in plan.live:
+        changed = scene.model_dump(mode="json")
+        parent, key = at(changed, pointer)
+        old = parent[key]
+        parent[key] = [0.9 * x for x in old] if isinstance(old, list) else 0.9 * old
+        new_value = parent[key] if isinstance(old, list) else [parent[key]]
+        new = make_plan(Scene.model_validate(changed), STANDARD)
+        patched = json.loads(plan.canonical_json())
+        places = 0
+        for uniform in patched["uniforms"].values():
+            for rule in uniform["rules"]:
+                if rule.get("field") == pointer:
+                    rule["value"] = new_value
+                    places += 1
+        assert places >= 1
+        theirs = json.loads(new.canonical_json())
+        # Words about the scene may quote a number; what draws may not differ.
+        for document in (patched, theirs):
+            del document["effects"]
+        assert theirs == patched, pointer
+
+
+def test_structural_fields_are_not_live() -> None:
+    plan = make_plan(load_preset("default").scene, STANDARD)
+    for pointer in ("/foam/fade", "/foam/texture", "/foam/look", "/waves/0/amplitude", "/light/sun_elevation"):
+        assert pointer not in plan.live
+
+
+def test_the_plan_knows_nothing_of_time_camera_and_size() -> None:
+    scene = load_preset("default").scene
+    moved = scene.model_copy(update={"camera": Camera(position=(1e6, 50.0, 3.0), yaw=1.0)})
+    assert make_plan(moved, STANDARD).sha256 == make_plan(scene, STANDARD).sha256
+
+
+def test_every_shader_starts_as_webgl_wants_it_and_maps_its_lines() -> None:
+    plan = make_plan(load_preset("default").scene, STANDARD)
+    for program in plan.programs.values():
+        for shader in (program.vertex, program.fragment):
+            assert shader.text.startswith("#version 300 es\nprecision highp float;\n")
+            lines = shader.text.split("\n")
+            for file in shader.files:
+                assert lines[file.line - 1] == (data_dir("shaders") / file.path).read_text().split("\n")[0]
+
+
+def test_glsl_never_multiplies_raw_time_nor_hashes_floats() -> None:
+    for path in data_dir("shaders").rglob("*.glsl"):
+        text = path.read_text(encoding="utf-8")
+        assert not re.search(r"\bu_time\b|fract\(\s*sin", text), path
+        assert "#" not in text, f"{path}: slots, not the preprocessor"
+        assert text.startswith("// "), f"{path} does not say what it computes"
+
+
+def test_waves_of_no_height_bring_no_wave_code() -> None:
+    scene = Scene(waves=(ParametricWave(amplitude=0.0),), foam=Foam(saturation=(FrontSaturation(),)), water=Water())
+    plan = make_plan(scene, STANDARD)
+    assert "parametric" not in plan.programs["surface"].fragment.text
+    assert "front foam" in {note.name for note in plan.effects}

@@ -1,0 +1,114 @@
+"""The scene: what it refuses, and how it says so; dispersion and ripples."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pydantic import ValidationError
+from scipy.optimize import brentq
+
+from seafoam.scene.chop import TILES, WAVES_PER_TILE, ripples
+from seafoam.scene.dispersion import angular_frequency, wavenumber, wavevector
+from seafoam.scene.models import GRAVITY, Chop, ParametricWave, Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+
+@pytest.mark.parametrize(
+    ("document", "where"),
+    [
+        ({"wave": []}, ("wave",)),
+        ({"waves": [{"model": "gerstner"}]}, ("waves", 0)),
+        ({"waves": [{"amplitude": -1.0}]}, ("waves", 0, "amplitude")),
+        ({"waves": [{"wavelength": 0.0}]}, ("waves", 0, "wavelength")),
+        ({"waves": [{"exponent": float("nan")}]}, ("waves", 0, "exponent")),
+        ({"foam": {"saturation": []}}, ("foam", "saturation")),
+        ({"foam": {"look": "dotted"}}, ("foam", "look")),
+        ({"foam": {"mask": "../etc"}}, ("foam", "mask")),
+        (
+            {"foam": {"saturation": [{"source": "height", "base": 1, "full": 1}]}},
+            ("foam", "saturation", 0, "height"),
+        ),
+        ({"foam": {"saturation": [{"source": "front", "group": [0.5, 0.1]}]}}, ("foam", "saturation", 0, "front")),
+        ({"camera": {"position": [0, float("inf"), 0]}}, ("camera", "position", 1)),
+        ({"light": {"sun_elevation": 2.0}}, ("light", "sun_elevation")),
+    ],
+)
+def test_bad_scenes_name_the_field(document: dict[str, object], where: tuple[object, ...]) -> None:
+    with pytest.raises(ValidationError) as caught:
+        Scene.model_validate(document)
+    assert any(tuple(error["loc"])[: len(where)] == where for error in caught.value.errors())
+
+
+def test_every_number_has_a_description_and_a_range() -> None:
+    def check(node: dict[str, object], path: str) -> None:
+        if node.get("type") in ("number", "integer"):
+            assert {"minimum", "maximum"} <= node.keys(), f"{path} has no range"
+        for key in ("anyOf", "oneOf", "prefixItems"):
+            for i, part in enumerate(node.get(key, [])):  # type: ignore[arg-type]
+                check(part, f"{path}/{i}")
+
+    schema = Scene.model_json_schema()
+    for name, model in schema["$defs"].items():
+        for field, node in model.get("properties", {}).items():
+            check(node, f"{name}.{field}")
+            numeric = node.get("type") in ("number", "integer") or "prefixItems" in node
+            assert not numeric or node.get("description"), f"{name}.{field} has no description"
+
+
+def test_presets_have_words_and_a_size() -> None:
+    assert preset_names()[0] == "default"
+    for name in preset_names():
+        preset = load_preset(name)
+        assert preset.title
+        assert preset.summary.endswith(".")
+        assert min(preset.size) >= 16
+
+
+@given(deep=st.floats(1e-3, 200.0), depth=st.floats(0.05, 11000.0))
+def test_dispersion_relation_holds(deep: float, depth: float) -> None:
+    k = wavenumber(deep, depth)
+    assert k >= deep * (1.0 - 1e-12)
+    assert math.isclose(k * math.tanh(k * depth), deep, rel_tol=1e-12)
+
+
+def test_dispersion_agrees_with_a_root_finder() -> None:
+    for wavelength, depth in ((22.0, 2.0), (5.0, 1.0), (100.0, 0.5)):
+        deep = 2 * math.pi / wavelength
+        root = brentq(lambda k, h, d: k * math.tanh(k * h) - d, deep, 100.0 * deep, args=(depth, deep), xtol=1e-14)
+        assert math.isclose(wavenumber(deep, depth), root, rel_tol=1e-10)
+    assert wavenumber(0.3, None) == 0.3
+
+
+def test_waves_keep_their_frequency_over_a_floor() -> None:
+    wave = ParametricWave(wavelength=20.0, direction=0.3)
+    assert math.isclose(angular_frequency(wave), math.sqrt(GRAVITY * 2 * math.pi / 20.0))
+    deep, shallow = wavevector(wave, None), wavevector(wave, 1.0)
+    assert math.hypot(*shallow) > math.hypot(*deep)
+    assert math.isclose(math.atan2(shallow[1], shallow[0]), 0.3)
+    assert math.isclose(angular_frequency(ParametricWave(wavelength=20.0, speed=3.0)), 3.0 * 2 * math.pi / 20.0)
+
+
+def test_ripples_tile_and_have_the_slope_asked_for() -> None:
+    chop = Chop(slope=0.2, seed=9)
+    cascades = ripples(chop)
+    assert [len(waves) for waves in cascades] == [WAVES_PER_TILE] * len(TILES)
+    for tile, waves in zip(TILES, cascades, strict=True):
+        numbers = [(w.kx * tile / (2 * math.pi), w.kz * tile / (2 * math.pi)) for w in waves]
+        assert all(abs(a - round(a)) < 1e-9 and abs(b - round(b)) < 1e-9 for a, b in numbers)
+        assert len({(round(a), round(b)) for a, b in numbers}) == WAVES_PER_TILE
+    assert math.isclose(sum(0.5 * w.slope**2 for waves in cascades for w in waves), 0.2**2)
+    assert ripples(chop) == ripples(Chop(slope=0.2, seed=9)) != ripples(Chop(slope=0.2, seed=10))
+
+
+def test_ripples_measured_on_a_tile() -> None:
+    """The mean square slope over a whole tile is the one asked for."""
+    waves = ripples(Chop(slope=0.2, seed=4))[0]
+    x, z = np.meshgrid(*(np.arange(128) * TILES[0] / 128,) * 2)
+    slopes = [-w.slope / w.k * np.cos(w.phase - w.kx * x - w.kz * z) for w in waves]
+    sx = sum(s * w.kx for s, w in zip(slopes, waves, strict=True))
+    sz = sum(s * w.kz for s, w in zip(slopes, waves, strict=True))
+    opposite = {(-round(w.kx, 6), -round(w.kz, 6)) for w in waves} & {(round(w.kx, 6), round(w.kz, 6)) for w in waves}
+    assert not opposite
+    assert math.isclose(float(np.mean(sx**2 + sz**2)), 0.2**2 / 2, rel_tol=1e-6)
