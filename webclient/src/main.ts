@@ -17,6 +17,6 @@ try {
     curtain.fail("The server is away", `${error.message} Once it is back, the sea is too.`, "Try again");
   } else {
     curtain.fail("Something went wrong", error instanceof Error ? error.message : String(error), "Try again");
+    throw error;
   }
-  throw error;
 }

@@ -2,11 +2,12 @@
 import { type Api, ApiError, type Choice, type Preset, type PresetSummary } from "../api";
 import { Controls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
+import { CapabilityError } from "../gl/capabilities";
 import { controlOf, type GroupControl, choices as choicesIn, schemaNamed } from "../panel/model";
 import { ScenePane } from "../panel/pane";
 import { compile } from "../plan/executor";
 import { CAMERA } from "../plan/live";
-import { apply, diff, get, isObject, type Json, type JsonObject, steps, withValue } from "../scene/json";
+import { apply, diff, equal, get, isObject, type Json, type JsonObject, steps, withValue } from "../scene/json";
 import { type Hook, renderOffscreen } from "../testhook";
 import type { Curtain } from "../ui/curtain";
 import { type Comparable, Divider, plainOptions } from "../ui/divider";
@@ -31,7 +32,6 @@ const QUALITY_DEFAULT = "standard";
 const ADDRESS_REST = 400;
 /** The camera's least height over the highest crest, m. */
 const CLEARANCE = 0.3;
-const WIDE = "(min-width: 701px)";
 
 export class App {
   private readonly clock = new Clock();
@@ -57,10 +57,14 @@ export class App {
   static async open(api: Api, curtain: Curtain): Promise<void> {
     const link = decode(location.hash);
     const [presets, openapi] = await Promise.all([api.presets(), api.openapi()]);
-    const known = presets.find(({ name }) => name === link.preset) ?? presets[0];
-    if (known === undefined) throw new Error("The server has no presets.");
-    const preset = await api.preset(known.name);
-    new App(api, curtain, presets, openapi, preset, link);
+    const known = presets.find(({ name }) => name === link.preset);
+    const opened = known ?? presets[0];
+    if (opened === undefined) throw new Error("The server has no presets.");
+    const preset = await api.preset(opened.name);
+    const unknown = link.preset !== null && known === undefined;
+    // What a link says of one sea means nothing for another.
+    const app = new App(api, curtain, presets, openapi, preset, unknown ? decode("") : link);
+    if (unknown) app.toasts.show(`There is no sea “${link.preset}” here; this is “${preset.title}”.`, [], "error");
   }
 
   private readonly store: Store;
@@ -105,9 +109,10 @@ export class App {
     );
     this.transport = new Transport(byId("transport"), this.clock, () => this.store.now.preset.time, this.readout.root);
     this.tools();
-    this.settings.toggle(matchMedia(WIDE).matches && window.innerWidth > 1100);
+    // The sea is seen first.
+    this.settings.toggle(false);
 
-    this.store.onChange((now, before) => this.changed(now, before));
+    this.store.onChange((now) => this.changed(now));
     this.clock.onChange(() => this.moved());
     this.controls.onMove(() => this.moved());
     window.addEventListener("hashchange", () => void this.follow(decode(location.hash)));
@@ -150,9 +155,7 @@ export class App {
   }
 
   /** Something was chosen. */
-  private changed(now: Choices, before: Choices): void {
-    const onlyTheDivider = now.split?.at !== before.split?.at && now.scene === before.scene && now.quality === before.quality;
-    if (onlyTheDivider) this.stage.dirty = true;
+  private changed(now: Choices): void {
     this.showChoices(now);
     this.plan();
     this.moved();
@@ -393,15 +396,19 @@ export class App {
     }
   }
 
-  /** Tells the visitor; the old picture stays. */
+  /** Tells the visitor; the old picture stays. Where there is none, the preset as it is takes the place of what was asked for. */
   private failed(error: unknown): void {
     const message = error instanceof Error ? error.message : String(error);
-    if (this.slots[0].ready === null && !(error instanceof ApiError && error.status >= 400 && error.status < 500)) {
-      this.curtain.fail("No picture yet", message, "Try again");
-    } else {
-      this.curtain.lift();
-    }
     this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
+    if (this.slots[0].ready !== null) return;
+    const { preset, scene, quality, split } = this.store.now;
+    const refused = error instanceof CapabilityError || (error instanceof ApiError && error.status >= 400 && error.status < 500);
+    const plain = equal(scene, preset.scene) && quality === QUALITY_DEFAULT && split === null;
+    if (refused && !plain) {
+      this.store.set({ scene: preset.scene, quality: QUALITY_DEFAULT, split: null });
+      return;
+    }
+    this.curtain.fail("No picture yet", message, "Try again");
     this.settle?.reject(error);
   }
 
@@ -423,11 +430,11 @@ export class App {
       restoreContext: () => held?.restoreContext(),
       state: () => ({
         ...this.link(true),
-        plan: this.slots[0].plan?.version ?? null,
         pictures: this.slots.filter(({ ready: picture }) => picture !== null).length,
         lost: this.stage.gl.isContextLost(),
         timing: this.stage.timing(),
         playing: this.clock.playing,
+        settled: this.busy.size === 0 && !this.clock.playing && this.stage.atRest,
       }),
     };
   }

@@ -91,16 +91,20 @@ export class Stage {
     new ResizeObserver(() => (this.dirty = true)).observe(canvas);
   }
 
+  /** Whether the picture shows everything asked for, as sharp as it will be, and has left the GPU. */
+  get atRest(): boolean {
+    return !this.dirty && this.flights.length === 0 && !this.unmeasured && this.sharperScale() === null;
+  }
+
   /** Call once an animation frame; draws where there is something new to show. `moving`: more frames will follow. */
   tick(now: number, view: View, moving: boolean): void {
     if (this.gl.isContextLost()) return;
     this.collect(now);
-    const unmeasured = this.frameTime === null && this.trials < TRIALS;
-    const resting = !moving && !this.dirty && !unmeasured;
+    const resting = !moving && !this.dirty && !this.unmeasured;
     const [left] = this.slots;
     if (left.ready === null || this.flights.length > (this.gpu.capabilities.software ? 0 : 1)) return;
-    const scale = resting ? this.sharperScale(now) : this.resolution.scale;
-    if (scale === null) return;
+    const scale = resting ? this.sharperScale() : this.resolution.scale;
+    if (scale === null || (resting && now - this.lastDraw < REST)) return;
     this.dirty = false;
     this.lastDraw = now;
     this.trials += 1;
@@ -171,10 +175,14 @@ export class Stage {
     }
   }
 
+  private get unmeasured(): boolean {
+    return this.frameTime === null && this.trials < TRIALS;
+  }
+
   /** The scale at which a picture at rest is worth another frame; null where it is as sharp as it will be. */
-  private sharperScale(now: number): number | null {
+  private sharperScale(): number | null {
     const { finished } = this;
-    if (finished === null || finished.scale !== this.scale || this.scale >= 1 || now - this.lastDraw < REST) return null;
+    if (finished === null || finished.scale !== this.scale || this.scale >= 1) return null;
     const next = Math.min(1, this.scale * SHARPER);
     return finished.milliseconds * (next / this.scale) ** 2 > PATIENCE ? null : next;
   }

@@ -1,0 +1,58 @@
+"""Makes the pictures of the docs again: ``make docs``."""
+
+from pathlib import Path
+
+from PIL import Image
+
+from seafoam.masks.catalogue import load_catalogue, load_mask
+from seafoam.masks.plots import contact_sheet, magnified_sheet
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.presets import load_preset, preset_names
+
+PICTURES = Path(__file__).parent / "pictures"
+
+
+def frame(executor: Executor, name: str, width: int, height: int, **foam: object) -> Image.Image:
+    """A preset at its best time, nine samples a pixel."""
+    preset = load_preset(name)
+    scene = preset.scene
+    if foam and scene.foam is not None:
+        scene = scene.model_copy(update={"foam": scene.foam.model_copy(update=foam)})
+    quality = TIERS["high"].model_copy(update={"samples": 9})
+    rendered = executor.render(
+        make_plan(scene, quality), time=preset.time, camera=scene.camera, width=width, height=height
+    )
+    return Image.fromarray(rendered.pixels[..., :3])
+
+
+def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
+    """Pictures of one size in rows."""
+    width, height = pictures[0].size
+    rows = -(-len(pictures) // columns)
+    made = Image.new("RGB", (columns * (width + gap) - gap, rows * (height + gap) - gap), "white")
+    for i, picture in enumerate(pictures):
+        made.paste(picture, ((i % columns) * (width + gap), (i // columns) * (height + gap)))
+    return made
+
+
+def main() -> None:
+    """Write every picture."""
+    executor = Executor()
+    frame(executor, "default", 1280, 720).save(PICTURES / "default.webp", quality=92)
+    figures = [frame(executor, name, 480, 270 if name != "paper-threshold" else 240) for name in preset_names()[1:]]
+    figures = [picture.resize((480, 270)) if picture.size != (480, 270) else picture for picture in figures]
+    sheet(figures, 4).save(PICTURES / "figures.webp", quality=92)
+    looks = ("textured", "halftone", "fading", "halftone_textured", "listing", "filtered")
+    sheet([frame(executor, "paper-wake", 480, 270, look=look) for look in looks], 3).save(
+        PICTURES / "looks.webp", quality=92
+    )
+    executor.close()
+    masks = [(name, load_mask(name)) for name in load_catalogue()]
+    (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))
+    (PICTURES / "masks-magnified.png").write_bytes(magnified_sheet([(name, m.ranks, m.quantile) for name, m in masks]))
+
+
+if __name__ == "__main__":
+    main()
