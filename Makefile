@@ -64,7 +64,7 @@ wheel: setup
 
 # Baked data, checked in; these commands make it again.
 bake: setup
-	$(BIN)/seafoam masks bake
+	$(BIN)/python -m seafoam.masks.bake
 	$(BIN)/python tests/golden/make_uniform_rules.py
 	$(BIN)/python -m seafoam.reference.bake
 

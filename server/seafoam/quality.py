@@ -18,7 +18,7 @@ class SurfaceQuality(Knobs):
 
     method: Literal["mesh", "march"] = Field(
         default="march",
-        description="march: steps along the ray that cannot pass the surface; mesh: a grid finds it, Newton steps finish",
+        description="march: steps along the ray that cannot pass the surface; mesh: a grid and Newton steps",
     )
     steps: int = Field(default=192, ge=8, le=1024, description="Greatest number of steps of a march")
     tolerance: float = Field(

@@ -82,10 +82,10 @@ export class Api {
     return (await this.fetch(url)).arrayBuffer();
   }
 
-  /** A list of names, such as the mask catalogue. */
+  /** A list of names, such as the mask catalogue. Titles may begin alike and be cut short: the name comes first. */
   async choices(url: string): Promise<Choice[]> {
     const list = await this.json<(Partial<Choice> & { name: string })[]>(url);
-    return list.map(({ name, title }) => ({ name, title: title ?? name }));
+    return list.map(({ name, title }) => ({ name, title: title === undefined ? name : `${name} · ${title}` }));
   }
 
   /** An address below the server's, whether it is given from its root or relative. */

@@ -165,7 +165,7 @@ class SlotFile:
 
 @dataclass(frozen=True)
 class PassSpec:
-    """A pass that an effect adds before the surface is drawn; its program comes from ``vertex`` and ``fragment`` files."""
+    """A pass that an effect adds before the surface is drawn; ``vertex`` and ``fragment`` list its files."""
 
     name: str
     program: str

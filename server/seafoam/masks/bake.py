@@ -1,9 +1,12 @@
-"""Baking the shipped masks: constructing, measuring and writing them with their catalogue."""
+"""Baking the shipped masks: ``python -m seafoam.masks.bake [--out masks]`` constructs, measures and writes them."""
 
 from __future__ import annotations
 
+import argparse
 import json
 from pathlib import Path
+
+from rich.progress import Progress as ProgressBar
 
 from .catalogue import CATALOGUE_FILE, MaskTables, describe, rank_file
 from .construct import estimated_seconds, make_mask
@@ -54,3 +57,17 @@ def _bake(directory: Path, mask: ShippedMask, progress: Progress) -> dict[str, o
     rank_file(directory, mask.name).write_bytes(encode_ranks(ranks))
     entry = describe(mask.name, mask.family, mask.sigma, SHIPPED_SEED, SHIPPED_METHOD, ranks)
     return {**entry.to_json(), **MaskTables.measure(ranks).to_json()}
+
+
+def main() -> None:
+    """The command."""
+    parser = argparse.ArgumentParser(description="Bake the shipped masks and their catalogue.")
+    parser.add_argument("--out", type=Path, default=Path("masks"), help="directory to write to")
+    directory = parser.parse_args().out
+    with ProgressBar() as bar:
+        task = bar.add_task("masks", total=1.0)
+        bake_all(directory, lambda fraction: bar.update(task, completed=fraction))
+
+
+if __name__ == "__main__":
+    main()

@@ -49,8 +49,8 @@ class Rendered:
     """A frame, top row first.
 
     ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``; float32 linear with A = foam coverage for ``linear``;
-    the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in ``render``
-    (draw until finished) and ``read``.
+    the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in
+    ``render`` (draw until finished) and ``read``.
     """
 
     pixels: NDArray[np.uint8] | NDArray[np.float32]

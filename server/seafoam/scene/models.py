@@ -61,7 +61,7 @@ class FrontSaturation(Part):
     source: Literal["front"] = "front"
     constants: Literal["text", "listing"] = Field(
         default="text",
-        description="text: δ = π/2, 2π, e, as the paper's text has them; listing: δ = 1.07, 6.28, 2.718, as its code has",
+        description="text: δ = π/2, 2π, e, as in the paper's text; listing: δ = 1.07, 6.28, 2.718, as in its code",
     )
     intensity: float = Field(
         default=4.0, ge=0.25, le=100.0, description="C: the larger, the less foam; the paper uses 4"

@@ -1,0 +1,70 @@
+"""``python -m bench``: measures, then prints everything."""
+
+import argparse
+import json
+import sys
+import traceback
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+from bench import frames, http, machine, page, server
+from bench.report import Table
+from bench.watch import Watch
+from seafoam.render.executor import Executor
+
+SECTIONS = ("frames", "http", "page")
+QUICK = 0.2
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run what was asked for; 1 where a part of it could not be measured."""
+    parser = argparse.ArgumentParser(prog="python -m bench", description="Measure what Seafoam costs here.")
+    parser.add_argument("--quick", action="store_true", help="a fifth of the rounds, rougher figures")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures as JSON, times in seconds")
+    parser.add_argument("--only", choices=SECTIONS, nargs="+", default=SECTIONS, help="measure only these parts")
+    asked = parser.parse_args(arguments)
+
+    about = machine.describe()
+    tables: list[Table] = []
+    failures: list[str] = []
+    console = Console(stderr=True)
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
+        watch = Watch(progress, QUICK if asked.quick else 1.0)
+        try:
+            if "frames" in asked.only:
+                executor = Executor()
+                try:
+                    about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
+                    tables += frames.measure(executor, watch)
+                finally:
+                    executor.close()
+            if {"http", "page"} & set(asked.only):
+                with server.running() as port:
+                    if "http" in asked.only:
+                        tables += http.measure(port, watch)
+                    if "page" in asked.only:
+                        browser, found = page.measure(port, watch)
+                        about |= browser
+                        tables += found
+        except Exception:
+            # What was measured until then is still worth printing.
+            failures.append(traceback.format_exc())
+    about["load at the end"] = machine.load()
+
+    width = max(map(len, about))
+    print("\n".join(f"{name.ljust(width)}  {value}" for name, value in about.items()))
+    for table in tables:
+        print(f"\n{table.text()}")
+    if asked.json:
+        figures = {"machine": about, "tables": [table.json() for table in tables]}
+        asked.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
+    for failure in failures:
+        print(failure, file=sys.stderr)
+    return 1 if failures else 0
+
+
+sys.exit(main())

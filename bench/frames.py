@@ -1,0 +1,222 @@
+"""Frames: every look against the textured one, and every tier against the standard one, drawn side by side."""
+
+import math
+import time as clock
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from statistics import median
+from typing import Literal, TypeVar, get_args
+
+from bench.report import Column, Spread, Table, count, extra, ms, percent, times
+from bench.watch import Watch
+from seafoam.doctor import SOFTWARE
+from seafoam.plan import make_plan
+from seafoam.plan.model import FramePlan
+from seafoam.quality import TIERS, Tier
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, HeightSaturation, Look, Scene
+from seafoam.scene.presets import load_preset
+
+PRESET = "paper-benchmark"
+SIZE = (1280, 720)
+TIER_SIZE = (640, 360)
+BASE: Look = "textured"
+COMPARED: tuple[tuple[Look, Look], ...] = (
+    ("halftone_textured", "textured"),
+    ("halftone", "textured"),
+    ("filtered", "halftone"),
+)
+STEP = 0.37
+"""Seconds of the sea's time from round to round, so that no figure hangs on one arrangement of the foam."""
+
+Basis = Literal["cpu", "wall"]
+Name = TypeVar("Name", bound=str)
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What a frame took: seconds from the first call until it was finished, and processor time of all threads."""
+
+    wall: float
+    cpu: float
+
+
+@dataclass(frozen=True)
+class View:
+    """A scene to draw with every look."""
+
+    name: str
+    title: str
+    scene: Scene
+    rounds: int
+    seconds: float
+
+
+def views() -> tuple[View, ...]:
+    """The benchmark's sea, and two in which ever less is drawn beside the foam."""
+    sea = load_preset(PRESET).scene
+    assert sea.foam is not None
+    half = (HeightSaturation(base=-1.0, full=1.0),)
+    flat = sea.model_copy(
+        update={
+            "waves": (),
+            "foam": sea.foam.model_copy(update={"saturation": half}),
+            "camera": Camera(position=(0.0, 4.0, 0.0), pitch=-math.pi / 2, fov=0.9),
+        }
+    )
+    bare = flat.model_copy(update={"light": None, "water": flat.water.model_copy(update={"chop": None})})
+    return (
+        View("sea", f"preset {PRESET}", sea, 21, 75.0),
+        View("flat", "a flat sea from 4 m straight above, half covered, lit, with ripples", flat, 40, 30.0),
+        View("bare", "the same without light or ripples: foam and hardly more", bare, 40, 20.0),
+    )
+
+
+def measure(executor: Executor, watch: Watch) -> list[Table]:
+    """Draw everything and tabulate it."""
+    basis: Basis = "cpu" if is_software(executor) else "wall"
+    costs = {}
+    for view in views():
+        plans = {look: make_plan(with_look(view.scene, look), TIERS["standard"]) for look in get_args(Look)}
+        rounds = watch.rounds(f"looks, {view.name}", view.rounds, view.seconds)
+        costs[view.name] = _side_by_side(executor, plans, view.scene.camera, SIZE, rounds)
+    scene = load_preset(PRESET).scene
+    tiers = {tier: make_plan(scene, quality) for tier, quality in TIERS.items()}
+    tier_costs = _side_by_side(executor, tiers, scene.camera, TIER_SIZE, watch.rounds("tiers", 7, 35.0))
+    return [_comparisons(costs, basis), *(_looks(view, costs[view.name]) for view in views()), _tiers(tier_costs)]
+
+
+def is_software(executor: Executor) -> bool:
+    """Whether the processor draws."""
+    return any(name in executor.info["renderer"].lower() for name in SOFTWARE)
+
+
+def with_look(scene: Scene, look: Look) -> Scene:
+    """The scene with its foam in another look."""
+    assert scene.foam is not None
+    return scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
+
+
+def _side_by_side(
+    executor: Executor,
+    plans: Mapping[Name, FramePlan],
+    camera: Camera,
+    size: tuple[int, int],
+    rounds: Iterable[int],
+) -> dict[Name, list[Cost]]:
+    """Draw all plans in each round, so that a round's ratios compare frames of about the same moment.
+
+    The order turns round and reverses from round to round: nobody is always first, or always after the same one.
+    """
+    names = list(plans)
+    costs: dict[Name, list[Cost]] = {name: [] for name in names}
+    for name in names:
+        # Compiles, uploads the textures, makes the targets.
+        _cost(executor, plans[name], camera, size, 0.0)
+    for index in rounds:
+        first = index % len(names)
+        turned = [*names[first:], *names[:first]]
+        for name in turned if index % 2 == 0 else reversed(turned):
+            costs[name].append(_cost(executor, plans[name], camera, size, STEP * index))
+    return costs
+
+
+def _cost(executor: Executor, plan: FramePlan, camera: Camera, size: tuple[int, int], at: float) -> Cost:
+    began = clock.process_time()
+    rendered = executor.render(plan, time=at, camera=camera, width=size[0], height=size[1], output="rgba8")
+    return Cost(rendered.timings["render"], clock.process_time() - began)
+
+
+def _values(costs: Sequence[Cost], basis: Basis) -> list[float]:
+    return [getattr(cost, basis) for cost in costs]
+
+
+def _ratio(costs: Sequence[Cost], base: Sequence[Cost], basis: Basis) -> Spread:
+    pairs = zip(_values(costs, basis), _values(base, basis), strict=True)
+    return Spread.of([mine / theirs for mine, theirs in pairs])
+
+
+def _comparisons(costs: Mapping[str, Mapping[Look, list[Cost]]], basis: Basis) -> Table:
+    frame = median(_values(costs["sea"][BASE], basis))
+    rows = []
+    for view, by_look in costs.items():
+        for look, base in COMPARED:
+            pairs = zip(_values(by_look[look], basis), _values(by_look[base], basis), strict=True)
+            added = median(mine - theirs for mine, theirs in pairs)
+            rows.append(
+                (
+                    view,
+                    f"{look} against {base}",
+                    _ratio(by_look[look], by_look[base], "cpu"),
+                    _ratio(by_look[look], by_look[base], "wall"),
+                    1e9 * added / (SIZE[0] * SIZE[1]),
+                    added / frame,
+                    len(by_look[look]),
+                )
+            )
+    return Table(
+        "Halftone against textured",
+        f"Frames of {SIZE[0]} x {SIZE[1]}, quality standard; medians of per-round ratios (interquartile range). Added: "
+        f"the median difference in {'processor' if basis == 'cpu' else 'wall'} time, per pixel and as a share of a "
+        "textured frame of the sea.",
+        (
+            Column("view", "view"),
+            Column("compared", "compared"),
+            Column("cpu_ratio", "processor time", extra),
+            Column("wall_ratio", "wall time", extra),
+            Column("added_ns_per_pixel", "added, ns/pixel", lambda value: f"{value:+.1f}"),
+            Column("added_share_of_sea", "added, of the sea", percent),
+            Column("rounds", "rounds", count),
+        ),
+        rows,
+    )
+
+
+def _looks(view: View, costs: Mapping[Look, list[Cost]]) -> Table:
+    return Table(
+        f"Looks, {view.name}",
+        f"{view.title}; {SIZE[0]} x {SIZE[1]}, quality standard, against {BASE}; {len(costs[BASE])} rounds.",
+        (
+            Column("look", "look"),
+            Column("cpu_ratio", "processor time", extra),
+            Column("wall_ratio", "wall time", extra),
+            Column("cpu", "processor, ms", ms),
+            Column("wall", "wall, ms", ms),
+        ),
+        [
+            (
+                look,
+                _ratio(taken, costs[BASE], "cpu"),
+                _ratio(taken, costs[BASE], "wall"),
+                median(_values(taken, "cpu")),
+                median(_values(taken, "wall")),
+            )
+            for look, taken in costs.items()
+        ],
+    )
+
+
+def _tiers(costs: Mapping[Tier, list[Cost]]) -> Table:
+    return Table(
+        "Tiers of quality",
+        f"Preset {PRESET}, {TIER_SIZE[0]} x {TIER_SIZE[1]}, against standard; {len(costs['standard'])} rounds.",
+        (
+            Column("tier", "tier"),
+            Column("samples", "samples a pixel", count),
+            Column("cpu_ratio", "processor time", times),
+            Column("wall_ratio", "wall time", times),
+            Column("cpu", "processor, ms", ms),
+            Column("wall", "wall, ms", ms),
+        ),
+        [
+            (
+                tier,
+                TIERS[tier].samples,
+                _ratio(taken, costs["standard"], "cpu"),
+                _ratio(taken, costs["standard"], "wall"),
+                median(_values(taken, "cpu")),
+                median(_values(taken, "wall")),
+            )
+            for tier, taken in costs.items()
+        ],
+    )

@@ -1,0 +1,120 @@
+"""Frames over HTTP: where a request's time goes, what the formats cost, and how many frames a second there are."""
+
+import itertools
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from http.client import HTTPConnection
+from statistics import median, quantiles
+from typing import get_args
+
+from bench.report import Column, Table, count, ms
+from bench.server import HOST, REQUEST_SECONDS, Answer, ask
+from bench.watch import Watch
+from seafoam.render.encode import FRAME_FORMATS
+from seafoam.scene.models import Look
+from seafoam.scene.presets import load_preset
+
+PRESET = "default"
+STAGES = ("queue", "plan", "render", "read", "encode")
+CLIENTS = (1, 4)
+THROUGHPUT_SECONDS = 10.0
+
+
+def measure(port: int, watch: Watch) -> list[Table]:
+    """Ask for frames, each of another time so that none is cached, and tabulate the answers."""
+    moments = (f"time={9.0 + 0.37 * index:.2f}" for index in itertools.count())
+    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
+    try:
+        for format in FRAME_FORMATS:
+            _frame(connection, f"{PRESET}.{format}?{next(moments)}")
+        warm: dict[str, list[Answer]] = {format: [] for format in FRAME_FORMATS}
+        for _ in watch.rounds("requests by format", 15, 40.0):
+            for format in FRAME_FORMATS:
+                warm[format].append(_frame(connection, f"{PRESET}.{format}?{next(moments)}"))
+        foam = load_preset(PRESET).scene.foam
+        assert foam is not None
+        unseen = [look for look in get_args(Look) if look != foam.look]
+        fresh = [
+            _frame(connection, f"{PRESET}.png?{next(moments)}&look={unseen[index]}")
+            for index in watch.rounds("requests with a new look", len(unseen), 15.0)
+        ]
+    finally:
+        connection.close()
+    return [_stages(warm, fresh), _throughput(port, moments, watch)]
+
+
+def _frame(connection: HTTPConnection, path: str) -> Answer:
+    answer = ask(connection, f"/api/frames/{path}")
+    if answer.status != 200:
+        raise RuntimeError(f"{path} was answered with status {answer.status}")
+    return answer
+
+
+def _stages(warm: dict[str, list[Answer]], fresh: Sequence[Answer]) -> Table:
+    named = [*((format, answers) for format, answers in warm.items()), ("png, a look not drawn before", fresh)]
+    width, height = load_preset(PRESET).size
+    return Table(
+        "A frame over HTTP",
+        f"Preset {PRESET}, {width} x {height}, quality standard, one client; medians, ms. HTTP: the client's wall "
+        "time less all stages; queue holds the way to the worker and back.",
+        (
+            Column("format", "format"),
+            Column("http", "HTTP", ms),
+            *(Column(stage, stage, ms) for stage in STAGES),
+            Column("wall", "wall", ms),
+            Column("bytes", "bytes", count),
+            Column("requests", "requests", count),
+        ),
+        [
+            (
+                name,
+                median(answer.http for answer in answers),
+                *(median(answer.stages[stage] for answer in answers) for stage in STAGES),
+                median(answer.wall for answer in answers),
+                round(median(answer.size for answer in answers)),
+                len(answers),
+            )
+            for name, answers in named
+        ],
+    )
+
+
+def _throughput(port: int, moments: Iterator[str], watch: Watch) -> Table:
+    rows = []
+    for clients in CLIENTS:
+        watch.step(f"throughput, {clients} at once")
+        # Drawn beforehand: a generator serves one thread at a time.
+        paths = [[f"/api/frames/{PRESET}.png?{next(moments)}" for _ in range(500)] for _ in range(clients)]
+        began = time.perf_counter()
+        until = began + watch.seconds(THROUGHPUT_SECONDS)
+        with ThreadPoolExecutor(clients) as threads:
+            answers = [answer for some in threads.map(lambda own: _until(port, own, until), paths) for answer in some]
+        elapsed = time.perf_counter() - began
+        good = [answer.wall for answer in answers if answer.status == 200]
+        slow = quantiles(good, n=10, method="inclusive")[-1] if len(good) > 1 else None
+        rows.append(
+            (clients, len(good) / elapsed, median(good) if good else None, slow, len(good), len(answers) - len(good))
+        )
+    return Table(
+        "Frames a second",
+        f"PNG frames as above, asked for by several clients at once for {watch.seconds(THROUGHPUT_SECONDS):g} s.",
+        (
+            Column("clients", "clients", count),
+            Column("frames_per_second", "frames/s", lambda value: f"{value:.2f}"),
+            Column("wall", "median, ms", ms),
+            Column("wall_90", "slowest tenth from, ms", ms),
+            Column("frames", "frames", count),
+            Column("refused", "refused", count),
+        ),
+        rows,
+    )
+
+
+def _until(port: int, paths: Sequence[str], until: float) -> list[Answer]:
+    """One client's answers: a request after the other, the last begun before ``until``."""
+    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
+    try:
+        return [ask(connection, path) for path in itertools.takewhile(lambda _: time.perf_counter() < until, paths)]
+    finally:
+        connection.close()

@@ -1,0 +1,89 @@
+"""A server of its own for the bench, and requests to it."""
+
+import os
+import re
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from http.client import HTTPConnection
+from pathlib import Path
+
+HOST = "127.0.0.1"
+START_SECONDS = 60.0
+REQUEST_SECONDS = 30.0
+STOP_SECONDS = 20.0
+QUEUE = 16
+"""Frames that may wait: more than the bench ever sends at once."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """An answer, and where its time went: seconds by stage as the server tells them, and the client's own."""
+
+    status: int
+    size: int
+    wall: float
+    stages: dict[str, float]
+
+    @property
+    def http(self) -> float:
+        """What no stage accounts for: parsing, entity tag, the socket, both ways."""
+        return self.wall - sum(self.stages.values())
+
+
+@contextmanager
+def running() -> Iterator[int]:
+    """Run a server while the context lasts; gives its port.
+
+    The driver's cache of compiled shaders is off, so that what is new to the server is new indeed.
+    """
+    with socket.socket() as probe:
+        probe.bind((HOST, 0))
+        port = probe.getsockname()[1]
+    command = [Path(sys.executable).with_name("seafoam"), "serve", "--port", str(port)]
+    environment = {**os.environ, "SEAFOAM_QUEUE": str(QUEUE), "MESA_SHADER_CACHE_DISABLE": "true"}
+    with tempfile.TemporaryFile("w+") as log:
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=log, env=environment)
+        try:
+            until = time.monotonic() + START_SECONDS
+            while not _ready(port):
+                if process.poll() is not None or time.monotonic() > until:
+                    log.seek(0)
+                    raise RuntimeError(f"the server did not become ready:\n{log.read()[-2000:]}")
+                time.sleep(0.2)
+            yield port
+        finally:
+            process.terminate()
+            try:
+                process.wait(timeout=STOP_SECONDS)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+
+def _ready(port: int) -> bool:
+    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
+    try:
+        connection.request("GET", "/readyz")
+        return connection.getresponse().status == 200
+    except OSError:
+        return False
+    finally:
+        connection.close()
+
+
+def ask(connection: HTTPConnection, path: str) -> Answer:
+    """Send a request and wait for the whole answer."""
+    began = time.perf_counter()
+    connection.request("GET", path)
+    response = connection.getresponse()
+    body = response.read()
+    wall = time.perf_counter() - began
+    timing = response.getheader("Server-Timing", "")
+    stages = {name: float(value) / 1000.0 for name, value in re.findall(r"(\w+);dur=([\d.]+)", timing)}
+    return Answer(response.status, len(body), wall, stages)
