@@ -68,7 +68,8 @@ def filtered_coverage(
     """A(s): the share of a footprint that a threshold of the mask covers; in [0, 1].
 
     ``mean`` and ``second`` are the moments (m, m²) in the footprint, b and e come
-    from :func:`spline_over_footprint`, ``level`` log₂ of the longer footprint in texels, ``table`` the quantile table (65,).
+    from :func:`spline_over_footprint`, ``level`` is log₂ of the longer footprint in texels, ``table`` the
+    quantile table (65,).
     """
     near = magnification(level)
     w = 1.0 - near

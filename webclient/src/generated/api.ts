@@ -815,18 +815,21 @@ export interface components {
              * Time
              * @description Time, s
              * @default 0
+             * @example 12.5
              */
             time: number;
             /**
              * Width
              * @description Width, pixels
              * @default 1280
+             * @example 640
              */
             width: number;
             /**
              * Height
              * @description Height, pixels
              * @default 720
+             * @example 360
              */
             height: number;
             /**
@@ -853,7 +856,7 @@ export interface components {
             source: "front";
             /**
              * Constants
-             * @description text: δ = π/2, 2π, e, as the paper's text has them; listing: δ = 1.07, 6.28, 2.718, as its code has
+             * @description text: δ = π/2, 2π, e, as in the paper's text; listing: δ = 1.07, 6.28, 2.718, as in its code
              * @default text
              * @enum {string}
              */
@@ -991,7 +994,7 @@ export interface components {
              * @enum {string}
              */
             family: "vac" | "blur" | "clump" | "bubble" | "mix";
-            parameters: components["schemas"]["MaskParametersOut"];
+            parameters: components["schemas"]["MaskParameters"];
             /**
              * Generator
              * @description Version of the construction rules
@@ -1008,10 +1011,10 @@ export interface components {
             license: string;
         };
         /**
-         * MaskParametersOut
+         * MaskParameters
          * @description What determines a mask.
          */
-        MaskParametersOut: {
+        MaskParameters: {
             /**
              * Sigma
              * @description The family's length, texels
@@ -1258,10 +1261,11 @@ export interface components {
         Quality: {
             /**
              * @default {
-             *       "method": "mesh",
+             *       "method": "march",
+             *       "steps": 192,
+             *       "tolerance": 0.1,
              *       "cells": 192,
              *       "refine": 2,
-             *       "steps": 96,
              *       "filter": true
              *     }
              */
@@ -1436,29 +1440,35 @@ export interface components {
         SurfaceQuality: {
             /**
              * Method
-             * @description mesh: a grid finds the surface, Newton steps finish; march: Lipschitz steps along the ray
-             * @default mesh
+             * @description march: steps along the ray that cannot pass the surface; mesh: a grid and Newton steps
+             * @default march
              * @enum {string}
              */
             method: "mesh" | "march";
             /**
+             * Steps
+             * @description Greatest number of steps of a march
+             * @default 192
+             */
+            steps: number;
+            /**
+             * Tolerance
+             * @description A march ends this near the surface, in heights of a sample; Newton finishes
+             * @default 0.1
+             */
+            tolerance: number;
+            /**
              * Cells
-             * @description Cells of the grid along each side
+             * @description Cells of the mesh along each side
              * @default 192
              */
             cells: number;
             /**
              * Refine
-             * @description Newton steps a pixel
+             * @description Newton steps a pixel after the mesh
              * @default 2
              */
             refine: number;
-            /**
-             * Steps
-             * @description Greatest number of steps of a march
-             * @default 96
-             */
-            steps: number;
             /**
              * Filter
              * @description Turn waves smaller than a pixel into roughness
@@ -1782,7 +1792,7 @@ export type HeightSaturation = components['schemas']['HeightSaturation'];
 export type Light = components['schemas']['Light'];
 export type Loop = components['schemas']['Loop'];
 export type MaskInfo = components['schemas']['MaskInfo'];
-export type MaskParametersOut = components['schemas']['MaskParametersOut'];
+export type MaskParameters = components['schemas']['MaskParameters'];
 export type MaskSize = components['schemas']['MaskSize'];
 export type ParametricWave = components['schemas']['ParametricWave'];
 export type Pass = components['schemas']['Pass'];
