@@ -125,6 +125,7 @@ class Executor:
         framebuffers["screen"] = self._targets.get(
             ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
         )
+        # Setup passes too: plans share the targets, so nothing that was drawn for an earlier frame can be relied on.
         for index, one in enumerate(plan.passes):
             if one.target == "screen" and output != "rgba8":
                 continue

@@ -1,0 +1,93 @@
+"""Every program that a plan can ask for compiles: by Chromium's WebGL 2 (ANGLE) and by the server's GL."""
+
+from itertools import islice
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page
+
+from seafoam.plan.model import Program, Shader
+from seafoam.render.executor import Executor, ShaderError
+from seafoam.resources import data_dir
+from variants import every_program
+
+BATCH = 25
+"""Programs that the page compiles in one go; it starts them all before it asks about any."""
+SHADERS = data_dir("shaders")
+
+
+def label(program: Program) -> str:
+    """What tells a program from the others: the files that it is made of."""
+    return " + ".join(file.path for file in (*program.vertex.files, *program.fragment.files) if file.path)
+
+
+@pytest.fixture(scope="module")
+def programs() -> dict[str, Program]:
+    """Every program of the closed space, under a name that says what it is and which plan asks for it."""
+    return {f"{i} ({name})": program for i, (_, name, program) in enumerate(every_program().values())}
+
+
+def compiled(page: Page, programs: dict[str, Program]) -> list[str]:
+    """What Chromium says of these programs; they are all that a plan to compile needs."""
+    dumped: dict[str, Any] = {name: program.model_dump(mode="json") for name, program in programs.items()}
+    errors: list[str] = page.evaluate("(programs) => window.seafoam.compile({ programs })", dumped)
+    return errors
+
+
+def broken(program: Program, line: str) -> Program:
+    """The program with one more line at the end of its fragment shader."""
+    shader = program.fragment
+    text = f"{shader.text}\n{line}\n"
+    changed = Shader(text=text, sha256="broken " + shader.sha256, files=shader.files)
+    return Program(vertex=program.vertex, fragment=changed)
+
+
+def test_every_program_compiles_in_chromium(page: Page, programs: dict[str, Program]) -> None:
+    assert len(programs) > 100
+    names = iter(programs)
+    errors: list[str] = []
+    while batch := list(islice(names, BATCH)):
+        said = compiled(page, {name: programs[name] for name in batch})
+        failed = {name: label(programs[name]) for name in batch if any(f"program {name}:" in error for error in said)}
+        errors += [*said, *(f"{name} is made of {files}" for name, files in failed.items())]
+    assert errors == []
+
+
+def test_every_program_compiles_on_the_server(executor: Executor, programs: dict[str, Program]) -> None:
+    errors: list[str] = []
+    for name, program in programs.items():
+        try:
+            executor.compile(program)
+        except ShaderError as error:
+            errors.append(f"program {name}: {error}\n{name} is made of {label(program)}")
+    assert errors == []
+
+
+@pytest.mark.parametrize(
+    ("line", "names"),
+    [
+        ("uniform sampler2D u_old; vec4 old() { return texture2D(u_old, vec2(0.5)); }", "texture2D"),
+        ("float half_way() { return 1 / 2.0; }", "'/'"),
+        ("float lost() { return u_nothing; }", "u_nothing"),
+    ],
+)
+def test_a_broken_program_is_reported(
+    page: Page, executor: Executor, programs: dict[str, Program], line: str, names: str
+) -> None:
+    name, program = next((name, program) for name, program in programs.items() if "surface" in label(program))
+    bad = broken(program, line)
+    errors = compiled(page, {name: bad})
+    assert len(errors) == 1
+    assert f"program {name}:" in errors[0]
+    assert names in errors[0]
+    # By file, not by a line of the assembled text that nobody has.
+    assert bad.fragment.files[-1].path in errors[0]
+    with pytest.raises(ShaderError):
+        executor.compile(bad)
+
+
+def test_every_shader_file_is_used(programs: dict[str, Program]) -> None:
+    there = {path.relative_to(SHADERS).as_posix() for path in SHADERS.rglob("*.glsl")}
+    used = {file.path for program in programs.values() for file in (*program.vertex.files, *program.fragment.files)}
+    assert there
+    assert there - used == set()
