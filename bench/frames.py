@@ -131,9 +131,15 @@ def _values(costs: Sequence[Cost], basis: Basis) -> list[float]:
     return [getattr(cost, basis) for cost in costs]
 
 
-def _ratio(costs: Sequence[Cost], base: Sequence[Cost], basis: Basis) -> Spread:
-    pairs = zip(_values(costs, basis), _values(base, basis), strict=True)
-    return Spread.of([mine / theirs for mine, theirs in pairs])
+def _ratios(costs: Sequence[Cost], base: Sequence[Cost]) -> tuple[Spread | None, Spread | None]:
+    """Of processor and wall time, round by round; none against itself."""
+    if costs is base:
+        return None, None
+    pairs = list(zip(costs, base, strict=True))
+    return (
+        Spread.of([mine.cpu / theirs.cpu for mine, theirs in pairs]),
+        Spread.of([mine.wall / theirs.wall for mine, theirs in pairs]),
+    )
 
 
 def _comparisons(costs: Mapping[str, Mapping[Look, list[Cost]]], basis: Basis) -> Table:
@@ -147,8 +153,7 @@ def _comparisons(costs: Mapping[str, Mapping[Look, list[Cost]]], basis: Basis) -
                 (
                     view,
                     f"{look} against {base}",
-                    _ratio(by_look[look], by_look[base], "cpu"),
-                    _ratio(by_look[look], by_look[base], "wall"),
+                    *_ratios(by_look[look], by_look[base]),
                     1e9 * added / (SIZE[0] * SIZE[1]),
                     added / frame,
                     len(by_look[look]),
@@ -186,8 +191,7 @@ def _looks(view: View, costs: Mapping[Look, list[Cost]]) -> Table:
         [
             (
                 look,
-                _ratio(taken, costs[BASE], "cpu"),
-                _ratio(taken, costs[BASE], "wall"),
+                *_ratios(taken, costs[BASE]),
                 median(_values(taken, "cpu")),
                 median(_values(taken, "wall")),
             )
@@ -212,8 +216,7 @@ def _tiers(costs: Mapping[Tier, list[Cost]]) -> Table:
             (
                 tier,
                 TIERS[tier].samples,
-                _ratio(taken, costs["standard"], "cpu"),
-                _ratio(taken, costs["standard"], "wall"),
+                *_ratios(taken, costs["standard"]),
                 median(_values(taken, "cpu")),
                 median(_values(taken, "wall")),
             )

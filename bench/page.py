@@ -16,11 +16,12 @@ from bench.watch import Watch
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
-from browsers import COMMON, LANES, chromium  # noqa: E402
+from browsers import COMMON, LANES, chromium
 
 SIZE = (1280, 720)
 READY_SECONDS = 60.0
 QUIET_SECONDS = 30.0
+REST_SECONDS = 1.5
 SETTLE_SECONDS = 6.0
 SAMPLE_SECONDS = 4.0
 SAMPLES = 16
@@ -84,7 +85,7 @@ def measure(port: int, watch: Watch) -> tuple[dict[str, str], list[Table]]:
     motion: list[dict[str, Any]] = []
     browser_info: dict[str, str] = {}
     with sync_playwright() as playwright:
-        for _ in watch.rounds("first picture of the page", 3, 60.0):
+        for _ in watch.rounds("first picture of the page", 3, 60.0, least=1):
             browser = _launched(playwright)
             try:
                 page = _page(browser)
@@ -129,11 +130,11 @@ def _load(page: Page, address: str) -> Load:
 
 
 def _settled(page: Page) -> list[dict[str, Any]]:
-    """What the page has loaded, once no more has come for two seconds or the time is up."""
+    """What the page has loaded, once no more has come for a while or the time is up."""
     until = time.monotonic() + QUIET_SECONDS
     entries: list[dict[str, Any]] = []
     while time.monotonic() < until:
-        page.wait_for_timeout(2000)
+        page.wait_for_timeout(1000 * REST_SECONDS)
         before, entries = entries, [e for e in page.evaluate(_ENTRIES) if e["name"].startswith("http")]
         if len(entries) == len(before):
             break

@@ -45,7 +45,7 @@ def running() -> Iterator[int]:
     with socket.socket() as probe:
         probe.bind((HOST, 0))
         port = probe.getsockname()[1]
-    command = [Path(sys.executable).with_name("seafoam"), "serve", "--port", str(port)]
+    command = [str(Path(sys.executable).with_name("seafoam")), "serve", "--port", str(port)]
     environment = {**os.environ, "SEAFOAM_QUEUE": str(QUEUE), "MESA_SHADER_CACHE_DISABLE": "true"}
     with tempfile.TemporaryFile("w+") as log:
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=log, env=environment)

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 
 from rich.progress import Progress
 
@@ -13,15 +14,15 @@ class Watch:
         self._progress = progress
         self._share = share
 
-    def rounds(self, what: str, rounds: int, seconds: float) -> Iterator[int]:
-        """Number the rounds until there are enough or the time is up; there are always two."""
-        most = max(2, round(rounds * self._share))
+    def rounds(self, what: str, rounds: int, seconds: float, least: int = 2) -> Iterator[int]:
+        """Number the rounds until there are enough or the time is up, but never fewer than ``least``."""
+        most = max(least, round(rounds * self._share))
         limit = seconds * self._share
         began = time.perf_counter()
         task = self._progress.add_task(what, total=1.0)
         for index in range(most):
             spent = time.perf_counter() - began
-            if index >= 2 and spent >= limit:
+            if index >= least and spent >= limit:
                 break
             yield index
             done = max((index + 1) / most, (time.perf_counter() - began) / limit)
@@ -32,6 +33,11 @@ class Watch:
         """This run's share of a time that a full run spends."""
         return seconds * self._share
 
-    def step(self, what: str) -> None:
-        """Say what is being prepared."""
-        self._progress.console.print(what, style="dim")
+    @contextmanager
+    def step(self, what: str) -> Iterator[None]:
+        """Show that something goes on which has no rounds."""
+        task = self._progress.add_task(what, total=None)
+        try:
+            yield
+        finally:
+            self._progress.update(task, total=1.0, completed=1.0)
