@@ -29,7 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     about = machine.describe()
     tables: list[Table] = []
-    failures: list[str] = []
+    failure = ""
     console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
@@ -42,18 +42,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
                     tables += frames.measure(executor, watch)
                 finally:
                     executor.close()
+                about["load after the frames"] = machine.load()
             if {"http", "page"} & set(asked.only):
                 with server.running() as port:
                     if "http" in asked.only:
                         tables += http.measure(port, watch)
+                        about["load after HTTP"] = machine.load()
                     if "page" in asked.only:
                         browser, found = page.measure(port, watch)
                         about |= browser
                         tables += found
+                        about["load after the page"] = machine.load()
         except Exception:
             # What was measured until then is still worth printing.
-            failures.append(traceback.format_exc())
-    about["load at the end"] = machine.load()
+            failure = traceback.format_exc()
 
     width = max(map(len, about))
     print("\n".join(f"{name.ljust(width)}  {value}" for name, value in about.items()))
@@ -62,9 +64,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if asked.json:
         figures = {"machine": about, "tables": [table.json() for table in tables]}
         asked.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
-    for failure in failures:
+    if failure:
         print(failure, file=sys.stderr)
-    return 1 if failures else 0
+    return 1 if failure else 0
 
 
 sys.exit(main())

@@ -32,10 +32,10 @@ def launched(playwright: Playwright, name: str) -> Browser:
     return playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES[name]])
 
 
-def opened(lane: Lane, server: str, *, query: str = "paused=1", width: int = 640, height: int = 360) -> Page:
-    """The page, with its first picture on the canvas, on the renderer that the lane names."""
+def opened(lane: Lane, server: str, *, width: int = 320, height: int = 180) -> Page:
+    """The page, paused, with its first picture on the canvas, on the renderer that the lane names."""
     page = lane.browser.new_page(viewport={"width": width, "height": height}, device_scale_factor=1)
-    page.goto(f"{server}/?{query}", wait_until="load")
+    page.goto(f"{server}/#paused=1&quality=draft", wait_until="load")
     page.wait_for_function("() => window.seafoam !== undefined")
     page.evaluate("() => window.seafoam.ready")
     renderer = page.evaluate("() => window.seafoam.renderer")

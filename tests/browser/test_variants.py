@@ -1,5 +1,6 @@
 """Every program that a plan can ask for compiles: by Chromium's WebGL 2 (ANGLE) and by the server's GL."""
 
+import hashlib
 from itertools import islice
 from typing import Any
 
@@ -38,7 +39,7 @@ def broken(program: Program, line: str) -> Program:
     """The program with one more line at the end of its fragment shader."""
     shader = program.fragment
     text = f"{shader.text}\n{line}\n"
-    changed = Shader(text=text, sha256="broken " + shader.sha256, files=shader.files)
+    changed = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=shader.files)
     return Program(vertex=program.vertex, fragment=changed)
 
 
@@ -64,15 +65,16 @@ def test_every_program_compiles_on_the_server(executor: Executor, programs: dict
 
 
 @pytest.mark.parametrize(
-    ("line", "names"),
+    ("line", "names", "mesa_refuses"),
     [
-        ("uniform sampler2D u_old; vec4 old() { return texture2D(u_old, vec2(0.5)); }", "texture2D"),
-        ("float half_way() { return 1 / 2.0; }", "'/'"),
-        ("float lost() { return u_nothing; }", "u_nothing"),
+        # Mesa lets GLSL ES 1.00's function pass, which is why Chromium is asked too.
+        ("uniform sampler2D u_old; vec4 old() { return texture2D(u_old, vec2(0.5)); }", "texture2D", False),
+        ("float half_way() { return 1 / 2.0; }", "'/'", True),
+        ("float lost() { return u_nothing; }", "u_nothing", True),
     ],
 )
 def test_a_broken_program_is_reported(
-    page: Page, executor: Executor, programs: dict[str, Program], line: str, names: str
+    page: Page, executor: Executor, programs: dict[str, Program], line: str, names: str, mesa_refuses: bool
 ) -> None:
     name, program = next((name, program) for name, program in programs.items() if "surface" in label(program))
     bad = broken(program, line)
@@ -82,8 +84,9 @@ def test_a_broken_program_is_reported(
     assert names in errors[0]
     # By file, not by a line of the assembled text that nobody has.
     assert bad.fragment.files[-1].path in errors[0]
-    with pytest.raises(ShaderError):
-        executor.compile(bad)
+    if mesa_refuses:
+        with pytest.raises(ShaderError):
+            executor.compile(bad)
 
 
 def test_every_shader_file_is_used(programs: dict[str, Program]) -> None:

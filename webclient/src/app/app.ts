@@ -316,7 +316,7 @@ export class App {
       const preset = link.preset === null || link.preset === current.name ? current : await this.api.preset(link.preset);
       this.controls.set(link.camera ?? cameraFromScene(preset.scene));
       this.clock.jump(link.time ?? preset.time);
-      if (link.speed !== null) this.clock.setSpeed(link.speed);
+      this.clock.setSpeed(link.speed ?? 1);
       if (link.paused !== null) this.clock.playing = !link.paused;
       this.store.set(chosen(preset, link));
     } catch (error) {
@@ -434,6 +434,7 @@ export class App {
         lost: this.stage.gl.isContextLost(),
         timing: this.stage.timing(),
         playing: this.clock.playing,
+        busy: this.busy.size > 0,
         settled: this.busy.size === 0 && !this.clock.playing && this.stage.atRest,
       }),
     };
