@@ -1,22 +1,9 @@
 // Water, foam and air under sun and sky. docs/formulae.md, section 6. d, n: unit vectors; roughness2: lost mean square slope.
 uniform float u_roughness;           // root mean square slope
-uniform vec3 u_sun_irradiance;
 uniform vec3 u_sky_irradiance;
 uniform vec3 u_absorption_length;    // m
 uniform float u_scattering;          // 1/m
-uniform float u_translucency;
-uniform float u_crest_height;        // 1 / greatest height, 1/m; 0 where flat
 uniform float u_visibility;          // m
-
-const float INDEX = 1.34;
-
-// Unpolarised Fresnel reflectance of a dielectric; c in [0, 1].
-float fresnel(float c) {
-    float q = sqrt(INDEX * INDEX - 1.0 + c * c);
-    float a = (q - c) / (q + c);
-    float b = (c * (q + c) - 1.0) / (c * (q - c) + 1.0);
-    return 0.5 * a * a * (1.0 + b * b);
-}
 
 vec3 irradiance(vec3 n) {
     return u_sun_irradiance * max(dot(n, u_sun_direction), 0.0) + u_sky_irradiance * (0.5 + 0.5 * n.y);
@@ -36,18 +23,8 @@ vec3 water_light(vec3 d, vec3 n, float lost, float height) {
     vec3 absorption = 1.0 / u_absorption_length;
     vec3 deep = 0.4 * u_scattering / (absorption + u_scattering) * below;
     vec3 body = water_body(below, deep, absorption + u_scattering, cv, height);
-    float crest = height * u_crest_height;
-    float toward_sun = max(dot(d.xz, u_sun_direction.xz), 0.0);
-    body += u_translucency / PI * u_sun_irradiance * exp(-6.0 * absorption) * (crest * crest * toward_sun);
-
-    vec3 between = u_sun_direction - d;
-    vec3 h = between / max(length(between), 1e-6);
-    float nh = max(dot(n, h), 1e-3);
-    float nh2 = nh * nh;
-    float slopes = exp(-max(1.0 - nh2, 0.0) / (nh2 * sigma2)) / (PI * sigma2 * nh2 * nh2);
-    vec3 glitter = min(u_sun_irradiance * (fresnel(max(dot(u_sun_direction, h), 0.0)) * slopes / (4.0 * cv)), 1e4);
-
-    return (1.0 - reflectance) * body + reflectance * reflected + glitter;
+    body += crest_light(d, absorption, height);
+    return (1.0 - reflectance) * body + reflectance * reflected + glitter_light(d, n, sigma2, cv);
 }
 
 vec3 foam_light(vec3 n) {

@@ -3,10 +3,6 @@ vec3 sky_light(vec3 d) {
     return vec3(0.0);
 }
 
-vec3 sun_disc(vec3 d) {
-    return vec3(0.0);
-}
-
 float exposure() {
     return 1.0;
 }

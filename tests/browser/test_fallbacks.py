@@ -2,11 +2,11 @@
 
 import pytest
 from playwright.sync_api import Page
+from test_page import STILL, link, visit
 
 from browsers import Lane
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
-from test_page import STILL, link, visit
 
 SIZE = (400, 300)
 

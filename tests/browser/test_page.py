@@ -473,8 +473,11 @@ def test_the_camera_asks_for_nothing(small: Visit) -> None:
     small.page.mouse.move(middle[0] + 60, middle[1] + 20, steps=3)
     small.page.mouse.up()
     moved("yaw")
+    # Saving the picture took the mouse away.
+    small.page.mouse.move(*middle)
     small.page.mouse.wheel(0, -200)
     moved("position")
+    small.page.mouse.move(*middle)
     small.page.keyboard.down("Shift")
     small.page.mouse.wheel(0, 200)
     small.page.keyboard.up("Shift")

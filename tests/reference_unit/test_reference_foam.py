@@ -67,10 +67,11 @@ def test_flat_waves_weigh_the_same() -> None:
     np.testing.assert_allclose(two.X, one.X, atol=1e-14)
 
 
-def test_no_waves_front_at_even_saturation() -> None:
+def test_without_waves_there_is_no_front() -> None:
     x = np.zeros(3)
-    none = group(wave_set(Scene(), 2.0, (0.0, 0.0)), x, x, 1.0)
-    np.testing.assert_array_equal(front_saturation(none.X, none.Y, 4.0), 0.25)
+    waves = dict.fromkeys(("text", "listing"), wave_set(Scene(), 2.0, (0.0, 0.0)))
+    f = saturation((FrontSaturation(),), "max", waves, x, x, x, cap=4.0, footprints=None)
+    np.testing.assert_array_equal(f, 0.0)
 
 
 def test_phase_width_is_the_phase_over_the_footprint() -> None:

@@ -31,6 +31,7 @@ from seafoam.scene.presets import load_preset, preset_names
             ("foam", "saturation", 0, "height"),
         ),
         ({"foam": {"saturation": [{"source": "front", "group": [0.5, 0.1]}]}}, ("foam", "saturation", 0, "front")),
+        ({"foam": {"saturation": [{"source": "front"}, {"source": "front"}]}}, ("foam",)),
         ({"camera": {"position": [0, float("inf"), 0]}}, ("camera", "position", 1)),
         ({"light": {"sun_elevation": 2.0}}, ("light", "sun_elevation")),
     ],

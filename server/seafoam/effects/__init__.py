@@ -1,6 +1,6 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
-from seafoam.effects import chop, foam_look, front, height, light, parametric, water
+from seafoam.effects import chop, crest, floor, foam_look, front, glitter, height, light, parametric, water
 from seafoam.effects.contribution import Effect
 
 EFFECTS: tuple[Effect, ...] = (
@@ -10,7 +10,10 @@ EFFECTS: tuple[Effect, ...] = (
     height.EFFECT,
     foam_look.EFFECT,
     light.EFFECT,
+    glitter.EFFECT,
     water.EFFECT,
+    floor.EFFECT,
+    crest.EFFECT,
 )
 """Every effect there is."""
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.contribution import (
+    Bound,
     Constant,
     Contribution,
     Effect,
@@ -20,9 +21,10 @@ from seafoam.effects.contribution import (
     number,
     significant,
 )
+from seafoam.effects.extremes import slope_sensitivity
 from seafoam.quality import Quality
 from seafoam.scene.chop import BANDS, TILES, WAVES_PER_TILE, Ripple, ripples
-from seafoam.scene.models import Scene
+from seafoam.scene.models import Chop, Foam, ParametricWave, Scene, Water
 
 
 def _data(waves: Sequence[Ripple], first_band: int = 0) -> list[Constant]:
@@ -52,10 +54,11 @@ def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ripples with a slope, under any light: nothing else shows a slope."""
+    """Called for by ``water.chop``."""
     chop = scene.water.chop
-    if chop is None or chop.slope == 0.0 or scene.light is None:
+    if chop is None:
         return None
+    bound = _bound(scene, chop)
     cascades = ripples(chop)
     consts: dict[str, int | float | bool] = {"CHOP_WAVES": WAVES_PER_TILE}
     uniforms = {"u_chop_band": _bands(cascades)}
@@ -72,6 +75,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "u_chop_wave": array("vec4", data, len(waves)),
                 "u_chop_phase": array("float", phases, len(waves)),
             },
+            bound=bound,
         )
     offsets = [Wrap(k=k) for tile in TILES for k in ((1.0 / tile, 0.0), (0.0, 1.0 / tile))]
     return Contribution(
@@ -111,7 +115,26 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             )
             for i, (tile, waves) in enumerate(zip(TILES, cascades, strict=True))
         ),
+        bound=bound,
     )
 
 
-EFFECT = Effect("ripples", contribute)
+def _bound(scene: Scene, chop: Chop) -> Bound | None:
+    """Ripples show by their slopes alone, and only under a light."""
+    if scene.light is None:
+        return Bound(0.0, "there is no light, and ripples show by their shading alone")
+    most = sum(wave.slope for cascade in ripples(chop) for wave in cascade)
+    return Bound(
+        slope_sensitivity(scene) * most, f"slopes are never above {most:.1g}", ("/light/exposure", "/water/roughness")
+    )
+
+
+EFFECT = Effect(
+    "ripples",
+    contribute,
+    invisible=(
+        Scene(water=Water(chop=Chop(slope=0.0))),
+        Scene(water=Water(chop=Chop(slope=4e-7))),
+        Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(chop=Chop()), light=None),
+    ),
+)

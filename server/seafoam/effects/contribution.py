@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
+from seafoam.scene.models import Camera, Scene
 
 
 class PlanPart(BaseModel):
@@ -190,6 +190,8 @@ class Contribution:
     """Name in the plan -> what it holds and how it is sampled."""
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
+    bound: "Bound | None" = None
+    """The most that the effect can change; ``None``: it shows."""
     top: float = 0.0
     """What the effect can add to the surface's height at most, m."""
     steepest: float = 0.0
@@ -206,21 +208,63 @@ class TextureUse:
 
 
 @dataclass(frozen=True)
-class Skipped:
-    """An effect that the scene names but that cannot contribute, with the reason."""
+class Bound:
+    """The most by which an effect can change any pixel, from any camera, at any time.
 
+    ``value``: exposed linear light, display white = 1, pictures clipped there. ``why``: what makes it so small.
+    ``fields``: JSON pointers of the scene fields it hangs on that could otherwise change without a new plan; where the
+    effect is left out, they cannot.
+    """
+
+    value: float
     why: str
+    fields: tuple[str, ...] = ()
+
+
+Cause = Literal["geometry", "filtering", "precision"]
+
+
+@dataclass(frozen=True)
+class Knob:
+    """A single thing of the quality that trades time against error, declared by the effect that owns it.
+
+    ``pointer``: JSON pointer into the Quality. ``steps``: values to measure, from cheap to exact. ``cause``: the kind of
+    error it works on: where the surface is (geometry), what a pixel averages (filtering), digits (precision).
+    """
+
+    pointer: str
+    title: str
+    steps: tuple[bool | int | float | str, ...]
+    cause: Cause
+
+
+@dataclass(frozen=True)
+class HardCase:
+    """A scene, a time and a camera that provoke a failure, the guard against it, and what happened without the guard."""
+
+    name: str
+    scene: Scene
+    guard: str
+    without: str
+    """What the frame or the function gave with the guard taken out, measured once: a number and its unit."""
+    times: tuple[float, ...] = (0.0,)
+    camera: Camera | None = None
 
 
 @dataclass(frozen=True)
 class Effect:
     """An effect: its name, and what it gives to the plan of a scene.
 
-    ``contribute`` returns ``None`` where the scene does not call for the effect.
+    ``contribute`` returns ``None`` where the scene does not call for the effect. ``invisible``: scenes that call for it
+    and cannot show it; an effect that shows wherever it is called for says why in ``always_visible`` instead.
     """
 
     name: str
-    contribute: Callable[[Scene, Quality], "Contribution | Skipped | None"]
+    contribute: Callable[[Scene, Quality], Contribution | None]
+    invisible: tuple[Scene, ...] = ()
+    always_visible: str = ""
+    knobs: tuple[Knob, ...] = ()
+    hard_cases: tuple[HardCase, ...] = ()
 
 
 class PlanError(ValueError):

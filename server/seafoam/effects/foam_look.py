@@ -3,6 +3,7 @@
 import math
 
 from seafoam.effects.contribution import (
+    Bound,
     Contribution,
     Effect,
     PlanError,
@@ -15,9 +16,10 @@ from seafoam.effects.contribution import (
     number,
     vector,
 )
+from seafoam.effects.extremes import foam_limit, greatest_saturation
 from seafoam.masks.catalogue import Mask
 from seafoam.quality import Quality
-from seafoam.scene.models import Foam, Scene
+from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
 from seafoam.textures import foam_texture, mask_by_name
 
 _MASK_FILES = ("foam/mask_coordinates.glsl", "foam/mask_exact.glsl")
@@ -70,14 +72,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms |= _mask_uniforms(foam)
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/ranks")
-    if textured or foam.look == "filtered":
-        # The filtered look names the texture even where it does not show, so that its text stays the same.
+    if textured:
         needs += (_TEXTURE_FILE,)
         consts["FOAM_TEXTURE_SIZE"] = foam_texture().shape[0]
         uniforms |= _texture_uniforms(foam)
         inputs["u_foam_texture"] = TextureInput(texture="foam_texture")
         textures["foam_texture"] = TextureUse("foam", filter="linear_mipmap_linear")
     if foam.look == "filtered":
+        if not textured:
+            needs += ("foam/no_texture.glsl",)
         precise = quality.target == "RGBA32F"
         kind = "float" if precise else "half"
         needs += (f"foam/moments_{kind}.glsl",)
@@ -110,7 +113,45 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms=uniforms,
         inputs=dict(inputs),
         textures=textures,
+        bound=_bound(foam, scene),
     )
 
 
-EFFECT = Effect("foam look", contribute)
+def _bound(foam: Foam, scene: Scene) -> Bound | None:
+    """What foam can change at most: its amount, as white over black."""
+    most = greatest_saturation(foam, scene)
+    fields = tuple(
+        f"/foam/saturation/{i}/{name}"
+        for i, source in enumerate(foam.saturation)
+        for name in ("base", "full")
+        if isinstance(source, HeightSaturation)
+    )
+    if most == 0.0:
+        return Bound(0.0, "the saturation is 0 everywhere", fields)
+    if foam.look == "textured":
+        value = min(most, 1.0) * foam_limit(foam, scene)
+        fields += ("/foam/albedo", "/light/exposure")
+        return Bound(value, f"the saturation is never above {most:.2g}", fields)
+    return None
+
+
+EFFECT = Effect(
+    "foam look",
+    contribute,
+    invisible=(
+        Scene(
+            waves=(ParametricWave(amplitude=0.5),),
+            foam=Foam(saturation=(HeightSaturation(base=0.6, full=1.0),), look="halftone"),
+        ),
+        Scene(
+            waves=(ParametricWave(amplitude=0.5),),
+            foam=Foam(saturation=(HeightSaturation(base=0.4999, full=1.4999),), look="textured"),
+        ),
+        Scene(
+            waves=(ParametricWave(amplitude=0.5),),
+            foam=Foam(
+                saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product", look="filtered"
+            ),
+        ),
+    ),
+)

@@ -3,11 +3,11 @@
 import math
 
 from seafoam.effects.contribution import (
+    Bound,
     Constant,
     Contribution,
     Effect,
     Phase,
-    Skipped,
     SlotFile,
     TextureInput,
     TextureUse,
@@ -16,28 +16,32 @@ from seafoam.effects.contribution import (
     number,
     vector,
 )
+from seafoam.effects.extremes import front_limit, surface_top
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
-from seafoam.scene.models import FrontSaturation, Scene
+from seafoam.scene.models import Foam, FrontSaturation, ParametricWave, Scene
 from seafoam.textures import FRONT_NODES, front_full, front_integral_name
 
 _CONSTANTS = {"text": (math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": (1.07, 6.28, math.log(2.718))}
 """δ (rad), the number that stands for 2π in the spatial phase, and ln E."""
 
 
-def contribute(scene: Scene, quality: Quality) -> Contribution | Skipped | None:
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by a saturation with source ``front``."""
     if scene.foam is None:
         return None
     found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, FrontSaturation)]
     if not found:
         return None
-    if not scene.waves:
-        return Skipped("no wave, so no front")
     index, front = found[0]
+    if not scene.waves:
+        return Contribution(why="", bound=Bound(0.0, "no wave, so no front"))
+    bound = None
+    if front_limit(front, scene) == 0.0:
+        bound = Bound(0.0, "crests foam only above the greatest possible sum of the waves")
     filtered = scene.foam.look == "filtered"
     delta, turn, log_base = _CONSTANTS[front.constants]
-    total = sum(wave.amplitude for wave in scene.waves)
+    total = surface_top(scene)
     data: list[Constant] = []
     phases: list[Phase] = []
     for wave in scene.waves:
@@ -64,6 +68,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | Skipped | None:
             slots=(SlotFile("saturation", "saturation/front.glsl", prefix="front", needs=needs),),
             consts=consts,
             uniforms=uniforms,
+            bound=bound,
         )
     return Contribution(
         why=f"{why}, averaged over footprints",
@@ -72,7 +77,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | Skipped | None:
         uniforms=uniforms,
         inputs={"u_front_integral": TextureInput(texture="front_integral")},
         textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},
+        bound=bound,
     )
 
 
-EFFECT = Effect("front foam", contribute)
+EFFECT = Effect(
+    "front foam",
+    contribute,
+    invisible=(
+        Scene(foam=Foam()),
+        Scene(waves=(ParametricWave(),), foam=Foam(saturation=(FrontSaturation(group=(1.0, 1.0)),), look="halftone")),
+    ),
+)

@@ -1,8 +1,9 @@
 """Foam saturation from height (Kryachko 2005). docs/formulae.md, section 4."""
 
-from seafoam.effects.contribution import Contribution, Effect, SlotFile, number
+from seafoam.effects.contribution import Bound, Contribution, Effect, SlotFile, number
+from seafoam.effects.extremes import height_limit
 from seafoam.quality import Quality
-from seafoam.scene.models import HeightSaturation, Scene
+from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -22,7 +23,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_height_base": number(height.base, f"{pointer}/base"),
             "u_height_full": number(height.full, f"{pointer}/full"),
         },
+        bound=Bound(0.0, "no crest reaches the height where foam starts", (f"{pointer}/base", f"{pointer}/full"))
+        if height_limit(height, scene) == 0.0
+        else None,
     )
 
 
-EFFECT = Effect("height foam", contribute)
+EFFECT = Effect(
+    "height foam",
+    contribute,
+    invisible=(
+        Scene(
+            waves=(ParametricWave(amplitude=0.5),),
+            foam=Foam(saturation=(FrontSaturation(), HeightSaturation(base=0.5, full=1.0)), look="halftone"),
+        ),
+    ),
+)

@@ -44,6 +44,11 @@ def sun_irradiance(light: Light) -> Rgb:
     return _rgb([_E0 * math.exp(-(tau + _mie(light)) * _air_mass(y)) * up for tau in _RAYLEIGH])
 
 
+def sun_disc(light: Light) -> Rgb:
+    """Radiance of the sun's disc, held at 3000, well inside half floats."""
+    return _rgb([min(value / 6.8e-5, 3000.0) for value in sun_irradiance(light)])
+
+
 def air_light(light: Light) -> Rgb:
     """E_a: irradiance of the light that the air scatters."""
     y = math.sin(light.sun_elevation)
@@ -85,20 +90,16 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     light = scene.light
     if light is None:
         return None
-    sun = sun_irradiance(light)
-    disc = _rgb([min(value / 6.8e-5, 3000.0) for value in sun])
     return Contribution(
         why=f"sun {math.degrees(light.sun_elevation):.0f}° over the horizon, sky, haze",
         slots=(
             SlotFile("sky", "sky/analytic.glsl", needs=("sky/exposure.glsl",)),
-            SlotFile("disc", "sky/sun_disc.glsl"),
-            SlotFile("shade", "shade/lit.glsl"),
+            SlotFile("shade", "shade/lit.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl")),
             SlotFile("tone", "tone/filmic.glsl"),
         ),
         uniforms={
             "u_sun_direction": vector(_rgb(list(sun_direction(light)))),
-            "u_sun_irradiance": vector(sun),
-            "u_sun_disc": vector(disc),
+            "u_sun_irradiance": vector(sun_irradiance(light)),
             "u_sky_irradiance": vector(sky_irradiance(light)),
             "u_air_light": vector(air_light(light)),
             "u_rayleigh_depth": vector(_RAYLEIGH),
@@ -109,4 +110,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("sun and sky", contribute)
+EFFECT = Effect(
+    "sun and sky",
+    contribute,
+    always_visible="it is the light that everything else is seen by; without it a scene is drawn white on black",
+)

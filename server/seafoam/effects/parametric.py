@@ -3,6 +3,7 @@
 import math
 
 from seafoam.effects.contribution import (
+    Bound,
     Constant,
     Contribution,
     Effect,
@@ -11,9 +12,10 @@ from seafoam.effects.contribution import (
     array,
     significant,
 )
+from seafoam.effects.extremes import crest_limit, slope_sensitivity, surface_top
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
-from seafoam.scene.models import Scene
+from seafoam.scene.models import ParametricWave, Scene, Water
 
 _HELD = 1e-4
 """|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""
@@ -69,9 +71,32 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_phase": array("float", phases, len(waves)),
             "u_parametric_mean": array("vec2", means, len(waves)),
         },
-        top=sum(wave.amplitude for wave in waves),
+        bound=_bound(scene, steepest),
+        top=surface_top(scene),
         steepest=steepest,
     )
 
 
-EFFECT = Effect("parametric waves", contribute)
+def _bound(scene: Scene, steepest: float) -> Bound | None:
+    """Waves that nothing lies on (foam, ripples) show by their slopes and, over a floor, by their height alone."""
+    ripples = scene.water.chop is not None and scene.light is not None
+    if scene.foam is not None or ripples or scene.water.depth is not None:
+        return None
+    # A crest also moves the haze before it, by its share of the eye's height: a tenth for any camera above 10 m/m.
+    if scene.light is None:
+        return Bound(0.0, "nothing lies on them, and there is no light")
+    return Bound(
+        slope_sensitivity(scene) * steepest + 0.1 * surface_top(scene) + crest_limit(scene),
+        f"slopes are never above {steepest:.1g}",
+        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
+    )
+
+
+EFFECT = Effect(
+    "parametric waves",
+    contribute,
+    invisible=(
+        Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
+        Scene(waves=(ParametricWave(),), light=None),
+    ),
+)

@@ -47,7 +47,7 @@ def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[str]:
     pieces: list[str] = []
     for file in files:
         pieces += [*file.needs, file.path]
-    if not files and slot.default:
+    if not files and slot.default and (not slot.under or any(file.slot == slot.under for file in chosen)):
         pieces.append(slot.default)
     return pieces + ["=" + join.glsl([file.prefix for file in files]) for join in slot.joins]
 

@@ -84,6 +84,9 @@ class EffectNote(PlanPart):
     name: str
     why: str
     files: tuple[str, ...] = ()
+    bound: float | None = Field(
+        default=None, description="Of a skipped effect: the most it could change in a pixel, display white = 1"
+    )
 
 
 class FramePlan(PlanPart):

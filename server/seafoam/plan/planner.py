@@ -10,7 +10,6 @@ from seafoam.effects.contribution import (
     Fullscreen,
     Grid,
     PassSpec,
-    Skipped,
     SlotFile,
     Target,
     TargetInput,
@@ -33,6 +32,10 @@ _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
 
 
+NEGLIGIBLE = 0.5 / 255.0
+"""Half a level of exposed linear light: what can change a pixel by less is left out."""
+
+
 class AssemblyError(RuntimeError):
     """The effects contradict each other or their GLSL: a mistake in Seafoam, never in a scene."""
 
@@ -40,7 +43,7 @@ class AssemblyError(RuntimeError):
 class _Draft:
     """What the effects gave, joined."""
 
-    def __init__(self, scene: Scene, quality: Quality) -> None:
+    def __init__(self, scene: Scene, quality: Quality, economy: bool) -> None:
         self.effects: list[EffectNote] = []
         self.skipped: list[EffectNote] = []
         self.slots: list[SlotFile] = []
@@ -52,11 +55,15 @@ class _Draft:
         self.passes: list[PassSpec] = []
         self.top = 0.0
         self.steepest = 0.0
+        self.bound_fields: set[str] = set()
         for effect in EFFECTS:
             given = effect.contribute(scene, quality)
-            if isinstance(given, Skipped):
-                self.skipped.append(EffectNote(name=effect.name, why=given.why))
-            elif given is not None:
+            if given is None:
+                continue
+            if economy and given.bound is not None and given.bound.value < NEGLIGIBLE:
+                self.skipped.append(EffectNote(name=effect.name, why=given.bound.why, bound=given.bound.value))
+                self.bound_fields.update(given.bound.fields)
+            else:
                 self._add(effect.name, given)
 
     def _add(self, name: str, given: Contribution) -> None:
@@ -82,13 +89,15 @@ class _Draft:
 
 
 @lru_cache(maxsize=256)
-def make_plan(scene: Scene, quality: Quality) -> FramePlan:
+def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
     """The frame plan of a scene at a quality.
 
-    Pure: the same arguments give the same bytes. Raises :class:`seafoam.effects.contribution.PlanError` where the
-    scene asks for what does not exist, such as an unknown mask.
+    ``economy``: leave out what can change no pixel by more than :data:`NEGLIGIBLE`; without it everything that the
+    scene names is there, which is how the bounds are tested. Pure: the same arguments give the same bytes. Raises
+    :class:`seafoam.effects.contribution.PlanError` where the scene asks for what does not exist, such as an unknown
+    mask.
     """
-    draft = _Draft(scene, quality)
+    draft = _Draft(scene, quality, economy)
     side = math.isqrt(quality.samples)
     mesh = quality.surface.method == "mesh"
 
@@ -197,7 +206,7 @@ def make_plan(scene: Scene, quality: Quality) -> FramePlan:
         uniforms=_used(uniforms, programs),
         linear=linear,
         samples=quality.samples,
-        live=tuple(sorted(_live(uniforms))),
+        live=tuple(sorted(_live(_used(uniforms, programs)) - draft.bound_fields)),
     )
 
 

@@ -40,10 +40,14 @@ class Join:
 
 @dataclass(frozen=True)
 class Slot:
-    """A place in a shader. ``joins``: where it takes several files; ``default``: the file where nothing fills it."""
+    """A place in a shader. ``joins``: where it takes several files; ``default``: the file where nothing fills it.
+
+    ``under``: another slot; the default goes in only where that one is filled.
+    """
 
     name: str
     default: str = ""
+    under: str = ""
     joins: tuple[Join, ...] = ()
 
 
@@ -82,10 +86,12 @@ LOOK = Slot("look", default="look/none.glsl")
 """Foam amount from saturation."""
 OVER = Slot("over", default="foam/over.glsl")
 """How foam meets water."""
-ALBEDO = Slot("albedo", default="foam/no_albedo.glsl")
+ALBEDO = Slot("albedo", default="foam/no_albedo.glsl", under="shade")
 SKY = Slot("sky", default="sky/none.glsl")
-DISC = Slot("disc")
-BODY = Slot("body")
+DISC = Slot("disc", default="sky/no_disc.glsl")
+BODY = Slot("body", default="body/deep.glsl", under="shade")
+CREST = Slot("crest", default="crest/none.glsl", under="shade")
+GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
 SHADE = Slot("shade", default="shade/flat.glsl")
 TONE = Slot("tone", default="tone/clamp.glsl")
 
@@ -93,4 +99,4 @@ TONE = Slot("tone", default="tone/clamp.glsl")
 def surface_slots(combine: Literal["max", "product"]) -> tuple[Slot, ...]:
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
-    return (WAVES, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, SHADE)
+    return (WAVES, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, SHADE)

@@ -193,6 +193,9 @@ def saturation(
         if isinstance(source, HeightSaturation):
             parts.append(height_saturation(H, source.base, source.full))
             continue
+        if waves[source.constants].amplitude.size == 0:
+            parts.append(np.zeros_like(x))
+            continue
         constants = FRONT_CONSTANTS[source.constants]
         sum_of = group(waves[source.constants], x, z, constants.delta)
         if footprints is None:

@@ -132,6 +132,13 @@ class Foam(Part):
     )
     albedo: Share = Field(default=0.9, description="Share of light that foam scatters back")
 
+    @model_validator(mode="after")
+    def _one_of_each(self) -> "Foam":
+        sources = [saturation.source for saturation in self.saturation]
+        if len(set(sources)) < len(sources):
+            raise ValueError("saturation: at most one of each source")
+        return self
+
 
 class Chop(Part):
     """Wind ripples, too small for the mesh: they tilt the surface and leave its height alone."""

@@ -63,7 +63,8 @@ export class App {
     const preset = await api.preset(opened.name);
     const unknown = link.preset !== null && known === undefined;
     // What a link says of one sea means nothing for another.
-    const app = new App(api, curtain, presets, openapi, preset, unknown ? decode("") : link);
+    const kept = unknown ? { ...link, changes: [], time: null, camera: null, split: null } : link;
+    const app = new App(api, curtain, presets, openapi, preset, kept);
     if (unknown) app.toasts.show(`There is no sea “${link.preset}” here; this is “${preset.title}”.`, [], "error");
   }
 

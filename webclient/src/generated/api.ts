@@ -647,6 +647,11 @@ export interface components {
              * @default []
              */
             files: string[];
+            /**
+             * Bound
+             * @description Of a skipped effect: the most it could change in a pixel, display white = 1
+             */
+            bound?: number | null;
         };
         /**
          * FixedSize

@@ -1,0 +1,69 @@
+"""The greatest values that parts of a scene can reach, anywhere and at any time: what bounds are made of."""
+
+import math
+
+from seafoam.effects.light import sky_irradiance, sun_irradiance
+from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, Scene
+
+SATURATION_CAP = 4.0
+"""No look tells saturations above 4 apart (docs/formulae.md, section 4)."""
+
+
+def surface_top(scene: Scene) -> float:
+    """Greatest height of the surface, m: every crest in one place."""
+    return sum(wave.amplitude for wave in scene.waves)
+
+
+def front_limit(front: FrontSaturation, scene: Scene) -> float:
+    """Greatest front saturation: the cap, which every front reaches at its pole, unless the gate never opens."""
+    return SATURATION_CAP if scene.waves and front.group[0] < 1.0 else 0.0
+
+
+def height_limit(height: HeightSaturation, scene: Scene) -> float:
+    """Greatest height saturation: that of the greatest height."""
+    reached = (surface_top(scene) - height.base) / (height.full - height.base)
+    return min(max(reached, 0.0), SATURATION_CAP)
+
+
+def greatest_saturation(foam: Foam, scene: Scene) -> float:
+    """Greatest saturation of the sources as they join."""
+    limits = [
+        front_limit(source, scene) if isinstance(source, FrontSaturation) else height_limit(source, scene)
+        for source in foam.saturation
+    ]
+    if foam.combine == "max":
+        return max(limits)
+    return min(math.prod(limits), SATURATION_CAP)
+
+
+def slope_sensitivity(scene: Scene) -> float:
+    """Most by which a slope of the surface changes a pixel, display white = 1, a unit of slope.
+
+    Glitter L below white changes by at most L·2t/σ² a unit, t = tan of the facet's tilt, and is below white only for
+    t < σ√(ln(peak)) ≤ 3.7 σ: 7.4/σ with σ at least the water's own roughness. Sky, Fresnel and body are gentler; 30
+    covers them at any exposure that does not bring the sky to white.
+    """
+    if scene.light is None:
+        return 0.0
+    return (7.4 / scene.water.roughness + 30.0) * max(1.0, math.exp2(scene.light.exposure))
+
+
+def crest_limit(scene: Scene) -> float:
+    """Brightest light through a crest, display white = 1."""
+    light, water = scene.light, scene.water
+    if light is None or surface_top(scene) == 0.0:
+        return 0.0
+    passed = (
+        water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(light.sun_elevation)
+        for sun, length in zip(sun_irradiance(light), water.absorption_length, strict=True)
+    )
+    return max(passed) * math.exp2(light.exposure)
+
+
+def foam_limit(foam: Foam, scene: Scene) -> float:
+    """Brightest foam, display white = 1; at least white."""
+    light = scene.light
+    if light is None:
+        return 1.0
+    both = (sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True))
+    return max(foam.albedo / math.pi * max(both) * math.exp2(light.exposure), 1.0)

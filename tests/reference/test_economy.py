@@ -1,0 +1,84 @@
+"""Only what the scene calls for: what a plan leaves out would change no pixel by more than its stated bound."""
+
+import math
+
+import numpy as np
+import pytest
+
+from report import Report
+from seafoam.effects import EFFECTS
+from seafoam.effects.contribution import Effect
+from seafoam.plan import make_plan
+from seafoam.plan.planner import NEGLIGIBLE
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Scene, Water
+from seafoam.scene.presets import load_preset, preset_names
+
+VIEWS = (
+    Camera(position=(3.0, 6.0, -2.0), pitch=-0.15),
+    Camera(position=(0.0, 2.0, 0.0), yaw=1.5, pitch=-0.02),
+    Camera(position=(-40.0, 25.0, 7.0), yaw=-1.6, pitch=-math.pi / 2),
+    Camera(position=(0.0, 1.5, 0.0), yaw=1.57, pitch=0.1),
+)
+ROUNDING = 2e-6
+"""Two programs that compute the same do not round alike; of linear light, display white = 1."""
+
+CASES = [
+    pytest.param(effect, scene, id=f"{effect.name} {i}")
+    for effect in EFFECTS
+    for i, scene in enumerate(effect.invisible)
+]
+
+
+@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
+def test_every_effect_says_when_it_cannot_be_seen(effect: Effect) -> None:
+    assert bool(effect.invisible) != bool(effect.always_visible)
+
+
+@pytest.mark.parametrize(("effect", "scene"), CASES)
+def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
+    executor: Executor, report: Report, effect: Effect, scene: Scene
+) -> None:
+    quality = TIERS["reference"].model_copy(update={"samples": 1})
+    lean, full = make_plan(scene, quality), make_plan(scene, quality, economy=False)
+    (note,) = [note for note in lean.skipped if note.name == effect.name]
+    assert note.bound is not None
+    assert note.bound < NEGLIGIBLE
+    assert note.why
+    assert effect.name not in {one.name for one in lean.effects}
+    assert effect.name in {one.name for one in full.effects}
+    worst = 0.0
+    for camera in VIEWS:
+        for time in (0.0, 31.7):
+            pictures = [
+                executor.render(plan, time=time, camera=camera, width=96, height=64, output="linear").pixels[..., :3]
+                for plan in (lean, full)
+            ]
+            clipped = [np.clip(picture.astype(np.float64), 0.0, 1.0) for picture in pictures]
+            worst = max(worst, float(np.abs(clipped[0] - clipped[1]).max()))
+    # All that is left out together stays within the sum of its bounds.
+    allowed = sum(note.bound or 0.0 for note in lean.skipped)
+    report.add(
+        "Left out of the plan: bound and measured change, levels of 255",
+        effect=effect.name,
+        why=note.why[:60],
+        bound=f"{255 * allowed:.4f}",
+        measured=f"{255 * worst:.4f}",
+    )
+    assert worst <= allowed + ROUNDING
+
+
+@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
+def test_a_bound_that_is_not_small_keeps_the_effect(effect: Effect) -> None:
+    """Some preset shows each effect, so leaving it out is not the rule."""
+    plans = [make_plan(load_preset(name).scene, TIERS["standard"]) for name in preset_names()]
+    assert any(effect.name in {note.name for note in plan.effects} for plan in plans)
+
+
+def test_a_field_that_a_bound_hangs_on_is_not_live() -> None:
+    """Raising the exposure may bring back what the plan left out, so the page must ask for a new plan."""
+    deep = make_plan(Scene(water=Water(depth=500.0)), TIERS["standard"])
+    assert "floor" in {note.name for note in deep.skipped}
+    assert "/light/exposure" not in deep.live
+    assert "/light/visibility" in deep.live
