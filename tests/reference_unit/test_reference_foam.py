@@ -17,9 +17,10 @@ from seafoam.reference.saturation import (
     height_saturation,
     joined,
     phase_width,
+    saturation,
 )
 from seafoam.reference.waves import wave_set
-from seafoam.scene.models import ParametricWave, Scene
+from seafoam.scene.models import FrontSaturation, ParametricWave, Scene
 
 WAVE = ParametricWave(amplitude=0.8, wavelength=11.0, direction=0.4, exponent=2.0, phase=0.3)
 RNG_RANKS = np.random.default_rng(5).permutation(64 * 64).reshape(64, 64)

@@ -130,6 +130,7 @@ async function problem(response: Response): Promise<ApiError> {
   const words = (value: Json | undefined) => (typeof value === "string" ? value : undefined);
   const message = words(said["detail"]) ?? words(said["title"]) ?? `The server answered with status ${response.status}.`;
   const errors = Array.isArray(said["errors"]) ? said["errors"] : [];
-  const details = errors.filter(isObject).map((e) => [words(e["pointer"]), words(e["detail"])].filter(Boolean).join(": "));
-  return new ApiError(message, response.status, details);
+  const details = errors.filter(isObject).flatMap((e) => words(e["detail"]) ?? []);
+  // The server's detail is all errors in a row: said once is enough.
+  return new ApiError(details.length > 0 ? (words(said["title"]) ?? message) : message, response.status, details);
 }
