@@ -66,9 +66,9 @@ def views() -> tuple[View, ...]:
     )
     bare = flat.model_copy(update={"light": None, "water": flat.water.model_copy(update={"chop": None})})
     return (
-        View("sea", f"preset {PRESET}", sea, 21, 75.0),
-        View("flat", "a flat sea from 4 m straight above, half covered, lit, with ripples", flat, 40, 30.0),
-        View("bare", "the same without light or ripples: foam and hardly more", bare, 40, 20.0),
+        View("sea", f"preset {PRESET}", sea, 21, 60.0),
+        View("flat", "a flat sea from 4 m straight above, half covered, lit, with ripples", flat, 40, 20.0),
+        View("bare", "the same without light or ripples: foam and hardly more", bare, 40, 15.0),
     )
 
 
@@ -82,7 +82,7 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
         costs[view.name] = _side_by_side(executor, plans, view.scene.camera, SIZE, rounds)
     scene = load_preset(PRESET).scene
     tiers = {tier: make_plan(scene, quality) for tier, quality in TIERS.items()}
-    tier_costs = _side_by_side(executor, tiers, scene.camera, TIER_SIZE, watch.rounds("tiers", 7, 35.0))
+    tier_costs = _side_by_side(executor, tiers, scene.camera, TIER_SIZE, watch.rounds("tiers", 7, 25.0))
     return [_comparisons(costs, basis), *(_looks(view, costs[view.name]) for view in views()), _tiers(tier_costs)]
 
 

@@ -31,7 +31,7 @@ def measure(port: int, watch: Watch) -> list[Table]:
         for format in FRAME_FORMATS:
             _frame(connection, f"{PRESET}.{format}?{next(moments)}")
         warm: dict[str, list[Answer]] = {format: [] for format in FRAME_FORMATS}
-        for _ in watch.rounds("requests by format", 15, 40.0):
+        for _ in watch.rounds("requests by format", 15, 25.0):
             for format in FRAME_FORMATS:
                 warm[format].append(_frame(connection, f"{PRESET}.{format}?{next(moments)}"))
         foam = load_preset(PRESET).scene.foam

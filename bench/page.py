@@ -85,7 +85,7 @@ def measure(port: int, watch: Watch) -> tuple[dict[str, str], list[Table]]:
     motion: list[dict[str, Any]] = []
     browser_info: dict[str, str] = {}
     with sync_playwright() as playwright:
-        for _ in watch.rounds("first picture of the page", 3, 60.0, least=1):
+        for _ in watch.rounds("first picture of the page", 3, 45.0, least=1):
             browser = _launched(playwright)
             try:
                 page = _page(browser)

@@ -37,6 +37,8 @@ def qualities() -> Iterator[Quality]:
     ):
         surface = standard.surface.model_copy(update={"method": method, "filter": filtered})
         yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
+    for mask, taps in product(("u8", "half"), (1, 4)):
+        yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
 
 
 def scenes() -> Iterator[Scene]:

@@ -36,6 +36,12 @@ class Quality(Knobs):
     """Everything that trades time against error."""
 
     surface: SurfaceQuality = SurfaceQuality()
+    waves: int = Field(default=16, ge=1, le=16, description="Waves kept, the steepest first")
+    mask: Literal["u8", "half", "u16"] = Field(default="u16", description="Format of the mask's thresholds")
+    foam_taps: Literal[1, 4] = Field(
+        default=1,
+        description="Parts of a footprint that the filtered look averages, each with its own mask",
+    )
     chop: Literal["tile", "exact"] = Field(
         default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
     )

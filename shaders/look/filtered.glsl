@@ -84,8 +84,21 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     return FOAM_FADES ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
 }
 
+// The footprint whole, or its four quarters, each with its own part of the mask.
+float mean_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
+    if (FOAM_TAPS == 1) {
+        return filtered_coverage(s, uv, uv_x, uv_y);
+    }
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 quarter = vec2(float(i & 1), float(i >> 1)) * 0.5 - 0.25;
+        sum += filtered_coverage(s, uv + quarter.x * uv_x + quarter.y * uv_y, 0.5 * uv_x, 0.5 * uv_y);
+    }
+    return 0.25 * sum;
+}
+
 float foam_amount(float f, vec2 p, Footprint fp) {
     float s = clamp(f, 0.0, 1.0);
-    float covered = filtered_coverage(s, mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
+    float covered = mean_coverage(s, mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
     return FOAM_TEXTURED ? covered * mix(1.0, foam_texture(p, fp), u_foam_texture_share) : covered;
 }

@@ -131,12 +131,14 @@ def visit(
     page.on("request", lambda request: made.asked.append((request.method, request.url)))
     if not thumbnails:
         page.route(re.compile(r"/api/frames/[\w-]+\.png\?width=192"), lambda route: route.fulfill(path=THUMBNAIL))
-    page.goto(f"{server}/{address}", wait_until="load")
-    if settle:
-        made.settle()
-        page.locator("#curtain").wait_for(state="hidden")
-    yield made
-    opened.close()
+    try:
+        page.goto(f"{server}/{address}", wait_until="load")
+        if settle:
+            made.settle()
+            page.locator("#curtain").wait_for(state="hidden")
+        yield made
+    finally:
+        opened.close()
 
 
 @pytest.fixture(scope="module")

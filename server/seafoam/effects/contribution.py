@@ -228,8 +228,8 @@ Cause = Literal["geometry", "filtering", "precision"]
 class Knob:
     """A single thing of the quality that trades time against error, declared by the effect that owns it.
 
-    ``pointer``: JSON pointer into the Quality. ``steps``: values to measure, from cheap to exact. ``cause``: the kind of
-    error it works on: where the surface is (geometry), what a pixel averages (filtering), digits (precision).
+    ``pointer``: JSON pointer into the Quality. ``steps``: values to measure, from cheap to exact. ``cause``: the kind
+    of error it works on: where the surface is (geometry), what a pixel averages (filtering), digits (precision).
     """
 
     pointer: str
@@ -240,7 +240,7 @@ class Knob:
 
 @dataclass(frozen=True)
 class HardCase:
-    """A scene, a time and a camera that provoke a failure, the guard against it, and what happened without the guard."""
+    """A scene, a time and a camera that provoke a failure, the guard against it, and what happened without it."""
 
     name: str
     scene: Scene

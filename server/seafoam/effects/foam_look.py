@@ -22,7 +22,7 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
 from seafoam.textures import foam_texture, mask_by_name
 
-_MASK_FILES = ("foam/mask_coordinates.glsl", "foam/mask_exact.glsl")
+_MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _TEXTURE_FILE = "foam/texture.glsl"
 
 
@@ -67,11 +67,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     textures: dict[str, TextureUse] = {}
     if masked:
         mask = _mask(foam)
-        needs += _MASK_FILES
+        needs += ("foam/mask_coordinates.glsl", f"foam/mask_texel_{quality.mask}.glsl")
+        needs += () if foam.look == "filtered" else ("foam/mask_exact.glsl",)
         consts["MASK_SIZE"] = mask.ranks.shape[0]
         uniforms |= _mask_uniforms(foam)
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
-        textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/ranks")
+        textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")
     if textured:
         needs += (_TEXTURE_FILE,)
         consts["FOAM_TEXTURE_SIZE"] = foam_texture().shape[0]
@@ -88,6 +89,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,
             "FOAM_TEXTURED": textured,
+            "FOAM_TAPS": quality.foam_taps,
         }
         if precise:
             consts["MASK_LEVELS"] = mask.ranks.shape[0].bit_length()

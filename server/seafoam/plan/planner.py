@@ -97,6 +97,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     :class:`seafoam.effects.contribution.PlanError` where the scene asks for what does not exist, such as an unknown
     mask.
     """
+    scene = _kept(scene, quality.waves)
     draft = _Draft(scene, quality, economy)
     side = math.isqrt(quality.samples)
     mesh = quality.surface.method == "mesh"
@@ -208,6 +209,14 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         samples=quality.samples,
         live=tuple(sorted(_live(_used(uniforms, programs)) - draft.bound_fields)),
     )
+
+
+def _kept(scene: Scene, count: int) -> Scene:
+    """The scene with its ``count`` steepest waves, in their own order."""
+    if len(scene.waves) <= count:
+        return scene
+    order = sorted(range(len(scene.waves)), key=lambda i: -scene.waves[i].amplitude / scene.waves[i].wavelength)
+    return scene.model_copy(update={"waves": tuple(scene.waves[i] for i in sorted(order[:count]))})
 
 
 def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.masks.catalogue import Mask, UnknownMaskError, custom_mask, load_mask
-from seafoam.masks.formats import to_u16
+from seafoam.masks.formats import quantised, to_u16
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import front_integral
 
-Format = Literal["R16UI", "R16F", "RG16F", "R32F", "RG32F"]
+Format = Literal["R8UI", "R16UI", "R16F", "RG16F", "R32F", "RG32F"]
 
 
 class UnknownTextureError(KeyError):
@@ -49,7 +49,8 @@ def mask_by_name(name: str) -> Mask:
 def texture(name: str) -> TextureData:
     """The texture called ``name``.
 
-    ``mask/NAME/ranks`` (R16UI), ``mask/NAME/moments-half`` and ``-float`` (mean of m and m², all levels),
+    ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/moments-half`` and
+    ``-float`` (mean of m and m², all levels),
     ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RG32F, a row), ``foam`` (R16F, all levels).
     Raises :class:`UnknownTextureError`.
     """
@@ -73,6 +74,10 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
     match kind:
         case "ranks":
             return _data(name, "R16UI", size, size, 1, to_u16(mask.ranks))
+        case "ranks-8":
+            return _data(name, "R8UI", size, size, 1, quantised(mask.ranks, 8).astype(np.uint8).tobytes())
+        case "thresholds-half":
+            return _pack(name, "R16F", [mask.thresholds[..., None]])
         case "moments-half":
             return _pack(name, "RG16F", list(mask.moments))
         case "moments-float":

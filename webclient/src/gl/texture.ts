@@ -4,11 +4,12 @@ import type { Texture as TextureSpec } from "../generated/api";
 interface Layout {
   channels: number;
   bytes: number;
-  internal: "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F";
+  internal: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F";
 }
 
 /** Channels and bytes a channel of each format. */
 const LAYOUTS: Record<TextureSpec["format"], Layout> = {
+  R8UI: { channels: 1, bytes: 1, internal: "R8UI" },
   R16UI: { channels: 1, bytes: 2, internal: "R16UI" },
   R16F: { channels: 1, bytes: 2, internal: "R16F" },
   RG16F: { channels: 2, bytes: 2, internal: "RG16F" },
@@ -27,7 +28,8 @@ export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data:
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texStorage2D(gl.TEXTURE_2D, spec.levels, gl[internal], spec.width, spec.height);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  const format = internal === "R16UI" ? gl.RED_INTEGER : channels === 2 ? gl.RG : gl.RED;
+  const whole = internal === "R8UI" || internal === "R16UI";
+  const format = whole ? gl.RED_INTEGER : channels === 2 ? gl.RG : gl.RED;
   let offset = 0;
   for (let level = 0; level < spec.levels; level++) {
     const width = Math.max(1, spec.width >> level);
@@ -36,7 +38,9 @@ export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data:
     const [type, pixels] =
       bytes === 4
         ? [gl.FLOAT, new Float32Array(data, offset, count)]
-        : [internal === "R16UI" ? gl.UNSIGNED_SHORT : gl.HALF_FLOAT, new Uint16Array(data, offset, count)];
+        : bytes === 1
+          ? [gl.UNSIGNED_BYTE, new Uint8Array(data, offset, count)]
+          : [whole ? gl.UNSIGNED_SHORT : gl.HALF_FLOAT, new Uint16Array(data, offset, count)];
     gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, width, height, format, type, pixels);
     offset += count * bytes;
   }

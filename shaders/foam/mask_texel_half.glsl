@@ -1,0 +1,6 @@
+// A mask's threshold (rank + 1/2)/N as a half float: finest where thresholds are small.
+uniform sampler2D u_mask_ranks;
+
+float mask_texel(ivec2 texel) {
+    return texelFetch(u_mask_ranks, texel & (MASK_SIZE - 1), 0).r;
+}
