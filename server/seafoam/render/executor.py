@@ -35,13 +35,6 @@ _TEXTURE_FORMATS = {
     "R32F": (1, "f4"),
     "RG32F": (2, "f4"),
 }
-    "R8UI": (1, "u1"),
-    "R16UI": (1, "u2"),
-    "R16F": (1, "f2"),
-    "RG16F": (2, "f2"),
-    "R32F": (1, "f4"),
-    "RG32F": (2, "f4"),
-}
 _TARGET_FORMATS = {"RGBA16F": "f2", "RGBA32F": "f4", "RGBA8": "f1"}
 _BYTES = {"u1": 1, "u2": 2, "f2": 2, "f4": 4}
 _FILTERS = {

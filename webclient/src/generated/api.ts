@@ -1276,6 +1276,26 @@ export interface components {
              */
             surface: components["schemas"]["SurfaceQuality"];
             /**
+             * Waves
+             * @description Waves kept, the steepest first
+             * @default 16
+             */
+            waves: number;
+            /**
+             * Mask
+             * @description Format of the mask's thresholds
+             * @default u16
+             * @enum {string}
+             */
+            mask: "u8" | "half" | "u16";
+            /**
+             * Foam Taps
+             * @description Parts of a footprint that the filtered look averages, each with its own mask
+             * @default 1
+             * @enum {integer}
+             */
+            foam_taps: 1 | 4;
+            /**
              * Chop
              * @description Ripples from a tile drawn each frame, or summed per pixel
              * @default tile
@@ -1538,7 +1558,7 @@ export interface components {
              * Format
              * @enum {string}
              */
-            format: "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F";
+            format: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F";
             /** Width */
             width: number;
             /** Height */
