@@ -10,12 +10,12 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from bench import frames, http, machine, page, server
+from bench import economy, frames, http, machine, page, server
 from bench.report import Table
 from bench.watch import Watch
 from seafoam.render.executor import Executor
 
-SECTIONS = ("frames", "http", "page")
+SECTIONS = ("frames", "economy", "http", "page")
 QUICK = 0.2
 
 
@@ -35,11 +35,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         watch = Watch(progress, QUICK if asked.quick else 1.0)
         try:
-            if "frames" in asked.only:
+            if {"frames", "economy"} & set(asked.only):
                 executor = Executor()
                 try:
                     about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
-                    tables += frames.measure(executor, watch)
+                    if "frames" in asked.only:
+                        tables += frames.measure(executor, watch)
+                    if "economy" in asked.only:
+                        tables += economy.measure(executor, watch)
                 finally:
                     executor.close()
                 about["load after the frames"] = machine.load()

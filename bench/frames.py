@@ -79,10 +79,10 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
     for view in views():
         plans = {look: make_plan(with_look(view.scene, look), TIERS["standard"]) for look in get_args(Look)}
         rounds = watch.rounds(f"looks, {view.name}", view.rounds, view.seconds)
-        costs[view.name] = _side_by_side(executor, plans, view.scene.camera, SIZE, rounds)
+        costs[view.name] = side_by_side(executor, plans, view.scene.camera, SIZE, rounds)
     scene = load_preset(PRESET).scene
     tiers = {tier: make_plan(scene, quality) for tier, quality in TIERS.items()}
-    tier_costs = _side_by_side(executor, tiers, scene.camera, TIER_SIZE, watch.rounds("tiers", 7, 25.0))
+    tier_costs = side_by_side(executor, tiers, scene.camera, TIER_SIZE, watch.rounds("tiers", 7, 25.0))
     return [_comparisons(costs, basis), *(_looks(view, costs[view.name]) for view in views()), _tiers(tier_costs)]
 
 
@@ -97,7 +97,7 @@ def with_look(scene: Scene, look: Look) -> Scene:
     return scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
 
 
-def _side_by_side(
+def side_by_side(
     executor: Executor,
     plans: Mapping[Name, FramePlan],
     camera: Camera,
@@ -112,16 +112,16 @@ def _side_by_side(
     costs: dict[Name, list[Cost]] = {name: [] for name in names}
     for name in names:
         # Compiles, uploads the textures, makes the targets.
-        _cost(executor, plans[name], camera, size, 0.0)
+        cost(executor, plans[name], camera, size, 0.0)
     for index in rounds:
         first = index % len(names)
         turned = [*names[first:], *names[:first]]
         for name in turned if index % 2 == 0 else reversed(turned):
-            costs[name].append(_cost(executor, plans[name], camera, size, STEP * index))
+            costs[name].append(cost(executor, plans[name], camera, size, STEP * index))
     return costs
 
 
-def _cost(executor: Executor, plan: FramePlan, camera: Camera, size: tuple[int, int], at: float) -> Cost:
+def cost(executor: Executor, plan: FramePlan, camera: Camera, size: tuple[int, int], at: float) -> Cost:
     began = clock.process_time()
     rendered = executor.render(plan, time=at, camera=camera, width=size[0], height=size[1], output="rgba8")
     return Cost(rendered.timings["render"], clock.process_time() - began)
@@ -131,7 +131,7 @@ def _values(costs: Sequence[Cost], basis: Basis) -> list[float]:
     return [getattr(cost, basis) for cost in costs]
 
 
-def _ratios(costs: Sequence[Cost], base: Sequence[Cost]) -> tuple[Spread | None, Spread | None]:
+def ratios(costs: Sequence[Cost], base: Sequence[Cost]) -> tuple[Spread | None, Spread | None]:
     """Of processor and wall time, round by round; none against itself."""
     if costs is base:
         return None, None
@@ -153,7 +153,7 @@ def _comparisons(costs: Mapping[str, Mapping[Look, list[Cost]]], basis: Basis) -
                 (
                     view,
                     f"{look} against {base}",
-                    *_ratios(by_look[look], by_look[base]),
+                    *ratios(by_look[look], by_look[base]),
                     1e9 * added / (SIZE[0] * SIZE[1]),
                     added / frame,
                     len(by_look[look]),
@@ -191,7 +191,7 @@ def _looks(view: View, costs: Mapping[Look, list[Cost]]) -> Table:
         [
             (
                 look,
-                *_ratios(taken, costs[BASE]),
+                *ratios(taken, costs[BASE]),
                 median(_values(taken, "cpu")),
                 median(_values(taken, "wall")),
             )
@@ -216,7 +216,7 @@ def _tiers(costs: Mapping[Tier, list[Cost]]) -> Table:
             (
                 tier,
                 TIERS[tier].samples,
-                *_ratios(taken, costs["standard"]),
+                *ratios(taken, costs["standard"]),
                 median(_values(taken, "cpu")),
                 median(_values(taken, "wall")),
             )

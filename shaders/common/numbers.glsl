@@ -1,6 +1,8 @@
 // Numbers and small functions that every stage shares.
 const float PI = 3.14159265358979;
 const float TAU = 6.28318530717959;
+// The greatest half float: more is infinity in a half-float target, or NaN. Light is white on a screen from 8 on.
+const float BRIGHTEST = 65504.0;
 
 // Two-step reduction to [-pi, pi] (Cody and Waite): n * 6.28125 is exact for |n| < 2^15, so only the rounding of x is left.
 float wrap_phase(float x) {

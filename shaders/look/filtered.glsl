@@ -59,7 +59,8 @@ float ramp_integral(float x) {
         return max(x, 0.0);
     }
     float rising = clamp(x, 0.0, u_foam_fade);
-    return rising * rising / (2.0 * u_foam_fade) + max(x - u_foam_fade, 0.0);
+    // A fade below the least normal float counts as 0 where such floats do: 0/0.
+    return rising * rising / max(2.0 * u_foam_fade, 1e-30) + max(x - u_foam_fade, 0.0);
 }
 
 float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
@@ -81,7 +82,9 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     float above = saturation_here - threshold;
     float covered = (ramp_integral(above + arm) - ramp_integral(above - arm)) / (2.0 * arm);
     covered *= smoothstep(0.0, 1.0 / 256.0, s);
-    return FOAM_FADES ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
+    float share = FOAM_FADES ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
+    // The quotient's rounding passes 1, and foam over glitter would turn negative.
+    return clamp(share, 0.0, 1.0);
 }
 
 // The footprint whole, or its four quarters, each with its own part of the mask.

@@ -3,5 +3,5 @@ out vec4 o_color;
 
 void main() {
     vec3 d = normalize(camera_ray(gl_FragCoord.xy));
-    o_color = vec4(exposure() * (sky_light(d) + sun_disc(d)), 0.0);
+    o_color = vec4(min(exposure() * (sky_light(d) + sun_disc(d)), BRIGHTEST), 0.0);
 }

@@ -22,5 +22,5 @@ void main() {
     vec3 water = exposure() * water_light(d, normal, shading.w + ripple.z, shading.x);
     vec3 foam = exposure() * foam_light(foam_normal);
     vec3 light = in_air(foam_over(water, foam, amount), d, tau * length(ray));
-    o_color = vec4(light, min(amount, 1.0));
+    o_color = vec4(min(light, BRIGHTEST), min(amount, 1.0));
 }

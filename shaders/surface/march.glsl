@@ -46,7 +46,7 @@ bool find_surface(vec3 ray, out float tau, out vec3 wave) {
     for (int i = 0; i < 3; ++i) {
         float rate = ray.y - dot(wave.yz, ray.xz);
         if (rate < -1e-3 * length(ray)) {
-            tau = max(tau - clamp(gap / rate, -limit, limit), 0.0);
+            tau = max(tau - clamp(gap / rate, -limit, limit), enter);
             wave = waves(tau * ray.xz);
             gap = u_eye_height + tau * ray.y - wave.x;
         }

@@ -2,7 +2,7 @@
 
 import pytest
 from playwright.sync_api import Page
-from test_page import STILL, link, visit
+from test_page import STILL, Pixels, link, visit
 
 from browsers import Lane
 from seafoam.quality import TIERS
@@ -18,6 +18,13 @@ def curtain(page: Page) -> str:
     return failure.inner_text()
 
 
+@pytest.fixture(scope="module")
+def usual(llvmpipe: Lane, server: str) -> Pixels:
+    """The picture where nothing is missing."""
+    with visit(llvmpipe, server, STILL, size=SIZE) as made:
+        return made.picture()
+
+
 @pytest.mark.parametrize(
     "hidden",
     [
@@ -29,11 +36,9 @@ def curtain(page: Page) -> str:
         "WEBGL_lose_context",
     ],
 )
-def test_draws_without(llvmpipe: Lane, server: str, hidden: str) -> None:
-    with visit(llvmpipe, server, STILL, size=SIZE) as made:
-        want = made.picture()
+def test_draws_without(llvmpipe: Lane, server: str, usual: Pixels, hidden: str) -> None:
     with visit(llvmpipe, server, f"?hide={hidden}{STILL}", size=SIZE) as made:
-        assert (made.picture() == want).all()
+        assert (made.picture() == usual).all()
         assert made.page.locator(".toast").count() == 0
         assert made.complaints == []
 

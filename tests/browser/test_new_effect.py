@@ -20,24 +20,25 @@ SIZE = (320, 180)
 
 
 @pytest.fixture
-def plan(monkeypatch: pytest.MonkeyPatch) -> FramePlan:
-    """The default sea with the example among its effects."""
+def plans(monkeypatch: pytest.MonkeyPatch) -> tuple[FramePlan, FramePlan]:
+    """The default sea without the example, and with it among its effects."""
+    scene = load_preset("default").scene
+    without = planner.make_plan.__wrapped__(scene, TIERS["standard"])
     spec = importlib.util.spec_from_file_location("windrows", EXAMPLE)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     monkeypatch.setattr(planner, "EFFECTS", (*EFFECTS, module.EFFECT))
-    scene = load_preset("default").scene
-    return planner.make_plan.__wrapped__(scene, TIERS["standard"])
+    return without, planner.make_plan.__wrapped__(scene, TIERS["standard"])
 
 
-def test_the_example_draws_on_both_sides(page: Page, executor: Executor, plan: FramePlan) -> None:
+def test_the_example_draws_on_both_sides(page: Page, executor: Executor, plans: tuple[FramePlan, FramePlan]) -> None:
+    without, plan = plans
     assert "windrows" in {note.name for note in plan.effects}
     scene = load_preset("default").scene
     width, height = SIZE
     with_lines = executor.render(plan, time=9.0, camera=scene.camera, width=width, height=height).pixels
-    without = planner.make_plan(scene, TIERS["standard"])
     plain = executor.render(without, time=9.0, camera=scene.camera, width=width, height=height).pixels
     assert np.abs(with_lines.astype(int) - plain.astype(int)).mean() > 0.5
     answer = page.evaluate(

@@ -391,9 +391,9 @@ def test_a_link_restores_everything(llvmpipe: Lane, server: str) -> None:
     permissions = ["clipboard-read", "clipboard-write"]
     changes = {"/foam/mask_tile": 3.5, "/light/exposure": -0.75}
     start = link(preset="paper-halftone", time=4.1234567890123, scene=changes)
-    with visit(llvmpipe, server, start, permissions=permissions) as made:
-        made.page.locator("#canvas").focus()
-        made.page.mouse.move(300, 250)
+    size = (400, 300)
+    with visit(llvmpipe, server, start, size=size, permissions=permissions) as made:
+        made.page.mouse.move(100, 140)
         made.page.mouse.wheel(0, -120)
         made.page.get_by_label("Speed", exact=True).select_option("0.5")
         made.page.get_by_role("button", name="Compare two looks side by side").click()
@@ -408,7 +408,7 @@ def test_a_link_restores_everything(llvmpipe: Lane, server: str) -> None:
     assert dict(state["changes"]) == changes
     assert state["split"]["at"] == pytest.approx(0.48)
     assert state["camera"]["position"] != list(load_preset("paper-halftone").scene.camera.position)
-    with visit(llvmpipe, server, address.removeprefix(f"{server}/")) as made:
+    with visit(llvmpipe, server, address.removeprefix(f"{server}/"), size=size) as made:
         second, again = made.picture(), made.state()
         assert made.complaints == []
     for told in (state, again):
@@ -449,50 +449,47 @@ def test_a_live_field_asks_for_nothing_and_a_look_for_a_plan(small: Visit) -> No
     assert (small.picture() == before).all()
 
 
-def test_the_camera_asks_for_nothing(small: Visit) -> None:
-    asked = len(small.asked)
-    before, camera = small.picture(), small.state()["camera"]
+def test_the_camera_asks_for_nothing(llvmpipe: Lane, server: str) -> None:
+    # Without inertia the camera stands still between two moves.
+    with visit(llvmpipe, server, size=(400, 300), reduced_motion="reduce") as made:
+        before, asked = made.picture(), len(made.asked)
+        camera = made.state()["camera"]
+        mouse, keyboard = made.page.mouse, made.page.keyboard
 
-    def moved(what: str) -> None:
-        nonlocal before, camera
-        small.page.wait_for_function(
-            "([what, held]) => JSON.stringify(window.seafoam.state().camera[what]) !== held",
-            arg=[what, json.dumps(camera[what], separators=(",", ":"))],
-        )
-        small.settle()
-        now = small.state()["camera"]
-        assert now[what] != camera[what], what
-        assert differs(small.picture(), before) > 0.2
-        before, camera = small.picture(), now
+        def moved(what: str) -> None:
+            """The move has reached the camera, and is over."""
+            nonlocal camera
+            made.page.wait_for_function(
+                "([what, held]) => JSON.stringify(window.seafoam.state().camera[what]) !== JSON.stringify(held)",
+                arg=[what, camera[what]],
+            )
+            if what == "position":
+                assert made.state()["camera"]["fov"] == camera["fov"]
+            camera = made.state()["camera"]
 
-    middle = SMALL[0] / 2, SMALL[1] / 2
-    small.page.mouse.move(*middle)
-    small.page.mouse.down()
-    small.page.mouse.move(middle[0] + 60, middle[1] + 20, steps=3)
-    small.page.mouse.up()
-    moved("yaw")
-    # Saving the picture took the mouse away.
-    small.page.mouse.move(*middle)
-    small.page.mouse.wheel(0, -200)
-    moved("position")
-    small.page.mouse.move(*middle)
-    small.page.keyboard.down("Shift")
-    small.page.mouse.wheel(0, 200)
-    small.page.keyboard.up("Shift")
-    moved("fov")
-    small.page.locator("#canvas").focus()
-    for key, what in (
-        ("w", "position"),
-        ("d", "position"),
-        ("e", "position"),
-        ("ArrowLeft", "yaw"),
-        ("ArrowDown", "pitch"),
-    ):
-        small.page.keyboard.down(key)
-        small.frames(6)
-        small.page.keyboard.up(key)
-        moved(what)
-    assert [url for _, url in small.asked[asked:] if not url.startswith("blob:") and "/api/frames/" not in url] == []
+        mouse.move(200, 150)
+        mouse.down()
+        mouse.move(260, 150)
+        mouse.up()
+        moved("yaw")
+        mouse.wheel(0, -100)
+        moved("position")
+        keyboard.down("Shift")
+        mouse.wheel(0, 100)
+        keyboard.up("Shift")
+        moved("fov")
+        made.page.locator("#canvas").focus()
+        for key, what in (("w", "position"), ("d", "position"), ("e", "position"), ("ArrowLeft", "yaw")):
+            keyboard.down(key)
+            moved(what)
+            keyboard.up(key)
+            made.frames(3)
+            camera = made.state()["camera"]
+            made.frames(3)
+            assert made.state()["camera"] == camera, "the camera stops with the key"
+        assert differs(made.picture(), before) > 0.2
+        assert [url for _, url in made.asked[asked:] if "/api/" in url and "width=192" not in url] == []
+        assert made.complaints == []
 
 
 def test_a_bad_value_is_told_and_the_picture_stays(small: Visit) -> None:

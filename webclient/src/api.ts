@@ -97,7 +97,8 @@ export class Api {
     return (await this.fetch(path, init)).json() as Promise<T>;
   }
 
-  private async fetch(path: string, init?: RequestInit): Promise<Response> {
+  /** An answer with a good status; waits for a busy server, throws an `ApiError` for any other. */
+  async fetch(path: string, init?: RequestInit): Promise<Response> {
     for (let attempt = 1; ; attempt++) {
       let response: Response;
       try {

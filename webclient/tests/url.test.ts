@@ -17,11 +17,17 @@ const full: LinkState = {
   speed: 0.25,
   camera: { position: [1 / 3, 6, -1e7], yaw: -0.1, pitch: 1e-17, roll: 0, fov: 0.8727 },
   split: { field: "/foam/look", left: "textured", right: "filtered", at: 0.25 },
+  accuracy: true,
 };
 
 describe("a link", () => {
   it("restores everything, to the last bit", () => {
     expect(decode(`#${encode(full)}`)).toEqual(full);
+  });
+
+  it("holds single knobs as well as a tier", () => {
+    const knobs = { ...full, quality: '{"surface":{"steps":48}}' };
+    expect(decode(`#${encode(knobs)}`)).toEqual(knobs);
   });
 
   it("survives the browser's own parsing", () => {
@@ -30,7 +36,7 @@ describe("a link", () => {
   });
 
   it("is short where nothing was changed", () => {
-    const plain = { ...full, changes: [], quality: null, time: null, paused: null, speed: 1, camera: null, split: null };
+    const plain = { ...full, changes: [], quality: null, time: null, paused: null, speed: 1, camera: null, split: null, accuracy: null };
     expect(encode(plain)).toBe("preset=default");
     expect(decode("#preset=default")).toEqual({ ...plain, speed: null });
   });

@@ -1,5 +1,6 @@
 """The app: routers, errors, limits and the render pool, put together."""
 
+import asyncio
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from functools import partial
@@ -14,10 +15,11 @@ from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddle
 from seafoam.api import errors, pages
 from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
+from seafoam.api.measuring import measuring_station
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, NoSniff
 from seafoam.api.parameters import one_value_each
-from seafoam.api.routers import frames, health, masks, plans, presets, textures
+from seafoam.api.routers import accuracy, frames, health, masks, plans, presets, textures
 from seafoam.api.settings import Settings
 from seafoam.api.workshop import Workshop
 from seafoam.render.executor import Executor
@@ -55,9 +57,13 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        app.state.context = Context(settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8))
+        station = measuring_station(settings, pool, asyncio.get_running_loop())
+        app.state.context = Context(
+            settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8), station=station
+        )
         await pool.start()
         yield
+        await asyncio.to_thread(station.stop)
         await pool.stop()
 
     app = FastAPI(
@@ -76,7 +82,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
             Middleware(LimitBody, limit=settings.max_body),
         ],
     )
-    for router in (presets.router, plans.router, frames.router, masks.router, textures.router):
+    for router in (presets.router, plans.router, frames.router, accuracy.router, masks.router, textures.router):
         app.include_router(router, responses=problem_responses(400, 500))
     app.include_router(health.router)
     errors.install(app)

@@ -5,6 +5,7 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
+from seafoam.accuracy.station import Station
 from seafoam.api.metrics import Metrics
 from seafoam.api.settings import Settings
 from seafoam.api.workshop import Workshop
@@ -13,7 +14,7 @@ from seafoam.render.pool import RenderPool
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Settings, render pool, metrics, and threads for the work of the web process.
+    """Settings, render pool, metrics, threads for the work of the web process, and the station that measures.
 
     ``plans`` and ``masks`` are apart so that a mask of some seconds does not hold up plans.
     """
@@ -23,6 +24,7 @@ class Context:
     metrics: Metrics
     plans: Workshop
     masks: Workshop
+    station: Station
 
 
 def _context(request: Request) -> Context:

@@ -7,6 +7,7 @@ What routers raise, beside what the layers below raise::
     ├── BadRequestError           a parameter or member is not allowed, with its name and what is
     ├── UnsupportedMediaError     a body that is not JSON
     └── BusyError                 as much other work waits as may
+        └── NotMeasuredError      the measurement that the answer hangs on is being made
     seafoam.render.pool.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
 """
 
@@ -22,6 +23,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from starlette.exceptions import HTTPException
 from starlette.responses import JSONResponse
 
+from seafoam.accuracy.station import FailedError
 from seafoam.api.allowed import Schema, allowed_at
 from seafoam.masks.catalogue import MaskTooSlowError
 from seafoam.render.pool import (
@@ -99,6 +101,10 @@ class BusyError(ApiError):
         self.retry_after = retry_after
 
 
+class NotMeasuredError(BusyError):
+    """The measurement that the answer hangs on is being made; the text says how far it is."""
+
+
 @dataclass(frozen=True, slots=True)
 class Kind:
     """How an exception answers."""
@@ -115,7 +121,9 @@ KINDS: dict[type[Exception], Kind] = {
     FrameTooLargeError: Kind(422, "frame-too-large", "The frame is larger than is rendered"),
     MaskTooSlowError: Kind(422, "mask-too-slow", "The mask takes longer than is allowed on request"),
     RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
+    FailedError: Kind(500, "measurement-failed", "The measurement failed"),
     BusyError: Kind(503, "busy", "The server is busy"),
+    NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is being measured"),
     QueueFullError: Kind(503, "queue-full", "Too many frames are waiting"),
     RendererUnavailableError: Kind(503, "no-renderer", "There is no renderer"),
     DeadlineError: Kind(504, "deadline", "The frame was not finished in time"),

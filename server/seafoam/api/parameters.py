@@ -17,6 +17,9 @@ TIME_LIMIT = 1e9
 """Greatest |time|, s."""
 DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
 
+Auto = Literal["auto"]
+TierOrAuto = Tier | Auto
+
 M = TypeVar("M", bound=BaseModel)
 
 
@@ -59,18 +62,22 @@ def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
     return Field(default=None, description=description or info.description, **(bounds | override))
 
 
+def _budget() -> Any:
+    return Field(
+        default=None,
+        gt=0.0,
+        le=1e6,
+        description="With quality auto: milliseconds that drawing may take, reading back and encoding left out",
+        examples=[8.0],
+    )
+
+
 def _axis(index: int, description: str, example: float) -> Any:
     (info,) = (rule for rule in get_args(get_args(Camera.model_fields["position"].annotation)[index])[1:])
     return _same(info, description, examples=[example])
 
 
-class QualityParameter(Parameters):
-    """How exactly to compute."""
-
-    quality: Tier = Field(default="standard", description="Tier of quality; POST takes single knobs", examples=["high"])
-
-
-class SceneOverrides(QualityParameter):
+class SceneOverrides(Parameters):
     """What may be changed of a preset's scene."""
 
     look: Look | None = Field(
@@ -99,8 +106,22 @@ class SceneOverrides(QualityParameter):
         return tuple(name for name in ("look", "mask") if getattr(self, name) is not None)
 
 
+class PlanParameters(SceneOverrides):
+    """A plan of a preset."""
+
+    quality: Tier = Field(default="standard", description="Tier of quality; POST takes single knobs", examples=["high"])
+
+
 class FrameParameters(SceneOverrides):
     """A frame of a preset."""
+
+    quality: TierOrAuto = Field(
+        default="standard",
+        description="Tier of quality, or auto: the most exact that is predicted to be drawn within budget_ms; POST "
+        "takes single knobs",
+        examples=["high"],
+    )
+    budget_ms: float | None = _budget()
 
     time: float | None = Field(
         default=None,
@@ -139,23 +160,40 @@ TierOrKnobs = Annotated[
 ]
 
 
-class PlanRequest(BaseModel):
-    """A scene to plan."""
+TierAutoOrKnobs = Annotated[
+    Annotated[TierOrAuto, Tag("tier")] | Annotated[Quality, Tag("knobs")],
+    Discriminator(_tier_or_knobs),
+]
+
+
+def knobs_of(quality: Tier | Quality) -> Quality:
+    """Every knob of a tier, or of what are knobs already."""
+    return quality if isinstance(quality, Quality) else TIERS[quality]
+
+
+class SceneRequest(BaseModel):
+    """A scene sent as JSON."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     scene: Scene = Field(description="What the sea is", examples=[{"waves": [{"model": "parametric"}], "foam": {}}])
+
+
+class PlanRequest(SceneRequest):
+    """A scene to plan."""
+
     quality: TierOrKnobs = Field(default="standard", description="A tier, or every knob that differs from standard")
 
-    @property
-    def knobs(self) -> Quality:
-        """The quality asked for, tier or not."""
-        return self.quality if isinstance(self.quality, Quality) else TIERS[self.quality]
 
-
-class FrameRequest(PlanRequest):
+class FrameRequest(SceneRequest):
     """A frame of a scene."""
 
+    quality: TierAutoOrKnobs = Field(
+        default="standard",
+        description="A tier, every knob that differs from standard, or auto: the most exact that is predicted to be "
+        "drawn within budget_ms",
+    )
+    budget_ms: float | None = _budget()
     time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])

@@ -1,6 +1,7 @@
 """What the operator may set: environment variables that begin with ``SEAFOAM_``."""
 
 import os
+from pathlib import Path
 
 from pydantic import Field
 from pydantic_settings import BaseSettings, SettingsConfigDict
@@ -33,6 +34,18 @@ class Settings(BaseSettings):
     )
     max_samples: int = Field(default=8_400_000, ge=1, description="Greatest width × height × samples a pixel")
     max_body: int = Field(default=262_144, ge=1024, description="Greatest request body, bytes")
+
+    accuracy_width: int = Field(
+        default=160, ge=16, le=640, description="Width of the pictures that the cost of accuracy is measured on, pixels"
+    )
+    accuracy_height: int = Field(default=90, ge=16, le=360, description="Their height, pixels")
+    accuracy_samples: int = Field(
+        default=16, ge=2, le=32, description="Samples along each side of a pixel of the float64 truth"
+    )
+    accuracy_rounds: int = Field(default=7, ge=2, le=100, description="Times that each quality is timed")
+    cache: Path | None = Field(
+        default=None, description="Folder of measurements; absent: the system's place for caches"
+    )
 
     @property
     def frame_limits(self) -> FrameLimits:

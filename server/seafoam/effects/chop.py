@@ -10,6 +10,7 @@ from seafoam.effects.contribution import (
     Effect,
     FixedSize,
     Fullscreen,
+    Knob,
     PassSpec,
     Phase,
     SlotFile,
@@ -136,5 +137,9 @@ EFFECT = Effect(
         Scene(water=Water(chop=Chop(slope=0.0))),
         Scene(water=Water(chop=Chop(slope=4e-7))),
         Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(chop=Chop()), light=None),
+    ),
+    knobs=(
+        Knob("/chop", "ripples", ("tile", "exact"), "geometry"),
+        Knob("/chop_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
     ),
 )

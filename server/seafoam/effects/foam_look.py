@@ -6,6 +6,7 @@ from seafoam.effects.contribution import (
     Bound,
     Contribution,
     Effect,
+    Knob,
     PlanError,
     SlotFile,
     TextureInput,
@@ -155,5 +156,9 @@ EFFECT = Effect(
                 saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product", look="filtered"
             ),
         ),
+    ),
+    knobs=(
+        Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
+        Knob("/foam_taps", "parts of a footprint that foam averages", (1, 4), "filtering"),
     ),
 )

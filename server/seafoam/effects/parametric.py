@@ -7,6 +7,7 @@ from seafoam.effects.contribution import (
     Constant,
     Contribution,
     Effect,
+    Knob,
     Phase,
     SlotFile,
     array,
@@ -99,4 +100,5 @@ EFFECT = Effect(
         Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
         Scene(waves=(ParametricWave(),), light=None),
     ),
+    knobs=(Knob("/waves", "waves kept", (2, 4, 8, 16), "geometry"),),
 )

@@ -23,6 +23,8 @@ Mode = Literal["same-samples", "converged"]
 CHUNK = 32768
 """Rays at a time: their arrays stay in the processor's cache."""
 JITTER_SEED = 20110
+BRIGHTEST = 65504.0
+"""The greatest half float; a frame holds no more."""
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 
@@ -182,7 +184,7 @@ class _Shader:
             colour[sky] = (self.air.sky(d[sky]) + light.sun_disc(self.air, d[sky])) * self._exposure
         if met.any():
             colour[met], amount[met] = self._surface(D[met], d[met], distance[met])
-        return colour, amount, met
+        return np.minimum(colour, BRIGHTEST), amount, met
 
     @property
     def _exposure(self) -> float:

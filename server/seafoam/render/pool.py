@@ -49,6 +49,8 @@ START_SECONDS = 60.0
 """Within which a worker has drawn its canary, or the renderer counts as unusable."""
 STUCK_SECONDS = 10.0
 """After its deadline; a worker that Pebble has not killed by then costs the whole pool."""
+MEASURE_SECONDS = 120.0
+"""Within which a measurement is finished, waiting included: one draws a point of a sweep once or twice."""
 EARLIEST_RETRY = 1
 """Seconds, the least to wait before asking again when the queue is full."""
 
@@ -147,6 +149,36 @@ class Frame:
     timings: Mapping[str, float]
 
 
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """One drawing of a measurement. ``keep``: whether its pixels come back."""
+
+    width: int
+    height: int
+    output: Literal["rgba8", "linear"]
+    keep: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class MeasureJob:
+    """A frame to draw several times over, to be timed rather than seen."""
+
+    scene: Scene
+    quality: Quality
+    time: float
+    """Seconds of the scene."""
+    camera: Camera
+    draws: tuple[Draw, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """What one drawing took, from the first call until it was finished, and its pixels where they were wanted."""
+
+    seconds: float
+    pixels: NDArray[Any] | None
+
+
 class Rendered(Protocol):
     """What a renderer returns."""
 
@@ -206,6 +238,18 @@ def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
             "encode": time.perf_counter() - encoding,
         },
     )
+
+
+def measure(renderer: Renderer, job: MeasureJob) -> tuple[Drawn, ...]:
+    """Plan a frame and draw it as often as the job says, in this process. Raises what :func:`render_frame` raises."""
+    plan = make_plan(job.scene, job.quality)
+    drawn = []
+    for draw in job.draws:
+        rendered = renderer.render(
+            plan, time=job.time, camera=job.camera, width=draw.width, height=draw.height, output=draw.output
+        )
+        drawn.append(Drawn(rendered.timings["render"], rendered.pixels if draw.keep else None))
+    return tuple(drawn)
 
 
 def draw_canary(renderer: Renderer) -> None:
@@ -295,6 +339,18 @@ def _work_frame(job: FrameJob, expires: float) -> _Answer[Frame]:
         return _Answer(os.getpid(), _Failed(traceback.format_exc()))
 
 
+def _work_measure(job: MeasureJob, expires: float) -> _Answer[tuple[Drawn, ...]]:
+    """Measure, unless nobody waits for it any more. expires: of ``time.time()``."""
+    if isinstance(_renderer, _Unavailable):
+        return _Answer(os.getpid(), _renderer)
+    if time.time() >= expires:
+        return _Answer(os.getpid(), _Expired())
+    try:
+        return _Answer(os.getpid(), measure(_renderer, job))
+    except Exception:
+        return _Answer(os.getpid(), _Failed(traceback.format_exc()))
+
+
 class RenderPool:
     """Worker processes behind a bounded queue, for one event loop.
 
@@ -331,8 +387,9 @@ class RenderPool:
         self.restarts: Counter[Literal["deadline", "crash", "recycled"]] = Counter()
         self._recycle = recycle
         self._check_seconds = check_seconds
-        threads = max(1, (os.cpu_count() or 1) // workers)
-        self._initargs = (factory, threads)
+        self.threads = max(1, (os.cpu_count() or 1) // workers)
+        """That a software renderer may use in each worker."""
+        self._initargs = (factory, self.threads)
         self._jobs_of_worker: Counter[int] = Counter()
         self._recent_seconds = 1.0
         self._processes: ProcessPool | None = None
@@ -372,6 +429,16 @@ class RenderPool:
         worked = sum(frame.timings.values())
         self._recent_seconds += 0.2 * (worked - self._recent_seconds)
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
+
+    async def measure(self, job: MeasureJob) -> tuple[Drawn, ...]:
+        """Measure in a worker, in turn with the frames, whose queue it takes no place of.
+
+        Raises what :meth:`render` raises, except for a full queue.
+        """
+        expires = time.time() + MEASURE_SECONDS
+        await self.wait_until_settled()
+        await self._take_worker(expires)
+        return await self._run(_work_measure, (job, expires), expires)
 
     async def wait_until_settled(self) -> None:
         """Wait until it is known whether there is a renderer; raises what :meth:`render` raises if there is none."""

@@ -1,4 +1,5 @@
 /** The page as a whole: joins what the visitor chooses to what is drawn. */
+import type { AccuracyView } from "../accuracy/view";
 import { type Api, ApiError, type Choice, type Preset, type PresetSummary } from "../api";
 import { Controls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
@@ -20,6 +21,7 @@ import { Settings } from "../ui/settings";
 import { Toasts } from "../ui/toast";
 import { Transport } from "../ui/transport";
 import { Clock } from "./clock";
+import { qualityOf, qualityTitle } from "./quality";
 import { Slot } from "./slot";
 import { Stage } from "./stage";
 import { type Choices, type Split, Store } from "./store";
@@ -51,6 +53,8 @@ export class App {
   private addressTimer = 0;
   private lastTick = 0;
   private picturesAsked = false;
+  private accuracy: AccuracyView | null = null;
+  private accuracyShown = false;
   private settle: { resolve: () => void; reject: (error: unknown) => void } | null = null;
 
   /** Reads the address, asks the server for what it names, and starts to draw. */
@@ -110,6 +114,7 @@ export class App {
     );
     this.transport = new Transport(byId("transport"), this.clock, () => this.store.now.preset.time, this.readout.root);
     this.tools();
+    this.showAccuracy(link.accuracy === true);
     // The sea is seen first.
     this.settings.toggle(false);
 
@@ -172,8 +177,10 @@ export class App {
   private plan(delay?: number): void {
     const { scene, quality, split } = this.store.now;
     const wanted = (value: string | null) => {
-      if (split === null || value === null) return { scene, quality };
-      return split.field === QUALITY ? { scene, quality: value } : { scene: withValue(scene, split.field, value), quality };
+      if (split === null || value === null) return { scene, quality: qualityOf(quality) };
+      return split.field === QUALITY
+        ? { scene, quality: qualityOf(value) }
+        : { scene: withValue(scene, split.field, value), quality: qualityOf(quality) };
     };
     const [left, right] = this.slots;
     left.show(wanted(split?.left ?? null), delay);
@@ -223,7 +230,9 @@ export class App {
       title: control.label,
       options: control.kind === "choice" ? plainOptions(control.options) : this.namesFrom(control.url),
     }));
-    return [...fields, { field: QUALITY, title: QUALITY, options: plainOptions(this.tiers()) }];
+    const { quality } = this.store.now;
+    const qualities = [...new Set([...this.tiers(), quality])].map((name) => ({ name, title: qualityTitle(name) }));
+    return [...fields, { field: QUALITY, title: QUALITY, options: qualities }];
   }
 
   /** The panel moved a field of the scene. */
@@ -320,6 +329,7 @@ export class App {
       this.clock.setSpeed(link.speed ?? 1);
       if (link.paused !== null) this.clock.playing = !link.paused;
       this.store.set(chosen(preset, link));
+      this.showAccuracy(link.accuracy === true);
     } catch (error) {
       this.failed(error);
     }
@@ -338,6 +348,7 @@ export class App {
       speed: this.clock.speed,
       camera: this.controls.camera,
       split,
+      accuracy: this.accuracyShown ? true : null,
     };
   }
 
@@ -351,7 +362,36 @@ export class App {
       tool("compare", "Compare two looks side by side", () => this.toggleSplit()),
       tool("download", "Save the picture as PNG", () => void this.download()),
       tool("link", "Copy a link to exactly this", () => void this.copyLink()),
-      tool("settings", "Settings", () => this.settings.toggle()),
+      tool("accuracy", "What accuracy costs", () => this.showAccuracy(!this.accuracyShown, true)),
+      tool("settings", "Settings", () => {
+        this.settings.toggle();
+        if (this.settings.open) this.showAccuracy(false);
+      }),
+    );
+  }
+
+  /** Shows what accuracy costs, which is loaded when it is first asked for. `focus`: it takes the keyboard. */
+  private showAccuracy(shown: boolean, focus = false): void {
+    if (shown === this.accuracyShown) return;
+    this.accuracyShown = shown;
+    this.moved();
+    if (shown) this.settings.toggle(false);
+    if (this.accuracy) {
+      this.accuracy.toggle(shown, focus);
+      return;
+    }
+    import("../accuracy/view").then(
+      ({ AccuracyView: View }) => {
+        this.accuracy ??= new View(this.api, this.store, this.stage, {
+          run: (quality) => this.store.set({ quality, split: this.splitWith(QUALITY, quality) }),
+          close: () => this.showAccuracy(false),
+        });
+        this.accuracy.toggle(this.accuracyShown, focus);
+      },
+      (error: unknown) => {
+        this.accuracyShown = false;
+        this.failed(error);
+      },
     );
   }
 
@@ -370,7 +410,7 @@ export class App {
     try {
       const picture = await this.api.frame({
         scene: withValue(scene, CAMERA, { ...this.controls.camera, position: [...this.controls.camera.position] }),
-        quality,
+        quality: qualityOf(quality),
         time: this.clock.time,
         width: Math.round(width),
         height: Math.round(height),

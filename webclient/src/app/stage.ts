@@ -66,6 +66,8 @@ export class Stage {
   private finished: { scale: number; milliseconds: number } | null = null;
   /** Frames since the picture became another one. */
   private trials = 0;
+  /** How much work wants the GPU to itself. */
+  private held = 0;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -100,6 +102,7 @@ export class Stage {
   tick(now: number, view: View, moving: boolean): void {
     if (this.gl.isContextLost()) return;
     this.collect(now);
+    if (this.held > 0) return;
     const resting = !moving && !this.dirty && !this.unmeasured;
     const [left] = this.slots;
     if (left.ready === null || this.flights.length > (this.gpu.capabilities.software ? 0 : 1)) return;
@@ -128,6 +131,17 @@ export class Stage {
     return new Promise((resolve, reject) =>
       this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture could not be encoded"))), "image/png"),
     );
+  }
+
+  /** Runs work that is timed: the page's own frames have left the GPU, and none is drawn until it is done. */
+  async alone<T>(work: () => Promise<T>): Promise<T> {
+    this.held += 1;
+    try {
+      while (this.flights.length > 0) await new Promise((resolve) => setTimeout(resolve, 4));
+      return await work();
+    } finally {
+      this.held -= 1;
+    }
   }
 
   timing(): Timing {

@@ -14,6 +14,7 @@ export interface Split {
 export interface Choices {
   preset: Preset;
   scene: JsonObject;
+  /** A tier, or single knobs as JSON. */
   quality: string;
   split: Split | null;
 }

@@ -6,12 +6,15 @@ import type { Split } from "./store";
 export interface LinkState {
   preset: string | null;
   changes: readonly Change[];
+  /** A tier, or single knobs as JSON. */
   quality: string | null;
   time: number | null;
   paused: boolean | null;
   speed: number | null;
   camera: CameraState | null;
   split: Split | null;
+  /** Whether the cost of accuracy is shown. */
+  accuracy: boolean | null;
 }
 
 /** Marks a pointer whose key the visitor took away; JSON itself has no word for "absent". */
@@ -44,6 +47,7 @@ export function encode(state: LinkState): string {
     const { field, left, right, at } = state.split;
     put("split", [field, left, right, at.toFixed(3)].join("~"));
   }
+  put("accuracy", state.accuracy ? "1" : null);
   // Commas, slashes and colons are legal in a fragment and far easier to read than their escapes.
   const escape = (text: string) =>
     encodeURIComponent(text).replace(/%(2C|2F|3A|7B|7D|5B|5D|22)/g, (code) =>
@@ -72,6 +76,7 @@ export function decode(fragment: string): LinkState {
     speed: finite(parts.get("speed")),
     camera: camera(parts.get("camera")),
     split: split(parts.get("split")),
+    accuracy: parts.get("accuracy") === "1" ? true : null,
   };
 }
 

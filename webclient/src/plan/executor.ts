@@ -106,19 +106,30 @@ export class Executor {
     }
   }
 
-  /** Draws one frame. */
-  draw(frame: Frame): void {
+  /** Draws one frame. `around`: runs each pass, for who wants to time it. */
+  draw(frame: Frame, around = (_: Pass, draw: () => void) => draw()): void {
     this.resize(frame.width, frame.height);
     for (const bound of this.passes) {
       if (bound.pass.when === "setup" && this.isSetUp) continue;
-      this.drawPass(bound, frame);
+      around(bound.pass, () => this.drawPass(bound, frame));
     }
     this.isSetUp = true;
   }
 
-  dispose(): void {
+  /** A target as the latest frame left it. */
+  target(name: string): Target | undefined {
+    return this.targets.get(name);
+  }
+
+  /** Gives the targets' memory back until the next frame. */
+  rest(): void {
     for (const target of this.targets.values()) deleteTarget(this.gpu.gl, target);
     this.targets.clear();
+    this.isSetUp = false;
+  }
+
+  dispose(): void {
+    this.rest();
     for (const lease of this.leases) lease.release();
   }
 

@@ -10,13 +10,19 @@ export class Notes {
     const { open } = this.root;
     const effects = plan?.effects ?? [];
     const skipped = plan?.skipped ?? [];
-    const entry = (kind: string) => (note: { name: string; why: string }) =>
-      element("li", { class: kind }, element("b", {}, labelOf(note.name)), " ", note.why);
-    const count = `${effects.length} ${effects.length === 1 ? "effect runs" : "effects run"}${skipped.length ? `, ${skipped.length} skipped` : ""}`;
+    const entry = (kind: string) => (note: FramePlan["skipped"][number]) =>
+      element("li", { class: kind }, element("b", {}, labelOf(note.name)), " ", note.why, most(note.bound));
+    const count = `${effects.length} of ${effects.length + skipped.length} effects run`;
     this.root.replaceChildren(
       element("summary", {}, count),
       element("ul", {}, ...effects.map(entry("runs")), ...skipped.map(entry("skipped"))),
     );
     this.root.open = open;
   }
+}
+
+/** How much of a skipped effect could be seen at the most. */
+function most(bound: number | null | undefined): string {
+  if (typeof bound !== "number") return "";
+  return bound === 0 ? " (changes nothing)" : ` (changes a pixel by at most ${Math.ceil(25500 * bound) / 100} of 255)`;
 }

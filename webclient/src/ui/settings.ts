@@ -2,6 +2,7 @@
 import type { Controls, Mode } from "../camera/controls";
 import { element, fillSelect } from "./dom";
 import { icon } from "./icons";
+import { qualityTitle } from "../app/quality";
 import type { Notes } from "./notes";
 
 export interface SettingsEvents {
@@ -25,7 +26,7 @@ export class Settings {
 
   constructor(
     private readonly container: HTMLElement,
-    tiers: readonly string[],
+    private readonly tiers: readonly string[],
     private readonly controls: Controls,
     notes: Notes,
     events: SettingsEvents,
@@ -36,7 +37,7 @@ export class Settings {
     reset.addEventListener("click", () => events.reset());
     this.frameButton.title = "The same picture, computed by the server at its own precision and size";
     this.frameButton.addEventListener("click", () => events.serverFrame());
-    fillSelect(this.quality, tiers.map((name) => ({ name, title: name })), tiers[0] ?? "");
+    this.show(tiers[0] ?? "");
     this.quality.addEventListener("change", () => events.quality(this.quality.value));
     fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "look around" }], controls.mode);
     this.mode.addEventListener("change", () => (controls.mode = this.mode.value as Mode));
@@ -77,7 +78,8 @@ export class Settings {
   }
 
   show(quality: string): void {
-    this.quality.value = quality;
+    const names = new Set([...this.tiers, quality]);
+    fillSelect(this.quality, [...names].map((name) => ({ name, title: qualityTitle(name) })), quality);
   }
 
   busy(busy: boolean): void {

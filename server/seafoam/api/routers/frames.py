@@ -6,6 +6,8 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Path, Query, Request
 from starlette.responses import Response
 
+from seafoam.accuracy.sweep import Subject
+from seafoam.api.auto import Asked, resolve
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import problem_responses
@@ -32,6 +34,14 @@ _RESPONSES: dict[int | str, dict[str, Any]] = {
             "Server-Timing": {"description": f"Milliseconds by stage: {', '.join(STAGES)}", "schema": _TEXT},
             "Seafoam-Plan": {"description": "SHA-256 of the plan that was run", "schema": _TEXT},
             "Seafoam-Renderer": {"description": "GL renderer that ran it", "schema": _TEXT},
+            "Seafoam-Quality": {
+                "description": "With quality auto: the point of the sweep that was chosen",
+                "schema": _TEXT,
+            },
+            "Seafoam-Quality-Why": {
+                "description": "Predicted time, error, and what it was chosen from",
+                "schema": _TEXT,
+            },
         },
     }
 }
@@ -54,14 +64,17 @@ async def get_frame(
     found = find_preset(preset)
     width = found.size[0] if asked.width is None else asked.width
     height = found.size[1] if asked.height is None else asked.height
-    quality = TIERS[asked.quality]
-    context.settings.frame_limits.check(width, height, quality.samples)
     scene = asked.apply(found.scene)
     time = found.time if asked.time is None else asked.time
+    subject = Subject(None if asked.changed else found.name, scene, found.time, found.size)
+    given = Asked(asked.quality, asked.budget_ms, width, height, parameter=True)
+    await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=asked.changed)
+    quality, chosen = await resolve(given, subject, context)
+    context.settings.frame_limits.check(width, height, quality.samples)
     job = FrameJob(scene, quality, time, asked.camera(scene.camera), width, height, format)
     compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None, parameters=asked.changed)
     tag, headers = await _identity(job, compiled, context)
-    headers["Cache-Control"] = REVALIDATE
+    headers |= {"Cache-Control": REVALIDATE, **chosen}
     return not_modified(request, tag, headers) or await _rendered(job, tag, headers, request, context)
 
 
@@ -69,12 +82,15 @@ async def get_frame(
 async def render_frame(asked: strictly(FrameRequest), request: Request, context: InContext) -> Response:  # type: ignore[valid-type]
     """A frame of a scene sent as JSON."""
     body: FrameRequest = asked
-    context.settings.frame_limits.check(body.width, body.height, body.knobs.samples)
+    given = Asked(body.quality, body.budget_ms, body.width, body.height, parameter=False)
+    await context.plans.run(compile_scene, body.scene, TIERS["standard"], scene_at="/scene")
+    quality, chosen = await resolve(given, Subject.of_scene(body.scene), context)
+    context.settings.frame_limits.check(body.width, body.height, quality.samples)
     camera = body.camera or body.scene.camera
-    job = FrameJob(body.scene, body.knobs, body.time, camera, body.width, body.height, body.format)
-    compiled = await context.plans.run(compile_scene, body.scene, body.knobs, scene_at="/scene")
+    job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, body.format)
+    compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
     tag, headers = await _identity(job, compiled, context)
-    headers["Cache-Control"] = NO_STORE
+    headers |= {"Cache-Control": NO_STORE, **chosen}
     return await _rendered(job, tag, headers, request, context)
 
 

@@ -8,7 +8,7 @@ from starlette.responses import Response
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified
 from seafoam.api.context import InContext
 from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import PlanRequest, SceneOverrides, strictly
+from seafoam.api.parameters import PlanParameters, PlanRequest, knobs_of, strictly
 from seafoam.api.planning import CompiledPlan, compile_scene
 from seafoam.api.routers.presets import PresetName, find_preset
 from seafoam.plan.model import FramePlan
@@ -36,7 +36,7 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The clie
     response_class=Response,
 )
 async def get_plan(
-    preset: PresetName, asked: Annotated[SceneOverrides, Query()], request: Request, context: InContext
+    preset: PresetName, asked: Annotated[PlanParameters, Query()], request: Request, context: InContext
 ) -> Response:
     """The frame plan of a preset."""
     scene = asked.apply(find_preset(preset).scene)
@@ -51,7 +51,7 @@ async def get_plan(
 async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Response:  # type: ignore[valid-type]
     """The frame plan of a scene sent as JSON."""
     body: PlanRequest = asked
-    compiled = await context.plans.run(compile_scene, body.scene, body.knobs, scene_at="/scene")
+    compiled = await context.plans.run(compile_scene, body.scene, knobs_of(body.quality), scene_at="/scene")
     return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})
 
 

@@ -5,6 +5,8 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Path, Query
 from pydantic import BaseModel, Field
 
+from seafoam.accuracy.knobs import every_knob
+from seafoam.accuracy.model import KnobInfo
 from seafoam.api.context import InContext
 from seafoam.api.errors import NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
@@ -40,6 +42,7 @@ class QualityTiers(BaseModel):
 
     tiers: dict[Tier, Quality] = Field(description="The named tiers, from the fastest")
     knobs: dict[str, Any] = Field(description="JSON schema of the single knobs: ranges, units and defaults")
+    measured: list[KnobInfo] = Field(description="What each knob is, who owns it, and the steps that are measured")
 
 
 def find_preset(name: str) -> Preset:
@@ -81,11 +84,8 @@ async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], cont
 @router.get("/quality", responses=problem_responses(422))
 async def get_quality(_: Annotated[Parameters, Query()]) -> QualityTiers:
     """The tiers of quality with the value of every knob, and what each knob may be."""
-    return QualityTiers(tiers=TIERS, knobs=Quality.model_json_schema())
-
-
-@router.get("/accuracy/{preset}", responses=problem_responses(404, 422), status_code=404, response_model=None)
-async def get_accuracy(preset: PresetName, _: Annotated[Parameters, Query()]) -> None:
-    """The measured cost of accuracy of a preset; 404 while there is no measurement of it."""
-    found = find_preset(preset)
-    raise NotFoundError(f"the cost of accuracy of {found.name!r} has not been measured yet", "preset")
+    measured = [
+        KnobInfo(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, steps=knob.steps)
+        for owner, knob in every_knob()
+    ]
+    return QualityTiers(tiers=TIERS, knobs=Quality.model_json_schema(), measured=measured)

@@ -1,0 +1,359 @@
+"""Economy: a plan's own program against one that holds every effect, and against programs written by hand."""
+
+import hashlib
+import re
+import time as clock
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+
+from bench.frames import Cost, cost, ratios, side_by_side
+from bench.report import Column, Table, count, extra, ms, times
+from bench.uber import slot_files, uber_plan
+from bench.watch import Watch
+from seafoam.effects import EFFECTS
+from seafoam.effects.contribution import COMPONENTS, Constant
+from seafoam.plan import make_plan
+from seafoam.plan.model import FramePlan, Shader
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+QUALITY = TIERS["standard"]
+SIZE = (640, 360)
+HAND_SIZE = (1280, 720)
+COMPILE_SIZE = (16, 16)
+PICTURE_TIMES = (3.0, 40.7)
+HALF_A_LEVEL = 0.5 / 255.0
+FLIPPED = 2e-4
+"""Share of pixels that may differ: programs that round differently put a few of them on the other side of a threshold."""
+
+_DECLARED = re.compile(r"^uniform (?P<type>\w+) (?P<name>\w+)(?P<size>\[\w+\])?;", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Difference:
+    """How two pictures differ in linear light, display white = 1: at most, and in how many pixels by half a level."""
+
+    worst: float
+    share: float
+
+
+@dataclass(frozen=True)
+class ByHand:
+    """A scene, and a fragment program written for nothing else."""
+
+    name: str
+    title: str
+    scene: Scene
+    file: str
+
+
+def by_hand() -> tuple[ByHand, ...]:
+    """The scenes that have a program written by hand."""
+    wake = load_preset("paper-wake").scene
+    assert wake.foam is not None
+    wave = wake.model_copy(
+        update={
+            "foam": wake.foam.model_copy(update={"look": "halftone"}),
+            "water": wake.water.model_copy(update={"chop": None}),
+        }
+    )
+    return (
+        ByHand("threshold", "preset paper-threshold", load_preset("paper-threshold").scene, "threshold.glsl"),
+        ByHand("level", "the scene with nothing set: level water, sun, sky", Scene(), "level.glsl"),
+        ByHand("wave", "preset paper-wake without ripples, halftone", wave, "wave.glsl"),
+    )
+
+
+def measure(executor: Executor, watch: Watch) -> list[Table]:
+    """Check that the programs draw the same, then time them side by side."""
+    return [*_presets(executor, watch), _bounds(executor, watch), *_hand(executor, watch)]
+
+
+def _presets(executor: Executor, watch: Watch) -> list[Table]:
+    drawn, programs, left_out = [], [], []
+    for name in preset_names():
+        scene = load_preset(name).scene
+        plans = {
+            "plan": make_plan(scene, QUALITY),
+            "uber": uber_plan(scene, QUALITY),
+            "uber without sums": uber_plan(scene, QUALITY, exact_ripples=False),
+        }
+        differences = [_same_picture(executor, plans["plan"], plan, scene.camera) for plan in plans.values()]
+        compiled = _compiled(executor, plans, scene.camera, watch.rounds(f"{name}, compiling", 3, 10.0))
+        costs = side_by_side(executor, plans, scene.camera, SIZE, watch.rounds(f"{name}, all effects", 25, 15.0))
+        plan = plans["plan"]
+        drawn.append(
+            (
+                name,
+                *ratios(costs["uber"], costs["plan"]),
+                *ratios(costs["uber without sums"], costs["plan"]),
+                median(cost.cpu for cost in costs["plan"]),
+                median(cost.cpu for cost in costs["uber"]),
+                255.0 * max(difference.worst for difference in differences),
+                len(costs["plan"]),
+            )
+        )
+        running = {note.name for note in plan.effects}
+        skipped = {note.name for note in plan.skipped}
+        paths = slot_files(QUALITY)
+        programs.append(
+            (
+                name,
+                f"{len(running)} of {len(EFFECTS)}",
+                f"{len({file.path for file in _surface(plan).files} & set(paths))} of {len(paths)}",
+                _size(plan),
+                _size(plans["uber"]),
+                *(median(cost.cpu for cost in compiled[which]) for which in ("plan", "uber")),
+                ratios(compiled["uber"], compiled["plan"])[0],
+            )
+        )
+        absent = [effect.name for effect in EFFECTS if effect.name not in running | skipped]
+        left_out.append((name, ", ".join(absent) or "nothing", ", ".join(sorted(skipped)) or "nothing"))
+    text = f"{SIZE[0]} x {SIZE[1]}, quality standard"
+    return [
+        Table(
+            "One program with every effect, against the plan's own",
+            f"Whole frames of {text}; medians of per-round ratios (interquartile range). Without sums: a program that "
+            "lacks the ripples of the better tiers. Difference: the greatest of any pixel, levels of 255.",
+            (
+                Column("preset", "preset"),
+                Column("cpu_ratio", "processor time", times),
+                Column("wall_ratio", "wall time", times),
+                Column("cpu_ratio_without_sums", "without sums, processor", times),
+                Column("wall_ratio_without_sums", "wall", times),
+                Column("cpu", "the plan's, ms", ms),
+                Column("uber_cpu", "all effects, ms", ms),
+                Column("difference", "difference", _levels),
+                Column("rounds", "rounds", count),
+            ),
+            drawn,
+        ),
+        Table(
+            "Programs",
+            "The surface's fragment program. Compiled: from the text to the first pixels of a program that the driver "
+            "has not seen, processor time.",
+            (
+                Column("preset", "preset"),
+                Column("effects", "effects"),
+                Column("files", "slot files"),
+                Column("bytes", "bytes", count),
+                Column("uber_bytes", "all effects", count),
+                Column("compiled", "compiled, ms", ms),
+                Column("uber_compiled", "all effects, ms", ms),
+                Column("compile_ratio", "ratio", times),
+            ),
+            programs,
+        ),
+        Table(
+            "What the plans leave out",
+            "Effects that the scene does not call for, and those that it calls for and that cannot be seen.",
+            (
+                Column("preset", "preset"),
+                Column("absent", "not called for"),
+                Column("skipped", "not seen"),
+            ),
+            left_out,
+        ),
+    ]
+
+
+def _bounds(executor: Executor, watch: Watch) -> Table:
+    rows = []
+    for effect in EFFECTS:
+        for scene in effect.invisible[:1]:
+            plans = {"plan": make_plan(scene, QUALITY), "full": make_plan(scene, QUALITY, economy=False)}
+            notes = plans["plan"].skipped
+            rounds = watch.rounds(f"without {effect.name}", 40, 6.0)
+            costs = side_by_side(executor, plans, scene.camera, SIZE, rounds)
+            rows.append(
+                (
+                    effect.name,
+                    next(note.why for note in notes if note.name == effect.name),
+                    ", ".join(note.name for note in notes if note.name != effect.name),
+                    *ratios(costs["full"], costs["plan"]),
+                    _size(plans["full"]) - _size(plans["plan"]),
+                    len(costs["plan"]),
+                )
+            )
+    return Table(
+        "What cannot be seen",
+        f"For each effect the first scene that calls for it and cannot show it: with all that is left out there, against "
+        f"without. {SIZE[0]} x {SIZE[1]}, quality standard.",
+        (
+            Column("effect", "effect"),
+            Column("why", "why it is left out"),
+            Column("others", "left out with it"),
+            Column("cpu_ratio", "processor time", extra),
+            Column("wall_ratio", "wall time", extra),
+            Column("bytes", "bytes", count),
+            Column("rounds", "rounds", count),
+        ),
+        rows,
+    )
+
+
+def _hand(executor: Executor, watch: Watch) -> list[Table]:
+    drawn, programs = [], []
+    for case in by_hand():
+        plan = make_plan(case.scene, QUALITY)
+        text = (Path(__file__).with_name("minimal") / case.file).read_text(encoding="utf-8")
+        plans = {"plan": plan, "hand": _with_surface(plan, text)}
+        plans |= {f"{name}, numbers": _with_numbers(one) for name, one in plans.items()}
+        camera = case.scene.camera
+        differences = {name: _same_picture(executor, plan, one, camera) for name, one in plans.items()}
+        compiled = _compiled(executor, plans, camera, watch.rounds(f"{case.name}, compiling", 5, 10.0))
+        frames = {name: plans[name] for name in ("plan", "hand")}
+        alone = {name: _alone(one) for name, one in plans.items()}
+        rounds = watch.rounds(f"{case.name}, by hand", 60, 30.0)
+        costs = side_by_side(
+            executor, frames | {f"{name}, alone": one for name, one in alone.items()}, camera, HAND_SIZE, rounds
+        )
+        taken = {name: costs[f"{name}, alone"] for name in alone}
+        for mine, theirs in (
+            ("plan", "hand"),
+            ("plan, numbers", "hand, numbers"),
+            ("plan", "plan, numbers"),
+        ):
+            whole = ratios(costs[mine], costs[theirs])[0] if {mine, theirs} <= frames.keys() else None
+            drawn.append(
+                (
+                    case.name,
+                    f"{mine} : {theirs}",
+                    whole,
+                    *ratios(taken[mine], taken[theirs]),
+                    median(cost.cpu for cost in taken[mine]),
+                    median(cost.cpu for cost in taken[theirs]),
+                    len(taken[mine]),
+                )
+            )
+        for name, one in plans.items():
+            programs.append(
+                (
+                    case.name,
+                    name,
+                    _size(one),
+                    median(cost.cpu for cost in compiled[name]),
+                    255.0 * differences[name].worst,
+                    differences[name].share,
+                )
+            )
+    titles = "; ".join(f"{case.name}: {case.title}" for case in by_hand())
+    return [
+        Table(
+            "Against programs written by hand",
+            f"{titles}. {HAND_SIZE[0]} x {HAND_SIZE[1]}, quality standard. Numbers: with all that does not change from "
+            "frame to frame written into the text. Surface: its pass alone.",
+            (
+                Column("scene", "scene"),
+                Column("compared", "compared"),
+                Column("frame_cpu_ratio", "frame, processor", extra),
+                Column("cpu_ratio", "surface, processor", extra),
+                Column("wall_ratio", "surface, wall", extra),
+                Column("cpu", "first, ms", ms),
+                Column("other_cpu", "second, ms", ms),
+                Column("rounds", "rounds", count),
+            ),
+            drawn,
+        ),
+        Table(
+            "Programs written by hand",
+            "Compiled as above. Difference from the plan's picture: the greatest, levels of 255, and the share of pixels "
+            "that differ by half a level.",
+            (
+                Column("scene", "scene"),
+                Column("program", "program"),
+                Column("bytes", "bytes", count),
+                Column("compiled", "compiled, ms", ms),
+                Column("difference", "difference", _levels),
+                Column("share", "pixels", lambda share: f"{100.0 * share:.4f} %"),
+            ),
+            programs,
+        ),
+    ]
+
+
+def _levels(value: float) -> str:
+    return f"{value:.2f}"
+
+
+def _surface(plan: FramePlan) -> Shader:
+    return plan.programs["surface"].fragment
+
+
+def _size(plan: FramePlan) -> int:
+    """Bytes of the surface's fragment program."""
+    return len(_surface(plan).text.encode())
+
+
+def _with_surface(plan: FramePlan, text: str) -> FramePlan:
+    """The plan with another text for the surface's fragments."""
+    shader = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
+    program = plan.programs["surface"].model_copy(update={"fragment": shader})
+    return plan.model_copy(update={"programs": {**plan.programs, "surface": program}})
+
+
+def _with_numbers(plan: FramePlan) -> FramePlan:
+    """The plan with its surface's uniforms as constants, where they are the same in every frame."""
+
+    def constant(declared: re.Match[str]) -> str:
+        uniform = plan.uniforms.get(declared["name"])
+        if uniform is None or not all(isinstance(rule, Constant) for rule in uniform.rules):
+            return declared[0]
+        name, kind = declared["name"], declared["type"]
+        values = [float(value) for rule in uniform.rules if isinstance(rule, Constant) for value in rule.value]
+        size = COMPONENTS[uniform.type]
+        items = [f"{kind}({', '.join(map(repr, values[i : i + size]))})" for i in range(0, len(values), size)]
+        if declared["size"]:
+            return f"const {kind} {name}[{len(items)}] = {kind}[{len(items)}]({', '.join(items)});"
+        return f"const {kind} {name} = {items[0]};"
+
+    return _with_surface(plan, _DECLARED.sub(constant, _surface(plan).text))
+
+
+def _alone(plan: FramePlan) -> FramePlan:
+    """The plan with no pass but the surface's; what that reads is there from earlier frames."""
+    return plan.model_copy(update={"passes": tuple(one for one in plan.passes if one.program == "surface")})
+
+
+def _same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:
+    """How the pictures differ. Raises ``RuntimeError`` where they are not the same."""
+    found = []
+    for time in PICTURE_TIMES:
+        pictures = [
+            executor.render(one, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear").pixels
+            for one in (plan, other)
+        ]
+        seen = [np.clip(picture[..., :3].astype(np.float64), 0.0, 1.0) for picture in pictures]
+        found.append(np.abs(seen[0] - seen[1]).max(axis=-1))
+    difference = Difference(float(np.max(found)), float(np.mean(np.array(found) > HALF_A_LEVEL)))
+    if difference.share > FLIPPED:
+        raise RuntimeError(f"programs that should draw the same do not: {difference}")
+    return difference
+
+
+def _compiled(
+    executor: Executor, plans: Mapping[str, FramePlan], camera: Camera, rounds: Iterable[int]
+) -> dict[str, list[Cost]]:
+    """What a program costs until its first pixels, less the same pixels once more."""
+    costs: dict[str, list[Cost]] = {name: [] for name in plans}
+    for _ in rounds:
+        for name, plan in plans.items():
+            fresh = _alone(_fresh(plan))
+            first, again = (cost(executor, fresh, camera, COMPILE_SIZE, 0.0) for _ in range(2))
+            costs[name].append(Cost(first.wall - again.wall, first.cpu - again.cpu))
+    return costs
+
+
+def _fresh(plan: FramePlan) -> FramePlan:
+    """The plan with a surface program that no driver has in its cache: a number too small to see, another each time.
+
+    A comment would not do: Mesa keeps machine code by what is left after the text has been translated.
+    """
+    head, _, tail = _surface(plan).text.rpartition("}")
+    return _with_surface(plan, f"{head}    o_color += 1e-30 * {clock.time_ns() % 10**7}.0;\n}}{tail}")

@@ -1,0 +1,279 @@
+"""One surface program that holds every effect behind uniforms: what the planner's own programs are measured against.
+
+It is made of the same slot files. Functions that several files of a slot define get the file's name as a suffix, and a
+function under the plain name picks one of them by a uniform. Numbers that a plan writes into the text for its scene
+become uniforms too, so one text draws every scene.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
+from pathlib import Path
+from typing import get_args
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.contribution import (
+    COMPONENTS,
+    Constant,
+    Contribution,
+    SlotFile,
+    TargetInput,
+    TextureInput,
+    Uniform,
+    number,
+)
+from seafoam.plan import make_plan
+from seafoam.plan.assemble import assemble, declared_uniforms, read_file
+from seafoam.plan.model import FramePlan, Program
+from seafoam.plan.slots import SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
+from seafoam.quality import Quality
+from seafoam.scene.models import Chop, Foam, FrontSaturation, HeightSaturation, Look, ParametricWave, Scene, Water
+
+SWITCH = "u_uber_"
+COMBINE = f"{SWITCH}combine"
+"""0: the greatest saturation, 1: the product."""
+MOST_WAVES = 16
+BY_SCENE = ("PARAMETRIC_COUNT", "FRONT_COUNT", "FRONT_GATED", "FRONT_FULL", "FOAM_FADES", "FOAM_TEXTURED")
+"""Compile-time numbers that hang on the scene."""
+
+_FUNCTION = re.compile(r"^(?P<returns>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\) \{", re.MULTILINE)
+_WAVES = re.compile(rf"^uniform\s+\w+\s+(\w+)\[{MOST_WAVES}\]", re.MULTILINE)
+_UNIFORM_LINE = re.compile(r"^uniform\s+\w+\s+(?P<name>\w+).*\n", re.MULTILINE)
+
+Consts = dict[str, int | float | bool]
+Signature = tuple[str, str]
+"""What a function returns, and its parameters."""
+
+
+@dataclass
+class _Parts:
+    """What effects give, joined; later ones win."""
+
+    files: dict[str, SlotFile] = field(default_factory=dict)
+    consts: Consts = field(default_factory=dict)
+    uniforms: dict[str, Uniform] = field(default_factory=dict)
+    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
+
+    def add(self, given: Contribution) -> None:
+        self.files |= {file.path: file for file in given.slots}
+        self.consts |= given.consts
+        self.uniforms |= given.uniforms
+        self.inputs |= given.inputs
+
+
+@dataclass(frozen=True)
+class _Uber:
+    """The program, all parts, plans with the textures and targets, and the files that each switch numbers."""
+
+    program: Program
+    parts: _Parts
+    plans: tuple[FramePlan, ...]
+    switches: Mapping[str, Sequence[str]]
+
+
+def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> FramePlan:
+    """The plan of ``scene`` with its surface drawn by the program that holds everything.
+
+    ``exact_ripples``: the ripples that better tiers sum at each sample are in the program too.
+    """
+    uber = _uber(quality, exact_ripples)
+    plan = make_plan(scene, quality)
+    running = {note.name for note in plan.effects}
+    own = _Parts()
+    for effect in EFFECTS:
+        given = effect.contribute(scene, quality)
+        if given is not None and effect.name in running:
+            own.add(given)
+    fixed = own.consts.keys() - set(BY_SCENE)
+    if any(own.consts[name] != uber.parts.consts[name] for name in fixed):
+        raise ValueError("the scene has numbers that the program holds fixed")
+    numbers = {name: own.consts.get(name, 0.0) for name in BY_SCENE}
+    uniforms = {
+        **uber.parts.uniforms,
+        **own.uniforms,
+        COMBINE: number(float(scene.foam is not None and scene.foam.combine == "product")),
+        **{f"{SWITCH}{name.lower()}": number(float(value)) for name, value in numbers.items()},
+    }
+    for switch, paths in uber.switches.items():
+        uniforms[switch] = number(float(max((paths.index(path) for path in own.files if path in paths), default=0)))
+    text = uber.program.fragment.text
+    for name in _WAVES.findall(text):
+        uniforms[name] = _padded(uniforms[name])
+    declared = declared_uniforms(uber.program.fragment)
+    textures = {name: texture for one in uber.plans for name, texture in one.textures.items()}
+    targets = {name: target for one in uber.plans for name, target in one.targets.items()}
+    inputs = {name: source for name, source in (uber.parts.inputs | own.inputs).items() if name in declared}
+    return plan.model_copy(
+        update={
+            "programs": {**plan.programs, "surface": uber.program},
+            "uniforms": plan.uniforms | uniforms,
+            "textures": textures | plan.textures,
+            "targets": targets | plan.targets,
+            "passes": tuple(
+                one.model_copy(update={"inputs": inputs}) if one.program == "surface" else one for one in plan.passes
+            ),
+        }
+    )
+
+
+def slot_files(quality: Quality) -> tuple[str, ...]:
+    """Every file that fills a slot of the program."""
+    return tuple(path for paths in _uber(quality, True).switches.values() for path in paths if path)
+
+
+@cache
+def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
+    if quality.surface.method != "march":
+        raise ValueError("the mesh's vertex program knows the waves; only march is compared")
+    parts, plans = _Parts(), []
+    for scene, asked in _variants(quality, exact_ripples):
+        plans.append(make_plan(scene, asked))
+        for effect in EFFECTS:
+            given = effect.contribute(scene, asked)
+            if given is not None:
+                parts.add(given)
+    consts: Consts = {
+        **parts.consts,
+        "SURFACE_FILTER": quality.surface.filter,
+        "MARCH_STEPS": quality.surface.steps,
+        "MARCH_TOLERANCE": quality.surface.tolerance,
+    }
+    texts, switches = _surface(parts)
+    text = _by_uniforms("\n".join(texts), consts)
+    fixed = {name: value for name, value in consts.items() if name not in BY_SCENE}
+    program = Program(
+        vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+        fragment=assemble([f"={text}"], fixed),
+    )
+    return _Uber(program, parts, tuple(plans), switches)
+
+
+def _variants(quality: Quality, exact_ripples: bool) -> list[tuple[Scene, Quality]]:
+    """Scenes and qualities that between them call for every file."""
+    scenes = [
+        Scene(
+            waves=(ParametricWave(),),
+            foam=Foam(saturation=(FrontSaturation(), HeightSaturation()), look=look, texture=0.5, fade=0.5),
+            water=Water(depth=2.0, chop=Chop()),
+        )
+        for look in get_args(Look)
+    ]
+    found = [(scene, quality) for scene in scenes]
+    if exact_ripples:
+        found.append((scenes[0], quality.model_copy(update={"chop": "exact"})))
+    return found
+
+
+def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
+    """The program's text piece by piece, and for each switch the files that its numbers stand for."""
+    texts = [read_file("common/numbers.glsl"), read_file("common/camera.glsl")]
+    switches: dict[str, Sequence[str]] = {}
+    helpers: set[str] = set()
+    for slot in surface_slots("max"):
+        files = [file for file in parts.files.values() if file.slot == slot.name]
+        if slot.name == "find":
+            texts.append(read_file("surface/march.glsl"))
+            continue
+        if not slot.joins and slot.default not in {file.path for file in files}:
+            files.insert(0, SlotFile(slot.name, slot.default))
+        own = {name for file in files for name in _functions(read_file(file.path))}
+        bodies: dict[str, str] = {}
+        for file in files:
+            bodies[file.path] = read_file(file.path)
+            for path in file.needs:
+                # A helper that another file makes do without belongs to its own file's variant.
+                if own & _functions(read_file(path)).keys():
+                    bodies[file.path] = f"{read_file(path)}\n{bodies[file.path]}"
+                elif path not in helpers:
+                    helpers.add(path)
+                    texts.append(read_file(path))
+        if not slot.joins:
+            switches[f"{SWITCH}{slot.name}"] = list(bodies)
+            shared = [_functions(body) for body in bodies.values()]
+            signatures = {name: shared[0][name] for name in shared[0] if all(name in one for one in shared)}
+            texts += _choice(f"{SWITCH}{slot.name}", bodies, signatures, "")
+            continue
+        joins = [*slot.joins]
+        prefixes = list(dict.fromkeys(file.prefix for file in files))
+        for prefix in prefixes:
+            mine = {file.path: bodies[file.path] for file in files if file.prefix == prefix}
+            switches[f"{SWITCH}{prefix}"] = ["", *mine]
+            signatures = {f"{prefix}_{join.suffix}": (join.returns, join.parameters) for join in joins}
+            absent = COMBINE if slot.name == "saturation" else "0.0"
+            texts += _choice(f"{SWITCH}{prefix}", mine, signatures, absent)
+        texts += _saturation(prefixes) if slot.name == "saturation" else [join.glsl(prefixes) for join in joins]
+    return [*texts, read_file("surface/main.glsl")], switches
+
+
+def _functions(text: str) -> dict[str, Signature]:
+    return {match["name"]: (match["returns"], match["parameters"]) for match in _FUNCTION.finditer(text)}
+
+
+def _choice(switch: str, bodies: Mapping[str, str], signatures: Mapping[str, Signature], absent: str) -> list[str]:
+    """The bodies with their functions renamed, and functions under the plain names that pick one of them.
+
+    ``absent``: the value at switch 0, where none of them is meant; without it the first body is number 0.
+    """
+    texts = []
+    suffixes = [Path(path).stem for path in bodies]
+    for suffix, body in zip(suffixes, bodies.values(), strict=True):
+        for name in signatures:
+            body = re.sub(rf"\b{name}\b", f"{name}_{suffix}", body)
+        texts.append(body)
+    for name, (returns, parameters) in signatures.items():
+        calls = [f"{name}_{suffix}({_arguments(parameters)})" for suffix in suffixes]
+        values = [f"{returns}({absent})", *calls] if absent else calls
+        texts.append(_picked(switch, returns, name, parameters, values))
+    return texts
+
+
+def _picked(switch: str, returns: str, name: str, parameters: str, values: Sequence[str]) -> str:
+    cases = [f"    if ({switch} == {i}.0) {{\n        return {value};\n    }}" for i, value in enumerate(values[:-1])]
+    return "\n".join([f"{returns} {name}({parameters}) {{", *cases, f"    return {values[-1]};\n}}\n"])
+
+
+def _arguments(parameters: str) -> str:
+    return ", ".join(parameter.split()[-1] for parameter in parameters.split(",") if parameter)
+
+
+def _saturation(prefixes: Sequence[str]) -> list[str]:
+    """Both ways in which saturations join, and the function that picks one."""
+    ways: list[Join] = [SATURATION_MAX.joins[0], SATURATION_PRODUCT.joins[0]]
+    calls = [f"{way.name}_{way.how}({way.arguments})" for way in ways]
+    return [
+        *(replace(way, name=f"{way.name}_{way.how}").glsl(prefixes) for way in ways),
+        _picked(COMBINE, ways[0].returns, ways[0].name, ways[0].parameters, calls),
+    ]
+
+
+def _by_uniforms(text: str, consts: Consts) -> str:
+    """The text with the scene's numbers as uniforms, arrays as long as they get, and each uniform declared once."""
+    for name in BY_SCENE:
+        uniform = f"{SWITCH}{name.lower()}"
+        text = re.sub(rf"^(uniform .*)\[{name}\]", rf"\g<1>[{MOST_WAVES}]", text, flags=re.MULTILINE)
+        match consts[name]:
+            case bool():
+                value = f"({uniform} > 0.5)"
+            case int():
+                value = f"int({uniform})"
+            case _:
+                value = uniform
+        text = re.sub(rf"\b{name}\b", value, text)
+    seen: set[str] = set()
+
+    def once(line: re.Match[str]) -> str:
+        again = line["name"] in seen
+        seen.add(line["name"])
+        return "" if again else line[0]
+
+    text = _UNIFORM_LINE.sub(once, text)
+    switches = sorted(set(re.findall(rf"\b{SWITCH}\w+", text)))
+    return "".join(f"uniform float {name};\n" for name in switches) + text
+
+
+def _padded(uniform: Uniform) -> Uniform:
+    """An array as long as the program has it; what lies behind the scene's own waves is never read."""
+    missing = MOST_WAVES - uniform.count
+    rest = Constant(value=(0.0,) * (COMPONENTS[uniform.type] * missing))
+    return uniform.model_copy(update={"count": MOST_WAVES, "rules": (*uniform.rules, rest)})

@@ -1,0 +1,45 @@
+"""The quality for a number of milliseconds."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from seafoam.accuracy.model import MeasuredPoint, Sweep
+from seafoam.quality import Quality
+
+
+@dataclass(frozen=True)
+class Choice:
+    """The point that was chosen, and why. ``fits``: its predicted time is within the budget."""
+
+    point: MeasuredPoint
+    predicted_ms: float
+    fits: bool
+    why: str
+
+
+def choose(
+    sweep: Sweep, width: int, height: int, budget_ms: float, allowed: Callable[[Quality], bool] = lambda quality: True
+) -> Choice:
+    """Of the points whose predicted time at this size is within the budget, the one with the least RMSE.
+
+    The prediction is each point's :class:`~seafoam.accuracy.model.TimeModel`. Where nothing fits, the fastest.
+    ``allowed`` says which qualities may be drawn at this size; raises ``ValueError`` where none may.
+    """
+    predicted = [(point.model.at(width, height), point) for point in sweep.points if allowed(point.quality)]
+    if not predicted:
+        raise ValueError(f"no measured quality may be drawn at {width} x {height}")
+    fitting = [pair for pair in predicted if pair[0] <= budget_ms]
+    if fitting:
+        at, point = min(fitting, key=lambda pair: (pair[1].error.rmse, pair[0]))
+    else:
+        at, point = min(predicted, key=lambda pair: pair[0])
+    size = f"{width} x {height}"
+    if fitting:
+        said = f"least error of {len(fitting)} that fit of {len(predicted)} measured"
+    else:
+        said = f"nothing fits, fastest of {len(predicted)} measured"
+    why = (
+        f"{said}; predicted {at:.3g} ms of {budget_ms:g} ms at {size}; RMSE {point.error.rmse:.2f}/255, "
+        f"FLIP {point.error.flip:.3f}"
+    )
+    return Choice(point, at, bool(fitting), why)

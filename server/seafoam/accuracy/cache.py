@@ -1,0 +1,69 @@
+"""What was measured or computed, kept on disk by what it hangs on."""
+
+import contextlib
+import hashlib
+import json
+import logging
+import os
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+log = logging.getLogger(__name__)
+
+ENVIRONMENT = "SEAFOAM_CACHE"
+
+
+def cache_dir() -> Path:
+    """``SEAFOAM_CACHE``, or the place that the system has for such files."""
+    if chosen := os.environ.get(ENVIRONMENT):
+        return Path(chosen)
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "seafoam"
+    if sys.platform == "win32":
+        local = os.environ.get("LOCALAPPDATA")
+        return (Path(local) if local else Path.home() / "AppData" / "Local") / "seafoam" / "Cache"
+    shared = os.environ.get("XDG_CACHE_HOME", "")
+    return (Path(shared) if shared.startswith("/") else Path.home() / ".cache") / "seafoam"
+
+
+def key_of(*parts: Any) -> str:
+    """A file name for JSON values."""
+    text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()[:40]
+
+
+class Store:
+    """A folder of files by key. One that cannot be written to keeps its content in memory alone."""
+
+    def __init__(self, directory: Path | None = None) -> None:
+        self.directory = cache_dir() if directory is None else directory
+        self._memory: dict[str, bytes] = {}
+
+    def get(self, kind: str, name: str) -> bytes | None:
+        """The content that was put under this name, or None."""
+        if (held := self._memory.get(f"{kind}/{name}")) is not None:
+            return held
+        try:
+            return (self.directory / kind / name).read_bytes()
+        except OSError:
+            return None
+
+    def put(self, kind: str, name: str, content: bytes) -> None:
+        """Keep content under a name. Files appear whole or not at all."""
+        try:
+            folder = self.directory / kind
+            folder.mkdir(parents=True, exist_ok=True)
+            handle, temporary = tempfile.mkstemp(dir=folder)
+            try:
+                with os.fdopen(handle, "wb") as file:
+                    file.write(content)
+                os.replace(temporary, folder / name)
+            except BaseException:
+                with contextlib.suppress(OSError):
+                    os.unlink(temporary)
+                raise
+        except OSError as error:
+            log.warning("Cannot keep measurements in %s (%s): they last as long as this process", folder, error)
+            self._memory[f"{kind}/{name}"] = content

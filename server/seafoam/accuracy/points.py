@@ -1,0 +1,80 @@
+"""The points of a sweep: the tiers, and tier standard with one knob changed at a time."""
+
+import json
+
+from seafoam.accuracy.knobs import all_knobs, value_at, with_value
+from seafoam.accuracy.model import KnobChoice, KnobValue, Point
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.scene.models import Scene
+
+
+def points_of(scene: Scene) -> tuple[Point, ...]:
+    """Every quality that is measured for a scene, no two with the same plan; tiers first, from the fastest.
+
+    Raises :class:`seafoam.plan.PlanError` for a scene that cannot be planned.
+    """
+    seen = {plan_sha256(scene, TIERS["standard"])}
+    points = []
+    for tier, quality in TIERS.items():
+        plan = plan_sha256(scene, quality)
+        if tier == "standard" or plan not in seen:
+            seen.add(plan)
+            points.append(Point(id=tier, label=tier, tier=tier, knob=None, quality=quality, plan=plan))
+    standard = TIERS["standard"]
+    for owner, knob in all_knobs(scene):
+        for value in knob.steps:
+            quality = with_value(standard, knob.pointer, value)
+            plan = plan_sha256(scene, quality)
+            if plan in seen:
+                continue
+            seen.add(plan)
+            points.append(
+                Point(
+                    id=point_id(knob.pointer, value),
+                    label=f"{knob.title}: {shown(value)}",
+                    tier=None,
+                    knob=KnobChoice(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, value=value),
+                    quality=quality,
+                    plan=plan,
+                )
+            )
+    return tuple(points)
+
+
+def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, KnobChoice, KnobChoice, str, str]]:
+    """Neighbouring steps of each knob whose plans differ: (owner, from, to, point from, point to)."""
+    by_plan = {point.plan: point.id for point in points}
+    found = []
+    for owner, knob in all_knobs(scene):
+        links = []
+        for value in knob.steps:
+            plan = plan_sha256(scene, with_value(TIERS["standard"], knob.pointer, value))
+            choice = KnobChoice(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, value=value)
+            if plan in by_plan and (not links or links[-1][1] != by_plan[plan]):
+                links.append((choice, by_plan[plan]))
+        found += [
+            (owner, before, after, id_before, id_after)
+            for (before, id_before), (after, id_after) in zip(links, links[1:], strict=False)
+        ]
+    return found
+
+
+def plan_sha256(scene: Scene, quality: Quality) -> str:
+    """Identity of the plan."""
+    return make_plan(scene, quality).sha256
+
+
+def point_id(pointer: str, value: KnobValue) -> str:
+    """Name of standard with one knob changed."""
+    return f"{pointer[1:].replace('/', '.')}={shown(value)}"
+
+
+def shown(value: KnobValue) -> str:
+    """A value of a knob, as its JSON without quotes."""
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def is_standard(pointer: str, value: KnobValue) -> bool:
+    """Whether a knob's value is tier standard's."""
+    return bool(value_at(TIERS["standard"], pointer) == value)

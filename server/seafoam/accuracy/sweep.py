@@ -1,0 +1,423 @@
+"""A sweep: every point of a scene drawn in turn, round after round, timed, and held against the truth.
+
+Rounds visit all points, so that a machine that grows slower does so for all of them; a round's frames lie 1/60 s after
+the last round's, so they are the sequence that popping is counted in as well. A frame is drawn once untimed just before
+it is timed, for what compiling and allocating take.
+"""
+
+import os
+import platform
+import time as clock
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib.metadata import version
+from pathlib import Path
+from statistics import median, quantiles
+from typing import get_args
+
+import numpy as np
+
+from seafoam.accuracy import metrics
+from seafoam.accuracy.cache import Store, key_of
+from seafoam.accuracy.knobs import all_knobs, idealised
+from seafoam.accuracy.metrics import Picture
+from seafoam.accuracy.model import (
+    FORMAT,
+    Causes,
+    Machine,
+    MeasuredPoint,
+    Point,
+    Step,
+    Sweep,
+    TimeModel,
+    TimeSpread,
+    Timing,
+    TruthInfo,
+)
+from seafoam.accuracy.points import chains, plan_sha256, points_of, shown
+from seafoam.accuracy.truth import StoppedError, make_truth
+from seafoam.effects.contribution import Cause
+from seafoam.quality import Quality
+from seafoam.reference import scene_sha256
+from seafoam.render.pool import Draw, Drawn, MeasureJob
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+FRAME_SECONDS = 1.0 / 60.0
+ENOUGH_SECONDS = 0.02
+"""A frame of tier standard takes at least this at the timing size, so that what a call costs does not hide it."""
+SMALL = 10
+"""The second size of the time model is so many times smaller along each side."""
+COMPILE_WEIGHT = 6.0
+"""Compiling a plan takes about as long as drawing so many frames of one sample a pixel; only progress hangs on it."""
+
+Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What is measured. ``size``: the largest that is timed, pixels."""
+
+    preset: str | None
+    scene: Scene
+    time: float
+    size: tuple[int, int]
+
+    @staticmethod
+    def of_preset(name: str) -> "Subject":
+        """A preset as it stands. Raises ``KeyError``."""
+        found = load_preset(name)
+        return Subject(name, found.scene, found.time, found.size)
+
+    @staticmethod
+    def of_scene(scene: Scene) -> "Subject":
+        """The preset that the scene is, or a scene of its own at time 0."""
+        for name in preset_names():
+            if load_preset(name).scene == scene:
+                return Subject.of_preset(name)
+        return Subject(None, scene, 0.0, (1280, 720))
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a sweep is made. Width and height: of the pictures that errors are taken from."""
+
+    width: int = 160
+    height: int = 90
+    samples_along: int = 16
+    """Of the truth: its square is the samples a pixel."""
+    rounds: int = 7
+    """At least 2."""
+
+
+@dataclass(frozen=True)
+class Rig:
+    """What draws. ``info``: vendor, renderer and version of the GL; ``threads``: that a software GL may use."""
+
+    measure: Measure
+    info: Mapping[str, str]
+    threads: int
+
+    @property
+    def machine(self) -> Machine:
+        """The machine, as sweeps name it."""
+        return Machine(
+            vendor=self.info["vendor"],
+            renderer=self.info["renderer"],
+            version=self.info["version"],
+            processor=_processor(),
+            cores=os.cpu_count() or 1,
+            threads=self.threads,
+        )
+
+
+@dataclass(frozen=True)
+class Watcher:
+    """Told how a sweep goes, and asked whether to go on."""
+
+    progress: Callable[[str, float, float | None], None] = lambda stage, share, remaining: None
+    """Gets the stage in words, the share done, and the seconds that remain if that can be told."""
+    stopped: Callable[[], bool] = lambda: False
+
+
+def truth_info(subject: Subject, settings: Settings) -> TruthInfo:
+    """The truth of a subject, and where the API has it."""
+    return TruthInfo(
+        url=None if subject.preset is None else f"/api/accuracy/{subject.preset}/truth.npy",
+        width=settings.width,
+        height=settings.height,
+        time=subject.time,
+        samples=settings.samples_along**2,
+    )
+
+
+def find_sweep(store: Store, subject: Subject, settings: Settings, machine: Machine) -> Sweep | None:
+    """The sweep if it was made before: of these plans, at this time and size, on this machine, by these versions."""
+    content = store.get("sweeps", _name(subject, settings, machine))
+    if content is None:
+        return None
+    try:
+        found = Sweep.model_validate_json(content)
+    except ValueError:
+        return None
+    # A preset and a posted scene that equals it share their measurements.
+    return found.model_copy(update={"preset": subject.preset, "truth": truth_info(subject, settings)})
+
+
+def make_sweep(
+    store: Store, subject: Subject, settings: Settings, rig: Rig, watcher: Watcher | None = None, *, again: bool = False
+) -> Sweep:
+    """Measure a scene, or find the measurement; ``again``: measure all the same.
+
+    Raises :class:`seafoam.plan.PlanError`, what drawing raises, and :class:`StoppedError` where it was called off.
+    """
+    watcher = watcher or Watcher()
+    machine = rig.machine
+    if not again and (found := find_sweep(store, subject, settings, machine)) is not None:
+        return found
+    truth = make_truth(
+        store,
+        subject.scene,
+        subject.time,
+        settings.width,
+        settings.height,
+        settings.samples_along,
+        progress=lambda share, remaining: watcher.progress("float64 truth", 0.3 * share, None),
+        stopped=watcher.stopped,
+    )
+    sweep = _Sweeping(subject, settings, rig, watcher).run(truth.astype(np.float64))
+    store.put("sweeps", _name(subject, settings, machine), sweep.model_dump_json().encode())
+    return sweep
+
+
+class _Sweeping:
+    """One run through all points."""
+
+    def __init__(self, subject: Subject, settings: Settings, rig: Rig, watcher: Watcher) -> None:
+        self.subject = subject
+        self.settings = settings
+        self.rig = rig
+        self.watcher = watcher
+        self.points = points_of(subject.scene)
+        self.knobs = all_knobs(subject.scene)
+        self.drawn: dict[str, Picture] = {}
+        """The picture at the subject's own time, by plan."""
+        self.ideals = self._ideals()
+        everyone = [point.quality for point in self.points]
+        extra = {plan: quality for wanted in self.ideals.values() for plan, quality in wanted.values()}
+        compiled = everyone + [extra[plan] for plan in extra.keys() - {point.plan for point in self.points}]
+        self.work = sum(COMPILE_WEIGHT + quality.samples for quality in compiled)
+        self.work += 2.0 * settings.rounds * sum(1.0 + quality.samples for quality in everyone)
+        self.done = 0.0
+        self.began = clock.perf_counter()
+
+    def run(self, truth: Picture) -> Sweep:
+        settings, points = self.settings, self.points
+        for point in points:
+            self._picture(point.plan, point.quality, "compiling")
+        timed, small = self._sizes()
+        # Compiles what only finished pictures need.
+        for point in points:
+            self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
+        frames: dict[str, list[Picture]] = {point.id: [] for point in points}
+        large: dict[str, list[float]] = {point.id: [] for point in points}
+        little: dict[str, list[float]] = {point.id: [] for point in points}
+        own = (settings.width, settings.height)
+        for index in range(settings.rounds):
+            first = index % len(points)
+            turned = [*points[first:], *points[:first]]
+            for point in turned if index % 2 == 0 else reversed(turned):
+                warm = () if timed == own else (Draw(*timed, "rgba8"),)
+                draws = (Draw(*own, "linear", keep=True), *warm, Draw(*timed, "rgba8"), Draw(*small, "rgba8"))
+                weight = 2.0 * (1.0 + point.quality.samples)
+                stage = f"round {index + 1} of {settings.rounds}"
+                drawn = self._draw(point.quality, index, draws, stage, weight)
+                assert drawn[0].pixels is not None
+                frames[point.id].append(drawn[0].pixels)
+                large[point.id].append(1000.0 * drawn[-2].seconds)
+                little[point.id].append(1000.0 * drawn[-1].seconds)
+        measured = []
+        errors = {point.id: metrics.errors(frames[point.id], truth) for point in points}
+        times = {id: median(values) for id, values in large.items()}
+        best = front({point.id: (times[point.id], errors[point.id].rmse) for point in points})
+        for point in points:
+            measured.append(
+                MeasuredPoint(
+                    **dict(point),
+                    on_front=point.id in best,
+                    time=_spread(large[point.id]),
+                    model=_model(times[point.id], timed, median(little[point.id]), small),
+                    error=errors[point.id],
+                    causes=self._causes(point, errors[point.id].rmse, truth),
+                )
+            )
+        return Sweep(
+            preset=self.subject.preset,
+            scene_sha256=scene_sha256(self.subject.scene),
+            width=settings.width,
+            height=settings.height,
+            time=self.subject.time,
+            truth=truth_info(self.subject, settings),
+            timing=Timing(
+                timer="wall",
+                width=timed[0],
+                height=timed[1],
+                small_width=small[0],
+                small_height=small[1],
+                rounds=settings.rounds,
+            ),
+            machine=self.rig.machine,
+            versions={name: version(name) for name in ("seafoam", "moderngl", "numpy", "flip-evaluator")},
+            measured_at=datetime.now(UTC).isoformat(timespec="seconds"),
+            seconds=round(clock.perf_counter() - self.began, 1),
+            points=tuple(measured),
+            front=best,
+            steps=self._steps(large, {id: error.rmse for id, error in errors.items()}),
+            sentences=_sentences([point for id in best for point in measured if point.id == id], large),
+        )
+
+    def _ideals(self) -> dict[str, dict[str, tuple[str, Quality]]]:
+        """By point and cause ("rest": all three): the plan and the quality without that cause."""
+        found: dict[str, dict[str, tuple[str, Quality]]] = {}
+        for point in self.points:
+            whole = point.quality
+            for cause in get_args(Cause):
+                one = idealised(point.quality, cause, self.knobs)
+                found.setdefault(point.id, {})[cause] = plan_sha256(self.subject.scene, one), one
+                whole = idealised(whole, cause, self.knobs)
+            found[point.id]["rest"] = plan_sha256(self.subject.scene, whole), whole
+        return found
+
+    def _causes(self, point: Point, error: float, truth: Picture) -> Causes:
+        without = {
+            cause: metrics.rmse(self._picture(plan, quality, "causes of error"), truth)
+            for cause, (plan, quality) in self.ideals[point.id].items()
+        }
+        falls = {cause: error - without[cause] for cause in get_args(Cause)}
+        return Causes(**falls, rest=without["rest"])
+
+    def _picture(self, plan: str, quality: Quality, stage: str) -> Picture:
+        """The linear picture at the subject's own time; each plan is drawn once."""
+        if plan not in self.drawn:
+            draw = Draw(self.settings.width, self.settings.height, "linear", keep=True)
+            (drawn,) = self._draw(quality, 0, (draw,), stage, COMPILE_WEIGHT + quality.samples)
+            assert drawn.pixels is not None
+            self.drawn[plan] = drawn.pixels
+        return self.drawn[plan]
+
+    def _draw(
+        self, quality: Quality, frame: int, draws: tuple[Draw, ...], stage: str, weight: float
+    ) -> tuple[Drawn, ...]:
+        if self.watcher.stopped():
+            raise StoppedError
+        scene = self.subject.scene
+        at = self.subject.time + frame * FRAME_SECONDS
+        drawn = self.rig.measure(MeasureJob(scene, quality, at, scene.camera, draws))
+        self.done += weight
+        share = min(self.done / self.work, 1.0)
+        remaining = (clock.perf_counter() - self.began) * (1.0 / share - 1.0) if share > 0.02 else None
+        self.watcher.progress(stage, 0.3 + 0.7 * share, remaining)
+        return drawn
+
+    def _sizes(self) -> tuple[tuple[int, int], tuple[int, int]]:
+        """The timing size, at least that of the pictures, at most the subject's own; and the small one."""
+        width, height = self.settings.width, self.settings.height
+        standard = next(point for point in self.points if point.id == "standard")
+        while 2 * width <= self.subject.size[0] and 2 * height <= self.subject.size[1]:
+            drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size", 0.0)
+            if min(one.seconds for one in drawn[1:]) >= ENOUGH_SECONDS:
+                break
+            width, height = 2 * width, 2 * height
+        return (width, height), (max(1, width // SMALL), max(1, height // SMALL))
+
+    def _steps(self, rounds: Mapping[str, list[float]], error: Mapping[str, float]) -> tuple[Step, ...]:
+        steps = []
+        for owner, before, after, first, second in chains(self.subject.scene, self.points):
+            compared = _compare(rounds[first], rounds[second], error[first], error[second])
+            worth = compared.measurable and compared.added_ms > 0.0
+            steps.append(
+                Step(
+                    owner=owner,
+                    pointer=after.pointer,
+                    title=after.title,
+                    cause=after.cause,
+                    value_from=before.value,
+                    value_to=after.value,
+                    point_from=first,
+                    point_to=second,
+                    added_ms=compared.added_ms,
+                    time_factor=compared.factor,
+                    time_measurable=compared.measurable,
+                    error_removed=error[first] - error[second],
+                    error_factor=compared.error_factor,
+                    error_per_ms=(error[first] - error[second]) / compared.added_ms if worth else None,
+                    sentence=f"{after.title} {shown(before.value)} → {shown(after.value)}: {compared.words}",
+                )
+            )
+        return tuple(steps)
+
+
+def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
+    """Of (time, error) by name, the names that nothing else beats in both, from the fastest."""
+    best: list[str] = []
+    least = float("inf")
+    for name, (_, error) in sorted(found.items(), key=lambda item: item[1]):
+        if error < least:
+            best.append(name)
+            least = error
+    return tuple(best)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Two points of the same rounds."""
+
+    added_ms: float
+    factor: float
+    measurable: bool
+    error_factor: float
+    words: str
+
+
+def _compare(before: list[float], after: list[float], error_before: float, error_after: float) -> Comparison:
+    ratios = [b / a for a, b in zip(before, after, strict=True)]
+    low, _, high = quantiles(ratios, n=4, method="inclusive")
+    measurable = low > 1.0 or high < 1.0
+    factor = median(ratios)
+    # A thousandth of a level is no error at all.
+    error_factor = (error_before + 1e-3) / (error_after + 1e-3)
+    time_words = "no measurable difference in time" if not measurable else f"{factor:.2g}× the time"
+    if factor >= 9.95 and measurable:
+        time_words = f"{factor:.0f}× the time"
+    if error_factor >= 1.02:
+        verb = "and" if not measurable else "buys" if factor > 1.0 else "and"
+        words = f"{time_words} {verb} {_times(error_factor)} less error"
+    elif error_factor <= 1.0 / 1.02:
+        words = f"{time_words} and {_times(1.0 / error_factor)} more error"
+    else:
+        words = f"{time_words} {'buys nothing' if measurable and factor > 1.0 else 'and the same error'}"
+    added = median(b - a for a, b in zip(before, after, strict=True))
+    return Comparison(added, factor, measurable, error_factor, words)
+
+
+def _times(factor: float) -> str:
+    return f"{factor:.0f}×" if factor >= 9.95 else f"{factor:.1f}×" if factor >= 1.1 else f"{factor:.2f}×"
+
+
+def _sentences(best: list[MeasuredPoint], rounds: Mapping[str, list[float]]) -> tuple[str, ...]:
+    return tuple(
+        f"From {before.label} to {after.label}: "
+        + _compare(rounds[before.id], rounds[after.id], before.error.rmse, after.error.rmse).words
+        for before, after in zip(best, best[1:], strict=False)
+    )
+
+
+def _spread(values: list[float]) -> TimeSpread:
+    low, middle, high = quantiles(values, n=4, method="inclusive")
+    return TimeSpread(median_ms=middle, low_ms=low, high_ms=high, rounds_ms=tuple(round(value, 4) for value in values))
+
+
+def _model(large_ms: float, large: tuple[int, int], small_ms: float, small: tuple[int, int]) -> TimeModel:
+    pixels, few = large[0] * large[1], small[0] * small[1]
+    if pixels == few:
+        return TimeModel(fixed_ms=0.0, ns_per_pixel=1e6 * large_ms / pixels)
+    slope = max(0.0, (large_ms - small_ms) / (pixels - few))
+    return TimeModel(fixed_ms=max(0.0, large_ms - slope * pixels), ns_per_pixel=1e6 * slope)
+
+
+def _name(subject: Subject, settings: Settings, machine: Machine) -> str:
+    plans = sorted(point.plan for point in points_of(subject.scene))
+    what = [FORMAT, plans, scene_sha256(subject.scene), subject.time, subject.size]
+    how = [settings.width, settings.height, settings.samples_along, settings.rounds]
+    versions = [version("seafoam"), version("moderngl"), np.__version__]
+    return key_of(what, how, machine.model_dump(), versions) + ".json"
+
+
+def _processor() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        lines = []
+    found = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
+    return next(found, platform.processor() or platform.machine())

@@ -1,0 +1,114 @@
+"""The converged float64 picture of a scene, computed once in a process of its own and kept on disk."""
+
+import io
+import json
+import multiprocessing
+import os
+import time
+from collections.abc import Callable
+from concurrent.futures import TimeoutError as NotYet
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pebble import ProcessPool
+
+from seafoam.accuracy.cache import Store, key_of
+from seafoam.reference import render, scene_sha256
+from seafoam.scene.models import Scene
+
+SAMPLES_ALONG = 16
+"""Samples along each side of a pixel: 256 a pixel."""
+POLITE = 5
+"""Niceness: frames and the web server go first."""
+POLL_SECONDS = 0.2
+
+Truth = NDArray[np.float32]
+"""(height, width, 4): linear RGB and foam coverage, rows from the top."""
+
+
+class StoppedError(Exception):
+    """The work was called off."""
+
+
+def find_truth(store: Store, scene: Scene, at: float, width: int, height: int, along: int) -> Truth | None:
+    """The truth if it was computed before."""
+    content = store.get("truth", _name(scene, at, width, height, along))
+    if content is None:
+        return None
+    try:
+        found: NDArray[Any] = np.load(io.BytesIO(content), allow_pickle=False)
+    except (ValueError, EOFError):
+        return None
+    good = found.shape == (height, width, 4) and found.dtype == np.float32
+    return found if good else None
+
+
+def make_truth(
+    store: Store,
+    scene: Scene,
+    at: float,
+    width: int,
+    height: int,
+    along: int = SAMPLES_ALONG,
+    *,
+    progress: Callable[[float, float], None] = lambda share, remaining: None,
+    stopped: Callable[[], bool] = lambda: False,
+) -> Truth:
+    """The truth, from the store or computed in a spawned process.
+
+    ``progress`` gets the share that is done and the seconds that remain, estimated from a coarser picture.
+    Raises :class:`StoppedError` once ``stopped`` says so.
+    """
+    found = find_truth(store, scene, at, width, height, along)
+    if found is not None:
+        return found
+    pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
+    try:
+        coarse = max(1, along // 4)
+        _, seconds = _wait(pool, (scene, at, width, height, coarse), lambda _: None, stopped)
+        expected = max(seconds * (along / coarse) ** 2, 1e-3)
+        truth, _ = _wait(
+            pool,
+            (scene, at, width, height, along),
+            lambda spent: progress(min(spent / expected, 0.99), max(expected - spent, 0.0)),
+            stopped,
+        )
+    finally:
+        pool.stop()  # type: ignore[no-untyped-call]
+        pool.join()
+    buffer = io.BytesIO()
+    np.save(buffer, truth, allow_pickle=False)
+    store.put("truth", _name(scene, at, width, height, along), buffer.getvalue())
+    return truth
+
+
+def _wait(
+    pool: ProcessPool, job: tuple[Any, ...], progress: Callable[[float], None], stopped: Callable[[], bool]
+) -> tuple[Truth, float]:
+    future = pool.schedule(_converged, job)
+    began = time.perf_counter()
+    while True:
+        try:
+            done: tuple[Truth, float] = future.result(POLL_SECONDS)
+            return done
+        except NotYet:
+            if stopped():
+                raise StoppedError from None
+            progress(time.perf_counter() - began)
+
+
+def _converged(scene: Scene, at: float, width: int, height: int, along: int) -> tuple[Truth, float]:
+    """In the process of its own: the picture and the seconds it took."""
+    if hasattr(os, "nice"):
+        os.nice(max(0, POLITE - os.nice(0)))
+    began = time.perf_counter()
+    frame = render(scene, time=at, width=width, height=height, samples=along, mode="converged")
+    picture = np.concatenate((frame.rgb, frame.alpha[..., None]), axis=-1).astype(np.float32)
+    return picture, time.perf_counter() - began
+
+
+def _name(scene: Scene, at: float, width: int, height: int, along: int) -> str:
+    versions = [version("seafoam"), np.__version__]
+    return key_of(scene_sha256(scene), json.dumps(at), width, height, along, versions) + ".npy"

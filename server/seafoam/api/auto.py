@@ -1,0 +1,75 @@
+"""``quality=auto``: the most exact quality that is predicted to be drawn in time, from what was measured here."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from seafoam.accuracy.budget import choose
+from seafoam.accuracy.model import Running
+from seafoam.accuracy.sweep import Subject
+from seafoam.api.context import Context
+from seafoam.api.errors import BadRequestError, FieldProblem, NotMeasuredError
+from seafoam.api.parameters import TierOrAuto, knobs_of
+from seafoam.api.routers.accuracy import measured, retry_seconds
+from seafoam.quality import Quality
+from seafoam.render.pool import FrameLimits, FrameTooLargeError
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """The quality of a frame as it was asked for. ``parameter``: in the query, else in a body."""
+
+    quality: TierOrAuto | Quality
+    budget_ms: float | None
+    width: int
+    height: int
+    parameter: bool
+
+    def _refused(self, detail: str) -> BadRequestError:
+        return BadRequestError(
+            FieldProblem(
+                pointer=None if self.parameter else "/budget_ms",
+                parameter="budget_ms" if self.parameter else None,
+                detail=f"budget_ms: {detail}",
+            )
+        )
+
+    def budget(self) -> float:
+        """The budget of auto, ms. Raises :class:`BadRequestError` where there is none."""
+        if self.budget_ms is None:
+            raise self._refused("quality auto needs the milliseconds that a frame may take")
+        return self.budget_ms
+
+    def no_budget(self) -> None:
+        """Raises :class:`BadRequestError` where a budget was given."""
+        if self.budget_ms is not None:
+            raise self._refused("only quality auto has a budget")
+
+
+async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Quality, Mapping[str, str]]:
+    """The quality to draw with, and the headers that say why; none where it was named.
+
+    Auto goes by the subject's own camera and time, which the frame's may differ from. Raises
+    :class:`NotMeasuredError` while the subject is being measured, which the first call starts.
+    """
+    if asked.quality != "auto":
+        asked.no_budget()
+        return knobs_of(asked.quality), {}
+    budget = asked.budget()
+    limits = context.settings.frame_limits
+    limits.check(asked.width, asked.height, 1)
+    found = await measured(context, subject)
+    if isinstance(found, Running):
+        what = f"preset {subject.preset}" if subject.preset else "this scene"
+        state = "waits to be measured" if found.status == "queued" else f"is {100 * found.progress:.0f} % measured"
+        detail = f"the cost of accuracy of {what} {state}: ask again, or name a tier"
+        raise NotMeasuredError(detail, retry_seconds(found))
+    choice = choose(found, asked.width, asked.height, budget, lambda quality: _allowed(limits, asked, quality))
+    return choice.point.quality, {"Seafoam-Quality": choice.point.id, "Seafoam-Quality-Why": choice.why}
+
+
+def _allowed(limits: FrameLimits, asked: Asked, quality: Quality) -> bool:
+    try:
+        limits.check(asked.width, asked.height, quality.samples)
+    except FrameTooLargeError:
+        return False
+    return True

@@ -1,0 +1,40 @@
+"""The station of an app: its measurements are drawn by the app's own render pool."""
+
+import asyncio
+from concurrent.futures import TimeoutError as NotYet
+
+from seafoam.accuracy.cache import Store
+from seafoam.accuracy.station import Station
+from seafoam.accuracy.sweep import Rig
+from seafoam.accuracy.sweep import Settings as SweepSettings
+from seafoam.accuracy.truth import StoppedError
+from seafoam.api.settings import Settings
+from seafoam.render.pool import Drawn, MeasureJob, RendererUnavailableError, RenderPool
+
+_POLL_SECONDS = 0.2
+
+
+def measuring_station(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEventLoop) -> Station:
+    """A station that measures on the pool, whose coroutines run on ``loop``."""
+
+    def measure(job: MeasureJob) -> tuple[Drawn, ...]:
+        future = asyncio.run_coroutine_threadsafe(pool.measure(job), loop)
+        while True:
+            try:
+                return future.result(_POLL_SECONDS)
+            except NotYet:
+                # Also what a coroutine that timed out raises, which has nothing to wait for.
+                if future.done():
+                    raise
+                if station.stopped:
+                    future.cancel()
+                    raise StoppedError from None
+
+    def rig() -> Rig:
+        if pool.state != "ready":
+            raise RendererUnavailableError(pool.remedy or "the renderer is not ready")
+        return Rig(measure, pool.info, pool.threads)
+
+    sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
+    station = Station(Store(settings.cache), SweepSettings(*sizes), rig)
+    return station

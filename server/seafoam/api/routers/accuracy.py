@@ -1,0 +1,174 @@
+"""``/api/accuracy``: what accuracy costs in time, measured on this server."""
+
+import io
+import math
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import APIRouter, Query, Request
+from starlette.responses import JSONResponse, Response
+
+from seafoam.accuracy.model import Points, Running, Sweep
+from seafoam.accuracy.points import points_of
+from seafoam.accuracy.station import StationFullError
+from seafoam.accuracy.sweep import Subject, truth_info
+from seafoam.accuracy.truth import Truth
+from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
+from seafoam.api.context import Context, InContext
+from seafoam.api.errors import BusyError, problem_responses
+from seafoam.api.parameters import Parameters
+from seafoam.api.routers.presets import PresetName, find_preset
+
+router = APIRouter(prefix="/api", tags=["accuracy"])
+
+LONGEST_WAIT = 15
+"""Seconds after which to ask again, however long a measurement still takes."""
+FULL_WAIT = 30
+
+_RETRY = {"Retry-After": {"description": "Seconds after which to ask again", "schema": {"type": "string"}}}
+_RUNNING: dict[int | str, dict[str, Any]] = {
+    202: {"model": Running, "description": "Being measured, which the first request starts", "headers": _RETRY},
+    304: {"description": "The client's copy (If-None-Match) is current"},
+}
+
+
+def _answers(description: str, media: str) -> dict[int | str, dict[str, Any]]:
+    content = {media: {"schema": {"type": "string", "format": "binary"} if media != "text/csv" else {"type": "string"}}}
+    return {200: {"description": description, "content": content}}
+
+
+async def measured(context: Context, subject: Subject) -> Sweep | Running:
+    """The sweep of a subject, or how far it is. Raises what there is to raise where there is no renderer."""
+    await context.pool.wait_until_settled()
+    try:
+        return await context.plans.run(context.station.sweep, subject)
+    except StationFullError as error:
+        raise BusyError(str(error), FULL_WAIT) from error
+
+
+def retry_seconds(running: Running) -> int:
+    """When to ask again."""
+    return max(1, min(LONGEST_WAIT, math.ceil(running.eta_s or 2.0)))
+
+
+def _wait(running: Running) -> Response:
+    headers = {"Cache-Control": NO_STORE, "Retry-After": str(retry_seconds(running))}
+    return JSONResponse(running.model_dump(mode="json"), 202, headers)
+
+
+def _subject(preset: str) -> Subject:
+    found = find_preset(preset)
+    return Subject(found.name, found.scene, found.time, found.size)
+
+
+def _kept(request: Request, content: bytes, media: str, *identity: Any) -> Response:
+    tag = tag_of(*identity, request.url.path.rpartition("/")[2])
+    headers = {"Cache-Control": REVALIDATE}
+    return not_modified(request, tag, headers) or Response(content, headers={"ETag": tag, **headers}, media_type=media)
+
+
+def _npy(truth: Truth) -> bytes:
+    buffer = io.BytesIO()
+    np.save(buffer, truth.astype("<f4", copy=False), allow_pickle=False)
+    return buffer.getvalue()
+
+
+def _plot(sweep: Sweep) -> bytes:
+    # Matplotlib takes a second to import, so only a server that is asked for a plot pays.
+    from seafoam.accuracy.plots import plot_sweep
+
+    return plot_sweep(sweep)
+
+
+def _csv(sweep: Sweep) -> bytes:
+    from seafoam.accuracy.report import csv_of
+
+    return csv_of(sweep).encode()
+
+
+@router.get(
+    "/accuracy/{preset}.csv",
+    responses=_answers("A line a point, times in milliseconds", "text/csv")
+    | _RUNNING
+    | problem_responses(404, 422, 500, 503, 504),
+    response_class=Response,
+)
+async def get_accuracy_csv(
+    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """The measured cost of accuracy of a preset, as a table."""
+    found = await measured(context, _subject(preset))
+    if isinstance(found, Running):
+        return _wait(found)
+    content = await context.plans.run(_csv, found)
+    return _kept(request, content, "text/csv", found.model_dump(mode="json"))
+
+
+@router.get(
+    "/accuracy/{preset}.png",
+    responses=_answers("Time against error, with the front", "image/png")
+    | _RUNNING
+    | problem_responses(404, 422, 500, 503, 504),
+    response_class=Response,
+)
+async def get_accuracy_plot(
+    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """The measured cost of accuracy of a preset, as a plot."""
+    found = await measured(context, _subject(preset))
+    if isinstance(found, Running):
+        return _wait(found)
+    content = await context.plans.run(_plot, found)
+    return _kept(request, content, "image/png", found.model_dump(mode="json"))
+
+
+@router.get(
+    "/accuracy/{preset}/truth.npy",
+    responses=_answers("float32 (height, width, 4): linear RGB, foam coverage; rows from the top", "application/x-npy")
+    | _RUNNING
+    | problem_responses(404, 422, 500, 503),
+    response_class=Response,
+)
+async def get_truth(
+    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """The converged float64 picture that errors are against. Needs no renderer."""
+    subject = _subject(preset)
+    try:
+        found = await context.plans.run(context.station.truth, subject)
+    except StationFullError as error:
+        raise BusyError(str(error), FULL_WAIT) from error
+    if isinstance(found, Running):
+        return _wait(found)
+    content = await context.plans.run(_npy, found)
+    info = truth_info(subject, context.station.settings)
+    return _kept(request, content, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
+
+
+@router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 503))
+async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> Points:
+    """What is measured of a preset, at once: every tier, and tier standard with one knob changed."""
+    subject = _subject(preset)
+    points = await context.plans.run(points_of, subject.scene)
+    return Points(preset=preset, truth=truth_info(subject, context.station.settings), points=points)
+
+
+@router.get(
+    "/accuracy/{preset}",
+    responses={200: {"model": Sweep, "description": "The measurement"}}
+    | _RUNNING
+    | problem_responses(404, 422, 500, 503, 504),
+    response_class=Response,
+)
+async def get_accuracy(
+    preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """The measured cost of accuracy of a preset: times, errors, the front, and what each knob is worth.
+
+    The first request starts the measurement, which takes some minutes; until it is done the answer is 202.
+    """
+    found = await measured(context, _subject(preset))
+    if isinstance(found, Running):
+        return _wait(found)
+    document = found.model_dump(mode="json")
+    return _kept(request, found.model_dump_json().encode(), "application/json", document)

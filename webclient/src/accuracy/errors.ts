@@ -1,0 +1,64 @@
+/** How far a picture is from the truth, in linear light clipped at display white; 255 levels are white. */
+import type { Picture } from "./npy";
+
+export const LEVELS = 255;
+
+export interface Errors {
+  /** Root mean square of linear RGB, levels. */
+  rmse: number;
+  /** Greatest difference of a channel, levels. */
+  max: number;
+  /** Root mean square of foam coverage, 0 to 1. */
+  coverage: number;
+}
+
+/** Light beyond display white is white on any screen; what is no number is black. */
+export function clip(value: number): number {
+  return value > 0 ? Math.min(value, 1) : 0;
+}
+
+export function errorsOf(picture: Picture, truth: Picture): Errors {
+  sameSize(picture, truth);
+  let squares = 0;
+  let coverage = 0;
+  let max = 0;
+  const { pixels: a } = picture;
+  const { pixels: b } = truth;
+  for (let i = 0; i < a.length; i += 4) {
+    for (let c = i; c < i + 3; c++) {
+      const difference = Math.abs(clip(a[c] ?? 0) - clip(b[c] ?? 0));
+      squares += difference * difference;
+      max = Math.max(max, difference);
+    }
+    const foam = (a[i + 3] ?? 0) - (b[i + 3] ?? 0);
+    coverage += foam * foam;
+  }
+  const count = a.length / 4;
+  return { rmse: LEVELS * Math.sqrt(squares / (3 * count)), max: LEVELS * max, coverage: Math.sqrt(coverage / count) };
+}
+
+/** Each pixel's error: root mean square of its three channels, levels. */
+export function errorMap(picture: Picture, truth: Picture): Float32Array {
+  sameSize(picture, truth);
+  const map = new Float32Array(truth.width * truth.height);
+  for (let pixel = 0; pixel < map.length; pixel++) {
+    let squares = 0;
+    for (let c = 4 * pixel; c < 4 * pixel + 3; c++) {
+      squares += (clip(picture.pixels[c] ?? 0) - clip(truth.pixels[c] ?? 0)) ** 2;
+    }
+    map[pixel] = LEVELS * Math.sqrt(squares / 3);
+  }
+  return map;
+}
+
+/** The value under which that share of the numbers lies. */
+export function percentile(values: Float32Array, share: number): number {
+  const sorted = Float32Array.from(values).sort();
+  return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? 0;
+}
+
+function sameSize(picture: Picture, truth: Picture): void {
+  if (picture.width !== truth.width || picture.height !== truth.height) {
+    throw new Error(`a picture of ${picture.width} × ${picture.height} against a truth of ${truth.width} × ${truth.height}`);
+  }
+}
