@@ -20,6 +20,7 @@ class Probe:
     def __init__(self, executor: Executor) -> None:
         self._executor = executor
         self._context = executor._context
+        self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
 
     def __call__(
         self,
@@ -69,6 +70,10 @@ class Probe:
         array = context.vertex_array(program, [])
         array.render(moderngl.TRIANGLES, vertices=3)
         raw = framebuffer.read(components=4, dtype="f4")
+        error = context.error
+        assert error == "GL_NO_ERROR", error
+        # moderngl binds the last framebuffer again whenever it makes an object: it must outlive this call.
+        self._resting.use()
         for item in (array, *held):
             item.release()
         return np.frombuffer(raw, np.float32).reshape(-1, 4)[:count].copy()

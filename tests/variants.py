@@ -52,6 +52,7 @@ def scenes() -> Iterator[Scene]:
     for fade, texture in product((0.0, 0.3), repeat=2):
         yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"fade": fade, "texture": texture})})
     yield sea.model_copy(update={"foam": None})
+    yield sea.model_copy(update={"light": Light(sun_elevation=-0.2)})
     yield sea.model_copy(update={"light": None})
     yield sea.model_copy(update={"light": None, "foam": None})
     yield sea.model_copy(update={"water": Water()})

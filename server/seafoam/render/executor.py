@@ -15,7 +15,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.effects.contribution import FixedSize, Grid, Target, TextureInput
+from seafoam.effects.contribution import FixedSize, Fullscreen, Grid, Target, TextureInput
 from seafoam.plan.assemble import declared_uniforms
 from seafoam.plan.model import FramePlan, Pass, Program, Texture
 from seafoam.plan.rules import FrameState, evaluate
@@ -93,6 +93,36 @@ class _Cache:
             part.release()
 
 
+class _Linked:
+    """A linked program and its vertex arrays, which live and die with it: GL reuses the numbers of what is released."""
+
+    def __init__(self, context: moderngl.Context, program: moderngl.Program) -> None:
+        self._context = context
+        self.program = program
+        self._arrays: dict[Fullscreen | Grid, tuple[Any, ...]] = {}
+
+    def array(self, mesh: Fullscreen | Grid) -> moderngl.VertexArray:
+        """The vertex array that feeds ``mesh`` to the program."""
+        if mesh not in self._arrays:
+            self._arrays[mesh] = self._make(mesh)
+        found: moderngl.VertexArray = self._arrays[mesh][0]
+        return found
+
+    def _make(self, mesh: Fullscreen | Grid) -> tuple[Any, ...]:
+        if isinstance(mesh, Fullscreen):
+            return (self._context.vertex_array(self.program, []),)
+        vertices, indices = grid(mesh.rows, mesh.columns)
+        buffers = self._context.buffer(vertices.tobytes()), self._context.buffer(indices.tobytes())
+        return self._context.vertex_array(self.program, [(buffers[0], "2f", "a_grid")], buffers[1]), *buffers
+
+    def release(self) -> None:
+        """Release arrays, buffers and program."""
+        for parts in self._arrays.values():
+            for part in parts:
+                part.release()
+        self.program.release()
+
+
 class Executor:
     """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` where there is none."""
 
@@ -108,7 +138,6 @@ class Executor:
         self._programs = _Cache(_PROGRAMS_KEPT)
         self._textures = _Cache(_TEXTURES_KEPT)
         self._targets = _Cache(_TARGETS_KEPT)
-        self._meshes = _Cache(16)
 
     def render(
         self,
@@ -159,7 +188,7 @@ class Executor:
     def close(self) -> None:
         """Release everything, the context last."""
         self._own_thread()
-        for cache in (self._programs, self._textures, self._targets, self._meshes):
+        for cache in (self._programs, self._textures, self._targets):
             cache.clear()
         self._context.release()
 
@@ -180,7 +209,8 @@ class Executor:
     ) -> None:
         framebuffer = framebuffers[one.target][0]
         model = plan.programs[one.program]
-        program = self._program(model)
+        linked = self._program(model)
+        program = linked.program
         framebuffer.use()
         framebuffer.viewport = (0, 0, framebuffer.width, framebuffer.height)
         self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | (moderngl.DEPTH_TEST if one.state.depth else 0))
@@ -202,17 +232,18 @@ class Executor:
             if name in program and name not in one.inputs:
                 uniform = one.uniforms.get(name) or plan.uniforms[name]
                 _member(program, name).write(evaluate(uniform, state).tobytes())
-        self._mesh(one, program).render(moderngl.TRIANGLES, vertices=-1 if isinstance(one.mesh, Grid) else 3)
+        linked.array(one.mesh).render(moderngl.TRIANGLES, vertices=-1 if isinstance(one.mesh, Grid) else 3)
 
-    def _program(self, model: Program) -> moderngl.Program:
-        def make() -> moderngl.Program:
+    def _program(self, model: Program) -> _Linked:
+        def make() -> _Linked:
             try:
-                return self._context.program(vertex_shader=model.vertex.text, fragment_shader=model.fragment.text)
+                program = self._context.program(vertex_shader=model.vertex.text, fragment_shader=model.fragment.text)
             except moderngl.Error as error:
                 raise ShaderError(f"{error}\n{_listing(model)}") from error
+            return _Linked(self._context, program)
 
-        program: moderngl.Program = self._programs.get((model.vertex.sha256, model.fragment.sha256), make)
-        return program
+        linked: _Linked = self._programs.get((model.vertex.sha256, model.fragment.sha256), make)
+        return linked
 
     def _texture(self, name: str, model: Texture) -> moderngl.Texture:
         def make() -> moderngl.Texture:
@@ -262,19 +293,6 @@ class Executor:
             return self._context.framebuffer([color]), color
         buffer = self._context.depth_renderbuffer(size)
         return self._context.framebuffer([color], buffer), color, buffer
-
-    def _mesh(self, one: Pass, program: moderngl.Program) -> moderngl.VertexArray:
-        key = (program.glo, one.mesh)
-
-        def make() -> tuple[Any, ...]:
-            if not isinstance(one.mesh, Grid):
-                return (self._context.vertex_array(program, []),)
-            vertices, indices = grid(one.mesh.rows, one.mesh.columns)
-            buffers = self._context.buffer(vertices.tobytes()), self._context.buffer(indices.tobytes())
-            return self._context.vertex_array(program, [(buffers[0], "2f", "a_grid")], buffers[1]), *buffers
-
-        array: moderngl.VertexArray = self._meshes.get(key, make)[0]
-        return array
 
 
 def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:
