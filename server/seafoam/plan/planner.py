@@ -100,7 +100,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     scene = _kept(scene, quality.waves)
     draft = _Draft(scene, quality, economy)
     side = math.isqrt(quality.samples)
-    mesh = quality.surface.method == "mesh"
+    level = draft.top == 0.0
+    mesh = quality.surface.method == "mesh" and not level
 
     consts: dict[str, int | float | bool] = {
         **draft.consts,
@@ -110,7 +111,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         "MARCH_TOLERANCE": quality.surface.tolerance,
         "SAMPLE_SIDE": side,
     }
-    chosen = [*draft.slots, SlotFile("find", "surface/newton.glsl" if mesh else "surface/march.glsl")]
+    find = "plane" if level else "newton" if mesh else "march"
+    chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
     combine = scene.foam.combine if scene.foam else "max"
     surface_fragment = [*_COMMON]
     for slot in surface_slots(combine):
