@@ -30,7 +30,7 @@ COMPILE_SIZE = (16, 16)
 PICTURE_TIMES = (3.0, 40.7)
 HALF_A_LEVEL = 0.5 / 255.0
 FLIPPED = 2e-4
-"""Share of pixels that may differ: programs that round differently put a few of them on the other side of a threshold."""
+"""Share of pixels that may differ: where programs round differently, a few change sides of a threshold."""
 
 _DECLARED = re.compile(r"^uniform (?P<type>\w+) (?P<name>\w+)(?P<size>\[\w+\])?;", re.MULTILINE)
 
@@ -85,16 +85,16 @@ def _presets(executor: Executor, watch: Watch) -> list[Table]:
             "uber without sums": uber_plan(scene, QUALITY, exact_ripples=False),
         }
         differences = [_same_picture(executor, plans["plan"], plan, scene.camera) for plan in plans.values()]
-        compiled = _compiled(executor, plans, scene.camera, watch.rounds(f"{name}, compiling", 3, 10.0))
-        costs = side_by_side(executor, plans, scene.camera, SIZE, watch.rounds(f"{name}, all effects", 25, 15.0))
+        compiled = _compiled(executor, plans, scene.camera, watch.rounds(f"{name}, compiling", 3, 6.0))
+        costs = side_by_side(executor, plans, scene.camera, SIZE, watch.rounds(f"{name}, all effects", 25, 10.0))
         plan = plans["plan"]
         drawn.append(
             (
                 name,
                 *ratios(costs["uber"], costs["plan"]),
                 *ratios(costs["uber without sums"], costs["plan"]),
-                median(cost.cpu for cost in costs["plan"]),
-                median(cost.cpu for cost in costs["uber"]),
+                median(one.cpu for one in costs["plan"]),
+                median(one.cpu for one in costs["uber"]),
                 255.0 * max(difference.worst for difference in differences),
                 len(costs["plan"]),
             )
@@ -109,7 +109,7 @@ def _presets(executor: Executor, watch: Watch) -> list[Table]:
                 f"{len({file.path for file in _surface(plan).files} & set(paths))} of {len(paths)}",
                 _size(plan),
                 _size(plans["uber"]),
-                *(median(cost.cpu for cost in compiled[which]) for which in ("plan", "uber")),
+                *(median(one.cpu for one in compiled[which]) for which in ("plan", "uber")),
                 ratios(compiled["uber"], compiled["plan"])[0],
             )
         )
@@ -169,7 +169,7 @@ def _bounds(executor: Executor, watch: Watch) -> Table:
         for scene in effect.invisible[:1]:
             plans = {"plan": make_plan(scene, QUALITY), "full": make_plan(scene, QUALITY, economy=False)}
             notes = plans["plan"].skipped
-            rounds = watch.rounds(f"without {effect.name}", 40, 6.0)
+            rounds = watch.rounds(f"without {effect.name}", 40, 4.0)
             costs = side_by_side(executor, plans, scene.camera, SIZE, rounds)
             rows.append(
                 (
@@ -183,8 +183,8 @@ def _bounds(executor: Executor, watch: Watch) -> Table:
             )
     return Table(
         "What cannot be seen",
-        f"For each effect the first scene that calls for it and cannot show it: with all that is left out there, against "
-        f"without. {SIZE[0]} x {SIZE[1]}, quality standard.",
+        "For each effect the first scene that calls for it and cannot show it: with all that is left out, against "
+        f"without it. {SIZE[0]} x {SIZE[1]}, quality standard.",
         (
             Column("effect", "effect"),
             Column("why", "why it is left out"),
@@ -207,10 +207,10 @@ def _hand(executor: Executor, watch: Watch) -> list[Table]:
         plans |= {f"{name}, numbers": _with_numbers(one) for name, one in plans.items()}
         camera = case.scene.camera
         differences = {name: _same_picture(executor, plan, one, camera) for name, one in plans.items()}
-        compiled = _compiled(executor, plans, camera, watch.rounds(f"{case.name}, compiling", 5, 10.0))
+        compiled = _compiled(executor, plans, camera, watch.rounds(f"{case.name}, compiling", 5, 6.0))
         frames = {name: plans[name] for name in ("plan", "hand")}
         alone = {name: _alone(one) for name, one in plans.items()}
-        rounds = watch.rounds(f"{case.name}, by hand", 60, 30.0)
+        rounds = watch.rounds(f"{case.name}, by hand", 60, 20.0)
         costs = side_by_side(
             executor, frames | {f"{name}, alone": one for name, one in alone.items()}, camera, HAND_SIZE, rounds
         )
@@ -227,8 +227,8 @@ def _hand(executor: Executor, watch: Watch) -> list[Table]:
                     f"{mine} : {theirs}",
                     whole,
                     *ratios(taken[mine], taken[theirs]),
-                    median(cost.cpu for cost in taken[mine]),
-                    median(cost.cpu for cost in taken[theirs]),
+                    median(one.cpu for one in taken[mine]),
+                    median(one.cpu for one in taken[theirs]),
                     len(taken[mine]),
                 )
             )
@@ -238,7 +238,7 @@ def _hand(executor: Executor, watch: Watch) -> list[Table]:
                     case.name,
                     name,
                     _size(one),
-                    median(cost.cpu for cost in compiled[name]),
+                    median(one.cpu for one in compiled[name]),
                     255.0 * differences[name].worst,
                     differences[name].share,
                 )
@@ -263,8 +263,8 @@ def _hand(executor: Executor, watch: Watch) -> list[Table]:
         ),
         Table(
             "Programs written by hand",
-            "Compiled as above. Difference from the plan's picture: the greatest, levels of 255, and the share of pixels "
-            "that differ by half a level.",
+            "Compiled as above. Difference from the plan's picture: the greatest, levels of 255, and the share of "
+            "pixels that differ by half a level.",
             (
                 Column("scene", "scene"),
                 Column("program", "program"),

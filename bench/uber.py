@@ -194,15 +194,14 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
             signatures = {name: shared[0][name] for name in shared[0] if all(name in one for one in shared)}
             texts += _choice(f"{SWITCH}{slot.name}", bodies, signatures, "")
             continue
-        joins = [*slot.joins]
         prefixes = list(dict.fromkeys(file.prefix for file in files))
         for prefix in prefixes:
             mine = {file.path: bodies[file.path] for file in files if file.prefix == prefix}
             switches[f"{SWITCH}{prefix}"] = ["", *mine]
-            signatures = {f"{prefix}_{join.suffix}": (join.returns, join.parameters) for join in joins}
+            signatures = {f"{prefix}_{join.suffix}": (join.returns, join.parameters) for join in slot.joins}
             absent = COMBINE if slot.name == "saturation" else "0.0"
             texts += _choice(f"{SWITCH}{prefix}", mine, signatures, absent)
-        texts += _saturation(prefixes) if slot.name == "saturation" else [join.glsl(prefixes) for join in joins]
+        texts += _saturation(prefixes) if slot.name == "saturation" else [join.glsl(prefixes) for join in slot.joins]
     return [*texts, read_file("surface/main.glsl")], switches
 
 

@@ -1,4 +1,4 @@
-"""The command ``seafoam``: serve, render, masks, doctor.
+"""The command ``seafoam``: serve, render, accuracy, masks, doctor.
 
 Bad input ends in one line that names the field and what it may be, and in exit code 2; what the machine lacks in one
 line with the remedy, and in exit code 1. Heavy modules are imported by the commands that need them: spawned render
@@ -21,7 +21,10 @@ from typer.exceptions import TyperException
 if TYPE_CHECKING:
     from pydantic import BaseModel, ValidationError
 
+    from seafoam.accuracy.model import Sweep
+    from seafoam.accuracy.sweep import Settings, Subject
     from seafoam.masks.catalogue import Mask
+    from seafoam.render.executor import Executor
 
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
@@ -40,6 +43,8 @@ LARGEST_SIDE = 8192
 LARGEST_SAMPLED_SIDE = 16384
 LARGEST_SAMPLES = 16384 * 8192
 """Largest frame of ``render``: nobody else waits, so only memory bounds it."""
+TABLE_WIDTH = 140
+"""Columns that the table of ``accuracy`` needs; a narrower terminal wraps its lines."""
 _QUIET = ("/healthz", "/readyz", "/metrics")
 
 E = TypeVar("E", bound=str)
@@ -102,7 +107,10 @@ def render(
     output: Output,
     time: Annotated[float | None, typer.Option(help="Time, s [default: the preset's].")] = None,
     size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT, pixels [default: the preset's].")] = None,
-    quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
+    quality: Annotated[str, typer.Option(help="draft, standard, high, reference or auto.")] = "standard",
+    budget_ms: Annotated[
+        float | None, typer.Option(help="With auto: milliseconds that drawing may take; measures first where needed.")
+    ] = None,
     look: Annotated[str | None, typer.Option(help="Look of the foam [default: the preset's].")] = None,
     mask: Annotated[str | None, typer.Option(help="Mask of the foam, or family:sigma:size:seed.")] = None,
     x: Annotated[float | None, typer.Option(help="Eye, m along +x [default, as below: the preset's].")] = None,
@@ -116,6 +124,8 @@ def render(
     """Render a frame to a .png, .webp (lossless) or .npy (linear float32) file, without a server."""
     from pydantic import ValidationError
 
+    from seafoam.accuracy.budget import choose
+    from seafoam.accuracy.sweep import Settings, Subject
     from seafoam.api.errors import ApiError
     from seafoam.api.parameters import FrameParameters
     from seafoam.api.routers.presets import find_preset
@@ -132,24 +142,36 @@ def render(
     extension = _extension(output, FRAME_FORMATS)
     width, height = found.size if size is None else _size(size)
     given = {
-        "time": time, "quality": quality, "look": look, "mask": mask, "width": width, "height": height,
+        "time": time, "quality": quality, "budget_ms": budget_ms, "look": look, "mask": mask,
+        "width": width, "height": height,
         "x": x, "y": y, "z": z, "yaw": yaw, "pitch": pitch, "roll": roll, "fov": fov,
     }  # fmt: skip
     try:
         asked = FrameParameters.model_validate({name: value for name, value in given.items() if value is not None})
-        knobs = TIERS[asked.quality]
-        FrameLimits(LARGEST_SIDE, LARGEST_SAMPLED_SIDE, LARGEST_SAMPLES).check(width, height, knobs.samples)
+        if (asked.quality == "auto") != (asked.budget_ms is not None):
+            raise CommandError("--budget-ms: goes with --quality auto, and auto with it")
+        limits = FrameLimits(LARGEST_SIDE, LARGEST_SAMPLED_SIDE, LARGEST_SAMPLES)
+        limits.check(width, height, 1 if asked.quality == "auto" else TIERS[asked.quality].samples)
         scene = asked.apply(found.scene)
     except ValidationError as error:
-        _refuse(error, FrameParameters, lambda field: "--size" if field in ("width", "height") else f"--{field}")
+        _refuse(error, FrameParameters, _frame_option)
     except FrameTooLargeError as error:
         raise CommandError(f"--size: {error}") from error
     except ApiError as error:
         raise CommandError(f"--{error}") from error
     at = found.time if asked.time is None else asked.time
-    job = FrameJob(scene, knobs, at, asked.camera(scene.camera), width, height, extension)
+    why = ""
     try:
         executor = Executor()
+        if asked.quality == "auto":
+            assert asked.budget_ms is not None
+            subject = Subject(None if asked.changed else preset, scene, found.time, found.size)
+            sweep = _measured(executor, subject, Settings())
+            choice = choose(sweep, width, height, asked.budget_ms, lambda q: limits.allows(width, height, q.samples))
+            knobs, why = choice.point.quality, f"{choice.point.id}: {choice.why}"
+        else:
+            knobs = TIERS[asked.quality]
+        job = FrameJob(scene, knobs, at, asked.camera(scene.camera), width, height, extension)
         frame = render_frame(executor, job)
         renderer = executor.info["renderer"]
     except PlanError as error:
@@ -161,6 +183,108 @@ def render(
     _write(output, frame.content)
     times = ", ".join(f"{stage} {1000 * seconds:.0f} ms" for stage, seconds in frame.timings.items())
     typer.echo(f"{output}: {width} × {height}, {len(frame.content):,} bytes; {times}; {renderer}")
+    if why:
+        typer.echo(why)
+
+
+@app.command()
+def accuracy(
+    preset: Annotated[str | None, typer.Argument(help="A preset, see: seafoam presets.")] = None,
+    every: Annotated[bool, typer.Option("--all", help="Every preset; -o, --json, --csv, --html name folders.")] = False,
+    size: Annotated[str, typer.Option(help="WIDTHxHEIGHT of the pictures that are compared, pixels.")] = "160x90",
+    rounds: Annotated[int, typer.Option(min=2, max=100, help="Times that each quality is timed.")] = 7,
+    samples: Annotated[int, typer.Option(min=2, max=32, help="Samples along a pixel's side in the truth.")] = 16,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
+    as_json: Annotated[Path | None, typer.Option("--json", help="JSON file to write, as the API gives it.")] = None,
+    as_csv: Annotated[Path | None, typer.Option("--csv", help="CSV file to write.")] = None,
+    as_html: Annotated[Path | None, typer.Option("--html", help="Report to write: one page with everything.")] = None,
+    again: Annotated[bool, typer.Option("--again", help="Measure even what was measured before.")] = False,
+) -> None:
+    """Measure what accuracy costs in time: each tier and each knob, against float64. Takes minutes; is remembered."""
+    from rich.console import Console
+    from rich.table import Column, Table
+
+    from seafoam.accuracy import report
+    from seafoam.accuracy.sweep import Settings, Subject
+    from seafoam.render.executor import Executor, NoRendererError
+    from seafoam.scene.presets import preset_names
+
+    if (preset is None) != every:
+        raise CommandError("PRESET or --all: give one of them")
+    if preset is not None and preset not in preset_names():
+        raise CommandError(f"PRESET: there is no {preset!r}; there are {', '.join(preset_names())}")
+    width, height = _size(size)
+    if not (16 <= width <= 1280 and 16 <= height <= 720):
+        raise CommandError(f"--size: {size!r} is not 16x16 to 1280x720")
+    places = {"--output": (output, ".png"), "--json": (as_json, ".json"), "--csv": (as_csv, ".csv")}
+    places["--html"] = (as_html, ".html")
+    for option, (path, extension) in places.items():
+        if path is not None and not every and path.suffix.lower() != extension:
+            raise CommandError(f"{option}: {path.name!r} does not end in {extension}")
+    try:
+        executor = Executor()
+    except NoRendererError as error:
+        raise CommandError(str(error), UNABLE) from error
+    console = Console()
+    console.width = max(console.width, TABLE_WIDTH)
+    for name in preset_names() if every else (str(preset),):
+        sweep = _measured(executor, Subject.of_preset(name), Settings(width, height, samples, rounds), again=again)
+        title = f"{name}, {width} × {height}, timed at {sweep.timing.width} × {sweep.timing.height}"
+        first, *others = (Column(heading, no_wrap=True, justify="right") for heading in report.HEADINGS)
+        first.justify = "left"
+        table = Table(first, *others, title=title, title_justify="left", box=None, pad_edge=False)
+        for point in sweep.points:
+            table.add_row(*report.row_of(point), style="bold" if point.on_front else None)
+        console.print(table)
+        for sentence in (*sweep.sentences, *(step.sentence for step in sweep.steps)):
+            console.print(f"  {sentence}", highlight=False, markup=False, soft_wrap=True)
+        command = f"seafoam accuracy {'--all' if every else name} --size {size} --rounds {rounds} --samples {samples}"
+        for path, extension in places.values():
+            if path is not None:
+                if every:
+                    path.mkdir(parents=True, exist_ok=True)
+                    path /= f"{name}{extension}"
+                _write(path, _report(sweep, extension, command))
+                console.print(f"{path}", highlight=False, markup=False, soft_wrap=True)
+
+
+def _report(sweep: "Sweep", extension: str, command: str) -> bytes:
+    from seafoam.accuracy import plots, report
+
+    match extension:
+        case ".png":
+            return plots.plot_sweep(sweep)
+        case ".json":
+            return (sweep.model_dump_json(indent=1) + "\n").encode()
+        case ".csv":
+            return report.csv_of(sweep).encode()
+        case _:
+            return report.page(sweep, command).encode()
+
+
+def _measured(executor: "Executor", subject: "Subject", settings: "Settings", *, again: bool = False) -> "Sweep":
+    """The sweep of a subject, from the cache or made here, with a bar that tells how far it is."""
+    import os
+    from functools import partial
+
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
+
+    from seafoam.accuracy.cache import Store
+    from seafoam.accuracy.sweep import Rig, Watcher, make_sweep
+    from seafoam.render.pool import measure
+
+    threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
+    rig = Rig(partial(measure, executor), executor.info, threads)
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
+    console = Console(stderr=True)
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task(f"{subject.preset or 'scene'}: float64 truth", total=1.0)
+
+        def tell(stage: str, share: float, remaining: float | None) -> None:
+            bar.update(task, completed=share, description=f"{subject.preset or 'scene'}: {stage}")
+
+        return make_sweep(Store(), subject, settings, rig, Watcher(tell), again=again)
 
 
 @app.command()
@@ -321,6 +445,10 @@ def _refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> 
         may_be = f" (allowed: {describe_allowed(allowed)})" if allowed else ""
         lines.append(f"{option(field)}: {item['input']!r} is not allowed{may_be}")
     raise CommandError("; ".join(lines)) from error
+
+
+def _frame_option(field: str) -> str:
+    return "--size" if field in ("width", "height") else f"--{field.replace('_', '-')}"
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -51,7 +51,7 @@ class Quality(Knobs):
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(method="mesh"), chop_size=128),
+    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112), chop_size=128),
     "standard": Quality(),
     "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", samples=4),
     "reference": Quality(

@@ -117,12 +117,6 @@ def test_quality_names_tiers_and_the_range_of_every_knob(client):
     assert quality["knobs"]["properties"]["chop_size"]["maximum"] == 1024
 
 
-def test_accuracy_is_not_measured_yet(client):
-    response = client.get("/api/accuracy/default")
-    assert response.status_code == 404
-    assert "not been measured" in response.json()["detail"]
-
-
 def test_the_manual_loads_nothing_from_elsewhere(client):
     page = client.get("/docs").text
     addresses = re.findall(r"""(?:src=|href=|url: )["']([^"']+)""", page)

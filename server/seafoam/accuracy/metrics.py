@@ -1,6 +1,7 @@
 """How far two pictures are apart. Pictures are (height, width, 4): linear RGB and foam coverage, rows from the top."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -61,7 +62,7 @@ def popping(frames: Sequence[Picture]) -> float | None:
     alive = [frame[..., 3] > FOAM for frame in frames]
     lost = [
         np.count_nonzero(before & ~after) / np.count_nonzero(before)
-        for before, after in zip(alive, alive[1:], strict=False)
+        for before, after in pairwise(alive)
         if before.any()
     ]
     return float(max(lost)) if lost else None

@@ -1,8 +1,10 @@
 """The points of a sweep: the tiers, and tier standard with one knob changed at a time."""
 
 import json
+from functools import lru_cache
+from itertools import pairwise
 
-from seafoam.accuracy.knobs import all_knobs, value_at, with_value
+from seafoam.accuracy.knobs import all_knobs, with_value
 from seafoam.accuracy.model import KnobChoice, KnobValue, Point
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS, Quality
@@ -47,19 +49,19 @@ def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, KnobChoic
     by_plan = {point.plan: point.id for point in points}
     found = []
     for owner, knob in all_knobs(scene):
-        links = []
+        links: list[tuple[KnobChoice, str]] = []
         for value in knob.steps:
             plan = plan_sha256(scene, with_value(TIERS["standard"], knob.pointer, value))
             choice = KnobChoice(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, value=value)
             if plan in by_plan and (not links or links[-1][1] != by_plan[plan]):
                 links.append((choice, by_plan[plan]))
         found += [
-            (owner, before, after, id_before, id_after)
-            for (before, id_before), (after, id_after) in zip(links, links[1:], strict=False)
+            (owner, before, after, id_before, id_after) for (before, id_before), (after, id_after) in pairwise(links)
         ]
     return found
 
 
+@lru_cache(maxsize=2048)
 def plan_sha256(scene: Scene, quality: Quality) -> str:
     """Identity of the plan."""
     return make_plan(scene, quality).sha256
@@ -73,8 +75,3 @@ def point_id(pointer: str, value: KnobValue) -> str:
 def shown(value: KnobValue) -> str:
     """A value of a knob, as its JSON without quotes."""
     return value if isinstance(value, str) else json.dumps(value)
-
-
-def is_standard(pointer: str, value: KnobValue) -> bool:
-    """Whether a knob's value is tier standard's."""
-    return bool(value_at(TIERS["standard"], pointer) == value)

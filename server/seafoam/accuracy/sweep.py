@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
+from itertools import pairwise
 from pathlib import Path
 from statistics import median, quantiles
 from typing import get_args
@@ -51,6 +52,9 @@ SMALL = 10
 """The second size of the time model is so many times smaller along each side."""
 COMPILE_WEIGHT = 6.0
 """Compiling a plan takes about as long as drawing so many frames of one sample a pixel; only progress hangs on it."""
+
+TOLD = 1.02
+"""Errors nearer to each other than by this factor are told as the same."""
 
 Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
@@ -370,10 +374,10 @@ def _compare(before: list[float], after: list[float], error_before: float, error
     time_words = "no measurable difference in time" if not measurable else f"{factor:.2g}× the time"
     if factor >= 9.95 and measurable:
         time_words = f"{factor:.0f}× the time"
-    if error_factor >= 1.02:
+    if error_factor >= TOLD:
         verb = "and" if not measurable else "buys" if factor > 1.0 else "and"
         words = f"{time_words} {verb} {_times(error_factor)} less error"
-    elif error_factor <= 1.0 / 1.02:
+    elif error_factor <= 1.0 / TOLD:
         words = f"{time_words} and {_times(1.0 / error_factor)} more error"
     else:
         words = f"{time_words} {'buys nothing' if measurable and factor > 1.0 else 'and the same error'}"
@@ -386,10 +390,15 @@ def _times(factor: float) -> str:
 
 
 def _sentences(best: list[MeasuredPoint], rounds: Mapping[str, list[float]]) -> tuple[str, ...]:
+    """Along the front, in steps that are worth a sentence."""
+    worth = best[:1]
+    for point in best[1:]:
+        if point.error.rmse * TOLD <= worth[-1].error.rmse:
+            worth.append(point)
     return tuple(
-        f"From {before.label} to {after.label}: "
+        f"{before.id} → {after.id}: "
         + _compare(rounds[before.id], rounds[after.id], before.error.rmse, after.error.rmse).words
-        for before, after in zip(best, best[1:], strict=False)
+        for before, after in pairwise(worth)
     )
 
 

@@ -11,7 +11,6 @@ from seafoam.api.errors import BadRequestError, FieldProblem, NotMeasuredError
 from seafoam.api.parameters import TierOrAuto, knobs_of
 from seafoam.api.routers.accuracy import measured, retry_seconds
 from seafoam.quality import Quality
-from seafoam.render.pool import FrameLimits, FrameTooLargeError
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,13 +62,7 @@ async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Qua
         state = "waits to be measured" if found.status == "queued" else f"is {100 * found.progress:.0f} % measured"
         detail = f"the cost of accuracy of {what} {state}: ask again, or name a tier"
         raise NotMeasuredError(detail, retry_seconds(found))
-    choice = choose(found, asked.width, asked.height, budget, lambda quality: _allowed(limits, asked, quality))
+    choice = choose(
+        found, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples)
+    )
     return choice.point.quality, {"Seafoam-Quality": choice.point.id, "Seafoam-Quality-Why": choice.why}
-
-
-def _allowed(limits: FrameLimits, asked: Asked, quality: Quality) -> bool:
-    try:
-        limits.check(asked.width, asked.height, quality.samples)
-    except FrameTooLargeError:
-        return False
-    return True

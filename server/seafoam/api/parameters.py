@@ -17,8 +17,7 @@ TIME_LIMIT = 1e9
 """Greatest |time|, s."""
 DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
 
-Auto = Literal["auto"]
-TierOrAuto = Tier | Auto
+TierOrAuto = Literal[Tier, "auto"]
 
 M = TypeVar("M", bound=BaseModel)
 

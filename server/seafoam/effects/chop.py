@@ -10,6 +10,7 @@ from seafoam.effects.contribution import (
     Effect,
     FixedSize,
     Fullscreen,
+    HardCase,
     Knob,
     PassSpec,
     Phase,
@@ -25,7 +26,15 @@ from seafoam.effects.contribution import (
 from seafoam.effects.extremes import slope_sensitivity
 from seafoam.quality import Quality
 from seafoam.scene.chop import BANDS, TILES, WAVES_PER_TILE, Ripple, ripples
-from seafoam.scene.models import Chop, Foam, ParametricWave, Scene, Water
+from seafoam.scene.models import (
+    Camera,
+    Chop,
+    Foam,
+    HeightSaturation,
+    ParametricWave,
+    Scene,
+    Water,
+)
 
 
 def _data(waves: Sequence[Ripple], first_band: int = 0) -> list[Constant]:
@@ -141,5 +150,39 @@ EFFECT = Effect(
     knobs=(
         Knob("/chop", "ripples", ("tile", "exact"), "geometry"),
         Knob("/chop_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
+    ),
+    hard_cases=(
+        HardCase(
+            name="ripples at any time",
+            scene=Scene(water=Water(chop=Chop())),
+            guard="phases reduced in float64 (plan/rules.py)",
+            without="in float32 at 1e9 s: 57 % of samples off by more than 2 levels",
+            times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="ripples ten thousand kilometres away",
+            scene=Scene(water=Water(chop=Chop())),
+            guard="the eye's place in each tile reduced in float64 (plan/rules.py)",
+            without="in float32: 66 % of samples off by more than 2 levels",
+            camera=Camera(position=(-1e7, 1.2, 1e7), pitch=-0.3),
+        ),
+        HardCase(
+            name="the steepest ripples, all one way",
+            scene=Scene(
+                water=Water(chop=Chop(slope=0.6, spread=0.0)),
+                foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),)),
+            ),
+            guard="cosine of incidence at least the roughness (shade/lit.glsl)",
+            without="glitter 7100 instead of 52 where facets face away; off by up to 0.7 levels",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="ripples a million to a pixel",
+            scene=Scene(water=Water(chop=Chop(slope=0.6))),
+            guard="exponents held at 75 (chop/bands.glsl)",
+            without="nothing on llvmpipe: exp of any large negative number is 0",
+            camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
+        ),
     ),
 )

@@ -6,6 +6,7 @@ from seafoam.effects.contribution import (
     Bound,
     Contribution,
     Effect,
+    HardCase,
     Knob,
     PlanError,
     SlotFile,
@@ -20,7 +21,16 @@ from seafoam.effects.contribution import (
 from seafoam.effects.extremes import foam_limit, greatest_saturation
 from seafoam.masks.catalogue import Mask
 from seafoam.quality import Quality
-from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
+from seafoam.scene.models import (
+    Camera,
+    Foam,
+    FrontSaturation,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    Water,
+)
 from seafoam.textures import foam_texture, mask_by_name
 
 _MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
@@ -160,5 +170,81 @@ EFFECT = Effect(
     knobs=(
         Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         Knob("/foam_taps", "parts of a footprint that foam averages", (1, 4), "filtering"),
+    ),
+    hard_cases=(
+        HardCase(
+            name="filtered, a hair above nothing",
+            scene=Scene(
+                foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")
+            ),
+            guard="none at 0 and all at 1, by a step of 1/256 at either end (look/filtered.glsl)",
+            without="3.3 levels too bright in the mean where there should be next to no foam",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="filtered, a hair below all",
+            scene=Scene(
+                foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")
+            ),
+            guard="none at 0 and all at 1, by a step of 1/256 at either end (look/filtered.glsl)",
+            without="holes by rounding: 0 levels on llvmpipe",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="thresholds next to 0 and to 1",
+            scene=Scene(
+                foam=Foam(
+                    saturation=(HeightSaturation(base=-1.52587890625e-05, full=0.9999847412109375),), look="halftone"
+                )
+            ),
+            guard="thresholds stand in the middle of their ranks, (rank + 1/2)/N (foam/mask_texel_u16.glsl)",
+            without="threshold 0 of the lowest rank: foam at one texel of 262 144 however small f is",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="a mask at a thousandth of a texel a pixel",
+            scene=Scene(
+                foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)
+            ),
+            guard="levels held at 1e-9 texels; the edge's half width at least 5e-4 (look/filtered.glsl)",
+            without="0/0 in every sample whose footprint is 0; overshoot of 1e-3 otherwise",
+            camera=Camera(position=(0.0, 0.1, 0.0), pitch=-math.pi / 2),
+        ),
+        HardCase(
+            name="a mask at a thousand texels a pixel",
+            scene=Scene(
+                foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)
+            ),
+            guard="level and variance held (look/filtered.glsl)",
+            without="nothing on llvmpipe: no NaN in 4000 places of this mask",
+            camera=Camera(position=(0.0, 5.0, 0.0), pitch=-math.pi / 2),
+        ),
+        HardCase(
+            name="a fade too small for float32",
+            scene=Scene(waves=(ParametricWave(),), foam=Foam(fade=1e-40), light=None),
+            guard="the ramp's divisor at least 1e-30 (look/filtered.glsl)",
+            without="NaN in 67 % of samples: subnormals are flushed, 0/0",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="black foam over the brightest glitter",
+            scene=Scene(
+                foam=Foam(saturation=(HeightSaturation(base=-0.99, full=0.01),), mask_tile=1000.0, albedo=0.0),
+                water=Water(roughness=0.03),
+                light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
+            ),
+            guard="the share held in [0, 1] (look/filtered.glsl)",
+            without="the share passes 1 by 5e-5: light of -14 in 8 % of samples",
+            camera=Camera(position=(3.0, 0.3, 0.0), yaw=math.pi / 2, pitch=-0.3, fov=0.3),
+        ),
+        HardCase(
+            name="a foam texture far under a texel",
+            scene=Scene(
+                foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)
+            ),
+            guard="texels held at 1e-6 before the logarithm (foam/texture.glsl)",
+            without="nothing on llvmpipe: log2(0) is -infinity and the level is held at 0",
+            camera=Camera(position=(0.37, 1e-3, -0.21), pitch=-0.3),
+        ),
     ),
 )

@@ -7,6 +7,7 @@ from seafoam.effects.contribution import (
     Constant,
     Contribution,
     Effect,
+    HardCase,
     Phase,
     SlotFile,
     TextureInput,
@@ -19,7 +20,14 @@ from seafoam.effects.contribution import (
 from seafoam.effects.extremes import front_limit, surface_top
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
-from seafoam.scene.models import Foam, FrontSaturation, ParametricWave, Scene
+from seafoam.scene.models import (
+    Camera,
+    Foam,
+    FrontSaturation,
+    HeightSaturation,
+    ParametricWave,
+    Scene,
+)
 from seafoam.textures import FRONT_NODES, front_full, front_integral_name
 
 _CONSTANTS = {"text": (math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": (1.07, 6.28, math.log(2.718))}
@@ -87,5 +95,75 @@ EFFECT = Effect(
     invisible=(
         Scene(foam=Foam()),
         Scene(waves=(ParametricWave(),), foam=Foam(saturation=(FrontSaturation(group=(1.0, 1.0)),), look="halftone")),
+    ),
+    hard_cases=(
+        HardCase(
+            name="the pole of every crest, C 0.25",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+                foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
+            ),
+            guard="the pole is the number 0, f = 4 on it, and the exponent is held in [-80, 80] "
+            "(saturation/front_profile.glsl)",
+            without="nothing on llvmpipe; f = 0 instead of 4 where the signal is (1, -0)",
+            camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        ),
+        HardCase(
+            name="the pole of the listing, C 100",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+                foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
+            ),
+            guard="the half angle's cotangent stands for the tangent (saturation/front_profile.glsl)",
+            without="by the tangent: f infinite at 2 pi, and 0 instead of 4 at the pole",
+            camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        ),
+        HardCase(
+            name="no phase at all: waves in antiphase",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
+                foam=Foam(look="textured"),
+            ),
+            guard="0/0 taken as exponent 0 (saturation/front_profile.glsl)",
+            without="6 % of samples off by more than 2 levels, by up to 133",
+            camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        ),
+        HardCase(
+            name="filtered, where the phase turns endlessly fast",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()
+            ),
+            guard="rho^2 at least 1e-4 in the phase's gradient, its width at most 1e4 (saturation/front_filtered.glsl)",
+            without="4 % of samples flipped, off by up to 237 levels",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="a gate without width",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
+                foam=Foam(
+                    saturation=(FrontSaturation(group=(0.5, 0.5)), HeightSaturation(base=-0.5, full=2.0)),
+                    look="halftone",
+                    combine="max",
+                ),
+            ),
+            guard="the gate's end at least 1e-4 after its start (effects/front.py)",
+            without="smoothstep(a, a): undefined in GLSL, a bare step on llvmpipe",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="footprints from a hair to the horizon",
+            scene=Scene(
+                waves=(
+                    ParametricWave(amplitude=0.01, wavelength=0.05),
+                    ParametricWave(amplitude=0.3, wavelength=2000.0),
+                ),
+                foam=Foam(),
+            ),
+            guard="whole periods first, Gauss on short spans (saturation/front_filtered.glsl)",
+            without="differences of the table on short spans: off by up to 19 levels",
+            times=(0.0, 1e9),
+            camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
+        ),
     ),
 )

@@ -2,9 +2,26 @@
 
 import math
 
-from seafoam.effects.contribution import Contribution, Effect, SlotFile, number, significant, vector
+from seafoam.effects.contribution import (
+    Contribution,
+    Effect,
+    HardCase,
+    SlotFile,
+    number,
+    significant,
+    vector,
+)
 from seafoam.quality import Quality
-from seafoam.scene.models import Light, Scene
+from seafoam.scene.models import (
+    Camera,
+    Chop,
+    Foam,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    Water,
+)
 
 Rgb = tuple[float, float, float]
 
@@ -114,4 +131,58 @@ EFFECT = Effect(
     "sun and sky",
     contribute,
     always_visible="it is the light that everything else is seen by; without it a scene is drawn white on black",
+    hard_cases=(
+        HardCase(
+            name="sun at the horizon",
+            scene=Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(chop=Chop())),
+            guard="the air masses' offsets, 0.03 and 0.09 (docs/formulae.md, section 6)",
+            without="sky off by up to 0.8 levels at the horizon",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="sun under the horizon",
+            scene=Scene(light=Light(sun_elevation=-0.3, turbidity=10.0), water=Water(chop=Chop())),
+            guard="the air masses' offsets, 0.03 and 0.09 (docs/formulae.md, section 6)",
+            without="sky off by up to 0.03 levels at the horizon",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="sun at the zenith",
+            scene=Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(chop=Chop())),
+            guard="the air masses' offsets, 0.03 and 0.09 (docs/formulae.md, section 6)",
+            without="1/0 at the horizon; sky off by 15 levels in the mean",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="straight up and straight down, no heading",
+            scene=Scene(
+                light=Light(sun_elevation=math.pi / 2),
+                foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured"),
+            ),
+            guard="level directions divided by at least 1e-6 (shade/lit.glsl)",
+            without="NaN straight down; no sample of the frame is exactly there, since cos(pi/2) is 6e-17",
+            camera=Camera(position=(0.0, 3.0, 0.0), pitch=-math.pi / 2, roll=1.0, fov=0.01),
+        ),
+        HardCase(
+            name="the brightest disc, ten stops up",
+            scene=Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
+            guard="light held at 65504, the greatest half float (sky/main.glsl, surface/main.glsl)",
+            without="a black sun: SwiftShader stores NaN for what half floats cannot hold; llvmpipe stores 65504",
+            camera=Camera(position=(0.0, 5.0, 0.0), yaw=math.pi / 2, pitch=0.1, fov=0.1),
+        ),
+        HardCase(
+            name="ten stops down at night",
+            scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(chop=Chop())),
+            guard="a floor of 0.002 in the air's light (effects/light.py)",
+            without="67 % of samples below what half floats hold, 0 there: 2e-5 levels",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="fog on the eye",
+            scene=Scene(light=Light(visibility=50.0), waves=(ParametricWave(),)),
+            guard="Newton never steps back before the slab that holds the waves (surface/march.glsl)",
+            without="Newton threw 0.2 % of samples back to the eye: off by 233 levels",
+            camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
+        ),
+    ),
 )

@@ -104,6 +104,14 @@ class FrameLimits:
     samples: int = 8_400_000
     """Width × height × samples a pixel."""
 
+    def allows(self, width: int, height: int, samples: int) -> bool:
+        """Whether :meth:`check` lets a frame pass."""
+        try:
+            self.check(width, height, samples)
+        except FrameTooLargeError:
+            return False
+        return True
+
     def check(self, width: int, height: int, samples: int) -> None:
         """Raise :class:`FrameTooLargeError` naming the field to lower; ``samples`` is per pixel, a square number."""
         along = math.isqrt(samples)

@@ -8,11 +8,14 @@ export interface Timed extends Cost {
   rounds: readonly number[];
 }
 
+/** Less error than this, levels, is none. */
+export const NOTHING = 0.01;
+
 export interface Worth {
   owner: string;
   title: string;
   cause: string;
-  /** The cheaper value and the dearer one. */
+  /** The cheaper value and the dearer one; where time does not tell, the worse and the better. */
   from: string;
   to: string;
   /** The point that is not the common one. */
@@ -29,8 +32,10 @@ export function worths(standard: Timed, points: readonly Timed[]): Worth[] {
   const found = points.flatMap((changed): Worth[] => {
     const { knob } = changed.point;
     if (knob === null || changed.rounds.length === 0) return [];
-    const dearer = compare(standard.rounds, changed.rounds, 0, 0).added >= 0;
-    const [first, second] = dearer ? [standard, changed] : [changed, standard];
+    const onward = compare(standard.rounds, changed.rounds, 0, 0);
+    // From the cheaper to the dearer; where time does not tell, from the worse to the better.
+    const forward = onward.measurable ? onward.added >= 0 : changed.error <= standard.error;
+    const [first, second] = forward ? [standard, changed] : [changed, standard];
     const { added, measurable } = compare(first.rounds, second.rounds, 0, 0);
     const removed = first.error - second.error;
     const value = (timed: Timed) => shown(timed === standard ? get(standard.point.quality, knob.pointer) : knob.value);
@@ -39,7 +44,7 @@ export function worths(standard: Timed, points: readonly Timed[]): Worth[] {
     return [{ owner, title, cause, from: value(first), to: value(second), id: changed.id, added, measurable, removed, perMs }];
   });
   // Where time cannot be told apart, a step is as good as its error alone says.
-  const rank = ({ perMs, removed }: Worth) => perMs ?? (Math.abs(removed) < 0.01 ? 0 : removed > 0 ? Infinity : -Infinity);
+  const rank = ({ perMs, removed }: Worth) => perMs ?? (removed < NOTHING ? 0 : Infinity);
   return found.sort((a, b) => {
     const [x, y] = [rank(a), rank(b)];
     return x === y ? b.removed - a.removed : y - x;

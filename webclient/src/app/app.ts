@@ -354,7 +354,7 @@ export class App {
 
   private tools(): void {
     const tool = (name: IconName, label: string, run: () => void) => {
-      const button = element("button", { type: "button", class: "round", title: label, "aria-label": label }, icon(name));
+      const button = element("button", { type: "button", class: "round", "data-tool": name, title: label, "aria-label": label }, icon(name));
       button.addEventListener("click", run);
       return button;
     };

@@ -64,26 +64,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/accuracy/{preset}": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Get Accuracy
-         * @description The measured cost of accuracy of a preset; 404 while there is no measurement of it.
-         */
-        get: operations["get_accuracy_api_accuracy__preset__get"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/api/plans/{preset}": {
         parameters: {
             query?: never;
@@ -158,6 +138,108 @@ export interface paths {
          * @description A frame of a scene sent as JSON.
          */
         post: operations["render_frame_api_frames_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/accuracy/{preset}.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Accuracy Csv
+         * @description The measured cost of accuracy of a preset, as a table.
+         */
+        get: operations["get_accuracy_csv_api_accuracy__preset__csv_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/accuracy/{preset}.png": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Accuracy Plot
+         * @description The measured cost of accuracy of a preset, as a plot.
+         */
+        get: operations["get_accuracy_plot_api_accuracy__preset__png_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/accuracy/{preset}/truth.npy": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Truth
+         * @description The converged float64 picture that errors are against. Needs no renderer.
+         */
+        get: operations["get_truth_api_accuracy__preset__truth_npy_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/accuracy/{preset}/points": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Points
+         * @description What is measured of a preset, at once: every tier, and tier standard with one knob changed.
+         */
+        get: operations["get_points_api_accuracy__preset__points_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/accuracy/{preset}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Accuracy
+         * @description The measured cost of accuracy of a preset: times, errors, the front, and what each knob is worth.
+         *
+         *     The first request starts the measurement, which takes some minutes; until it is done the answer is 202.
+         */
+        get: operations["get_accuracy_api_accuracy__preset__get"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -589,6 +671,22 @@ export interface components {
             top: number;
         };
         /**
+         * Causes
+         * @description By how many levels of RMSE the error falls when the knobs of one cause alone are as in tier reference.
+         *
+         *     Negative: it grows, since that cause hid another. ``rest``: what remains when all three are.
+         */
+        Causes: {
+            /** Geometry */
+            geometry: number;
+            /** Filtering */
+            filtering: number;
+            /** Precision */
+            precision: number;
+            /** Rest */
+            rest: number;
+        };
+        /**
          * Chop
          * @description Wind ripples, too small for the mesh: they tilt the surface and leave its height alone.
          */
@@ -652,6 +750,42 @@ export interface components {
              * @description Of a skipped effect: the most it could change in a pixel, display white = 1
              */
             bound?: number | null;
+        };
+        /**
+         * Errors
+         * @description Against the truth.
+         */
+        Errors: {
+            /**
+             * Rmse
+             * @description Of linear RGB clipped at display white, in levels: white = 255
+             */
+            rmse: number;
+            /**
+             * Max
+             * @description Greatest difference of a channel, the same levels
+             */
+            max: number;
+            /**
+             * Flip
+             * @description Mean FLIP of the tone-mapped sRGB pictures, 0 to 1
+             */
+            flip: number;
+            /**
+             * Coverage
+             * @description RMSE of foam coverage, 0 to 1
+             */
+            coverage: number;
+            /**
+             * Flipped
+             * @description Share of pixels that have foam (coverage over 0.5) in one picture alone
+             */
+            flipped: number;
+            /**
+             * Popping
+             * @description Share of living foam that is lost from one frame to the next, 1/60 s later, in the worst pair of the rounds; null without foam. The sea loses some itself: compare with the tier reference
+             */
+            popping: number | null;
         };
         /**
          * FixedSize
@@ -812,10 +946,16 @@ export interface components {
             scene: components["schemas"]["Scene"];
             /**
              * Quality
-             * @description A tier, or every knob that differs from standard
+             * @description A tier, every knob that differs from standard, or auto: the most exact that is predicted to be drawn within budget_ms
              * @default standard
              */
-            quality: ("draft" | "standard" | "high" | "reference") | components["schemas"]["Quality"];
+            quality: ("draft" | "standard" | "high" | "reference" | "auto") | components["schemas"]["Quality"];
+            /**
+             * Budget Ms
+             * @description With quality auto: milliseconds that drawing may take, reading back and encoding left out
+             * @example 8
+             */
+            budget_ms?: number | null;
             /**
              * Time
              * @description Time, s
@@ -935,6 +1075,54 @@ export interface components {
             full: number;
         };
         /**
+         * KnobChoice
+         * @description A value of one knob; all others are as in tier standard.
+         */
+        KnobChoice: {
+            /** Owner */
+            owner: string;
+            /** Pointer */
+            pointer: string;
+            /** Title */
+            title: string;
+            /**
+             * Cause
+             * @enum {string}
+             */
+            cause: "geometry" | "filtering" | "precision";
+            /** Value */
+            value: boolean | number | string;
+        };
+        /**
+         * KnobInfo
+         * @description A knob: what it is and which values of it are measured.
+         */
+        KnobInfo: {
+            /**
+             * Owner
+             * @description The effect that declares it, or 'frame'
+             */
+            owner: string;
+            /**
+             * Pointer
+             * @description JSON pointer into the quality
+             */
+            pointer: string;
+            /** Title */
+            title: string;
+            /**
+             * Cause
+             * @description The kind of error that it works on
+             * @enum {string}
+             */
+            cause: "geometry" | "filtering" | "precision";
+            /**
+             * Steps
+             * @description Values that are measured, from cheap to exact
+             */
+            steps: (boolean | number | string)[];
+        };
+        /**
          * Light
          * @description Sun, sky and haze. Absent: no light at all, foam white on black as the paper's equations have it.
          */
@@ -982,6 +1170,27 @@ export interface components {
             rule: "loop";
             /** Period */
             period: number;
+        };
+        /**
+         * Machine
+         * @description Where times were taken.
+         */
+        Machine: {
+            /** Vendor */
+            vendor: string;
+            /** Renderer */
+            renderer: string;
+            /** Version */
+            version: string;
+            /** Processor */
+            processor: string;
+            /** Cores */
+            cores: number;
+            /**
+             * Threads
+             * @description Threads that a software renderer may use
+             */
+            threads: number;
         };
         /**
          * MaskInfo
@@ -1044,6 +1253,39 @@ export interface components {
          * @enum {integer}
          */
         MaskSize: 32 | 64 | 128 | 256 | 512;
+        /**
+         * MeasuredPoint
+         * @description A quality with its time and its error.
+         */
+        MeasuredPoint: {
+            /**
+             * Id
+             * @description Name of the tier, or the knob and its value
+             * @example standard
+             * @example samples=4
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Tier */
+            tier: ("draft" | "standard" | "high" | "reference") | null;
+            knob: components["schemas"]["KnobChoice"] | null;
+            quality: components["schemas"]["Quality"];
+            /**
+             * Plan
+             * @description SHA-256 of its plan
+             */
+            plan: string;
+            /**
+             * On Front
+             * @description Nothing measured is both faster and more exact
+             */
+            on_front: boolean;
+            time: components["schemas"]["TimeSpread"];
+            model: components["schemas"]["TimeModel"];
+            error: components["schemas"]["Errors"];
+            causes: components["schemas"]["Causes"];
+        };
         /**
          * ParametricWave
          * @description Periodic height field y = A((sin θ + 1)/2)^K (Van Drasek et al. 2010, in Yingst et al. 2011).
@@ -1189,6 +1431,41 @@ export interface components {
              * @default standard
              */
             quality: ("draft" | "standard" | "high" | "reference") | components["schemas"]["Quality"];
+        };
+        /**
+         * Point
+         * @description A quality that is measured: a tier, or standard with one knob changed.
+         */
+        Point: {
+            /**
+             * Id
+             * @description Name of the tier, or the knob and its value
+             * @example standard
+             * @example samples=4
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Tier */
+            tier: ("draft" | "standard" | "high" | "reference") | null;
+            knob: components["schemas"]["KnobChoice"] | null;
+            quality: components["schemas"]["Quality"];
+            /**
+             * Plan
+             * @description SHA-256 of its plan
+             */
+            plan: string;
+        };
+        /**
+         * Points
+         * @description What is measured, before it is.
+         */
+        Points: {
+            /** Preset */
+            preset: string;
+            truth: components["schemas"]["TruthInfo"];
+            /** Points */
+            points: components["schemas"]["Point"][];
         };
         /**
          * PresetDetail
@@ -1342,6 +1619,11 @@ export interface components {
             knobs: {
                 [key: string]: unknown;
             };
+            /**
+             * Measured
+             * @description What each knob is, who owns it, and the steps that are measured
+             */
+            measured: components["schemas"]["KnobInfo"][];
         };
         /**
          * Ready
@@ -1403,6 +1685,32 @@ export interface components {
             version: string;
         };
         /**
+         * Running
+         * @description A measurement that is not finished.
+         */
+        Running: {
+            /**
+             * Status
+             * @enum {string}
+             */
+            status: "queued" | "running";
+            /**
+             * Stage
+             * @description What is being done
+             */
+            stage: string;
+            /**
+             * Progress
+             * @description Share of the work that is done, 0 to 1
+             */
+            progress: number;
+            /**
+             * Eta S
+             * @description Seconds that remain, estimated
+             */
+            eta_s?: number | null;
+        };
+        /**
          * Scene
          * @description What the sea is.
          */
@@ -1459,6 +1767,63 @@ export interface components {
             clear: boolean;
         };
         /**
+         * Step
+         * @description From one value of a knob to the next more exact one, all other knobs as in tier standard.
+         */
+        Step: {
+            /** Owner */
+            owner: string;
+            /** Pointer */
+            pointer: string;
+            /** Title */
+            title: string;
+            /**
+             * Cause
+             * @enum {string}
+             */
+            cause: "geometry" | "filtering" | "precision";
+            /** Value From */
+            value_from: boolean | number | string;
+            /** Value To */
+            value_to: boolean | number | string;
+            /** Point From */
+            point_from: string;
+            /** Point To */
+            point_to: string;
+            /**
+             * Added Ms
+             * @description Median of the differences by round
+             */
+            added_ms: number;
+            /**
+             * Time Factor
+             * @description Median of the ratios by round
+             */
+            time_factor: number;
+            /**
+             * Time Measurable
+             * @description The quartiles of these ratios lie on one side of 1
+             */
+            time_measurable: boolean;
+            /**
+             * Error Removed
+             * @description RMSE, levels; negative: more error
+             */
+            error_removed: number;
+            /**
+             * Error Factor
+             * @description RMSE before over RMSE after
+             */
+            error_factor: number;
+            /**
+             * Error Per Ms
+             * @description error_removed / added_ms; null where that means nothing
+             */
+            error_per_ms: number | null;
+            /** Sentence */
+            sentence: string;
+        };
+        /**
          * SurfaceQuality
          * @description How the eye's ray finds the surface.
          */
@@ -1500,6 +1865,73 @@ export interface components {
              * @default true
              */
             filter: boolean;
+        };
+        /**
+         * Sweep
+         * @description The measured cost of accuracy of a scene.
+         */
+        Sweep: {
+            /**
+             * Format
+             * @default 1
+             */
+            format: number;
+            /**
+             * Status
+             * @default measured
+             * @constant
+             */
+            status: "measured";
+            /**
+             * Preset
+             * @description Null: a scene of its own
+             */
+            preset: string | null;
+            /** Scene Sha256 */
+            scene_sha256: string;
+            /**
+             * Width
+             * @description Of the pictures that errors are taken from, pixels
+             */
+            width: number;
+            /** Height */
+            height: number;
+            /**
+             * Time
+             * @description Time of the scene, s
+             */
+            time: number;
+            truth: components["schemas"]["TruthInfo"];
+            timing: components["schemas"]["Timing"];
+            machine: components["schemas"]["Machine"];
+            /** Versions */
+            versions: {
+                [key: string]: string;
+            };
+            /**
+             * Measured At
+             * @description ISO 8601, UTC
+             */
+            measured_at: string;
+            /**
+             * Seconds
+             * @description How long the sweep took, truth not counted
+             */
+            seconds: number;
+            /** Points */
+            points: components["schemas"]["MeasuredPoint"][];
+            /**
+             * Front
+             * @description Points that nothing beats in both time and RMSE, from the fastest
+             */
+            front: string[];
+            /** Steps */
+            steps: components["schemas"]["Step"][];
+            /**
+             * Sentences
+             * @description What the front says in words
+             */
+            sentences: string[];
         };
         /**
          * Target
@@ -1583,6 +2015,89 @@ export interface components {
         TextureInput: {
             /** Texture */
             texture: string;
+        };
+        /**
+         * TimeModel
+         * @description time = fixed_ms + ns_per_pixel · width · height / 10⁶, from frames of two sizes.
+         */
+        TimeModel: {
+            /** Fixed Ms */
+            fixed_ms: number;
+            /** Ns Per Pixel */
+            ns_per_pixel: number;
+        };
+        /**
+         * TimeSpread
+         * @description What a frame takes at the timing size: from the first call until it is finished, reading it back left out.
+         */
+        TimeSpread: {
+            /** Median Ms */
+            median_ms: number;
+            /**
+             * Low Ms
+             * @description First quartile
+             */
+            low_ms: number;
+            /**
+             * High Ms
+             * @description Third quartile
+             */
+            high_ms: number;
+            /**
+             * Rounds Ms
+             * @description Every round; rounds of different points were drawn together
+             */
+            rounds_ms: number[];
+        };
+        /**
+         * Timing
+         * @description How times were taken.
+         */
+        Timing: {
+            /**
+             * Timer
+             * @description wall: around a frame and its finish; gpu: timer queries
+             * @enum {string}
+             */
+            timer: "wall" | "gpu";
+            /** Width */
+            width: number;
+            /** Height */
+            height: number;
+            /**
+             * Small Width
+             * @description The second size, for the fixed part of the model
+             */
+            small_width: number;
+            /** Small Height */
+            small_height: number;
+            /** Rounds */
+            rounds: number;
+        };
+        /**
+         * TruthInfo
+         * @description The converged float64 picture that errors are against.
+         */
+        TruthInfo: {
+            /**
+             * Url
+             * @description float32 (height, width, 4): linear RGB, foam coverage; rows from the top
+             */
+            url: string | null;
+            /** Width */
+            width: number;
+            /** Height */
+            height: number;
+            /**
+             * Time
+             * @description Time of the scene, s
+             */
+            time: number;
+            /**
+             * Samples
+             * @description Samples a pixel
+             */
+            samples: number;
         };
         /**
          * Uniform
@@ -1803,9 +2318,11 @@ export interface components {
 export type Alive = components['schemas']['Alive'];
 export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];
+export type Causes = components['schemas']['Causes'];
 export type Chop = components['schemas']['Chop'];
 export type Constant = components['schemas']['Constant'];
 export type EffectNote = components['schemas']['EffectNote'];
+export type Errors = components['schemas']['Errors'];
 export type FixedSize = components['schemas']['FixedSize'];
 export type Foam = components['schemas']['Foam'];
 export type FramePlan = components['schemas']['FramePlan'];
@@ -1814,16 +2331,22 @@ export type FrontSaturation = components['schemas']['FrontSaturation'];
 export type Fullscreen = components['schemas']['Fullscreen'];
 export type Grid = components['schemas']['Grid'];
 export type HeightSaturation = components['schemas']['HeightSaturation'];
+export type KnobChoice = components['schemas']['KnobChoice'];
+export type KnobInfo = components['schemas']['KnobInfo'];
 export type Light = components['schemas']['Light'];
 export type Loop = components['schemas']['Loop'];
+export type Machine = components['schemas']['Machine'];
 export type MaskInfo = components['schemas']['MaskInfo'];
 export type MaskParameters = components['schemas']['MaskParameters'];
 export type MaskSize = components['schemas']['MaskSize'];
+export type MeasuredPoint = components['schemas']['MeasuredPoint'];
 export type ParametricWave = components['schemas']['ParametricWave'];
 export type Pass = components['schemas']['Pass'];
 export type PassIndex = components['schemas']['PassIndex'];
 export type Phase = components['schemas']['Phase'];
 export type PlanRequest = components['schemas']['PlanRequest'];
+export type Point = components['schemas']['Point'];
+export type Points = components['schemas']['Points'];
 export type PresetDetail = components['schemas']['PresetDetail'];
 export type PresetSummary = components['schemas']['PresetSummary'];
 export type Program = components['schemas']['Program'];
@@ -1831,15 +2354,22 @@ export type Quality = components['schemas']['Quality'];
 export type QualityTiers = components['schemas']['QualityTiers'];
 export type Ready = components['schemas']['Ready'];
 export type RendererInfo = components['schemas']['RendererInfo'];
+export type Running = components['schemas']['Running'];
 export type Scene = components['schemas']['Scene'];
 export type Shader = components['schemas']['Shader'];
 export type SourceFile = components['schemas']['SourceFile'];
 export type State = components['schemas']['State'];
+export type Step = components['schemas']['Step'];
 export type SurfaceQuality = components['schemas']['SurfaceQuality'];
+export type Sweep = components['schemas']['Sweep'];
 export type Target = components['schemas']['Target'];
 export type TargetInput = components['schemas']['TargetInput'];
 export type Texture = components['schemas']['Texture'];
 export type TextureInput = components['schemas']['TextureInput'];
+export type TimeModel = components['schemas']['TimeModel'];
+export type TimeSpread = components['schemas']['TimeSpread'];
+export type Timing = components['schemas']['Timing'];
+export type TruthInfo = components['schemas']['TruthInfo'];
 export type Uniform = components['schemas']['Uniform'];
 export type Viewport = components['schemas']['Viewport'];
 export type ViewportSize = components['schemas']['ViewportSize'];
@@ -1885,7 +2415,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -1894,7 +2424,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -1953,7 +2483,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -1962,7 +2492,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2009,58 +2539,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
-            500: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    get_accuracy_api_accuracy__preset__get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                /** @description Name of a preset, see /api/presets */
-                preset: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Bad Request */
-            400: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description There is no such thing */
-            404: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": unknown;
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
-            422: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2074,12 +2553,12 @@ export interface operations {
     get_plan_api_plans__preset__get: {
         parameters: {
             query?: {
-                /** @description Tier of quality; POST takes single knobs */
-                quality?: "draft" | "standard" | "high" | "reference";
                 /** @description Look of the foam instead of the preset's */
                 look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
                 /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed */
                 mask?: string | null;
+                /** @description Tier of quality; POST takes single knobs */
+                quality?: "draft" | "standard" | "high" | "reference";
             };
             header?: never;
             path: {
@@ -2137,7 +2616,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2146,7 +2625,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2219,7 +2698,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2228,7 +2707,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2242,12 +2721,14 @@ export interface operations {
     get_frame_api_frames__preset___format__get: {
         parameters: {
             query?: {
-                /** @description Tier of quality; POST takes single knobs */
-                quality?: "draft" | "standard" | "high" | "reference";
                 /** @description Look of the foam instead of the preset's */
                 look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
                 /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed */
                 mask?: string | null;
+                /** @description Tier of quality, or auto: the most exact that is predicted to be drawn within budget_ms; POST takes single knobs */
+                quality?: "draft" | "standard" | "high" | "reference" | "auto";
+                /** @description With quality auto: milliseconds that drawing may take, reading back and encoding left out */
+                budget_ms?: number | null;
                 /** @description Time, s; absent: the preset's own */
                 time?: number | null;
                 /** @description Width, pixels; absent: the preset's own */
@@ -2291,6 +2772,10 @@ export interface operations {
                     "Seafoam-Plan"?: string;
                     /** @description GL renderer that ran it */
                     "Seafoam-Renderer"?: string;
+                    /** @description With quality auto: the point of the sweep that was chosen */
+                    "Seafoam-Quality"?: string;
+                    /** @description Predicted time, error, and what it was chosen from */
+                    "Seafoam-Quality-Why"?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -2333,7 +2818,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2342,7 +2827,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2386,6 +2871,10 @@ export interface operations {
                     "Seafoam-Plan"?: string;
                     /** @description GL renderer that ran it */
                     "Seafoam-Renderer"?: string;
+                    /** @description With quality auto: the point of the sweep that was chosen */
+                    "Seafoam-Quality"?: string;
+                    /** @description Predicted time, error, and what it was chosen from */
+                    "Seafoam-Quality-Why"?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -2430,7 +2919,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2439,7 +2928,446 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame was not finished in time */
+            504: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_accuracy_csv_api_accuracy__preset__csv_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A line a point, times in milliseconds */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": string;
+                };
+            };
+            /** @description Being measured, which the first request starts */
+            202: {
+                headers: {
+                    /** @description Seconds after which to ask again */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Running"];
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered; The measurement failed */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame was not finished in time */
+            504: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_accuracy_plot_api_accuracy__preset__png_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Time against error, with the front */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": string;
+                };
+            };
+            /** @description Being measured, which the first request starts */
+            202: {
+                headers: {
+                    /** @description Seconds after which to ask again */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Running"];
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered; The measurement failed */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame was not finished in time */
+            504: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_truth_api_accuracy__preset__truth_npy_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description float32 (height, width, 4): linear RGB, foam coverage; rows from the top */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/x-npy": string;
+                };
+            };
+            /** @description Being measured, which the first request starts */
+            202: {
+                headers: {
+                    /** @description Seconds after which to ask again */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Running"];
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered; The measurement failed */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_points_api_accuracy__preset__points_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Points"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered; The measurement failed */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_accuracy_api_accuracy__preset__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a preset, see /api/presets */
+                preset: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The measurement */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Sweep"];
+                };
+            };
+            /** @description Being measured, which the first request starts */
+            202: {
+                headers: {
+                    /** @description Seconds after which to ask again */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Running"];
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered; The measurement failed */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2495,7 +3423,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2551,7 +3479,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2560,7 +3488,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2629,7 +3557,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2638,7 +3566,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2701,7 +3629,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2710,7 +3638,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2773,7 +3701,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2782,7 +3710,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2845,7 +3773,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2854,7 +3782,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2917,7 +3845,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2926,7 +3854,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -2985,7 +3913,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -2994,7 +3922,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -3065,7 +3993,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -3074,7 +4002,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -3140,7 +4068,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -3149,7 +4077,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -3215,7 +4143,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -3224,7 +4152,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -3290,7 +4218,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -3299,7 +4227,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -3365,7 +4293,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -3374,7 +4302,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -3445,7 +4373,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame could not be rendered */
+            /** @description The frame could not be rendered; The measurement failed */
             500: {
                 headers: {
                     [name: string]: unknown;
@@ -3454,7 +4382,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -3521,7 +4449,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
             503: {
                 headers: {
                     [name: string]: unknown;

@@ -68,7 +68,8 @@ async def get_frame(
     time = found.time if asked.time is None else asked.time
     subject = Subject(None if asked.changed else found.name, scene, found.time, found.size)
     given = Asked(asked.quality, asked.budget_ms, width, height, parameter=True)
-    await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=asked.changed)
+    if asked.quality == "auto":  # a scene that cannot be planned is refused before it is measured
+        await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=asked.changed)
     quality, chosen = await resolve(given, subject, context)
     context.settings.frame_limits.check(width, height, quality.samples)
     job = FrameJob(scene, quality, time, asked.camera(scene.camera), width, height, format)
@@ -83,7 +84,8 @@ async def render_frame(asked: strictly(FrameRequest), request: Request, context:
     """A frame of a scene sent as JSON."""
     body: FrameRequest = asked
     given = Asked(body.quality, body.budget_ms, body.width, body.height, parameter=False)
-    await context.plans.run(compile_scene, body.scene, TIERS["standard"], scene_at="/scene")
+    if body.quality == "auto":
+        await context.plans.run(compile_scene, body.scene, TIERS["standard"], scene_at="/scene")
     quality, chosen = await resolve(given, Subject.of_scene(body.scene), context)
     context.settings.frame_limits.check(body.width, body.height, quality.samples)
     camera = body.camera or body.scene.camera

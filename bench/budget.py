@@ -1,0 +1,73 @@
+"""Quality auto: what it predicts for a budget against what the chosen frame then takes."""
+
+import os
+from functools import partial
+
+from bench.report import Column, Spread, Table, ms, times
+from bench.watch import Watch
+from seafoam.accuracy.budget import choose
+from seafoam.accuracy.cache import Store
+from seafoam.accuracy.sweep import Rig, Settings, Subject, make_sweep
+from seafoam.plan import make_plan
+from seafoam.render.executor import Executor
+from seafoam.render.pool import measure as draw
+
+PRESET = "default"
+SIZES = ((160, 90), (320, 180), (640, 360))
+SHARES = (0.5, 1.0, 2.0, 4.0, 8.0)
+"""Budgets, as multiples of what tier standard is predicted to take at that size."""
+
+
+def measure(executor: Executor, watch: Watch) -> list[Table]:
+    """Choose for every budget and size, then draw; measures the cost of accuracy first where it is not kept."""
+    subject = Subject.of_preset(PRESET)
+    threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
+    with watch.step("cost of accuracy"):
+        sweep = make_sweep(Store(), subject, Settings(), Rig(partial(draw, executor), executor.info, threads))
+    asked = [(size, share * sweep.point("standard").model.at(*size)) for size in SIZES for share in SHARES]
+    choices = [choose(sweep, *size, budget) for size, budget in asked]
+    taken: list[list[float]] = [[] for _ in asked]
+    for index in watch.rounds("budgets", 7, 60.0):
+        for (size, _), choice, found in zip(asked, choices, taken, strict=True):
+            plan = make_plan(subject.scene, choice.point.quality)
+            for _ in range(2):  # the first compiles and allocates
+                rendered = executor.render(
+                    plan,
+                    time=subject.time + index / 60.0,
+                    camera=subject.scene.camera,
+                    width=size[0],
+                    height=size[1],
+                    output="rgba8",
+                )
+            found.append(rendered.timings["render"])
+    rows = [
+        (
+            f"{size[0]} x {size[1]}",
+            budget / 1000.0,
+            choice.point.id,
+            choice.predicted_ms / 1000.0,
+            Spread.of(found).median,
+            Spread.of([1000.0 * value / choice.predicted_ms for value in found]),
+            choice.fits,
+            choice.point.error.rmse,
+        )
+        for (size, budget), choice, found in zip(asked, choices, taken, strict=True)
+    ]
+    return [
+        Table(
+            "Quality for a budget",
+            f"Preset {PRESET}, measured at {sweep.timing.width} x {sweep.timing.height} on {sweep.measured_at}; "
+            "budgets are multiples of tier standard's predicted time. Measured over predicted: with quartiles.",
+            (
+                Column("size", "size"),
+                Column("budget", "budget, ms", ms),
+                Column("chosen", "chosen"),
+                Column("predicted", "predicted, ms", ms),
+                Column("measured", "measured, ms", ms),
+                Column("ratio", "measured over predicted", times),
+                Column("fits", "predicted to fit", lambda fits: "yes" if fits else "no"),
+                Column("rmse", "RMSE, levels", lambda value: f"{value:.2f}"),
+            ),
+            rows,
+        )
+    ]

@@ -1,0 +1,147 @@
+"""A sweep as a table, as CSV and as a page that needs no other file."""
+
+import base64
+import csv
+import html
+import io
+from collections.abc import Sequence
+
+from seafoam.accuracy.model import MeasuredPoint, Sweep
+
+COLUMNS = (
+    "id", "tier", "owner", "knob", "value", "cause", "on_front", "time_ms", "time_low_ms", "time_high_ms", "fixed_ms",
+    "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry", "filtering", "precision",
+    "rest", "plan",
+)  # fmt: skip
+
+HEADINGS = (
+    "quality", "front", "time, ms", "quartiles", "RMSE", "max", "FLIP", "coverage", "flipped", "popping", "geometry",
+    "filtering", "precision", "rest",
+)  # fmt: skip
+
+NOTES = (
+    "Time: from the first call of a frame until it is finished, median and quartiles of rounds in which all points "
+    "take turns; reading back and encoding are left out.",
+    "RMSE and max: linear RGB clipped at display white, in levels of 255, against the converged float64 picture. "
+    "FLIP: mean, of tone-mapped sRGB. Coverage: RMSE of foam coverage. Flipped: share of pixels that have foam in one "
+    "picture alone.",
+    "Popping: the most of the living foam that is gone 1/60 s later. The sea itself loses some: what tier reference "
+    "shows is no fault.",
+    "Geometry, filtering, precision: by how much RMSE falls when the knobs of that cause alone are as in tier "
+    "reference; rest: what remains when all are. Causes hide each other, so falls need not add up and may be negative.",
+)
+
+
+def csv_of(sweep: Sweep) -> str:
+    """A header and a line a point."""
+    buffer = io.StringIO()
+    writer = csv.writer(buffer, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for point in sweep.points:
+        knob = point.knob
+        writer.writerow(
+            [
+                point.id,
+                point.tier,
+                *((knob.owner, knob.pointer, knob.value, knob.cause) if knob else (None,) * 4),
+                int(point.on_front),
+                *(round(value, 4) for value in (point.time.median_ms, point.time.low_ms, point.time.high_ms)),
+                round(point.model.fixed_ms, 4),
+                round(point.model.ns_per_pixel, 3),
+                *(None if value is None else f"{value:.6g}" for value in point.error.model_dump().values()),
+                *(f"{value:.6g}" for value in point.causes.model_dump().values()),
+                point.plan,
+            ]
+        )
+    return buffer.getvalue()
+
+
+def row_of(point: MeasuredPoint) -> tuple[str, ...]:
+    """A point's cells, under :data:`HEADINGS`."""
+    time, error, causes = point.time, point.error, point.causes
+    return (
+        point.id,
+        "*" if point.on_front else "",
+        milliseconds(time.median_ms),
+        f"{milliseconds(time.low_ms)}–{milliseconds(time.high_ms)}",
+        f"{error.rmse:.2f}",
+        f"{error.max:.0f}",
+        f"{error.flip:.4f}",
+        f"{error.coverage:.4f}",
+        f"{100 * error.flipped:.2f} %",
+        "" if error.popping is None else f"{100 * error.popping:.1f} %",
+        *(f"{round(value, 2) + 0.0:+.2f}" for value in (causes.geometry, causes.filtering, causes.precision)),
+        f"{causes.rest:.2f}",
+    )
+
+
+def milliseconds(value: float) -> str:
+    """To three digits or so."""
+    return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
+
+
+def page(sweep: Sweep, command: str) -> str:
+    """One HTML file: the plot inside it, the table, what it says in words, the machine and the command."""
+    from seafoam.accuracy.plots import plot_sweep
+
+    machine = sweep.machine
+    plot = base64.b64encode(plot_sweep(sweep)).decode()
+    name = sweep.preset or "a scene"
+    threads = f"{machine.threads} of {machine.cores} cores"
+    about = (
+        ("command", command),
+        ("renderer", f"{machine.renderer}, {machine.version}"),
+        ("processor", f"{machine.processor}, {threads}"),
+        ("measured", f"{sweep.measured_at}, in {sweep.seconds:.0f} s, {sweep.timing.rounds} rounds"),
+        ("time of the scene", f"{sweep.time:g} s"),
+        ("timed at", f"{sweep.timing.width} × {sweep.timing.height}, {sweep.timing.timer} clock"),
+        ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples a pixel in float64"),
+        ("versions", ", ".join(f"{package} {number}" for package, number in sweep.versions.items())),
+    )
+    rows = [row_of(point) for point in sweep.points]
+    marks = ["front" if point.on_front else "" for point in sweep.points]
+    parts = [
+        "<!doctype html>",
+        '<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">',
+        f"<title>What accuracy costs: {html.escape(name)}</title>",
+        f"<style>{_STYLE}</style>",
+        f"<h1>What accuracy costs: {html.escape(name)}</h1>",
+        f'<img alt="Time against error" src="data:image/png;base64,{plot}">',
+        "<h2>Along the front</h2>",
+        _list(sweep.sentences),
+        "<h2>Knob by knob</h2>",
+        "<p>From a value to the next more exact one, everything else as in tier standard.</p>",
+        _list([step.sentence + _worth(step.error_per_ms) for step in sweep.steps]),
+        "<h2>Every point</h2>",
+        _table(HEADINGS, rows, marks),
+        *(f"<p>{html.escape(note)}</p>" for note in NOTES),
+        "<h2>How it was measured</h2>",
+        "<dl>" + "".join(f"<dt>{what}<dd>{html.escape(said)}" for what, said in about) + "</dl>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _worth(error_per_ms: float | None) -> str:
+    return "" if error_per_ms is None else f" ({error_per_ms:+.3g} levels of RMSE removed a millisecond)"
+
+
+def _list(lines: Sequence[str]) -> str:
+    return "<ul>" + "".join(f"<li>{html.escape(line)}" for line in lines) + "</ul>"
+
+
+def _table(headings: Sequence[str], rows: Sequence[Sequence[str]], marks: Sequence[str]) -> str:
+    head = "".join(f"<th>{html.escape(heading)}" for heading in headings)
+    lines = [
+        f'<tr class="{mark}">' + "".join(f"<td>{html.escape(cell)}" for cell in row)
+        for row, mark in zip(rows, marks, strict=True)
+    ]
+    return f"<div><table><tr>{head}\n" + "\n".join(lines) + "</table></div>"
+
+
+_STYLE = (
+    "body{font:15px/1.5 system-ui,sans-serif;color:#1c2b33;max-width:1100px;margin:2em auto;padding:0 1em}"
+    "img{width:100%}div{overflow-x:auto}table{border-collapse:collapse;font-size:13px}"
+    "td,th{padding:.2em .6em;text-align:right;border-bottom:1px solid #dde3e6;white-space:nowrap}"
+    "td:first-child,th:first-child{text-align:left}tr.front{background:#eef6f2;font-weight:600}"
+    "dt{font-weight:600;float:left;clear:left;width:11em}dd{margin:0 0 .2em 11em}"
+)

@@ -1,0 +1,83 @@
+"""Knobs and points: every field of the quality is somebody's knob, and what is measured has plans of its own."""
+
+import pytest
+from pydantic import BaseModel, ValidationError
+
+from seafoam.accuracy.knobs import SPINE_KNOBS, all_knobs, every_knob, idealised, value_at, with_value
+from seafoam.accuracy.points import chains, points_of
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+
+def fields(model: type[BaseModel], path: str = "") -> list[str]:
+    found = []
+    for name, info in model.model_fields.items():
+        inner = info.annotation
+        nested = isinstance(inner, type) and issubclass(inner, BaseModel)
+        found += fields(inner, f"{path}/{name}") if nested else [f"{path}/{name}"]
+    return found
+
+
+def test_every_field_of_quality_is_covered_by_one_knob():
+    pointers = [knob.pointer for _, knob in every_knob()]
+    assert sorted(pointers) == sorted(fields(Quality))
+
+
+@pytest.mark.parametrize("knob", [knob for _, knob in every_knob()], ids=lambda knob: knob.pointer)
+def test_steps_are_valid_qualities(knob):
+    made = [with_value(TIERS["standard"], knob.pointer, step) for step in knob.steps]
+    assert len(set(made)) == len(made) >= 2
+    assert [value_at(one, knob.pointer) for one in made] == list(knob.steps)
+    assert TIERS["standard"] in made
+    assert knob.title
+
+
+def test_a_value_out_of_range_is_refused():
+    with pytest.raises(ValidationError):
+        with_value(TIERS["standard"], "/surface/steps", 0)
+    with pytest.raises(KeyError):
+        with_value(TIERS["standard"], "/surface/nope", 0)
+
+
+def test_effects_that_do_not_run_bring_no_knobs():
+    assert {owner for owner, _ in all_knobs(Scene())} == {"frame"}
+    assert len(all_knobs(Scene())) == len(SPINE_KNOBS)
+    assert {owner for owner, _ in all_knobs(load_preset("default").scene)} > {"frame", "ripples", "foam look"}
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_points_have_plans_of_their_own(preset):
+    scene = load_preset(preset).scene
+    points = points_of(scene)
+    assert [point.tier for point in points][:4] == list(TIERS)
+    assert len({point.plan for point in points}) == len({point.id for point in points}) == len(points) > 8
+    for point in points:
+        assert point.plan == make_plan(scene, point.quality).sha256
+        if point.knob:
+            assert point.quality == with_value(TIERS["standard"], point.knob.pointer, point.knob.value)
+    names = {point.id for point in points}
+    links = chains(scene, points)
+    assert len(links) > 5
+    for _, before, after, first, second in links:
+        assert {first, second} <= names
+        assert before.pointer == after.pointer
+        assert first != second
+
+
+def test_a_scene_without_ripples_has_no_points_of_theirs():
+    assert not [point for point in points_of(Scene()) if point.knob and point.knob.owner == "ripples"]
+
+
+def test_idealising_one_cause_leaves_the_others():
+    knobs = all_knobs(load_preset("default").scene)
+    made = idealised(TIERS["draft"], "filtering", knobs)
+    assert made.samples == TIERS["reference"].samples
+    assert made.surface.filter is TIERS["reference"].surface.filter
+    assert made.surface.method == "mesh"
+    assert made.target == TIERS["draft"].target
+    for cause in ("geometry", "filtering", "precision"):
+        made = idealised(made, cause, knobs)
+    ideal = make_plan(load_preset("default").scene, made).sha256
+    assert ideal == make_plan(load_preset("default").scene, TIERS["reference"]).sha256

@@ -1,0 +1,313 @@
+"""What accuracy costs, as a visitor measures it: on a small truth, which stands in for the server's own."""
+
+import io
+import json
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Locator, Page, Route, expect
+from test_page import FINGER, PHONE, STILL, TARGETS, Visit, visit
+
+from browsers import Lane
+from seafoam.accuracy.points import points_of
+from seafoam.quality import TIERS
+from seafoam.reference import render
+from seafoam.scene.presets import load_preset
+
+SIZE = (32, 18)
+LARGE = (1280, 800)
+PRESET = "default"
+MEASURED = 240_000
+"""Longest time that a measurement may take here, ms."""
+
+
+@cache
+def truth() -> bytes:
+    """A small true picture, as the server would give it."""
+    preset = load_preset(PRESET)
+    width, height = SIZE
+    frame = render(preset.scene, time=preset.time, width=width, height=height, samples=3, mode="converged")
+    buffer = io.BytesIO()
+    np.save(buffer, np.concatenate((frame.rgb, frame.alpha[..., None]), axis=-1).astype(np.float32))
+    return buffer.getvalue()
+
+
+@cache
+def points() -> tuple[dict[str, Any], ...]:
+    """The tiers, and one value of every third knob: enough of them to choose from."""
+    found = [point.model_dump(mode="json") for point in points_of(load_preset(PRESET).scene)]
+    knobs = {point["knob"]["pointer"]: point for point in found if point["knob"]}
+    return tuple([point for point in found if point["tier"]] + list(knobs.values())[::3])
+
+
+def answers() -> dict[str, Any]:
+    width, height = SIZE
+    info = {"url": f"/api/accuracy/{PRESET}/truth.npy", "width": width, "height": height, "samples": 9}
+    return {"preset": PRESET, "truth": info | {"time": load_preset(PRESET).time}, "points": points()}
+
+
+def sweep() -> dict[str, Any]:
+    """What a server might have measured, as far as the page reads it."""
+    measured = [
+        point
+        | {
+            "model": {"fixed_ms": 0.5 + index, "ns_per_pixel": 40.0},
+            "error": {"rmse": 30.0 - index, "max": 200.0, "coverage": 0.1},
+        }
+        for index, point in enumerate(points())
+    ]
+    return {"machine": {"renderer": "the server's own"}, "points": measured}
+
+
+def staged(page: Page) -> None:
+    """Answer for the server: it computes the truth, and its own sweep, for one request each."""
+    asked: list[str] = []
+
+    def answer(route: Route) -> None:
+        url = route.request.url
+        last = url.rpartition("/")[2]
+        waits = last != "points" and url not in asked
+        asked.append(url)
+        if waits:
+            running = {"status": "running", "stage": "float64 truth", "progress": 0.4, "eta_s": 7.0}
+            route.fulfill(status=202, headers={"Retry-After": "1"}, json=running)
+        elif last == "truth.npy":
+            route.fulfill(body=truth(), content_type="application/x-npy")
+        else:
+            route.fulfill(json=answers() if last == "points" else sweep())
+
+    page.route(re.compile("/api/accuracy/"), answer)
+
+
+def opened(visited: Visit) -> Locator:
+    """The view, once all is measured."""
+    panel = visited.page.locator("#accuracy")
+    expect(panel.get_by_role("status").first).to_contain_text(f"{len(points())} qualities", timeout=MEASURED)
+    return panel
+
+
+@pytest.fixture(scope="module")
+def measured(llvmpipe: Lane, server: str) -> Iterator[Visit]:
+    """The page with the view open and everything measured."""
+    with visit(llvmpipe, server, STILL, size=LARGE) as made:
+        staged(made.page)
+        assert made.page.locator("#accuracy").count() == 0
+        assert not any("accuracy" in url for _, url in made.asked), "something of the view ran before it was opened"
+        made.page.get_by_role("button", name="What accuracy costs").click()
+        expect(made.page.locator("#accuracy")).to_contain_text("Computing the float64 truth… 40 %, 7 s left")
+        opened(made)
+        yield made
+        assert made.complaints == []
+
+
+def marks(measured: Visit) -> Locator:
+    return measured.page.locator("#accuracy .chart").get_by_role("button")
+
+
+def quality(measured: Visit) -> Any:
+    """What the page runs: a tier, or the knobs that it changes."""
+    said = measured.state()["quality"] or "standard"
+    return json.loads(said) if said.startswith("{") else said
+
+
+def test_every_quality_has_a_mark_and_a_row(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+    assert marks(measured).count() == len(points())
+    for point in points():
+        label = str(point["label"])
+        said = marks(measured).and_(panel.locator(f'[data-id="{point["id"]}"]')).get_attribute("aria-label") or ""
+        assert re.fullmatch(rf"{re.escape(label)}: [\d.]+ ms, error [\d.]+(, on the front)?", said), said
+    names = panel.locator(".chart text.name").all_text_contents()
+    assert sorted(names) == sorted(TIERS)
+    drawn = panel.locator("polyline.front:not(.server)").get_attribute("points") or ""
+    best = marks(measured).and_(panel.locator("[aria-label$='on the front']"))
+    assert len(drawn.split()) == best.count() > 1
+    panel.get_by_text("Every quality in numbers").click()
+    rows = panel.locator("details", has_text="Every quality in numbers").locator("tbody tr")
+    assert rows.count() == len(points())
+    # The tier named so is as exact as this gets.
+    errors = {
+        row.locator("th button").text_content(): float(row.locator("td").nth(1).text_content() or "nan")
+        for row in rows.all()
+    }
+    assert errors["reference"] == min(errors.values()) > 0.0
+    assert errors["reference"] < errors["standard"]
+
+
+def test_a_mark_runs_its_quality(measured: Visit) -> None:
+    point = next(point for point in points() if point["knob"])
+    knob = point["knob"]
+    mark = measured.page.locator(f'#accuracy .mark[data-id="{point["id"]}"]')
+    mark.focus()
+    tip = measured.page.locator("#accuracy .tip")
+    expect(tip).to_contain_text(point["label"])
+    expect(tip).to_contain_text(" ms, error ")
+    mark.press("Enter")
+    assert mark.get_attribute("aria-pressed") == "true"
+    wanted: Any = knob["value"]
+    for step in reversed(knob["pointer"].split("/")[1:]):
+        wanted = {step: wanted}
+    assert quality(measured) == wanted
+    expect(measured.page.locator("#accuracy .chosen")).to_contain_text(re.compile(r"Against standard: .*(time|error)"))
+    measured.settle()
+    measured.page.wait_for_function(
+        "() => location.hash.includes('quality=%22') || location.hash.includes('quality={')"
+    )
+    assert "accuracy=1" in measured.page.url
+    # The link restores it, and the settings list it.
+    fragment = measured.page.url.partition("#")[2]
+    measured.follow("#paused=1&quality=high&accuracy=1")
+    assert quality(measured) == "high"
+    measured.follow(f"#{fragment}")
+    assert quality(measured) == wanted
+    assert json.loads(measured.page.locator("#quality").input_value()) == wanted
+    # Arrows go from mark to mark, in the order of time.
+    mark.focus()
+    mark.press("Home")
+    measured.page.keyboard.press("ArrowRight")
+    measured.page.keyboard.press("Enter")
+    assert measured.page.locator("#accuracy .mark[aria-pressed=true]").evaluate(
+        "(mark) => mark === document.activeElement"
+    )
+
+
+def test_a_click_runs_a_tier(measured: Visit) -> None:
+    mark = measured.page.locator("#accuracy .mark[data-id=reference]")
+    mark.scroll_into_view_if_needed()
+    box = mark.locator(".dot").bounding_box()
+    assert box is not None
+    measured.page.mouse.click(box["x"] + box["width"] / 2 + 4, box["y"] + box["height"] / 2 - 3)
+    assert quality(measured) == "reference"
+    expect(measured.page.locator("#accuracy .sentence")).to_have_text(
+        re.compile(r"^Against standard: [\d.]+× the time buys [\d.]+× less error\.$")
+    )
+
+
+def canvas(measured: Visit, side: str) -> np.ndarray[Any, Any]:
+    shown = measured.page.locator(f"#accuracy .frame canvas{side}")
+    data = shown.evaluate("(canvas) => canvas.toDataURL('image/png').split(',')[1]")
+    import base64
+
+    return np.asarray(Image.open(io.BytesIO(base64.b64decode(data))).convert("RGB")).astype(float)
+
+
+def test_the_picture_beside_its_error(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+    heat = {}
+    for tier in ("draft", "reference"):
+        panel.locator(f"details:has-text('Every quality in numbers') tr[data-id={tier}] button").evaluate(
+            "(b) => b.click()"
+        )
+        assert quality(measured) == tier
+        heat[tier] = canvas(measured, ".right")
+    width, height = SIZE
+    assert heat["draft"].shape == (height, width, 3)
+    assert heat["draft"].std() > 10.0, "a blank map"
+    assert heat["draft"].mean() > 1.2 * heat["reference"].mean(), "more error is no warmer"
+    # Against the reference itself: one picture beside the other, the right way up.
+    panel.get_by_role("button", name="reference", exact=True).and_(panel.locator(".choice button")).click()
+    picture, true = canvas(measured, ":not(.right)"), canvas(measured, ".right")
+    linear = np.load(io.BytesIO(truth()))[..., :3].clip(0.0, 1.0)
+    encoded = 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    assert np.abs(true - encoded).max() <= 1.0
+    assert np.abs(picture - true).mean() < 12.0
+    assert np.abs(picture - true[::-1]).mean() > 2 * np.abs(picture - true).mean()
+    panel.get_by_role("button", name="error", exact=True).click()
+    divider = panel.get_by_role("slider", name="Divider between the picture")
+    divider.fill("20")
+    assert panel.locator(".frame").evaluate("(frame) => frame.style.getPropertyValue('--at')") == "20%"
+
+
+def test_a_budget_picks_the_best_that_fits(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+    budget = panel.get_by_label("Frame budget")
+    picked = panel.locator(".picked")
+    budget.fill("1000000")
+    budget.press("Enter")
+    expect(picked).to_contain_text(f"the least error of the {len(points())} that fit, of {len(points())} measured")
+    best = min(
+        marks(measured).all(),
+        key=lambda mark: float((mark.get_attribute("aria-label") or "").split("error ")[1].split(",")[0]),
+    )
+    assert best.get_attribute("aria-pressed") == "true"
+    budget.fill("0.01")
+    panel.get_by_role("button", name="Find the best").click()
+    expect(picked).to_contain_text("none of")
+    expect(picked).to_contain_text("it is the fastest")
+    expect(picked).to_contain_text(f"{LARGE[0]} × {LARGE[1]}")
+
+
+def test_knobs_are_sorted_by_worth(measured: Visit) -> None:
+    rows = measured.page.locator("#accuracy details", has_text="What each knob is worth").locator("tbody tr")
+    assert rows.count() == sum(point["knob"] is not None for point in points())
+    worth = {"free": np.inf, "–": 0.0}
+    found = [row.locator("td").last.text_content() or "" for row in rows.all()]
+    numbers = [worth[said] if said in worth else float(said.replace("−", "-")) for said in found]
+    assert numbers == sorted(numbers, reverse=True)
+    measured.page.locator("#accuracy summary", has_text="Where the time goes").click()
+    passes = measured.page.locator("#accuracy .passes li")
+    assert passes.count() > 1
+    assert all(re.search(r"[\d.]+ ms$", said) for said in passes.all_text_contents())
+
+
+def test_the_server_s_own_measurement(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+    assert panel.locator("circle.server").count() == 0
+    panel.get_by_label("the server’s own measurement").check()
+    expect(panel.locator(".fine", has_text="measuring, 40 %")).to_be_visible()
+    expect(panel.locator("circle.server")).to_have_count(len(points()))
+    expect(panel.locator("label.server")).to_contain_text("the server's own")
+    panel.get_by_label("the server’s own measurement").uncheck()
+    expect(panel.locator("circle.server")).to_have_count(0)
+
+
+def test_a_changed_scene_is_told(measured: Visit) -> None:
+    note = measured.page.locator("#accuracy .changed")
+    assert not note.is_visible()
+    measured.follow('#paused=1&quality=draft&accuracy=1&scene={"/light/exposure":-1.5}')
+    expect(note).to_contain_text("presets only")
+    assert len(marks(measured).all()) == len(points())
+    measured.follow(STILL)
+    expect(measured.page.locator("#accuracy")).to_be_hidden()
+    assert "accuracy" not in measured.page.url
+
+
+def test_cancelled(llvmpipe: Lane, server: str) -> None:
+    """On a phone: it opens by its address, stops when told, keeps what it has, and every target fits a finger."""
+    with visit(
+        llvmpipe, server, f"{STILL}&accuracy=1", size=PHONE, settle=False, has_touch=True, is_mobile=True
+    ) as made:
+        # The first answers may come from the server itself: what is asked again is staged.
+        staged(made.page)
+        panel = made.page.locator("#accuracy.open")
+        panel.wait_for()
+        made.page.locator("#curtain").wait_for(state="hidden")
+        panel.get_by_role("button", name="Cancel").click()
+        again = panel.get_by_role("button", name="Measure again")
+        again.click()
+        made.page.wait_for_function("() => document.querySelectorAll('#accuracy .mark').length >= 3", timeout=MEASURED)
+        panel.get_by_role("button", name="Cancel").click()
+        expect(panel.get_by_role("status").first).to_have_text(
+            re.compile(rf"Stopped\. \d+ of {len(points())} qualities measured")
+        )
+        again.wait_for()
+        assert panel.locator(".mark").count() >= 3
+        panel.locator("summary").last.click()
+        made.page.wait_for_function(
+            "() => document.querySelector('#accuracy').getAnimations({ subtree: true }).length === 0"
+        )
+        assert [target for target in made.page.evaluate(TARGETS) if min(target[1:]) < FINGER] == []
+        box = panel.bounding_box()
+        assert box is not None
+        assert (box["x"], box["width"]) == (0, PHONE[0])
+        assert box["y"] > PHONE[1] / 4, "no picture is left to judge by"
+        assert made.page.evaluate("() => document.documentElement.scrollWidth - innerWidth") <= 0
+        made.page.keyboard.press("Escape")
+        panel.get_by_role("button", name="Close what accuracy costs").click()
+        expect(made.page.locator("#accuracy")).to_be_hidden()
+        assert made.complaints == []

@@ -1,0 +1,51 @@
+/** Pictures of numbers: linear light as a screen shows it, and errors as warmth. */
+import { clip } from "./errors";
+import type { Picture } from "./npy";
+
+/** From nothing to the most: night, violet, ember, straw. Each step is lighter than the last. */
+const RAMP: readonly (readonly [number, number, number])[] = [
+  [6, 10, 18],
+  [38, 24, 82],
+  [104, 32, 110],
+  [170, 48, 94],
+  [224, 88, 62],
+  [248, 150, 46],
+  [252, 208, 98],
+  [255, 250, 214],
+];
+
+/** Colour of a share in [0, 1]. */
+export function warmth(share: number): [number, number, number] {
+  const at = Math.min(1, Math.max(0, share)) * (RAMP.length - 1);
+  const low = RAMP[Math.floor(at)] ?? [0, 0, 0];
+  const high = RAMP[Math.ceil(at)] ?? low;
+  const part = at - Math.floor(at);
+  return [0, 1, 2].map((c) => Math.round((low[c] ?? 0) * (1 - part) + (high[c] ?? 0) * part)) as [number, number, number];
+}
+
+export const WARMTH_CSS = `linear-gradient(to right, ${RAMP.map((colour) => `rgb(${colour.join(" ")})`).join(", ")})`;
+
+function encoded(linear: number): number {
+  const value = clip(linear);
+  return 255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055);
+}
+
+/** Draws linear light, clipped at white, as it is held against the truth. */
+export function paintPicture(canvas: HTMLCanvasElement, { width, height, pixels }: Picture): void {
+  paint(canvas, width, height, (pixel) => [0, 1, 2].map((c) => encoded(pixels[4 * pixel + c] ?? 0)) as [number, number, number]);
+}
+
+/** Draws errors; `most` and all beyond it have the ramp's last colour. */
+export function paintErrors(canvas: HTMLCanvasElement, width: number, height: number, map: Float32Array, most: number): void {
+  paint(canvas, width, height, (pixel) => warmth((map[pixel] ?? 0) / most));
+}
+
+function paint(canvas: HTMLCanvasElement, width: number, height: number, colour: (pixel: number) => [number, number, number]): void {
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext("2d");
+  if (context === null) return;
+  const image = context.createImageData(width, height);
+  for (let pixel = 0; pixel < width * height; pixel++) image.data.set([...colour(pixel), 255], 4 * pixel);
+  context.putImageData(image, 0, 0);
+}
