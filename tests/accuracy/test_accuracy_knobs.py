@@ -51,15 +51,18 @@ def test_effects_that_do_not_run_bring_no_knobs():
 def test_points_have_plans_of_their_own(preset):
     scene = load_preset(preset).scene
     points = points_of(scene)
-    assert [point.tier for point in points][:4] == list(TIERS)
-    assert len({point.plan for point in points}) == len({point.id for point in points}) == len(points) > 8
+    # On level water without ripples a draft is the standard.
+    tiers = [point.tier for point in points if point.tier]
+    assert tiers == [tier for tier in TIERS if tier in tiers]
+    assert len(tiers) == (3 if preset == "paper-threshold" else 4)
+    assert len({point.plan for point in points}) == len({point.id for point in points}) == len(points) > 6
     for point in points:
         assert point.plan == make_plan(scene, point.quality).sha256
         if point.knob:
             assert point.quality == with_value(TIERS["standard"], point.knob.pointer, point.knob.value)
     names = {point.id for point in points}
     links = chains(scene, points)
-    assert len(links) > 5
+    assert len(links) > 3
     for _, before, after, first, second in links:
         assert {first, second} <= names
         assert before.pointer == after.pointer
