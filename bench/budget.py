@@ -9,6 +9,7 @@ from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store
 from seafoam.accuracy.sweep import Rig, Settings, Subject, make_sweep
 from seafoam.plan import make_plan
+from seafoam.quality import Quality
 from seafoam.render.executor import Executor
 from seafoam.render.pool import measure as draw
 
@@ -27,19 +28,17 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
     asked = [(size, share * sweep.point("standard").model.at(*size)) for size in SIZES for share in SHARES]
     choices = [choose(sweep, *size, budget) for size, budget in asked]
     taken: list[list[float]] = [[] for _ in asked]
-    for index in watch.rounds("budgets", 7, 60.0):
-        for (size, _), choice, found in zip(asked, choices, taken, strict=True):
-            plan = make_plan(subject.scene, choice.point.quality)
-            for _ in range(2):  # the first compiles and allocates
-                rendered = executor.render(
-                    plan,
-                    time=subject.time + index / 60.0,
-                    camera=subject.scene.camera,
-                    width=size[0],
-                    height=size[1],
-                    output="rgba8",
-                )
-            found.append(rendered.timings["render"])
+    drift: list[list[float]] = [[] for _ in asked]
+    standard = sweep.point("standard")
+    timed = (sweep.timing.width, sweep.timing.height)
+    for index in watch.rounds("budgets", 7, 90.0):
+        at = subject.time + index / 60.0
+        for (size, _), choice, found, drifted in zip(asked, choices, taken, drift, strict=True):
+            # The machine's speed now against that of the sweep, taken just before and just after.
+            now = [_seconds(executor, subject, standard.quality, at, timed)]
+            found.append(_seconds(executor, subject, choice.point.quality, at, size))
+            now.append(_seconds(executor, subject, standard.quality, at, timed))
+            drifted.append(500.0 * sum(now) / standard.time.median_ms)
     rows = [
         (
             f"{size[0]} x {size[1]}",
@@ -48,16 +47,20 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
             choice.predicted_ms / 1000.0,
             Spread.of(found).median,
             Spread.of([1000.0 * value / choice.predicted_ms for value in found]),
+            Spread.of(
+                [1000.0 * value / slower / choice.predicted_ms for value, slower in zip(found, drifted, strict=True)]
+            ),
             choice.fits,
             choice.point.error.rmse,
         )
-        for (size, budget), choice, found in zip(asked, choices, taken, strict=True)
+        for (size, budget), choice, found, drifted in zip(asked, choices, taken, drift, strict=True)
     ]
     return [
         Table(
             "Quality for a budget",
             f"Preset {PRESET}, measured at {sweep.timing.width} x {sweep.timing.height} on {sweep.measured_at}; "
-            "budgets are multiples of tier standard's predicted time. Measured over predicted: with quartiles.",
+            "budgets are multiples of tier standard's predicted time. Measured over predicted, with quartiles: as it "
+            "is, and with the machine as fast as it was for the sweep, by frames of tier standard around each one.",
             (
                 Column("size", "size"),
                 Column("budget", "budget, ms", ms),
@@ -65,9 +68,22 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
                 Column("predicted", "predicted, ms", ms),
                 Column("measured", "measured, ms", ms),
                 Column("ratio", "measured over predicted", times),
+                Column("steady", "at the sweep's speed", times),
                 Column("fits", "predicted to fit", lambda fits: "yes" if fits else "no"),
                 Column("rmse", "RMSE, levels", lambda value: f"{value:.2f}"),
             ),
             rows,
         )
     ]
+
+
+def _seconds(executor: Executor, subject: Subject, quality: Quality, at: float, size: tuple[int, int]) -> float:
+    """What a frame takes; one before it compiles and allocates."""
+    plan = make_plan(subject.scene, quality)
+    taken = 0.0
+    for _ in range(2):
+        rendered = executor.render(
+            plan, time=at, camera=subject.scene.camera, width=size[0], height=size[1], output="rgba8"
+        )
+        taken = rendered.timings["render"]
+    return taken

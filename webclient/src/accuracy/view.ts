@@ -302,9 +302,9 @@ export class AccuracyView {
     replace(this.chosen, contents);
   }
 
-  private showPasses({ point, passes }: Measured): void {
+  private showPasses({ passes }: Measured): void {
     const total = passes.reduce((sum, { time }) => sum + time, 0);
-    this.passes.count.textContent = `${passes.length} ${passes.length === 1 ? "pass" : "passes"} of ${point.label}`;
+    this.passes.count.textContent = `${passes.length} ${passes.length === 1 ? "pass" : "passes"}`;
     const items = [...passes]
       .sort((a, b) => b.time - a.time)
       .map(({ name, time }) => {
