@@ -32,7 +32,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(SlotFile("crest", "crest/translucent.glsl", needs=("shade/sun.glsl",)),),
         uniforms={
             "u_translucency": number(scene.water.translucency, "/water/translucency"),
-            "u_crest_height": number(1.0 / top if top > 1e-30 else 0.0),
+            "u_crest_height": number(1.0 / top if top > 1e-37 else 0.0),
         },
         bound=Bound(
             crest_limit(scene),
