@@ -14,6 +14,7 @@ from seafoam.textures import foam_texture
 
 from . import camera as cameras
 from . import light, looks, sampling, surface
+from .relief import Relief
 from .saturation import CAP, FRONT_CONSTANTS, saturation
 from .types import Bools, Floats, Ranks, dot, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
@@ -163,6 +164,7 @@ class _Shader:
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         self.waves = wave_set(scene, time, self.origin)
+        self.relief = Relief((self.waves,))
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
@@ -175,7 +177,7 @@ class _Shader:
         """Colour (r, 3), foam amount (r,) and hit (r,) of samples at clip positions (r,)."""
         D = cameras.rays(self.view, X, Y)
         d = unit(D)
-        distance = surface.first_crossing(self.waves, self.eye_y, d)
+        distance = surface.first_crossing(self.relief, self.eye_y, d)
         met = np.isfinite(distance)
         colour = np.zeros_like(D)
         amount = np.zeros_like(X)
@@ -194,8 +196,8 @@ class _Shader:
         """Colour (r, 3) and foam amount (r,) where rays D meet the surface, ``distance`` metres away."""
         scene, air = self.scene, self.air
         x, z = d[:, 0] * distance, d[:, 2] * distance
-        H = self.waves.height(x, z)
-        h_x, h_z = self.waves.gradient(x, z)
+        H = self.relief.height(x, z)
+        h_x, h_z = self.relief.gradient(x, z)
         c_x, c_z = self.ripples.gradient(x, z)
         N = surface.normal(h_x, h_z)
         a = np.zeros_like(x)
@@ -207,7 +209,7 @@ class _Shader:
             colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
             n = unit(surface.normal(h_x + c_x, h_z + c_z))
-            colour = light.water(air, scene.water, self.waves.top, d, n, H)
+            colour = light.water(air, scene.water, self.relief.top, d, n, H)
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)

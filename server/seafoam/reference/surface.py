@@ -1,7 +1,7 @@
 """Section 3: where rays meet the waves, the normals there, and the footprints of samples.
 
 How exact the search is: a ray's height over the surface, G, is sampled at steps that cannot pass a crossing (by the
-greatest slope) or, where those are small, at a quarter of the finest wave's shape; every sampled minimum low enough to
+greatest slope) or, where those are small, at a quarter of the finest shape; every sampled minimum low enough to
 hide a double crossing (by the greatest curvature) is then searched. So the first crossing is found as long as steps
 stay fine, that is for the first ``FINE_STEPS`` of them in the slab that holds the waves: for any ray more than about a
 degree below the horizon in common scenes. Later steps grow by ``GROWTH``, where waves are far smaller than a pixel;
@@ -14,8 +14,8 @@ import math
 
 import numpy as np
 
+from .relief import Part
 from .types import Bools, Floats, Indices, dot
-from .waves import WaveSet, wave_derivative, wave_height
 
 LEVEL = 1e-9
 """Rays with |d.y| below this are horizontal: they meet no plane."""
@@ -24,33 +24,28 @@ FAR = 1e7
 FINE_STEPS = 1500
 GROWTH = 1.02
 SHAPE_SHARE = 0.25
-"""Step over the finest wave's shape, √(2/K)/k (1/k for K < 2)."""
-BOUND_SAMPLES = 8192
-STEEPEST = 1e9
-"""Stands for an infinite slope."""
+"""Step over the finest feature."""
 REFINEMENTS = 80
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_STEPS = 40
 
 
-def first_crossing(waves: WaveSet, eye_y: float, d: Floats) -> Floats:
+def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
     """Distance along unit rays d (r, 3) from (0, eye_y, 0) to the surface, m; (r,), infinite where they miss it.
 
     A crossing in either direction counts: an eye under water meets the surface from below.
     """
     distance = np.full(d.shape[0], np.inf)
-    moving = np.flatnonzero(waves.amplitude > 0.0)
-    if moving.size == 0:
+    if relief.top <= 0.0:
         slanted = np.abs(d[:, 1]) >= LEVEL
         s: Floats = -eye_y / np.where(slanted, d[:, 1], 1.0)
         met = slanted & (s > 0.0)
         distance[met] = s[met]
         return distance
-    top = waves.top
-    low, high, inside = _slab(eye_y, top, d[:, 1])
+    low, high, inside = _slab(eye_y, relief.top, d[:, 1])
     chosen = np.flatnonzero(inside)
     if chosen.size:
-        search = _Search(waves, moving, eye_y, d[chosen])
+        search = _Search(relief, eye_y, d[chosen])
         distance[chosen] = search.first(low[chosen], high[chosen])
     return distance
 
@@ -71,23 +66,6 @@ def footprint(tau: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
     return result
 
 
-def slope_bound(A: float, K: float) -> float:
-    """Greatest |dy/dθ| of a wave, by sampling, rounded up; STEEPEST for K < ½."""
-    if K < 0.5:
-        return STEEPEST
-    return 1.001 * float(np.abs(wave_derivative(_cycle(), A, K)).max())
-
-
-def curvature_bound(A: float, K: float) -> float:
-    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up; short of the infinite one at the cusp of K < 1."""
-    slopes = wave_derivative(_cycle(), A, K)
-    return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
-
-
-def _cycle() -> Floats:
-    return np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
-
-
 def _slab(eye_y: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:
     """Where rays enter and leave 0 ≤ y ≤ top, m, and whether they pass through it at all; (r,) each."""
     slanted = np.abs(rise) >= LEVEL
@@ -102,57 +80,43 @@ def _slab(eye_y: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools
 
 
 class _Search:
-    """G along r rays, over those waves that are not flat."""
+    """G along r rays."""
 
-    def __init__(self, waves: WaveSet, moving: Indices, eye_y: float, d: Floats) -> None:
-        self.amplitude = waves.amplitude[moving].tolist()
-        self.exponent = waves.exponent[moving].tolist()
-        self.phase = waves.phase[moving]
-        # θ falls by this much a metre of the way; (n, r).
-        self.rate = waves.kx[moving, None] * d[:, 0] + waves.kz[moving, None] * d[:, 2]
+    def __init__(self, relief: Part, eye_y: float, d: Floats) -> None:
+        self.relief = relief
         self.eye_y = eye_y
-        self.top = waves.top
         self.rise = d[:, 1]
+        self.across = d[:, [0, 2]].T
         self.level = np.hypot(d[:, 0], d[:, 2])
-        k = waves.k[moving].tolist()
-        shapes = zip(self.amplitude, self.exponent, k, strict=True)
-        self.slope = 0.0
-        self.curvature = 0.0
-        self.shape = math.inf
-        for A, K, number in shapes:
-            self.slope += number * slope_bound(A, K)
-            self.curvature += number * number * curvature_bound(A, K)
-            self.shape = min(self.shape, math.sqrt(2.0 / max(K, 2.0)) / number)
 
     def value(self, s: Floats, rays: Indices | None = None) -> Floats:
         """G at distances s of rays (all of them unless told); (r,) m."""
-        rate, rise = (self.rate, self.rise) if rays is None else (self.rate[:, rays], self.rise[rays])
-        return self._value(s, rate, rise)
+        across, rise = (self.across, self.rise) if rays is None else (self.across[:, rays], self.rise[rays])
+        return self._value(s, across, rise)
 
-    def _value(self, s: Floats, rate: Floats, rise: Floats) -> Floats:
-        above = self.eye_y + rise * s
-        for i, A in enumerate(self.amplitude):
-            above -= wave_height(self.phase[i] - rate[i] * s, A, self.exponent[i])
+    def _value(self, s: Floats, across: Floats, rise: Floats) -> Floats:
+        x, z = across * s
+        above: Floats = self.eye_y + rise * s - self.relief.height(x, z)
         return above
 
-    def _derivative(self, s: Floats, rate: Floats, rise: Floats) -> Floats:
-        result = rise.copy()
-        for i, A in enumerate(self.amplitude):
-            result += rate[i] * wave_derivative(self.phase[i] - rate[i] * s, A, self.exponent[i])
-        return result
+    def _derivative(self, s: Floats, across: Floats, rise: Floats) -> Floats:
+        x, z = across * s
+        h_x, h_z = self.relief.gradient(x, z)
+        change: Floats = rise - across[0] * h_x - across[1] * h_z
+        return change
 
     def first(self, low: Floats, high: Floats) -> Floats:
         """First zero of G between the ends of the slab; (r,) m, infinite where there is none."""
         count = low.size
         # Rounding must not put an eye above all crests under one of them.
-        outside = 1.0 if self.eye_y > self.top else -1.0 if self.eye_y < 0.0 else 0.0
+        outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < 0.0 else 0.0
         side = np.where(self.value(low) >= 0.0, 1.0, -1.0) if outside == 0.0 else np.full(count, outside)
         before = np.full(count, np.inf)
         after = np.full(count, np.inf)
         # No ray leaves the slab on the other side without a crossing, whatever rounding says of G there.
         sure = (np.abs(self.rise) >= LEVEL) & (side * self.rise < 0.0) & ((high < FAR) | (outside != 0.0))
         # Steeper than any slope: one crossing, between the ends.
-        steep = sure & (side > 0.0) & (-self.rise > self.slope * self.level)
+        steep = sure & (side > 0.0) & (-self.rise > self.relief.slope * self.level)
         before[steep], after[steep] = low[steep], high[steep]
         dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
         self._search_dips(dips, side, before, after)
@@ -172,13 +136,13 @@ class _Search:
         dips: list[tuple[Indices, Floats, Floats]] = []
         if rays.size == 0:
             return dips
-        rate, rise, level = self.rate[:, rays], self.rise[rays], self.level[rays]
+        across, rise, level = self.across[:, rays], self.rise[rays], self.level[rays]
         sign, s, end, certain = side[rays], low[rays], high[rays], sure[rays]
-        g = sign * self._value(s, rate, rise)
+        g = sign * self._value(s, across, rise)
         s_old, g_old = s, np.full(s.shape, np.inf)
-        closing = self.slope * level - sign * rise
+        closing = self.relief.slope * level - sign * rise
         live = np.ones(rays.size, np.bool_)
-        fine = SHAPE_SHARE * self.shape / np.maximum(level, 1e-12)
+        fine = SHAPE_SHARE * self.relief.shape / np.maximum(level, 1e-12)
         steps = 0
         while True:
             steps += 1
@@ -187,12 +151,12 @@ class _Search:
             # At infinite slopes or nowhere closing, the quotient says 0 or nothing.
             safe = np.where(closing > 0.0, g / np.where(closing > 0.0, closing, 1.0), np.inf)
             s_new = np.minimum(s + np.maximum(fine, safe), end)
-            g_new = sign * self._value(s_new, rate, rise)
+            g_new = sign * self._value(s_new, across, rise)
             crossed = live & ((g_new <= 0.0) | (certain & (s_new >= end)))
             where = rays[crossed]
             before[where], after[where] = s[crossed], s_new[crossed]
             width = np.maximum(s - s_old, s_new - s) * level
-            suspect = live & ~crossed & (g <= g_old) & (g <= g_new) & (g <= 0.5 * self.curvature * width * width)
+            suspect = live & ~crossed & (g <= g_old) & (g <= g_new) & (g <= 0.5 * self.relief.curvature * width * width)
             if suspect.any():
                 dips.append((rays[suspect], s_old[suspect], s_new[suspect]))
             live &= ~crossed & (s_new < end)
@@ -201,7 +165,7 @@ class _Search:
                 return dips
             s_old, g_old, s, g = s, g, s_new, g_new
             if left < 0.75 * live.size:
-                rays, rate, rise, level = rays[live], rate[:, live], rise[live], level[live]
+                rays, across, rise, level = rays[live], across[:, live], rise[live], level[live]
                 sign, end, closing, fine = sign[live], end[live], closing[live], fine[live]
                 certain = certain[live]
                 s, g, s_old, g_old = s[live], g[live], s_old[live], g_old[live]
@@ -218,13 +182,13 @@ class _Search:
         a, b = start, np.concatenate([dip[2] for dip in dips])
         early = start < np.minimum(after[rays], np.finfo(np.float64).max)
         rays, start, a, b = rays[early], start[early], a[early], b[early]
-        sign, rate, rise = side[rays], self.rate[:, rays], self.rise[rays]
+        sign, across, rise = side[rays], self.across[:, rays], self.rise[rays]
         for _ in range(GOLDEN_STEPS):
             left, right = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
-            keep_left = sign * self._value(left, rate, rise) < sign * self._value(right, rate, rise)
+            keep_left = sign * self._value(left, across, rise) < sign * self._value(right, across, rise)
             a, b = np.where(keep_left, a, left), np.where(keep_left, right, b)
         middle = 0.5 * (a + b)
-        below = np.flatnonzero(sign * self._value(middle, rate, rise) < 0.0)
+        below = np.flatnonzero(sign * self._value(middle, across, rise) < 0.0)
         # Several dips of one ray: the last assignment wins, so the nearest goes last.
         for i in below[np.argsort(-middle[below], kind="stable")]:
             if middle[i] < after[rays[i]]:
@@ -234,11 +198,11 @@ class _Search:
         """The zero between a (G·side ≥ 0) and b (G·side ≤ 0): Newton steps, bisection where they leave the bracket."""
         result = np.empty(rays.size)
         place = np.arange(rays.size)
-        rate, rise = self.rate[:, rays], self.rise[rays]
+        across, rise = self.across[:, rays], self.rise[rays]
         s = 0.5 * (a + b)
         for _ in range(REFINEMENTS):
-            g = side * self._value(s, rate, rise)
-            slope = side * self._derivative(s, rate, rise)
+            g = side * self._value(s, across, rise)
+            slope = side * self._derivative(s, across, rise)
             a, b = np.where(g > 0.0, s, a), np.where(g > 0.0, b, s)
             falling = slope < 0.0
             newton = s - g / np.where(falling, slope, 1.0)
@@ -250,5 +214,5 @@ class _Search:
             if not left.any():
                 break
             s, a, b, side, place = following[left], a[left], b[left], side[left], place[left]
-            rate, rise = rate[:, left], rise[left]
+            across, rise = across[:, left], rise[left]
         return result

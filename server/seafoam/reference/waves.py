@@ -7,6 +7,7 @@ Phases of far times and places are reduced exactly: ω, k, t and the origin are 
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 import numpy as np
 
@@ -17,6 +18,9 @@ from .types import Floats
 
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 
+BOUND_SAMPLES = 8192
+STEEPEST = 1e9
+"""Stands for an infinite slope."""
 TROUGH = 1e-4
 """Least |p| in the derivative of waves of exponent below ½, whose slope is infinite at the trough."""
 
@@ -38,6 +42,27 @@ class WaveSet:
     def top(self) -> float:
         """ΣA: no point of the surface is higher, m."""
         return float(self.amplitude.sum())
+
+    @cached_property
+    def _shapes(self) -> list[tuple[float, float, float]]:
+        """(A, K, k) of the waves that are not flat."""
+        shapes = zip(self.amplitude.tolist(), self.exponent.tolist(), self.k.tolist(), strict=True)
+        return [shape for shape in shapes if shape[0] > 0.0]
+
+    @cached_property
+    def slope(self) -> float:
+        """Greatest slope, rounded up."""
+        return sum(k * slope_bound(A, K) for A, K, k in self._shapes)
+
+    @cached_property
+    def curvature(self) -> float:
+        """Greatest second derivative, rounded up, 1/m; short of the infinite one at the cusp of K < 1."""
+        return sum(k * k * curvature_bound(A, K) for A, K, k in self._shapes)
+
+    @cached_property
+    def shape(self) -> float:
+        """Size of the finest crest, √(2/K)/k (1/k for K < 2), m."""
+        return min((math.sqrt(2.0 / max(K, 2.0)) / k for _, K, k in self._shapes), default=math.inf)
 
     def theta(self, x: Floats, z: Floats) -> Floats:
         """Phases at (x, z), m from the origin, shape (r,): (n, r) rad, not reduced."""
@@ -99,6 +124,23 @@ def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
         magnitude = np.maximum(magnitude, TROUGH)
     result: Floats = A * K * np.power(magnitude, 2.0 * K - 1.0) * np.sign(p) * np.cos(half)
     return result
+
+
+def slope_bound(A: float, K: float) -> float:
+    """Greatest |dy/dθ| of a wave, by sampling, rounded up; STEEPEST for K < ½."""
+    if K < 0.5:
+        return STEEPEST
+    return 1.001 * float(np.abs(wave_derivative(_cycle(), A, K)).max())
+
+
+def curvature_bound(A: float, K: float) -> float:
+    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up; short of the infinite one at the cusp of K < 1."""
+    slopes = wave_derivative(_cycle(), A, K)
+    return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
+
+
+def _cycle() -> Floats:
+    return np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
 
 
 def reduced(*terms: tuple[float, float], plus: float = 0.0) -> float:
