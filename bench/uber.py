@@ -15,6 +15,7 @@ from typing import get_args
 from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import (
     COMPONENTS,
+    Const,
     Constant,
     Contribution,
     SlotFile,
@@ -34,14 +35,25 @@ SWITCH = "u_uber_"
 COMBINE = f"{SWITCH}combine"
 """0: the greatest saturation, 1: the product."""
 MOST_WAVES = 16
-BY_SCENE = ("PARAMETRIC_COUNT", "FRONT_COUNT", "FRONT_GATED", "FRONT_FULL", "FOAM_FADES", "FOAM_TEXTURED")
+BY_SCENE = (
+    "PARAMETRIC_COUNT",
+    "FRONT_COUNT",
+    "FRONT_GATED",
+    "FRONT_FULL",
+    "FRONT_FADING",
+    "FOAM_FADES",
+    "FOAM_TEXTURED",
+)
 """Compile-time numbers that hang on the scene."""
+
+GENERAL: dict[str, Const] = {"PARAMETRIC_TWICE": (0,) * MOST_WAVES}
+"""Compile-time numbers of one scene, and what serves them all."""
 
 _FUNCTION = re.compile(r"^(?P<returns>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\) \{", re.MULTILINE)
 _WAVES = re.compile(rf"^uniform\s+\w+\s+(\w+)\[{MOST_WAVES}\]", re.MULTILINE)
 _UNIFORM_LINE = re.compile(r"^uniform\s+\w+\s+(?P<name>\w+).*\n", re.MULTILINE)
 
-Consts = dict[str, int | float | bool]
+Consts = dict[str, Const]
 Signature = tuple[str, str]
 """What a function returns, and its parameters."""
 
@@ -85,7 +97,7 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
         given = effect.contribute(scene, quality)
         if given is not None and effect.name in running:
             own.add(given)
-    fixed = own.consts.keys() - set(BY_SCENE)
+    fixed = own.consts.keys() - set(BY_SCENE) - GENERAL.keys()
     if any(own.consts[name] != uber.parts.consts[name] for name in fixed):
         raise ValueError("the scene has numbers that the program holds fixed")
     numbers = {name: own.consts.get(name, 0.0) for name in BY_SCENE}
@@ -135,6 +147,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
                 parts.add(given)
     consts: Consts = {
         **parts.consts,
+        **GENERAL,
         "SURFACE_FILTER": quality.surface.filter,
         "MARCH_STEPS": quality.surface.steps,
         "MARCH_TOLERANCE": quality.surface.tolerance,

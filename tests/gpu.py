@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.plan.assemble import assemble
-from seafoam.render.executor import Executor
+from seafoam.render.executor import TEXTURE_FORMATS, Executor
 from seafoam.textures import texture
 
 _VERTEX = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}).text
@@ -80,13 +80,7 @@ class Probe:
 
     def _texture(self, stored: str) -> moderngl.Texture:
         data = texture(stored)
-        components, dtype = {
-            "R16UI": (1, "u2"),
-            "RG32F": (2, "f4"),
-            "R32F": (1, "f4"),
-            "R16F": (1, "f2"),
-            "RG16F": (2, "f2"),
-        }[data.format]
+        components, dtype = TEXTURE_FORMATS[data.format]
         bytes_a_texel = components * (4 if dtype == "f4" else 2)
         made = self._context.texture((data.width, data.height), components, dtype=dtype, alignment=1)
         if data.levels > 1:

@@ -28,7 +28,7 @@ class SurfaceQuality(Knobs):
         description="A march ends this near the surface, in heights of a sample; Newton finishes",
     )
     cells: int = Field(default=192, ge=8, le=1024, description="Cells of the mesh along each side")
-    refine: int = Field(default=2, ge=0, le=8, description="Newton steps a pixel after the mesh")
+    refine: int = Field(default=1, ge=0, le=8, description="Newton steps a pixel after the mesh or the march")
     filter: bool = Field(default=True, description="Turn waves smaller than a pixel into roughness")
 
 
@@ -51,11 +51,14 @@ class Quality(Knobs):
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112), chop_size=128),
+    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112, refine=2), chop_size=128),
     "standard": Quality(),
-    "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", samples=4),
+    "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02, refine=2), chop="exact", samples=4),
     "reference": Quality(
-        surface=SurfaceQuality(steps=512, tolerance=2e-4, filter=False), chop="exact", samples=16, target="RGBA32F"
+        surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),
+        chop="exact",
+        samples=16,
+        target="RGBA32F",
     ),
 }
 

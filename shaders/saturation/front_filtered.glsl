@@ -1,56 +1,49 @@
 // Foam from the wave's front, min(f, 1) averaged over the phases that the footprint covers. Without unit, [0, 1].
-// The integral's table is piecewise cubic: node values and slopes (f itself), from FRONT_FULL, where f = 1, to 2 pi.
+// The table's row i holds (a, b, c, d): the integral of f from FRONT_FULL, where f = 1, to the phase FRONT_FULL + (i + t) h
+// is a + h (b t + c t^2 + d t^3), t in [0, 1].
 uniform sampler2D u_front_integral;
 
-// Integral from 0; psi in [FRONT_FULL, 2 pi].
-float front_integral(float psi) {
-    float x = (psi - FRONT_FULL) * (float(FRONT_NODES - 1) / (TAU - FRONT_FULL));
-    int i = clamp(int(x), 0, FRONT_NODES - 2);
-    vec2 a = texelFetch(u_front_integral, ivec2(i, 0), 0).rg;
-    vec2 b = texelFetch(u_front_integral, ivec2(i + 1, 0), 0).rg;
-    float t = clamp(x - float(i), 0.0, 1.0);
-    float h = (TAU - FRONT_FULL) / float(FRONT_NODES - 1);
-    float u = 1.0 - t;
-    return a.x * u * u * (1.0 + 2.0 * t) + b.x * t * t * (1.0 + 2.0 * u) + h * t * u * (a.y * u - b.y * t);
-}
-
-float front_at(float psi) {
-    return front_profile(vec2(cos(psi), sin(psi)), 1.0);
-}
-
-// Integral of min(f, 1) over [a, b], which lies within one period that starts at `start`.
-float front_within(float a, float b, float start) {
-    float full = start + FRONT_FULL;
-    float plateau = max(min(b, full) - min(a, full), 0.0);
-    float from = max(a, full);
-    float to = max(b, full);
-    float span = to - from;
-    float fading = 0.0;
-    if (span > 0.15) {
-        fading = front_integral(to - start) - front_integral(from - start);
-    } else if (span > 0.0) {
-        // Differences of a table lose digits on a short span: three-point Gauss there.
-        float mid = 0.5 * (from + to);
-        float arm = 0.387298334620742 * span;
-        fading = span * (5.0 * (front_at(mid - arm) + front_at(mid + arm)) + 8.0 * front_at(mid)) / 18.0;
+// Integral over [low, high], which lies in [-2 pi, 2 pi], no longer than a period.
+float front_integral(float low, float high) {
+    float cell = (TAU - FRONT_FULL) / float(FRONT_NODES - 1);
+    bool crosses = low < 0.0 && high > 0.0;
+    // Both in [0, 2 pi].
+    float from = low < 0.0 ? low + TAU : low;
+    float to = high > 0.0 ? high : high + TAU;
+    float plateau = min(to, FRONT_FULL) - min(from, FRONT_FULL) + (crosses ? FRONT_FULL : 0.0);
+    from = max(from, FRONT_FULL);
+    to = max(to, FRONT_FULL);
+    float x = (from - FRONT_FULL) / cell;
+    float y = (to - FRONT_FULL) / cell;
+    int i = min(int(x), FRONT_NODES - 2);
+    int j = min(int(y), FRONT_NODES - 2);
+    vec4 first = texelFetch(u_front_integral, ivec2(i, 0), 0);
+    vec4 last = texelFetch(u_front_integral, ivec2(j, 0), 0);
+    float t = min(x - float(i), 1.0);
+    float u = min(y - float(j), 1.0);
+    // Within one cell the difference is taken by hand: subtracted, a short window would lose its digits.
+    if (i == j && !crosses) {
+        return plateau + (to - from) * (first.y + first.z * (t + u) + first.w * (t * t + t * u + u * u));
     }
-    return plateau + fading;
+    float rest = (1.0 - t) * (first.y + first.z * (1.0 + t) + first.w * (1.0 + t + t * t));
+    float begun = u * (last.y + u * (last.z + u * last.w));
+    float between = j == i + 1 ? 0.0 : last.x - first.x - cell * (first.y + first.z + first.w);
+    return plateau + cell * (rest + begun) + between + (crosses ? FRONT_FADING : 0.0);
 }
 
 // Mean over psi -+ width/2; psi in [-pi, pi].
 float front_mean(float psi, float width) {
-    float whole = front_integral(TAU);
     // Wide windows: whole periods first; what is left lies round psi, or round its opposite after an odd number of turns.
     float turns = floor(width / TAU);
     float rest = min(width - turns * TAU, TAU);
     float centre = mod(turns, 2.0) > 0.5 ? (psi > 0.0 ? psi - PI : psi + PI) : psi;
     float low = centre - 0.5 * rest;
     float high = centre + 0.5 * rest;
+    float whole = FRONT_FULL + FRONT_FADING;
     if (turns > 0.0 && rest < 1e-3) {
         return whole / TAU;
     }
-    float sum = front_within(max(low, 0.0), max(high, 0.0), 0.0) + front_within(min(low, 0.0), min(high, 0.0), -TAU);
-    return clamp((sum + turns * whole) / ((high - low) + turns * TAU), 0.0, 1.0);
+    return clamp((front_integral(low, high) + turns * whole) / ((high - low) + turns * TAU), 0.0, 1.0);
 }
 
 float front_saturation(vec2 p, float height, Footprint fp) {

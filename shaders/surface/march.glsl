@@ -43,12 +43,14 @@ bool find_surface(vec3 ray, out float tau, out vec3 wave) {
         return false;
     }
     float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * length(ray));
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < REFINE; ++i) {
+        if (i > 0) {
+            wave = waves(tau * ray.xz);
+            gap = u_eye_height + tau * ray.y - wave.x;
+        }
         float rate = ray.y - dot(wave.yz, ray.xz);
         if (rate < -1e-3 * length(ray)) {
             tau = max(tau - clamp(gap / rate, -limit, limit), enter);
-            wave = waves(tau * ray.xz);
-            gap = u_eye_height + tau * ray.y - wave.x;
         }
     }
     return true;

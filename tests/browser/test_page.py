@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
-from playwright.sync_api import Locator, Page
+from playwright.sync_api import Locator, Page, TimeoutError
 
 from browsers import Lane
 from report import REPORT
@@ -45,7 +45,13 @@ class Visit:
 
     def settle(self) -> None:
         """Wait until the picture shows what was asked for, at rest and sharp."""
-        self.page.wait_for_function("() => window.seafoam?.state().settled === true", timeout=60_000)
+        try:
+            self.page.wait_for_function("() => window.seafoam?.state().settled === true", timeout=60_000)
+        except TimeoutError as error:
+            state = self.page.evaluate("() => window.seafoam?.state()")
+            raise AssertionError(
+                f"never at rest: {state}, {self.complaints}, {self.page.inner_text('body')}"
+            ) from error
 
     def state(self) -> dict[str, Any]:
         state: dict[str, Any] = self.page.evaluate("() => window.seafoam.state()")

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from gpu import Probe
 from seafoam.reference import looks, sampling, saturation, waves
-from seafoam.textures import FRONT_NODES, front_full, front_integral_name, mask_by_name
+from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name, mask_by_name
 
 TOLERANCE = 1e-5
 NUMBERS = "common/numbers.glsl"
@@ -87,6 +87,7 @@ def test_filtered_front_equals_its_float64_form(probe: Probe, intensity: float) 
             "FRONT_GATED": False,
             "FRONT_NODES": FRONT_NODES,
             "FRONT_FULL": front_full(intensity, 1.0),
+            "FRONT_FADING": front_fading(intensity, 1.0),
         },
         uniforms=front_uniforms(intensity, math.e),
         textures={"u_front_integral": front_integral_name(intensity, 1.0)},
@@ -114,14 +115,20 @@ def test_height_equals_its_float64_form(probe: Probe, file: str, cap: float) -> 
     assert np.abs(got - want).max() <= TOLERANCE
 
 
-@pytest.mark.parametrize("exponent", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 8.0, 100.0])
-def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float) -> None:
+@pytest.mark.parametrize(
+    ("exponent", "twice"),
+    [
+        *((K, 0) for K in (0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 8.0, 100.0)),
+        *((K, int(2 * K)) for K in (0.5, 1.0, 1.5, 2.0, 3.5, 16.0)),
+    ],
+)
+def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float, twice: int) -> None:
     theta = phases()
     got = probe(
         [NUMBERS, "waves/parametric.glsl"],
-        "y.xy = parametric_profile(x.x, x.y);",
+        "y.xy = parametric_profile(x.x, x.y, PARAMETRIC_TWICE[0]);",
         np.column_stack([theta, np.full_like(theta, exponent)]),
-        consts={"PARAMETRIC_COUNT": 1, "SURFACE_FILTER": False},
+        consts={"PARAMETRIC_COUNT": 1, "PARAMETRIC_TWICE": (twice,), "SURFACE_FILTER": False},
     )
     wide, power = theta.astype(np.float64), float(np.float32(exponent))
     assert np.isfinite(got).all()

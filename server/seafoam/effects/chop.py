@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from seafoam.effects.contribution import (
     Bound,
+    Const,
     Constant,
     Contribution,
     Effect,
@@ -70,7 +71,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     bound = _bound(scene, chop)
     cascades = ripples(chop)
-    consts: dict[str, int | float | bool] = {"CHOP_WAVES": WAVES_PER_TILE}
+    consts: dict[str, Const] = {"CHOP_WAVES": WAVES_PER_TILE}
     uniforms = {"u_chop_band": _bands(cascades)}
     if quality.chop == "exact":
         waves = [wave for cascade in cascades for wave in cascade]

@@ -150,6 +150,10 @@ class Grid(PlanPart):
 Mesh = Annotated[Fullscreen | Grid, Field(discriminator="rule")]
 
 
+Const = int | float | bool | tuple[int, ...]
+"""A compile-time constant; a tuple is an array."""
+
+
 @dataclass(frozen=True)
 class SlotFile:
     """A GLSL file that fills a slot. ``prefix`` names its functions where several files share a slot.
@@ -183,7 +187,7 @@ class Contribution:
 
     why: str
     slots: tuple[SlotFile, ...] = ()
-    consts: dict[str, int | float | bool] = field(default_factory=dict)
+    consts: dict[str, Const] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     textures: dict[str, "TextureUse"] = field(default_factory=dict)

@@ -4,6 +4,7 @@ import math
 
 from seafoam.effects.contribution import (
     Bound,
+    Const,
     Contribution,
     Effect,
     HardCase,
@@ -72,7 +73,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         foam.look == "filtered" and foam.texture > 0
     )
     needs: tuple[str, ...] = ()
-    consts: dict[str, int | float | bool] = {}
+    consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {"u_foam_albedo": number(foam.albedo, "/foam/albedo")}
     inputs: dict[str, TextureInput] = {}
     textures: dict[str, TextureUse] = {}

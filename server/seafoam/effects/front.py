@@ -4,6 +4,7 @@ import math
 
 from seafoam.effects.contribution import (
     Bound,
+    Const,
     Constant,
     Contribution,
     Effect,
@@ -28,7 +29,7 @@ from seafoam.scene.models import (
     ParametricWave,
     Scene,
 )
-from seafoam.textures import FRONT_NODES, front_full, front_integral_name
+from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
 _CONSTANTS = {"text": (math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": (1.07, 6.28, math.log(2.718))}
 """δ (rad), the number that stands for 2π in the spatial phase, and ln E."""
@@ -59,7 +60,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         phases.append(Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz)))
     gated = front.group != (0.0, 0.0)
     pointer = f"/foam/saturation/{index}"
-    consts: dict[str, int | float | bool] = {"FRONT_COUNT": len(data), "FRONT_GATED": gated}
+    consts: dict[str, Const] = {"FRONT_COUNT": len(data), "FRONT_GATED": gated}
     uniforms: dict[str, Uniform] = {
         "u_front_wave": array("vec4", data, len(data)),
         "u_front_phase": array("float", phases, len(data)),
@@ -81,7 +82,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"{why}, averaged over footprints",
         slots=(SlotFile("saturation", "saturation/front_filtered.glsl", prefix="front", needs=needs),),
-        consts={**consts, "FRONT_NODES": FRONT_NODES, "FRONT_FULL": front_full(front.intensity, log_base)},
+        consts={
+            **consts,
+            "FRONT_NODES": FRONT_NODES,
+            "FRONT_FULL": front_full(front.intensity, log_base),
+            "FRONT_FADING": front_fading(front.intensity, log_base),
+        },
         uniforms=uniforms,
         inputs={"u_front_integral": TextureInput(texture="front_integral")},
         textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},

@@ -31,6 +31,10 @@ _HELD = 1e-4
 """|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""
 
 
+_MOST_TWICE = 32
+"""Greatest 2K whose power the shader multiplies out."""
+
+
 def _profile_slope(exponent: float, s: float, c: float) -> float:
     """d(u^K)/dθ with u = s², s = sin(θ/2 + π/4), c its cosine."""
     held = max(s, _HELD) if exponent < 0.5 else s
@@ -51,6 +55,12 @@ def _means(exponent: float) -> tuple[float, float]:
     angles = [(i + 0.5) * math.pi / (2 * count) for i in range(count)]
     square = sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
     return square, sum(math.sin(a) ** (2.0 * exponent) for a in angles) / count
+
+
+def _twice(exponent: float) -> int:
+    """2K where u^K is a product of a few |sin|, else 0."""
+    twice = 2.0 * exponent
+    return int(twice) if twice <= _MOST_TWICE and twice == int(twice) else 0
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -75,7 +85,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
         slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"),),
-        consts={"PARAMETRIC_COUNT": len(waves)},
+        consts={"PARAMETRIC_COUNT": len(waves), "PARAMETRIC_TWICE": tuple(_twice(wave.exponent) for wave in waves)},
         uniforms={
             "u_parametric": array("vec4", data, len(waves)),
             "u_parametric_phase": array("float", phases, len(waves)),

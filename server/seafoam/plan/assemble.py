@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 
-from seafoam.effects.contribution import SlotFile
+from seafoam.effects.contribution import Const, SlotFile
 from seafoam.plan.model import Shader, SourceFile
 from seafoam.plan.slots import Slot
 from seafoam.resources import data_dir
@@ -22,7 +22,7 @@ _UNIFORM = re.compile(r"^uniform\s+(?P<type>\w+)\s+(?P<name>\w+)", re.MULTILINE)
 _WORD = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
 _SAMPLERS = ("sampler2D", "usampler2D")
 
-Consts = Mapping[str, int | float | bool]
+Consts = Mapping[str, Const]
 
 
 @cache
@@ -31,8 +31,11 @@ def read_file(path: str) -> str:
     return (data_dir("shaders") / path).read_text(encoding="utf-8")
 
 
-def const_line(name: str, value: int | float | bool) -> str:
+def const_line(name: str, value: Const) -> str:
     """A GLSL constant; floats with the 9 digits that float32 needs."""
+    if isinstance(value, tuple):
+        kind = f"int[{len(value)}]"
+        return f"const {kind} {name} = {kind}({', '.join(map(str, value))});\n"
     if isinstance(value, bool):
         return f"const bool {name} = {'true' if value else 'false'};\n"
     if isinstance(value, int):

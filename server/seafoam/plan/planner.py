@@ -6,6 +6,7 @@ from functools import lru_cache
 from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import (
     CameraRule,
+    Const,
     Contribution,
     Fullscreen,
     Grid,
@@ -47,7 +48,7 @@ class _Draft:
         self.effects: list[EffectNote] = []
         self.skipped: list[EffectNote] = []
         self.slots: list[SlotFile] = []
-        self.consts: dict[str, int | float | bool] = {}
+        self.consts: dict[str, Const] = {}
         self.uniforms: dict[str, Uniform] = {}
         self.inputs: dict[str, TextureInput | TargetInput] = {}
         self.textures: dict[str, TextureUse] = {}
@@ -103,7 +104,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     level = draft.top == 0.0
     mesh = quality.surface.method == "mesh" and not level
 
-    consts: dict[str, int | float | bool] = {
+    consts: dict[str, Const] = {
         **draft.consts,
         "SURFACE_FILTER": quality.surface.filter,
         "REFINE": quality.surface.refine,

@@ -27,14 +27,16 @@ __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
 
 Output = Literal["rgba8", "linear", "samples"]
 
-_TEXTURE_FORMATS = {
+TEXTURE_FORMATS = {
     "R8UI": (1, "u1"),
     "R16UI": (1, "u2"),
     "R16F": (1, "f2"),
     "RG16F": (2, "f2"),
     "R32F": (1, "f4"),
     "RG32F": (2, "f4"),
+    "RGBA32F": (4, "f4"),
 }
+"""Components and moderngl dtype of each texture format."""
 _TARGET_FORMATS = {"RGBA16F": "f2", "RGBA32F": "f4", "RGBA8": "f1"}
 _BYTES = {"u1": 1, "u2": 2, "f2": 2, "f4": 4}
 _FILTERS = {
@@ -250,7 +252,7 @@ class Executor:
             data = texture(model.url.removeprefix("/api/textures/"))
             if data.sha256 != model.sha256:
                 raise RuntimeError(f"texture {name} is not the one the plan was made for")
-            components, dtype = _TEXTURE_FORMATS[model.format]
+            components, dtype = TEXTURE_FORMATS[model.format]
             made = self._context.texture((model.width, model.height), components, dtype=dtype, alignment=1)
             if model.levels > 1:
                 # The only way moderngl allocates the levels, which are then written one by one.

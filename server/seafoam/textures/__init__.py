@@ -1,7 +1,7 @@
 """Texture data that plans name: the same bytes for every executor, made from the name alone."""
 
 from seafoam.textures.foam import foam_texture
-from seafoam.textures.front import FRONT_NODES, front_full, front_integral_name
+from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_integral_name
 from seafoam.textures.store import TextureData, UnknownTextureError, mask_by_name, texture
 
 __all__ = [
@@ -9,6 +9,7 @@ __all__ = [
     "TextureData",
     "UnknownTextureError",
     "foam_texture",
+    "front_fading",
     "front_full",
     "front_integral_name",
     "mask_by_name",

@@ -1,6 +1,7 @@
 """Integral of the front saturation over its phase, a table for the filtered look (docs/formulae.md, section 4)."""
 
 import math
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +21,18 @@ def front_integral_name(intensity: float, log_base: float) -> str:
     return f"front-integral/{intensity!r}/{log_base!r}"
 
 
+def front_fading(intensity: float, log_base: float) -> float:
+    """∫ min(f, 1) dψ from ψ₁ to 2π, rad."""
+    return float(front_integral(intensity, log_base)[-1, 0])
+
+
+@lru_cache(maxsize=64)
 def front_integral(intensity: float, log_base: float) -> NDArray[np.float32]:
-    """(256, 2) float32: ∫₀^ψ min(f, 1) dψ and f at nodes spread evenly over [ψ₁, 2π], f = E^cot(ψ/2)/C.
+    """(256, 4) float32: the integral of min(f, 1) over the phase from ψ₁, f = E^cot(ψ/2)/C, piecewise cubic.
+
+    The nodes are spread evenly over [ψ₁, 2π], a step h apart. Between node i and the next, at ψ = ψ₁ + (i + t)h, the
+    integral is a + h(bt + ct² + dt³) with (a, b, c, d) the row of node i: a is the integral up to the node, b is f
+    there, and the cubic meets both at the next node. The last row holds the whole integral.
 
     Eight-point Gauss quadrature between nodes, by ``math`` alone, so that its bytes do not depend on the processor's
     vector units.
@@ -34,10 +45,13 @@ def front_integral(intensity: float, log_base: float) -> NDArray[np.float32]:
         exponent = log_base * math.cos(0.5 * psi) / sine if sine > 1e-9 else -math.inf
         return math.exp(min(exponent, 80.0)) / intensity
 
-    table = np.empty((FRONT_NODES, 2), np.float32)
-    total = start
+    table = np.zeros((FRONT_NODES, 4), np.float32)
+    total = 0.0
     for node in range(FRONT_NODES):
         psi = start + node * step
-        table[node] = total, f(psi)
-        total += 0.5 * step * sum(w * f(psi + 0.5 * step * (1.0 + x)) for x, w in _GAUSS)
+        here, following = f(psi), f(psi + step)
+        mean = 0.5 * sum(w * f(psi + 0.5 * step * (1.0 + x)) for x, w in _GAUSS)
+        table[node] = total, here, 3.0 * mean - 2.0 * here - following, here + following - 2.0 * mean
+        total += step * mean
+    table.flags.writeable = False
     return table

@@ -14,7 +14,7 @@ from seafoam.masks.formats import quantised, to_u16
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import front_integral
 
-Format = Literal["R8UI", "R16UI", "R16F", "RG16F", "R32F", "RG32F"]
+Format = Literal["R8UI", "R16UI", "R16F", "RG16F", "R32F", "RG32F", "RGBA32F"]
 
 
 class UnknownTextureError(KeyError):
@@ -51,14 +51,14 @@ def texture(name: str) -> TextureData:
 
     ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/moments-half`` and
     ``-float`` (mean of m and m², all levels),
-    ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RG32F, a row), ``foam`` (R16F, all levels).
+    ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels).
     Raises :class:`UnknownTextureError`.
     """
     match name.split("/"):
         case ["foam"]:
             return _pack(name, "R16F", _box_levels(foam_texture()[..., None]))
         case ["front-integral", intensity, log_base]:
-            return _pack(name, "RG32F", [_front(intensity, log_base)[None]])
+            return _pack(name, "RGBA32F", [_front(intensity, log_base)[None]])
         case ["mask", mask_name, kind]:
             return _mask_texture(name, mask_name, kind)
         case _:

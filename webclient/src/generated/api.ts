@@ -1547,7 +1547,7 @@ export interface components {
              *       "steps": 192,
              *       "tolerance": 0.1,
              *       "cells": 192,
-             *       "refine": 2,
+             *       "refine": 1,
              *       "filter": true
              *     }
              */
@@ -1855,8 +1855,8 @@ export interface components {
             cells: number;
             /**
              * Refine
-             * @description Newton steps a pixel after the mesh
-             * @default 2
+             * @description Newton steps a pixel after the mesh or the march
+             * @default 1
              */
             refine: number;
             /**
@@ -1990,7 +1990,7 @@ export interface components {
              * Format
              * @enum {string}
              */
-            format: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F";
+            format: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F" | "RGBA32F";
             /** Width */
             width: number;
             /** Height */

@@ -4,7 +4,7 @@ import type { Texture as TextureSpec } from "../generated/api";
 interface Layout {
   channels: number;
   bytes: number;
-  internal: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F";
+  internal: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F" | "RGBA32F";
 }
 
 /** Channels and bytes a channel of each format. */
@@ -15,6 +15,7 @@ const LAYOUTS: Record<TextureSpec["format"], Layout> = {
   RG16F: { channels: 2, bytes: 2, internal: "RG16F" },
   R32F: { channels: 1, bytes: 4, internal: "R32F" },
   RG32F: { channels: 2, bytes: 4, internal: "RG32F" },
+  RGBA32F: { channels: 4, bytes: 4, internal: "RGBA32F" },
 };
 
 /** Same bytes, same sampling: same texture. */
@@ -29,7 +30,7 @@ export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data:
   gl.texStorage2D(gl.TEXTURE_2D, spec.levels, gl[internal], spec.width, spec.height);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   const whole = internal === "R8UI" || internal === "R16UI";
-  const format = whole ? gl.RED_INTEGER : channels === 2 ? gl.RG : gl.RED;
+  const format = whole ? gl.RED_INTEGER : channels === 4 ? gl.RGBA : channels === 2 ? gl.RG : gl.RED;
   let offset = 0;
   for (let level = 0; level < spec.levels; level++) {
     const width = Math.max(1, spec.width >> level);

@@ -12,6 +12,9 @@ import type { Json } from "../scene/json";
 import { liveRule } from "./live";
 import { fill, type FrameState } from "./rules";
 
+/** A driver that has not said for so long that it is done is asked outright, ms. */
+const COMPILING = 10000;
+
 /** Reads the bytes of a texture of the plan. */
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
 
@@ -225,7 +228,10 @@ function startAll(gpu: Gpu, plan: FramePlan): Map<string, Lease<Program>> {
 }
 
 async function finish(gpu: Gpu, name: string, program: Program): Promise<void> {
-  while (!isReady(gpu.gl, program, gpu.capabilities) && !gpu.gl.isContextLost()) {
+  // The compiler starts when the commands reach it; and some drivers never say that they are done.
+  gpu.gl.flush();
+  const late = performance.now() + COMPILING;
+  while (!isReady(gpu.gl, program, gpu.capabilities) && !gpu.gl.isContextLost() && performance.now() < late) {
     await new Promise((resolve) => setTimeout(resolve, 4));
   }
   finishProgram(gpu.gl, program, name);
