@@ -1,8 +1,9 @@
 import { describe, expect, it, vi } from "vitest";
 import { Resolution } from "../src/app/resolution";
+import type { Capabilities } from "../src/gl/capabilities";
 import { gridData } from "../src/gl/mesh";
 import { Pool } from "../src/gl/pool";
-import { annotate } from "../src/gl/program";
+import { annotate, type Program, whenReady } from "../src/gl/program";
 import { targetSize } from "../src/gl/target";
 
 describe("a grid", () => {
@@ -90,5 +91,34 @@ describe("the resolution", () => {
     expect(resolution.scale).toBe(1);
     resolution.reconsider(0.5);
     expect(resolution.scale).toBe(0.5);
+  });
+});
+
+describe("waiting for the compiler", () => {
+  const extensions = new Set(["KHR_parallel_shader_compile"]);
+  const program = { handle: {} } as Program;
+  const driver = (done: () => boolean) =>
+    ({
+      flush: () => undefined,
+      isContextLost: () => false,
+      getExtension: () => ({ COMPLETION_STATUS_KHR: 1 }),
+      getProgramParameter: done,
+    }) as unknown as WebGL2RenderingContext;
+
+  it("ends when the driver says so", async () => {
+    let asked = 0;
+    await whenReady(driver(() => ++asked > 2), program, { extensions } as unknown as Capabilities);
+    expect(asked).toBe(3);
+  });
+
+  it("ends even where the driver never says so", async () => {
+    vi.useFakeTimers({ toFake: ["setTimeout", "performance"] });
+    try {
+      const waiting = whenReady(driver(() => false), program, { extensions } as unknown as Capabilities);
+      await vi.advanceTimersByTimeAsync(60_000);
+      await waiting;
+    } finally {
+      vi.useRealTimers();
+    }
   });
 });

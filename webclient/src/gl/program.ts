@@ -2,6 +2,11 @@
 import type { Program as ProgramSource, Shader } from "../generated/api";
 import type { Capabilities } from "./capabilities";
 
+/** Time between questions to the driver, ms. */
+const POLL = 4;
+/** A driver that has not said for so long that it is done is asked outright: some never say it while another page draws, ms. */
+const PATIENCE = 3000;
+
 export interface ActiveUniform {
   location: WebGLUniformLocation;
   /** GL enum of its type. */
@@ -42,11 +47,21 @@ export function startProgram(gl: WebGL2RenderingContext, source: ProgramSource):
 }
 
 /** Whether `finishProgram` would return without waiting for the driver. */
-export function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: Capabilities): boolean {
+function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: Capabilities): boolean {
   const extension = extensions.has("KHR_parallel_shader_compile")
     ? (gl.getExtension("KHR_parallel_shader_compile") as { COMPLETION_STATUS_KHR: number } | null)
     : null;
   return extension === null || gl.getProgramParameter(program.handle, extension.COMPLETION_STATUS_KHR) === true;
+}
+
+/** Comes when `finishProgram` would return without waiting, or when it is time to wait after all. */
+export async function whenReady(gl: WebGL2RenderingContext, program: Program, capabilities: Capabilities): Promise<void> {
+  // The compiler starts when the commands reach it.
+  gl.flush();
+  const late = performance.now() + PATIENCE;
+  while (!isReady(gl, program, capabilities) && !gl.isContextLost() && performance.now() < late) {
+    await new Promise((resolve) => setTimeout(resolve, POLL));
+  }
 }
 
 /** Checks the link and reads the active uniforms; throws a `ShaderError` that names file and line. */

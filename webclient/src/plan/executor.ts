@@ -5,15 +5,12 @@ import { requireFor } from "../gl/capabilities";
 import type { Gpu } from "../gl/gpu";
 import { makeMesh, type Mesh, meshKey } from "../gl/mesh";
 import type { Lease } from "../gl/pool";
-import { type ActiveUniform, finishProgram, isReady, type Program, startProgram } from "../gl/program";
+import { type ActiveUniform, finishProgram, type Program, startProgram, whenReady } from "../gl/program";
 import { deleteTarget, makeTarget, type Target, targetSize } from "../gl/target";
 import { makeTexture, textureKey } from "../gl/texture";
 import type { Json } from "../scene/json";
 import { liveRule } from "./live";
 import { fill, type FrameState } from "./rules";
-
-/** A driver that has not said for so long that it is done is asked outright, ms. */
-const COMPILING = 10000;
 
 /** Reads the bytes of a texture of the plan. */
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
@@ -228,12 +225,7 @@ function startAll(gpu: Gpu, plan: FramePlan): Map<string, Lease<Program>> {
 }
 
 async function finish(gpu: Gpu, name: string, program: Program): Promise<void> {
-  // The compiler starts when the commands reach it; and some drivers never say that they are done.
-  gpu.gl.flush();
-  const late = performance.now() + COMPILING;
-  while (!isReady(gpu.gl, program, gpu.capabilities) && !gpu.gl.isContextLost() && performance.now() < late) {
-    await new Promise((resolve) => setTimeout(resolve, 4));
-  }
+  await whenReady(gpu.gl, program, gpu.capabilities);
   finishProgram(gpu.gl, program, name);
 }
 
