@@ -6,12 +6,24 @@ CONTRIBUTING.md walks through this file and ``windrows.glsl``; a test runs both 
 import math
 from pathlib import Path
 
-from seafoam.effects.contribution import Contribution, Effect, Phase, SlotFile, array, number, vector
+from seafoam.effects.contribution import (
+    Bound,
+    Contribution,
+    Effect,
+    HardCase,
+    Phase,
+    SlotFile,
+    array,
+    number,
+    vector,
+)
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene
+from seafoam.scene.models import Camera, Chop, Foam, ParametricWave, Scene, Water
 
 SPACING = 14.0
 """Distance from line to line, m."""
+STRENGTH = 3.0
+"""Saturation on a line for each unit of the ripples' slope, up to 0.35."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -19,6 +31,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.foam is None or scene.water.chop is None:
         return None
     wind = scene.water.chop.wind_direction
+    strength = min(STRENGTH * scene.water.chop.slope, 0.35)
     k = 2.0 * math.pi / SPACING
     across = (-k * math.sin(wind), k * math.cos(wind))
     return Contribution(
@@ -28,9 +41,23 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_windrow_k": vector(across),
             # The eye's own place enters here, reduced in float64: the shader's p starts at the eye.
             "u_windrow_phase": array("float", [Phase(offset=0.0, rate=0.0, k=across)], 1),
-            "u_windrow_strength": number(0.35),
+            "u_windrow_strength": number(strength),
         },
+        bound=None if strength > 0.0 else Bound(0.0, "no wind"),
     )
 
 
-EFFECT = Effect("windrows", contribute)
+EFFECT = Effect(
+    "windrows",
+    contribute,
+    invisible=(Scene(water=Water(chop=Chop(slope=0.0)), foam=Foam()),),
+    hard_cases=(
+        HardCase(
+            name="windrows ten thousand kilometres away",
+            scene=Scene(waves=(ParametricWave(),), water=Water(chop=Chop()), foam=Foam(look="halftone")),
+            guard="the eye's place across the wind reduced in float64 (plan/rules.py)",
+            without="in float32: lines in steps of a metre, saturation off by up to 0.5",
+            camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.5),
+        ),
+    ),
+)

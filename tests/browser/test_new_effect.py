@@ -10,33 +10,41 @@ import pytest
 from playwright.sync_api import Page
 
 from seafoam.effects import EFFECTS
-from seafoam.plan import FramePlan, planner
-from seafoam.quality import TIERS
+from seafoam.effects.contribution import Effect
+from seafoam.plan import FramePlan, make_plan, planner
+from seafoam.quality import TIERS, Tier
 from seafoam.render.executor import Executor
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
 EXAMPLE = Path(__file__).parents[2] / "docs" / "example" / "windrows.py"
 SIZE = (320, 180)
+SHOWN = ("float windrow", "slots=", "EFFECT =", "bound=", "invisible=", "guard=", "without=")
+"""Beginnings of lines that CONTRIBUTING.md must hold."""
 
 
 @pytest.fixture
-def plans(monkeypatch: pytest.MonkeyPatch) -> tuple[FramePlan, FramePlan]:
-    """The default sea without the example, and with it among its effects."""
-    scene = load_preset("default").scene
-    without = planner.make_plan.__wrapped__(scene, TIERS["standard"])
+def example() -> Effect:
+    """The example's."""
     spec = importlib.util.spec_from_file_location("windrows", EXAMPLE)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    monkeypatch.setattr(planner, "EFFECTS", (*EFFECTS, module.EFFECT))
-    return without, planner.make_plan.__wrapped__(scene, TIERS["standard"])
+    return module.EFFECT
 
 
-def test_the_example_draws_on_both_sides(page: Page, executor: Executor, plans: tuple[FramePlan, FramePlan]) -> None:
-    without, plan = plans
-    assert "windrows" in {note.name for note in plan.effects}
+def plan_of(effect: Effect, scene: Scene, tier: Tier = "standard", *, economy: bool = True) -> FramePlan:
+    """A plan with one more effect, past the cache."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(planner, "EFFECTS", (*EFFECTS, effect))
+        return planner.make_plan.__wrapped__(scene, TIERS[tier], economy=economy)
+
+
+def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example: Effect) -> None:
     scene = load_preset("default").scene
+    without, plan = make_plan(scene, TIERS["standard"]), plan_of(example, scene)
+    assert example.name in {note.name for note in plan.effects}
     width, height = SIZE
     with_lines = executor.render(plan, time=9.0, camera=scene.camera, width=width, height=height).pixels
     plain = executor.render(without, time=9.0, camera=scene.camera, width=width, height=height).pixels
@@ -53,10 +61,33 @@ def test_the_example_draws_on_both_sides(page: Page, executor: Executor, plans: 
     assert (pixels == with_lines).all()
 
 
+def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect) -> None:
+    (case,) = example.hard_cases
+    plan = plan_of(example, case.scene, "reference")
+    for time in case.times:
+        drawn = executor.render(plan, time=time, camera=case.camera, width=48, height=27, output="linear").pixels
+        assert np.isfinite(drawn).all()
+        assert 0.0 < drawn[..., 3].mean() < 1.0
+
+
+def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, example: Effect) -> None:
+    (scene,) = example.invisible
+    lean, full = plan_of(example, scene), plan_of(example, scene, economy=False)
+    assert example.name in {note.name for note in lean.skipped}
+    assert example.name in {note.name for note in full.effects}
+    pictures = [
+        executor.render(plan, time=0.0, camera=scene.camera, width=48, height=27, output="linear").pixels
+        for plan in (lean, full)
+    ]
+    assert np.abs(pictures[0] - pictures[1]).max() < 0.5 / 255.0
+
+
 def test_contributing_shows_the_very_files_that_run() -> None:
     text = (EXAMPLE.parents[2] / "CONTRIBUTING.md").read_text(encoding="utf-8")
     for name in ("windrows.py", "windrows.glsl"):
         body = (EXAMPLE.parent / name).read_text(encoding="utf-8")
         for line in body.splitlines():
-            if line.strip().startswith(("float windrow", "slots=", "EFFECT =")):
+            if line.strip().startswith(
+                ("float windrow", "slots=", "EFFECT =", "bound=", "invisible=", "guard=", "without=")
+            ):
                 assert line.strip() in text, line
