@@ -35,6 +35,7 @@ from seafoam.textures import foam_texture, mask_by_name
 
 _MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _TEXTURE_FILE = "foam/texture.glsl"
+_TEXTURE_PAIR_FILE = "foam/texture_pair.glsl"
 
 
 def _mask(foam: Foam) -> Mask:
@@ -55,11 +56,16 @@ def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
 
 
 def _texture_uniforms(foam: Foam) -> dict[str, Uniform]:
-    scale = 1.0 / foam.texture_tile
-    return {
-        "u_foam_tile": number(scale),
-        "u_foam_offset": array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1),
-    }
+    def place(name: str, tile: float) -> dict[str, Uniform]:
+        scale = 1.0 / tile
+        return {
+            f"u_foam{name}_tile": number(scale),
+            f"u_foam{name}_offset": array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1),
+        }
+
+    if foam.texture_second is None:
+        return place("", foam.texture_tile)
+    return place("", foam.texture_tile) | place("_second", foam.texture_second)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -85,7 +91,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")
     if textured:
-        needs += (_TEXTURE_FILE,)
+        needs += (_TEXTURE_FILE if foam.texture_second is None else _TEXTURE_PAIR_FILE,)
         consts["FOAM_TEXTURE_SIZE"] = foam_texture().shape[0]
         uniforms |= _texture_uniforms(foam)
         inputs["u_foam_texture"] = TextureInput(texture="foam_texture")
@@ -136,8 +142,8 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
     fields = tuple(
         f"/foam/saturation/{i}/{name}"
         for i, source in enumerate(foam.saturation)
-        for name in ("base", "full")
-        if isinstance(source, HeightSaturation)
+        for name in (("base", "full") if isinstance(source, HeightSaturation) else ("gain",))
+        if not isinstance(source, FrontSaturation)
     )
     if most == 0.0:
         return Bound(0.0, "the saturation is 0 everywhere", fields)

@@ -9,12 +9,13 @@ from typing import Literal
 import numpy as np
 
 from seafoam.masks import custom_mask, load_mask
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
+from seafoam.scene.models import Camera, Foam, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
 from . import light, looks, sampling, surface
 from .relief import Relief
+from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
 from .types import Bools, Floats, Ranks, dot, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
@@ -164,13 +165,13 @@ class _Shader:
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         self.waves = wave_set(scene, time, self.origin)
-        self.relief = Relief((self.waves,))
+        self.relief = Relief((self.waves, ring_set(scene, time, self.origin)))
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
             source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
             for source in sources
-            if not isinstance(source, HeightSaturation)
+            if isinstance(source, FrontSaturation)
         }
 
     def shade(self, X: Floats, Y: Floats) -> tuple[Floats, Floats, Bools]:
@@ -232,6 +233,7 @@ class _Shader:
             foam.saturation,
             foam.combine,
             self.fronts,
+            self.relief,
             x,
             z,
             H,
@@ -254,12 +256,21 @@ class _Shader:
     def _texture(self, foam: Foam, assets: Assets, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
         if foam.look not in TEXTURED_LOOKS and not (foam.look == "filtered" and foam.texture > 0.0):
             return np.ones_like(x)
-        u = _tiles(self.origin[0], foam.texture_tile) + x / foam.texture_tile
-        v = _tiles(self.origin[1], foam.texture_tile) + z / foam.texture_tile
+        first = self._texture_copy(foam.texture_tile, False, assets, x, z, foot_x, foot_y)
+        if foam.texture_second is None:
+            return first
+        return 0.5 * (first + self._texture_copy(foam.texture_second, True, assets, x, z, foot_x, foot_y))
+
+    def _texture_copy(
+        self, tile: float, swapped: bool, assets: Assets, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+    ) -> Floats:
+        u = _tiles(self.origin[0], tile) + x / tile
+        v = _tiles(self.origin[1], tile) + z / tile
+        if swapped:
+            u, v = v, u
         if not self.filtering:
             return sampling.bilinear(assets.texture[0], u, v)
-        size = assets.texture[0].shape[0]
-        level = sampling.footprint_level(foot_x / foam.texture_tile, foot_y / foam.texture_tile, size)
+        level = sampling.footprint_level(foot_x / tile, foot_y / tile, assets.texture[0].shape[0])
         return sampling.trilinear(assets.texture, u, v, level)
 
     def _coverage(

@@ -8,6 +8,8 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from seafoam.scene.rings import RINGS_MOST, Ring
+
 GRAVITY = 9.81
 """Gravitational acceleration, m/s²."""
 
@@ -95,7 +97,17 @@ class HeightSaturation(Part):
         return self
 
 
-Saturation = Annotated[FrontSaturation | HeightSaturation, Field(discriminator="source")]
+class SlopeSaturation(Part):
+    """Foam where the water is steep: f = gain (1 − n.y), n the waves' normal (GPU ocean, 2007)."""
+
+    source: Literal["slope"] = "slope"
+    gain: float = Field(default=6.0, ge=0.1, le=1000.0, description="f over 1 − n.y; the larger, the more foam")
+    blur: float = Field(
+        default=0.0, ge=0.0, le=20.0, description="1 − n.y is the mean of a place and four so far around it, m"
+    )
+
+
+Saturation = Annotated[FrontSaturation | HeightSaturation | SlopeSaturation, Field(discriminator="source")]
 
 Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
 
@@ -126,6 +138,13 @@ class Foam(Part):
         json_schema_extra={"unit": "rad"},
     )
     texture_tile: float = Field(default=3.0, ge=0.05, le=1000.0, description="Side of one tile of the foam texture, m")
+    texture_second: float | None = Field(
+        default=None,
+        ge=0.05,
+        le=1000.0,
+        description="Side of one tile of a second copy of the foam texture, u and v swapped, m; the mean of both never "
+        "repeats where the sides have no common measure (2.7 and 3.14); absent: one copy",
+    )
     texture: Share = Field(default=0.0, description="How much the foam texture thins the filtered look")
     fade: Share = Field(
         default=0.0, description="Width of the filtered look's ramp: bubbles fade over it before they pop"
@@ -241,6 +260,7 @@ class Scene(Part):
     """What the sea is."""
 
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
+    rings: tuple[Ring, ...] = Field(default=(), max_length=RINGS_MOST, description="Rings of stones, drops and blasts")
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
