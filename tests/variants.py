@@ -16,15 +16,19 @@ from seafoam.scene.models import (
     ParametricWave,
     Saturation,
     Scene,
+    SlopeSaturation,
     Water,
 )
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.rings import Ring
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),
     (FrontSaturation(group=(0.2, 0.6), constants="listing"),),
     (HeightSaturation(),),
     (FrontSaturation(), HeightSaturation()),
+    (SlopeSaturation(),),
+    (SlopeSaturation(blur=0.5), HeightSaturation()),
 )
 
 
@@ -57,6 +61,14 @@ def scenes() -> Iterator[Scene]:
     yield sea.model_copy(update={"light": None, "foam": None})
     yield sea.model_copy(update={"water": Water()})
     yield sea.model_copy(update={"water": Water(depth=3.0)})
+    for waves in ((), sea.waves):
+        for light in (None, sea.light):
+            yield sea.model_copy(update={"rings": (Ring(), Ring(every=30.0)), "waves": waves, "light": light})
+    for look in ("textured", "filtered"):
+        foam = sea.foam.model_copy(update={"texture_second": 3.14, "look": look})
+        yield sea.model_copy(update={"foam": foam})
+    for look in get_args(Look):
+        yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"cells": True, "look": look})})
     yield Scene()
     yield Scene(foam=Foam(), light=Light())
     yield Scene(waves=tuple(ParametricWave(wavelength=3.0 + i) for i in range(16)), foam=Foam())

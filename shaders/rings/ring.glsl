@@ -1,11 +1,11 @@
-// One ring around its centre (Kryachko 2005): eta = (I0 e^(-b s) - dead) cos(k rho - omega s) between its front and its tail.
+// One ring around its centre (Kryachko 2005): eta = (I0 e^(-b s) - d) cos(k rho - omega s) between its front and its tail.
 // Metres, seconds. rho = sqrt(r^2 + a^2) - a is r with its tip rounded, so nothing is divided by 0 at the centre; s, the age,
 // and the way from the centre are reduced in float64. Exact to float32 while omega s < 1e4. docs/formulae.md, section 2.
 
 // way: from the centre, m. now: unused, unused, s, what lies behind the front (m). shape: I0 (m), k (rad/m), omega (rad/s), b (1/s).
 // Returns eta, d eta / d rho, 1 / sqrt(r^2 + a^2), and the amplitude here and now.
 vec4 ring_profile(vec2 way, vec4 now, vec4 shape) {
-    float amplitude = shape.x * exp(-shape.w * now.z) - RING_DEAD;
+    float amplitude = shape.x * exp(-shape.w * now.z) - max(RING_DEAD, RING_DEAD_SHARE * shape.x);
     float wavelength = TAU / shape.y;
     float soft = RING_SOFT * wavelength;
     float square = dot(way, way);

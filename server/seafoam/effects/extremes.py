@@ -33,7 +33,7 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
 
 def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
     """Greatest slope saturation: that of a wall; none where nothing raises the surface."""
-    return min(slope.gain, SATURATION_CAP) if surface_top(scene) > 0.0 else 0.0
+    return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if surface_top(scene) > 0.0 else 0.0
 
 
 def source_limit(source: Saturation, scene: Scene) -> float:

@@ -33,6 +33,9 @@ from seafoam.scene.models import (
 )
 from seafoam.textures import foam_texture, mask_by_name
 
+CELLS = 4096
+"""Cells along each side of their lattice before their turns come again."""
+
 _MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _TEXTURE_FILE = "foam/texture.glsl"
 _TEXTURE_PAIR_FILE = "foam/texture_pair.glsl"
@@ -52,6 +55,20 @@ def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
     return {
         "u_mask_matrix": vector((c, s, -s, c)),
         "u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1),
+    }
+
+
+def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
+    """The mask's turn, and the eye's place on the lattice of cells: whole steps apart from the rest."""
+    c, s = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+    # Tiles to steps along the two sides of the triangles.
+    first = (c + s / math.sqrt(3.0), s - c / math.sqrt(3.0))
+    second = (-2.0 / math.sqrt(3.0) * s, 2.0 / math.sqrt(3.0) * c)
+    return {
+        "u_mask_matrix": vector((c, s, -s, c)),
+        "u_cell_matrix": vector((*first, *second)),
+        "u_cell_offset": array("vec2", [Wrap(k=first), Wrap(k=second)], 1),
+        "u_cell_index": array("vec2", [Wrap(k=first, period=CELLS), Wrap(k=second, period=CELLS)], 1),
     }
 
 
@@ -84,10 +101,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     textures: dict[str, TextureUse] = {}
     if masked:
         mask = _mask(foam)
-        needs += ("foam/mask_coordinates.glsl", f"foam/mask_texel_{quality.mask}.glsl")
+        needs += ("foam/cell.glsl" if foam.cells else "foam/mask_coordinates.glsl",)
+        needs += (f"foam/mask_texel_{quality.mask}.glsl",)
         needs += () if foam.look == "filtered" else ("foam/mask_exact.glsl",)
         consts["MASK_SIZE"] = mask.ranks.shape[0]
-        uniforms |= _mask_uniforms(foam)
+        uniforms |= _cell_uniforms(foam) if foam.cells else _mask_uniforms(foam)
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")
     if textured:
@@ -120,11 +138,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             f"mask/{foam.mask}/moments-{kind}", filter="nearest" if precise else "linear_mipmap_linear"
         )
         textures["mask_quantiles"] = TextureUse(f"mask/{foam.mask}/quantiles", wrap="clamp_to_edge")
+    look = f"look/{foam.look}.glsl"
+    if masked and foam.cells:
+        needs += (f"{look}?foam_amount=cell_amount",)
+        look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
     over = "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"
     return Contribution(
-        why=f"look {foam.look}" + (f", mask {foam.mask}" if masked else ""),
+        why=f"look {foam.look}"
+        + (f", mask {foam.mask}" if masked else "")
+        + (", turned in each cell" if masked and foam.cells else ""),
         slots=(
-            SlotFile("look", f"look/{foam.look}.glsl", needs=needs),
+            SlotFile("look", look, needs=needs),
             SlotFile("over", over),
             SlotFile("albedo", "foam/albedo.glsl"),
         ),
@@ -142,7 +166,7 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
     fields = tuple(
         f"/foam/saturation/{i}/{name}"
         for i, source in enumerate(foam.saturation)
-        for name in (("base", "full") if isinstance(source, HeightSaturation) else ("gain",))
+        for name in (("base", "full") if isinstance(source, HeightSaturation) else ("base", "gain"))
         if not isinstance(source, FrontSaturation)
     )
     if most == 0.0:

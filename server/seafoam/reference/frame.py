@@ -13,7 +13,7 @@ from seafoam.scene.models import Camera, Foam, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
-from . import light, looks, sampling, surface
+from . import cells, light, looks, sampling, surface
 from .relief import Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -241,11 +241,25 @@ class _Shader:
             footprints=(foot_x, foot_y) if filtered and self.filtering else None,
         )
         t = self._texture(foam, assets, x, z, foot_x, foot_y)
-        u, v = _turned(x, z, foam, self.origin)
-        if filtered:
-            return looks.thinned(self._coverage(foam, assets, f, u, v, foot_x, foot_y), t, foam.texture)
         if foam.look == "textured":
             return looks.textured(f, t)
+        feet = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
+        if foam.cells:
+            total = np.zeros_like(x)
+            for corner in cells.corners(*cells.counted(x, z, foam, self.origin), filtered):
+                own = np.flatnonzero(corner.weight > 0.0)
+                turned = corner.turned(feet[0])[own], corner.turned(feet[1])[own]
+                amount = self._amount(foam, assets, f[own], t[own], corner.u[own], corner.v[own], turned)
+                total[own] += corner.weight[own] * amount
+            return total
+        return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet)
+
+    def _amount(
+        self, foam: Foam, assets: Assets, f: Floats, t: Floats, u: Floats, v: Floats, feet: tuple[Floats, Floats]
+    ) -> Floats:
+        """The amount of a masked look at places (u, v) of the mask, footprints ``feet`` in its tiles; (r,)."""
+        if foam.look == "filtered":
+            return looks.thinned(self._coverage(foam, assets, f, u, v, *feet), t, foam.texture)
         m = sampling.nearest(assets.thresholds, u, v)
         if foam.look == "halftone":
             return looks.halftone(f, m)
@@ -274,12 +288,11 @@ class _Shader:
         return sampling.trilinear(assets.texture, u, v, level)
 
     def _coverage(
-        self, foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_x: Floats, foot_y: Floats
+        self, foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats
     ) -> Floats:
         if not self.filtering:
             b = sampling.bspline(assets.thresholds, u, v).value
             return looks.converged_coverage(s, b, assets.quantile, foam.fade)
-        foot_u, foot_v = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
         level = sampling.footprint_level(foot_u, foot_v, assets.thresholds.shape[0])
         both = sampling.trilinear(assets.moments, u, v, level)
         b, e = np.zeros_like(s), np.zeros_like(s)

@@ -20,7 +20,8 @@ from .types import Bools, Floats
 from .waves import wavenumber
 
 LEAST = 1e-4
-"""What a ring's amplitude is lowered by, m."""
+LEAST_SHARE = 1.0 / 256.0
+"""A ring's amplitude is lowered by so many m, or by this share of I₀ where that is more."""
 ROUND = 0.25
 """Radius of the rounded centre, in wavelengths."""
 BAND = 1.0
@@ -32,7 +33,7 @@ class OneRing:
     """A ring now."""
 
     amplitude: float
-    """I₀e^(−bs) − 10⁻⁴ m, 0 at least."""
+    """I₀e^(−bs) − d, 0 at least, m."""
     k: float
     """rad/m"""
     theta: float
@@ -103,7 +104,7 @@ def one_ring(ring: Ring, depth: float | None, time: float, origin: tuple[float, 
     age = float(since % Fraction(ring.every)) if ring.every is not None else max(float(since), 0.0)
     omega = math.sqrt(GRAVITY * 2.0 * math.pi / ring.wavelength)
     k = wavenumber(ring.wavelength, depth)
-    amplitude = ring.amplitude * math.exp(-ring.decay * age) - LEAST
+    amplitude = ring.amplitude * math.exp(-ring.decay * age) - max(LEAST, LEAST_SHARE * ring.amplitude)
     return OneRing(
         amplitude=max(amplitude, 0.0),
         k=k,

@@ -164,14 +164,14 @@ def height_saturation(H: Floats, base: float, full: float) -> Floats:
     return result
 
 
-def slope_saturation(relief: Part, x: Floats, z: Floats, gain: float, blur: float) -> Floats:
-    """f = gain (1 − n.y), held in [0, 4]; with a blur (m) 1 − n.y is the mean of (x, z) and four places around it."""
+def slope_saturation(relief: Part, x: Floats, z: Floats, gain: float, base: float, blur: float) -> Floats:
+    """f = gain (1 − n.y − base), held in [0, 4]; with a blur (m) 1 − n.y is a mean of five places, a cross."""
     ways = ((0.0, 0.0), (blur, 0.0), (-blur, 0.0), (0.0, blur), (0.0, -blur)) if blur > 0.0 else ((0.0, 0.0),)
     lack = np.zeros_like(x)
     for dx, dz in ways:
         h_x, h_z = relief.gradient(x + dx, z + dz)
         lack += (1.0 - 1.0 / np.sqrt(1.0 + h_x * h_x + h_z * h_z)) / len(ways)
-    result: Floats = np.clip(gain * lack, 0.0, CAP)
+    result: Floats = np.clip(gain * (lack - base), 0.0, CAP)
     return result
 
 
@@ -208,7 +208,7 @@ def saturation(
             parts.append(height_saturation(H, source.base, source.full))
             continue
         if isinstance(source, SlopeSaturation):
-            parts.append(slope_saturation(relief, x, z, source.gain, source.blur))
+            parts.append(slope_saturation(relief, x, z, source.gain, source.base, source.blur))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

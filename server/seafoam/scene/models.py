@@ -98,10 +98,11 @@ class HeightSaturation(Part):
 
 
 class SlopeSaturation(Part):
-    """Foam where the water is steep: f = gain (1 − n.y), n the waves' normal (GPU ocean, 2007)."""
+    """Foam where the water is steep: f = gain (1 − n.y − base), n the waves' normal (GPU ocean, 2007: base 0)."""
 
     source: Literal["slope"] = "slope"
-    gain: float = Field(default=6.0, ge=0.1, le=1000.0, description="f over 1 − n.y; the larger, the more foam")
+    gain: float = Field(default=6.0, ge=0.1, le=1000.0, description="f over 1 − n.y − base; the larger, the more foam")
+    base: float = Field(default=0.0, ge=0.0, le=0.9, description="1 − n.y where foam starts: 0.03 at 14°, 0.13 at 30°")
     blur: float = Field(
         default=0.0, ge=0.0, le=20.0, description="1 − n.y is the mean of a place and four so far around it, m"
     )
@@ -136,6 +137,10 @@ class Foam(Part):
         le=6.2832,
         description="Turn of the mask about +y, rad",
         json_schema_extra={"unit": "rad"},
+    )
+    cells: bool = Field(
+        default=False,
+        description="Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats",
     )
     texture_tile: float = Field(default=3.0, ge=0.05, le=1000.0, description="Side of one tile of the foam texture, m")
     texture_second: float | None = Field(

@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from seafoam.scene.dispersion import wavenumber
 from seafoam.scene.models import GRAVITY, Scene
-from seafoam.scene.rings import DEAD, Ring
+from seafoam.scene.rings import Ring
 
 SOFT = 0.25
 """Radius of a ring's rounded centre, in wavelengths."""
@@ -60,7 +60,7 @@ class Train:
     def amplitude_at(self, distance: float) -> float:
         """No crest is higher at this distance from the centre, m."""
         rho = distance * distance / (math.sqrt(distance * distance + self.soft * self.soft) + self.soft)
-        return max(self.ring.amplitude * math.exp(-self.ring.decay * rho / self.speed) - DEAD, 0.0)
+        return max(self.ring.amplitude * math.exp(-self.ring.decay * rho / self.speed) - self.ring.dead, 0.0)
 
 
 @lru_cache(maxsize=64)
@@ -116,14 +116,14 @@ def _greatest(rings: tuple[Train, ...], weight: Callable[[Train], float]) -> flo
 
 def _over_time(shown: list[tuple[Train, float]]) -> float:
     """The greatest sum of amplitudes wherever they are: just after some birth, for each only sinks from its own."""
-    always = sum(w * (t.ring.amplitude - DEAD) for t, w in shown if t.ring.every is not None)
+    always = sum(w * (t.ring.amplitude - t.ring.dead) for t, w in shown if t.ring.every is not None)
     once = [(t.ring, w) for t, w in shown if t.ring.every is None]
     most = 0.0
     for now, _ in once:
         ages = [(ring, w, now.birth - ring.birth) for ring, w in once]
         most = max(
             most,
-            sum(w * max(r.amplitude * math.exp(-r.decay * age) - DEAD, 0.0) for r, w, age in ages if age >= 0.0),
+            sum(w * max(r.amplitude * math.exp(-r.decay * age) - r.dead, 0.0) for r, w, age in ages if age >= 0.0),
         )
     return always + most
 

@@ -6,14 +6,16 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 DEAD = 1e-4
-"""A ring's amplitude is lowered by so much, m: it ends, without a jump, where the formula's has sunk to this."""
+DEAD_SHARE = 1.0 / 256.0
+"""A ring's amplitude is lowered by 10⁻⁴ m or by this share of I0, whichever is more: it ends, without a jump, where the
+formula's has sunk so far."""
 
 RINGS_MOST = 100
 """A scene holds no more rings."""
 
 
 class Ring(BaseModel):
-    """Circular waves around a centre: η = (I0 e^(−bs) − 10⁻⁴ m) cos(kρ − ωs) behind a front, from ``birth`` on."""
+    """Circular waves around a centre: η = (I0 e^(−bs) − d) cos(kρ − ωs) behind a front, from ``birth`` on."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -25,7 +27,7 @@ class Ring(BaseModel):
         default=None,
         ge=0.1,
         le=1e5,
-        description="It starts again after so long, s, at least its life ln(I0/0.0001)/b; absent: once",
+        description="It starts again after so long, s, at least its life, at most 5.55/b; absent: once",
     )
     amplitude: float = Field(default=0.2, ge=0.0, le=20.0, description="I0: height of a crest at birth, m")
     decay: float = Field(default=0.3, ge=0.01, le=10.0, description="b: how fast it dies away, 1/s")
@@ -35,9 +37,14 @@ class Ring(BaseModel):
     )
 
     @property
+    def dead(self) -> float:
+        """d: what its amplitude is lowered by, m."""
+        return max(DEAD, DEAD_SHARE * self.amplitude)
+
+    @property
     def life(self) -> float:
         """Age at which nothing is left of it, s; 0 for a ring that never shows."""
-        return math.log(self.amplitude / DEAD) / self.decay if self.amplitude > DEAD else 0.0
+        return math.log(self.amplitude / self.dead) / self.decay if self.amplitude > self.dead else 0.0
 
     @model_validator(mode="after")
     def _ends_before_it_starts_again(self) -> "Ring":
