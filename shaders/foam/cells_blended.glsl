@@ -1,4 +1,6 @@
-// A look in cells, each with its own turn of the mask; the amounts of neighbours blend, and their mean stays what it was.
+// A look in cells, each with its own turn of the mask. Where cells meet each thins its foam, and what neither covers stays free:
+// masks that know nothing of each other leave (1 - s1)(1 - s2) free, which is 1 - s for 1 - si = (1 - s)^wi, w1 + w2 + w3 = 1.
+// So no foam turns grey between cells, and the share that is covered is s everywhere.
 float foam_amount(float f, vec2 p, Footprint fp) {
     ivec2 corner[3];
     vec2 way[3];
@@ -8,12 +10,15 @@ float foam_amount(float f, vec2 p, Footprint fp) {
     vec3 weight = max(share - 0.25, 0.0);
     weight *= weight;
     weight *= weight;
-    float sum = 0.0;
+    weight /= weight.x + weight.y + weight.z;
+    float s = clamp(f, 0.0, 1.0);
+    float free = 1.0;
     for (int i = 0; i < 3; ++i) {
         if (weight[i] > 0.0) {
             cell_enter(corner[i], way[i]);
-            sum += weight[i] * cell_amount(f, p, fp);
+            // pow(0, w) is none of GLSL's promises.
+            free *= 1.0 - cell_amount(s < 1.0 ? 1.0 - pow(1.0 - s, weight[i]) : 1.0, p, fp);
         }
     }
-    return sum / (weight.x + weight.y + weight.z);
+    return 1.0 - free;
 }

@@ -257,6 +257,33 @@ EFFECT = Effect(
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
         HardCase(
+            name="a mask turned in each cell, ten thousand kilometres away",
+            scene=Scene(
+                foam=Foam(
+                    saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", cells=True, mask_tile=0.7
+                )
+            ),
+            guard="whole cells and the rest of the eye's place apart, both reduced in float64 (effects/foam_look.py)",
+            without="in float32 the place within a cell is lost: every turn of the mask is another",
+            camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
+        ),
+        HardCase(
+            name="a mask turned in each cell, its thresholds hard",
+            scene=Scene(
+                foam=Foam(
+                    saturation=(HeightSaturation(base=-0.4, full=0.6),),
+                    look="halftone_textured",
+                    cells=True,
+                    mask_tile=4.0,
+                    texture_tile=2.7,
+                    texture_second=3.14,
+                )
+            ),
+            guard="the nearest cell alone, its weight never 0 (foam/cells.glsl)",
+            without="blended, thresholds soften: 4 amounts instead of 2 where cells meet",
+            camera=Camera(position=(3.0, 1.6, -9.0), yaw=2.0, pitch=-0.5),
+        ),
+        HardCase(
             name="black foam over the brightest glitter",
             scene=Scene(
                 foam=Foam(saturation=(HeightSaturation(base=-0.99, full=0.01),), mask_tile=1000.0, albedo=0.0),

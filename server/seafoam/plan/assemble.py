@@ -55,8 +55,8 @@ def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[str]:
 def assemble(pieces: Iterable[str], consts: Consts) -> Shader:
     """A shader from files of ``shaders/`` (each once) and joining functions (pieces that start with ``=``).
 
-    Only the constants that the text names are defined. A path may end in ``?old=new``: there the file's function ``old``
-    is called ``new``, so that another file can stand in its place and call it.
+    Only the constants that the text names are defined. A path may end in ``?old=new``: the file's function ``old`` is
+    called ``new`` there, so that another file can stand in its place and call it.
     """
     parts: list[tuple[str, str]] = []
     seen: set[str] = set()

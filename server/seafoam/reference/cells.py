@@ -50,12 +50,14 @@ def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
         np.where(upper, 1.0 - t, s),
         np.where(upper, 1.0 - s, t),
     ]
-    offsets = [(upper * 1.0, upper * 1.0), (1.0, 0.0), (0.0, 1.0)]
+    one, none = np.ones_like(s), np.zeros_like(s)
+    both = np.where(upper, 1.0, 0.0)
+    offsets = [(both, both), (one, none), (none, one)]
     if blended:
         weights = [np.maximum(share - LEAST, 0.0) ** 4 for share in shares]
     else:
         nearest = np.argmax(shares, axis=0)
-        weights = [(nearest == index) * 1.0 for index in range(3)]
+        weights = [np.where(nearest == index, 1.0, 0.0) for index in range(3)]
     total = weights[0] + weights[1] + weights[2]
     return [
         _corner(weight / total, i + di, j + dj, s - di, t - dj)

@@ -245,13 +245,13 @@ class _Shader:
             return looks.textured(f, t)
         feet = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
         if foam.cells:
-            total = np.zeros_like(x)
+            free = np.ones_like(x)
             for corner in cells.corners(*cells.counted(x, z, foam, self.origin), filtered):
                 own = np.flatnonzero(corner.weight > 0.0)
                 turned = corner.turned(feet[0])[own], corner.turned(feet[1])[own]
-                amount = self._amount(foam, assets, f[own], t[own], corner.u[own], corner.v[own], turned)
-                total[own] += corner.weight[own] * amount
-            return total
+                part = 1.0 - (1.0 - f[own]) ** corner.weight[own] if filtered else f[own]
+                free[own] *= 1.0 - self._amount(foam, assets, part, t[own], corner.u[own], corner.v[own], turned)
+            return 1.0 - free
         return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet)
 
     def _amount(
