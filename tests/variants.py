@@ -27,8 +27,6 @@ SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(group=(0.2, 0.6), constants="listing"),),
     (HeightSaturation(),),
     (FrontSaturation(), HeightSaturation()),
-    (SlopeSaturation(),),
-    (SlopeSaturation(blur=0.5), HeightSaturation()),
 )
 
 
@@ -64,8 +62,9 @@ def scenes() -> Iterator[Scene]:
     for waves in ((), sea.waves):
         for light in (None, sea.light):
             yield sea.model_copy(update={"rings": (Ring(), Ring(every=30.0)), "waves": waves, "light": light})
-    for look in ("textured", "filtered"):
-        foam = sea.foam.model_copy(update={"texture_second": 3.14, "look": look})
+    for look, blur in product(("textured", "filtered"), (0.0, 0.5)):
+        slope = (SlopeSaturation(blur=blur),)
+        foam = sea.foam.model_copy(update={"saturation": slope, "texture_second": 3.14, "look": look})
         yield sea.model_copy(update={"foam": foam})
     for look in get_args(Look):
         yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"cells": True, "look": look})})
