@@ -11,13 +11,15 @@ float foam_amount(float f, vec2 p, Footprint fp) {
     weight *= weight;
     weight *= weight;
     weight /= weight.x + weight.y + weight.z;
-    float s = clamp(f, 0.0, 1.0);
+    float left = 1.0 - clamp(f, 0.0, 1.0);
+    // A power below 1 has an endless slope at 0: held there, and led to 0 evenly, so that all is covered where s is 1.
+    float held = max(left, 1.0 / 256.0);
+    float last = smoothstep(0.0, 1.0 / 256.0, left);
     float free = 1.0;
     for (int i = 0; i < 3; ++i) {
         if (weight[i] > 0.0) {
             cell_enter(corner[i], way[i]);
-            // pow(0, w) is none of GLSL's promises.
-            free *= 1.0 - cell_amount(s < 1.0 ? 1.0 - pow(1.0 - s, weight[i]) : 1.0, p, fp);
+            free *= 1.0 - cell_amount(1.0 - pow(held, weight[i]) * last, p, fp);
         }
     }
     return 1.0 - free;

@@ -268,6 +268,17 @@ EFFECT = Effect(
             camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
         ),
         HardCase(
+            name="a mask turned in each cell, a hair below all",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=1e-3, wavelength=3.0),),
+                foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
+                light=None,
+            ),
+            guard="what is left free held at 1/256 under the power and led to 0 evenly (foam/cells_blended.glsl)",
+            without="the power's slope is endless at 0: foam off by 0.28 where s is 1 to rounding",
+            camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        ),
+        HardCase(
             name="a mask turned in each cell, its thresholds hard",
             scene=Scene(
                 foam=Foam(

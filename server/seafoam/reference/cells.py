@@ -8,11 +8,13 @@ from numpy.typing import NDArray
 
 from seafoam.scene.models import Foam
 
-from .types import Floats
+from .types import Floats, smoothstep
 
 COUNT = 4096
 LEAST = 0.25
 """Cells with a smaller share of a place do not count there."""
+LAST = 1.0 / 256.0
+"""Below this share left free, what is left is led to 0 evenly."""
 _Words = NDArray[np.uint32]
 
 
@@ -63,6 +65,13 @@ def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
         _corner(weight / total, i + di, j + dj, s - di, t - dj)
         for weight, (di, dj) in zip(weights, offsets, strict=True)
     ]
+
+
+def part(s: Floats, weight: Floats) -> Floats:
+    """What a cell of this weight covers where the saturation is s in [0, 1]: 1 − (1 − s)^w, led to 1 at s = 1; (r,)."""
+    left = 1.0 - np.clip(s, 0.0, 1.0)
+    result: Floats = 1.0 - np.maximum(left, LAST) ** weight * smoothstep(0.0, LAST, left)
+    return result
 
 
 def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:

@@ -249,7 +249,7 @@ class _Shader:
             for corner in cells.corners(*cells.counted(x, z, foam, self.origin), filtered):
                 own = np.flatnonzero(corner.weight > 0.0)
                 turned = corner.turned(feet[0])[own], corner.turned(feet[1])[own]
-                part = 1.0 - (1.0 - f[own]) ** corner.weight[own] if filtered else f[own]
+                part = cells.part(f[own], corner.weight[own]) if filtered else f[own]
                 free[own] *= 1.0 - self._amount(foam, assets, part, t[own], corner.u[own], corner.v[own], turned)
             return 1.0 - free
         return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet)
