@@ -16,9 +16,11 @@ from seafoam.scene.models import (
     ParametricWave,
     Saturation,
     Scene,
+    SlopeSaturation,
     Water,
 )
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.rings import Ring
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),
@@ -57,6 +59,15 @@ def scenes() -> Iterator[Scene]:
     yield sea.model_copy(update={"light": None, "foam": None})
     yield sea.model_copy(update={"water": Water()})
     yield sea.model_copy(update={"water": Water(depth=3.0)})
+    for waves in ((), sea.waves):
+        for light in (None, sea.light):
+            yield sea.model_copy(update={"rings": (Ring(), Ring(every=30.0)), "waves": waves, "light": light})
+    for look, blur in product(("textured", "filtered"), (0.0, 0.5)):
+        slope = (SlopeSaturation(blur=blur),)
+        foam = sea.foam.model_copy(update={"saturation": slope, "texture_second": 3.14, "look": look})
+        yield sea.model_copy(update={"foam": foam})
+    for look in get_args(Look):
+        yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"cells": True, "look": look})})
     yield Scene()
     yield Scene(foam=Foam(), light=Light())
     yield Scene(waves=tuple(ParametricWave(wavelength=3.0 + i) for i in range(16)), foam=Foam())

@@ -46,17 +46,24 @@ class Quality(Knobs):
         default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
     )
     chop_size: int = Field(default=256, ge=32, le=1024, description="Texels along a side of the ripple tile")
+    rings: Literal["map", "exact"] = Field(
+        default="map", description="Rings from a map drawn each frame, or summed per pixel"
+    )
+    rings_size: int = Field(default=1024, ge=32, le=2048, description="Texels along a side of the map of rings")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112, refine=2), chop_size=128),
+    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112, refine=2), chop_size=128, rings_size=512),
     "standard": Quality(),
-    "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02, refine=2), chop="exact", samples=4),
+    "high": Quality(
+        surface=SurfaceQuality(steps=384, tolerance=0.02, refine=2), chop="exact", rings_size=2048, samples=4
+    ),
     "reference": Quality(
         surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),
         chop="exact",
+        rings="exact",
         samples=16,
         target="RGBA32F",
     ),

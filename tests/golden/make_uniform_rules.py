@@ -4,7 +4,7 @@ import json
 import math
 from pathlib import Path
 
-from seafoam.effects.contribution import CameraRule, Constant, Loop, PassIndex, Phase, Rule, Viewport, Wrap
+from seafoam.effects.contribution import CameraRule, Constant, Held, Loop, PassIndex, Phase, Rule, Viewport, Wrap
 from seafoam.plan.rules import FrameState, evaluate_rule
 from seafoam.scene.models import Camera
 
@@ -19,6 +19,10 @@ RULES: list[Rule] = [
     Wrap(k=(-1.0, 0.0), offset=0.25, period=3.7),
     Loop(period=60.0),
     Loop(period=0.1),
+    Loop(period=7.3, offset=-2.25),
+    Held(offset=-1e9, rate=1.0, low=0.0, high=55.3),
+    Held(offset=-3.5, k=(-1.0, 0.0), low=-1e8, high=1e8),
+    Held(offset=12.0, rate=-0.25, k=(0.0, 1.0), low=-40.0, high=9.0),
     *(CameraRule(what=what) for what in ("eye_height", "ray_x", "ray_y", "ray_z")),
     CameraRule(what="view_projection", top=2.3),
     CameraRule(what="view_projection", top=50.0),

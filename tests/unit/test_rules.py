@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from seafoam.effects.contribution import CameraRule, Constant, Loop, Phase, Uniform, Wrap
+from seafoam.effects.contribution import CameraRule, Constant, Held, Loop, Phase, Uniform, Wrap
 from seafoam.plan.rules import FrameState, axes, evaluate, evaluate_rule
 from seafoam.scene.models import Camera
 
@@ -57,6 +57,24 @@ def test_wrap_and_loop_stay_in_their_period(value: float, period: float) -> None
     x = min(max(value, -1e7), 1e7)
     (wrapped,) = evaluate_rule(Wrap(k=(1.0, 0.0), period=period), state(0.0, Camera(position=(x, 1.0, 0.0))))
     assert 0.0 <= wrapped < period
+
+
+@given(birth=st.floats(-1e9, 1e9), age=st.floats(-10.0, 100.0))
+def test_an_age_is_as_exact_as_the_times_it_lies_between(birth: float, age: float) -> None:
+    time = birth + age
+    exact = min(max(Fraction(time) - Fraction(birth), Fraction(0)), Fraction(60))
+    (held,) = evaluate_rule(Held(offset=-birth, rate=1.0, low=0.0, high=60.0), state(time))
+    assert abs(Fraction(held) - exact) <= Fraction(math.ulp(time))
+    (looped,) = evaluate_rule(Loop(period=7.5, offset=-birth), state(time))
+    away = (Fraction(time) - Fraction(birth) - Fraction(looped)) % Fraction(7.5)
+    assert min(away, Fraction(7.5) - away) <= Fraction(math.ulp(time)) + Fraction(math.ulp(7.5))
+
+
+def test_held_stops_at_its_ends() -> None:
+    rule = Held(offset=0.5, k=(1.0, 0.0), low=-2.0, high=3.0)
+    places = (-1e7, 1.0, 1e7)
+    got = [evaluate_rule(rule, state(0.0, Camera(position=(x, 5.0, 0.0)))) for x in places]
+    assert got == [(-2.0,), (1.5,), (3.0,)]
 
 
 @given(yaw=st.floats(-6, 6), pitch=st.floats(-math.pi / 2, math.pi / 2), roll=st.floats(-3, 3))

@@ -31,7 +31,7 @@ const frame = ({ target_width, target_height, pass_index, ...state }: Golden["st
 describe("uniform rules agree with the server's", () => {
   it("has vectors of every rule", () => {
     expect(new Set(golden.map(({ rule }) => rule.rule))).toEqual(
-      new Set(["constant", "phase", "wrap", "loop", "camera", "viewport", "pass_index"]),
+      new Set(["constant", "phase", "wrap", "loop", "held", "camera", "viewport", "pass_index"]),
     );
   });
 
@@ -60,7 +60,7 @@ describe("edges of the reductions", () => {
 
   it("never gives the period itself", () => {
     const tiny = { ...still, time: -1e-300 };
-    expect(evaluate({ rule: "loop", period: 7 }, tiny)).toEqual([0]);
+    expect(evaluate({ rule: "loop", period: 7, offset: 0 }, tiny)).toEqual([0]);
     expect(evaluate({ rule: "wrap", k: [0, 0], offset: -1e-300, period: 1 }, still)).toEqual([0]);
   });
 

@@ -1,13 +1,28 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
-from seafoam.effects import chop, crest, floor, foam_look, front, glitter, height, light, parametric, water
+from seafoam.effects import (
+    chop,
+    crest,
+    floor,
+    foam_look,
+    front,
+    glitter,
+    height,
+    light,
+    parametric,
+    rings,
+    slope,
+    water,
+)
 from seafoam.effects.contribution import Effect
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
+    rings.EFFECT,
     chop.EFFECT,
     front.EFFECT,
     height.EFFECT,
+    slope.EFFECT,
     foam_look.EFFECT,
     light.EFFECT,
     glitter.EFFECT,

@@ -46,10 +46,25 @@ class Wrap(PlanPart):
 
 
 class Loop(PlanPart):
-    """t modulo ``period``, in float64: [0, period)."""
+    """t + ``offset`` modulo ``period``, in float64: [0, period)."""
 
     rule: Literal["loop"] = "loop"
     period: float
+    offset: float = 0.0
+
+
+class Held(PlanPart):
+    """offset + rate·t + k·origin, held in [low, high], in float64: an age, or the way from a place to the eye.
+
+    Exact to the rounding of the sum: t − birth and eye − place keep every digit that float64 has of them.
+    """
+
+    rule: Literal["held"] = "held"
+    offset: float
+    rate: float = 0.0
+    k: tuple[float, float] = (0.0, 0.0)
+    low: float
+    high: float
 
 
 class CameraRule(PlanPart):
@@ -76,7 +91,7 @@ class PassIndex(PlanPart):
     rule: Literal["pass_index"] = "pass_index"
 
 
-Rule = Annotated[Constant | Phase | Wrap | Loop | CameraRule | Viewport | PassIndex, Field(discriminator="rule")]
+Rule = Annotated[Constant | Phase | Wrap | Loop | Held | CameraRule | Viewport | PassIndex, Field(discriminator="rule")]
 
 UniformType = Literal["float", "vec2", "vec3", "vec4", "mat4"]
 

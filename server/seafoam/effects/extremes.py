@@ -3,15 +3,21 @@
 import math
 
 from seafoam.effects.light import sky_irradiance, sun_irradiance
-from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, Scene
+from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, Saturation, Scene, SlopeSaturation
+from seafoam.scene.ring_level import calm_level
 
 SATURATION_CAP = 4.0
 """No look tells saturations above 4 apart (docs/formulae.md, section 4)."""
 
 
-def surface_top(scene: Scene) -> float:
-    """Greatest height of the surface, m: every crest in one place."""
+def waves_top(scene: Scene) -> float:
+    """Greatest height of the parametric waves, m: every crest in one place."""
     return sum(wave.amplitude for wave in scene.waves)
+
+
+def surface_top(scene: Scene) -> float:
+    """Greatest height of the surface, m: every crest in one place, and the rings as high as they can be."""
+    return waves_top(scene) + 2.0 * calm_level(scene)
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
@@ -25,12 +31,25 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
     return min(max(reached, 0.0), SATURATION_CAP)
 
 
+def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
+    """Greatest slope saturation: that of a wall; none where nothing raises the surface."""
+    return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if surface_top(scene) > 0.0 else 0.0
+
+
+def source_limit(source: Saturation, scene: Scene) -> float:
+    """Greatest saturation of one source."""
+    match source:
+        case FrontSaturation():
+            return front_limit(source, scene)
+        case HeightSaturation():
+            return height_limit(source, scene)
+        case SlopeSaturation():
+            return slope_limit(source, scene)
+
+
 def greatest_saturation(foam: Foam, scene: Scene) -> float:
     """Greatest saturation of the sources as they join."""
-    limits = [
-        front_limit(source, scene) if isinstance(source, FrontSaturation) else height_limit(source, scene)
-        for source in foam.saturation
-    ]
+    limits = [source_limit(source, scene) for source in foam.saturation]
     if foam.combine == "max":
         return max(limits)
     return min(math.prod(limits), SATURATION_CAP)

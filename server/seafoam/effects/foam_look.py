@@ -34,8 +34,12 @@ from seafoam.scene.models import (
 )
 from seafoam.textures import foam_texture, mask_by_name
 
+CELLS = 4096
+"""Cells along each side of their lattice before their turns come again."""
+
 _MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _TEXTURE_FILE = "foam/texture.glsl"
+_TEXTURE_PAIR_FILE = "foam/texture_pair.glsl"
 
 
 def _mask(foam: Foam) -> Mask:
@@ -55,12 +59,31 @@ def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
     }
 
 
-def _texture_uniforms(foam: Foam) -> dict[str, Uniform]:
-    scale = 1.0 / foam.texture_tile
+def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
+    """The mask's turn, and the eye's place on the lattice of cells: whole steps apart from the rest."""
+    c, s = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+    # Tiles to steps along the two sides of the triangles.
+    first = (c + s / math.sqrt(3.0), s - c / math.sqrt(3.0))
+    second = (-2.0 / math.sqrt(3.0) * s, 2.0 / math.sqrt(3.0) * c)
     return {
-        "u_foam_tile": number(scale),
-        "u_foam_offset": array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1),
+        "u_mask_matrix": vector((c, s, -s, c)),
+        "u_cell_matrix": vector((*first, *second)),
+        "u_cell_offset": array("vec2", [Wrap(k=first), Wrap(k=second)], 1),
+        "u_cell_index": array("vec2", [Wrap(k=first, period=CELLS), Wrap(k=second, period=CELLS)], 1),
     }
+
+
+def _texture_uniforms(foam: Foam) -> dict[str, Uniform]:
+    def place(name: str, tile: float) -> dict[str, Uniform]:
+        scale = 1.0 / tile
+        return {
+            f"u_foam{name}_tile": number(scale),
+            f"u_foam{name}_offset": array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1),
+        }
+
+    if foam.texture_second is None:
+        return place("", foam.texture_tile)
+    return place("", foam.texture_tile) | place("_second", foam.texture_second)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -79,14 +102,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     textures: dict[str, TextureUse] = {}
     if masked:
         mask = _mask(foam)
-        needs += ("foam/mask_coordinates.glsl", f"foam/mask_texel_{quality.mask}.glsl")
+        needs += ("foam/cell.glsl" if foam.cells else "foam/mask_coordinates.glsl",)
+        needs += (f"foam/mask_texel_{quality.mask}.glsl",)
         needs += () if foam.look == "filtered" else ("foam/mask_exact.glsl",)
         consts["MASK_SIZE"] = mask.ranks.shape[0]
-        uniforms |= _mask_uniforms(foam)
+        uniforms |= _cell_uniforms(foam) if foam.cells else _mask_uniforms(foam)
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")
     if textured:
-        needs += (_TEXTURE_FILE,)
+        needs += (_TEXTURE_FILE if foam.texture_second is None else _TEXTURE_PAIR_FILE,)
         consts["FOAM_TEXTURE_SIZE"] = foam_texture().shape[0]
         uniforms |= _texture_uniforms(foam)
         inputs["u_foam_texture"] = TextureInput(texture="foam_texture")
@@ -115,11 +139,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             f"mask/{foam.mask}/moments-{kind}", filter="nearest" if precise else "linear_mipmap_linear"
         )
         textures["mask_quantiles"] = TextureUse(f"mask/{foam.mask}/quantiles", wrap="clamp_to_edge")
+    look = f"look/{foam.look}.glsl"
+    if masked and foam.cells:
+        needs += (f"{look}?foam_amount=cell_amount",)
+        look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
     over = "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"
     return Contribution(
-        why=f"look {foam.look}" + (f", mask {foam.mask}" if masked else ""),
+        why=f"look {foam.look}"
+        + (f", mask {foam.mask}" if masked else "")
+        + (", turned in each cell" if masked and foam.cells else ""),
         slots=(
-            SlotFile("look", f"look/{foam.look}.glsl", needs=needs),
+            SlotFile("look", look, needs=needs),
             SlotFile("over", over),
             SlotFile("albedo", "foam/albedo.glsl"),
         ),
@@ -137,8 +167,8 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
     fields = tuple(
         f"/foam/saturation/{i}/{name}"
         for i, source in enumerate(foam.saturation)
-        for name in ("base", "full")
-        if isinstance(source, HeightSaturation)
+        for name in (("base", "full") if isinstance(source, HeightSaturation) else ("base", "gain"))
+        if not isinstance(source, FrontSaturation)
     )
     if most == 0.0:
         return Bound(0.0, "the saturation is 0 everywhere", fields)
@@ -226,6 +256,44 @@ EFFECT = Effect(
             guard="the ramp's divisor at least 1e-30 (look/filtered.glsl)",
             without="NaN in 67 % of samples: subnormals are flushed, 0/0",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="a mask turned in each cell, ten thousand kilometres away",
+            scene=Scene(
+                foam=Foam(
+                    saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", cells=True, mask_tile=0.7
+                )
+            ),
+            guard="whole cells and the rest of the eye's place apart, both reduced in float64 (effects/foam_look.py)",
+            without="in float32 the place within a cell is lost: every turn of the mask is another",
+            camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
+        ),
+        HardCase(
+            name="a mask turned in each cell, a hair below all",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=1e-3, wavelength=3.0),),
+                foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
+                light=None,
+            ),
+            guard="what is left free held at 1/256 under the power and led to 0 evenly (foam/cells_blended.glsl)",
+            without="the power's slope is endless at 0: foam off by 0.28 where s is 1 to rounding",
+            camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        ),
+        HardCase(
+            name="a mask turned in each cell, its thresholds hard",
+            scene=Scene(
+                foam=Foam(
+                    saturation=(HeightSaturation(base=-0.4, full=0.6),),
+                    look="halftone_textured",
+                    cells=True,
+                    mask_tile=4.0,
+                    texture_tile=2.7,
+                    texture_second=3.14,
+                )
+            ),
+            guard="the nearest cell alone, its weight never 0 (foam/cells.glsl)",
+            without="blended, thresholds soften: 4 amounts instead of 2 where cells meet",
+            camera=Camera(position=(3.0, 1.6, -9.0), yaw=2.0, pitch=-0.5),
         ),
         HardCase(
             name="black foam over the brightest glitter",

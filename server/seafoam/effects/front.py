@@ -18,7 +18,7 @@ from seafoam.effects.contribution import (
     number,
     vector,
 )
-from seafoam.effects.extremes import front_limit, surface_top
+from seafoam.effects.extremes import front_limit, waves_top
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
 from seafoam.scene.models import (
@@ -50,7 +50,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound = Bound(0.0, "crests foam only above the greatest possible sum of the waves")
     filtered = scene.foam.look == "filtered"
     delta, turn, log_base = _CONSTANTS[front.constants]
-    total = surface_top(scene)
+    total = waves_top(scene)
     data: list[Constant] = []
     phases: list[Phase] = []
     for wave in scene.waves:

@@ -14,7 +14,7 @@ from seafoam.effects.contribution import (
     array,
     significant,
 )
-from seafoam.effects.extremes import crest_limit, slope_sensitivity, surface_top
+from seafoam.effects.extremes import crest_limit, slope_sensitivity, waves_top
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
 from seafoam.scene.models import (
@@ -92,7 +92,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_mean": array("vec2", means, len(waves)),
         },
         bound=_bound(scene, steepest),
-        top=surface_top(scene),
+        top=waves_top(scene),
         steepest=steepest,
     )
 
@@ -106,7 +106,7 @@ def _bound(scene: Scene, steepest: float) -> Bound | None:
     if scene.light is None:
         return Bound(0.0, "nothing lies on them, and there is no light")
     return Bound(
-        slope_sensitivity(scene) * steepest + 0.1 * surface_top(scene) + crest_limit(scene),
+        slope_sensitivity(scene) * steepest + 0.1 * waves_top(scene) + crest_limit(scene),
         f"slopes are never above {steepest:.1g}",
         ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
     )

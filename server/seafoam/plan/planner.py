@@ -69,7 +69,7 @@ class _Draft:
 
     def _add(self, name: str, given: Contribution) -> None:
         files = [*given.slots]
-        paths = {path for file in files for path in (*file.needs, file.path)}
+        paths = {path.partition("?")[0] for file in files for path in (*file.needs, file.path)}
         paths |= {path for spec in given.passes for path in (*spec.vertex, *spec.fragment)}
         self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
         self.slots += files

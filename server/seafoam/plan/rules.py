@@ -11,6 +11,7 @@ from seafoam.effects.contribution import (
     COMPONENTS,
     CameraRule,
     Constant,
+    Held,
     Loop,
     Phase,
     Rule,
@@ -61,7 +62,11 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
             x, _, z = state.camera.position
             return (_modulo(rule.k[0] * x + rule.k[1] * z + rule.offset, rule.period),)
         case Loop():
-            return (_modulo(state.time, rule.period),)
+            return (_modulo(state.time + rule.offset, rule.period),)
+        case Held():
+            x, _, z = state.camera.position
+            value = rule.offset + rule.rate * state.time + (rule.k[0] * x + rule.k[1] * z)
+            return (min(max(value, rule.low), rule.high),)
         case CameraRule():
             return _camera(rule, state)
         case Viewport():

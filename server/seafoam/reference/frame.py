@@ -9,12 +9,13 @@ from typing import Literal
 import numpy as np
 
 from seafoam.masks import custom_mask, load_mask
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
+from seafoam.scene.models import Camera, Foam, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
-from . import light, looks, sampling, surface
+from . import cells, light, looks, sampling, surface
 from .relief import Relief
+from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
 from .types import Bools, Floats, Ranks, dot, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
@@ -164,13 +165,13 @@ class _Shader:
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         self.waves = wave_set(scene, time, self.origin)
-        self.relief = Relief((self.waves,))
+        self.relief = Relief((self.waves, ring_set(scene, time, self.origin)))
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
             source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
             for source in sources
-            if not isinstance(source, HeightSaturation)
+            if isinstance(source, FrontSaturation)
         }
 
     def shade(self, X: Floats, Y: Floats) -> tuple[Floats, Floats, Bools]:
@@ -232,6 +233,7 @@ class _Shader:
             foam.saturation,
             foam.combine,
             self.fronts,
+            self.relief,
             x,
             z,
             H,
@@ -239,11 +241,25 @@ class _Shader:
             footprints=(foot_x, foot_y) if filtered and self.filtering else None,
         )
         t = self._texture(foam, assets, x, z, foot_x, foot_y)
-        u, v = _turned(x, z, foam, self.origin)
-        if filtered:
-            return looks.thinned(self._coverage(foam, assets, f, u, v, foot_x, foot_y), t, foam.texture)
         if foam.look == "textured":
             return looks.textured(f, t)
+        feet = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
+        if foam.cells:
+            free = np.ones_like(x)
+            for corner in cells.corners(*cells.counted(x, z, foam, self.origin), filtered):
+                own = np.flatnonzero(corner.weight > 0.0)
+                turned = corner.turned(feet[0])[own], corner.turned(feet[1])[own]
+                part = cells.part(f[own], corner.weight[own]) if filtered else f[own]
+                free[own] *= 1.0 - self._amount(foam, assets, part, t[own], corner.u[own], corner.v[own], turned)
+            return 1.0 - free
+        return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet)
+
+    def _amount(
+        self, foam: Foam, assets: Assets, f: Floats, t: Floats, u: Floats, v: Floats, feet: tuple[Floats, Floats]
+    ) -> Floats:
+        """The amount of a masked look at places (u, v) of the mask, footprints ``feet`` in its tiles; (r,)."""
+        if foam.look == "filtered":
+            return looks.thinned(self._coverage(foam, assets, f, u, v, *feet), t, foam.texture)
         m = sampling.nearest(assets.thresholds, u, v)
         if foam.look == "halftone":
             return looks.halftone(f, m)
@@ -254,21 +270,29 @@ class _Shader:
     def _texture(self, foam: Foam, assets: Assets, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
         if foam.look not in TEXTURED_LOOKS and not (foam.look == "filtered" and foam.texture > 0.0):
             return np.ones_like(x)
-        u = _tiles(self.origin[0], foam.texture_tile) + x / foam.texture_tile
-        v = _tiles(self.origin[1], foam.texture_tile) + z / foam.texture_tile
+        first = self._texture_copy(foam.texture_tile, False, assets, x, z, foot_x, foot_y)
+        if foam.texture_second is None:
+            return first
+        return 0.5 * (first + self._texture_copy(foam.texture_second, True, assets, x, z, foot_x, foot_y))
+
+    def _texture_copy(
+        self, tile: float, swapped: bool, assets: Assets, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+    ) -> Floats:
+        u = _tiles(self.origin[0], tile) + x / tile
+        v = _tiles(self.origin[1], tile) + z / tile
+        if swapped:
+            u, v = v, u
         if not self.filtering:
             return sampling.bilinear(assets.texture[0], u, v)
-        size = assets.texture[0].shape[0]
-        level = sampling.footprint_level(foot_x / foam.texture_tile, foot_y / foam.texture_tile, size)
+        level = sampling.footprint_level(foot_x / tile, foot_y / tile, assets.texture[0].shape[0])
         return sampling.trilinear(assets.texture, u, v, level)
 
     def _coverage(
-        self, foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_x: Floats, foot_y: Floats
+        self, foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats
     ) -> Floats:
         if not self.filtering:
             b = sampling.bspline(assets.thresholds, u, v).value
             return looks.converged_coverage(s, b, assets.quantile, foam.fade)
-        foot_u, foot_v = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
         level = sampling.footprint_level(foot_u, foot_v, assets.thresholds.shape[0])
         both = sampling.trilinear(assets.moments, u, v, level)
         b, e = np.zeros_like(s), np.zeros_like(s)

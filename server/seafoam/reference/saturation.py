@@ -7,8 +7,9 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import FrontSaturation, HeightSaturation
+from seafoam.scene.models import HeightSaturation, Saturation, SlopeSaturation
 
+from .relief import Part
 from .types import Floats, smoothstep
 from .waves import WaveSet
 
@@ -163,6 +164,17 @@ def height_saturation(H: Floats, base: float, full: float) -> Floats:
     return result
 
 
+def slope_saturation(relief: Part, x: Floats, z: Floats, gain: float, base: float, blur: float) -> Floats:
+    """f = gain (1 − n.y − base), held in [0, 4]; with a blur (m) 1 − n.y is a mean of five places, a cross."""
+    ways = ((0.0, 0.0), (blur, 0.0), (-blur, 0.0), (0.0, blur), (0.0, -blur)) if blur > 0.0 else ((0.0, 0.0),)
+    lack = np.zeros_like(x)
+    for dx, dz in ways:
+        h_x, h_z = relief.gradient(x + dx, z + dz)
+        lack += (1.0 - 1.0 / np.sqrt(1.0 + h_x * h_x + h_z * h_z)) / len(ways)
+    result: Floats = np.clip(gain * (lack - base), 0.0, CAP)
+    return result
+
+
 def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) -> Floats:
     """The greatest or the product of saturations, each and the result capped; one array or more."""
     result = np.minimum(parts[0], cap)
@@ -173,9 +185,10 @@ def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) 
 
 
 def saturation(
-    sources: tuple[FrontSaturation | HeightSaturation, ...],
+    sources: tuple[Saturation, ...],
     combine: Literal["max", "product"],
     waves: dict[str, WaveSet],
+    relief: Part,
     x: Floats,
     z: Floats,
     H: Floats,
@@ -185,13 +198,17 @@ def saturation(
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
-    ``waves`` holds the waves for each kind of front constants. With footprints (each (r, 2) m) fronts are averaged
+    ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface.
+    With footprints (each (r, 2) m) fronts are averaged
     over them.
     """
     parts = []
     for source in sources:
         if isinstance(source, HeightSaturation):
             parts.append(height_saturation(H, source.base, source.full))
+            continue
+        if isinstance(source, SlopeSaturation):
+            parts.append(slope_saturation(relief, x, z, source.gain, source.base, source.blur))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

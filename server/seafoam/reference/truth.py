@@ -8,6 +8,7 @@ import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,8 @@ from seafoam.scene.models import Scene
 from .frame import Frame, Mode
 from .types import Bools, Floats
 
+_LATER: dict[str, dict[str, Any]] = {"": {"rings": []}, "foam": {"texture_second": None, "cells": False}}
+"""Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults."""
 BRIGHTEST = 4.0
 LEVELS = 65535
 
@@ -45,8 +48,17 @@ class Truth:
 
 
 def scene_sha256(scene: Scene) -> str:
-    """SHA-256, in hexadecimal, of the scene as canonical JSON."""
-    text = json.dumps(scene.model_dump(mode="json"), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    """SHA-256, in hexadecimal, of the scene as canonical JSON.
+
+    Fields that came later count only where they are used: a frame baked before stays the truth of its scene.
+    """
+    document = scene.model_dump(mode="json")
+    for part, defaults in _LATER.items():
+        held: dict[str, Any] = (document.get(part) if part else document) or {}
+        for name, default in defaults.items():
+            if name in held and held[name] == default:
+                del held[name]
+    text = json.dumps(document, sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
 
 

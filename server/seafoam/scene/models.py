@@ -8,6 +8,8 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from seafoam.scene.rings import RINGS_MOST, Ring
+
 GRAVITY = 9.81
 """Gravitational acceleration, m/s²."""
 
@@ -95,7 +97,18 @@ class HeightSaturation(Part):
         return self
 
 
-Saturation = Annotated[FrontSaturation | HeightSaturation, Field(discriminator="source")]
+class SlopeSaturation(Part):
+    """Foam where the water is steep: f = gain (1 − n.y − base), n the waves' normal (GPU ocean, 2007: base 0)."""
+
+    source: Literal["slope"] = "slope"
+    gain: float = Field(default=6.0, ge=0.1, le=1000.0, description="f over 1 − n.y − base; the larger, the more foam")
+    base: float = Field(default=0.0, ge=0.0, le=0.9, description="1 − n.y where foam starts: 0.03 at 14°, 0.13 at 30°")
+    blur: float = Field(
+        default=0.0, ge=0.0, le=20.0, description="1 − n.y is the mean of a place and four so far around it, m"
+    )
+
+
+Saturation = Annotated[FrontSaturation | HeightSaturation | SlopeSaturation, Field(discriminator="source")]
 
 Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
 
@@ -125,7 +138,18 @@ class Foam(Part):
         description="Turn of the mask about +y, rad",
         json_schema_extra={"unit": "rad"},
     )
+    cells: bool = Field(
+        default=False,
+        description="Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats",
+    )
     texture_tile: float = Field(default=3.0, ge=0.05, le=1000.0, description="Side of one tile of the foam texture, m")
+    texture_second: float | None = Field(
+        default=None,
+        ge=0.05,
+        le=1000.0,
+        description="Side of one tile of a second copy of the foam texture, u and v swapped, m; the mean of both never "
+        "repeats where the sides have no common measure (2.7 and 3.14); absent: one copy",
+    )
     texture: Share = Field(default=0.0, description="How much the foam texture thins the filtered look")
     fade: Share = Field(
         default=0.0, description="Width of the filtered look's ramp: bubbles fade over it before they pop"
@@ -241,6 +265,7 @@ class Scene(Part):
     """What the sea is."""
 
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
+    rings: tuple[Ring, ...] = Field(default=(), max_length=RINGS_MOST, description="Rings of stones, drops and blasts")
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")

@@ -821,7 +821,7 @@ export interface components {
              *       }
              *     ]
              */
-            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"])[];
+            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"])[];
             /**
              * Combine
              * @description How several saturations join
@@ -855,11 +855,22 @@ export interface components {
              */
             mask_angle: number;
             /**
+             * Cells
+             * @description Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats
+             * @default false
+             */
+            cells: boolean;
+            /**
              * Texture Tile
              * @description Side of one tile of the foam texture, m
              * @default 3
              */
             texture_tile: number;
+            /**
+             * Texture Second
+             * @description Side of one tile of a second copy of the foam texture, u and v swapped, m; the mean of both never repeats where the sides have no common measure (2.7 and 3.14); absent: one copy
+             */
+            texture_second?: number | null;
             /**
              * Texture
              * @description How much the foam texture thins the filtered look
@@ -1075,6 +1086,41 @@ export interface components {
             full: number;
         };
         /**
+         * Held
+         * @description offset + rate·t + k·origin, held in [low, high], in float64: an age, or the way from a place to the eye.
+         *
+         *     Exact to the rounding of the sum: t − birth and eye − place keep every digit that float64 has of them.
+         */
+        Held: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            rule: "held";
+            /** Offset */
+            offset: number;
+            /**
+             * Rate
+             * @default 0
+             */
+            rate: number;
+            /**
+             * K
+             * @default [
+             *       0,
+             *       0
+             *     ]
+             */
+            k: [
+                number,
+                number
+            ];
+            /** Low */
+            low: number;
+            /** High */
+            high: number;
+        };
+        /**
          * KnobChoice
          * @description A value of one knob; all others are as in tier standard.
          */
@@ -1160,7 +1206,7 @@ export interface components {
         };
         /**
          * Loop
-         * @description t modulo ``period``, in float64: [0, period).
+         * @description t + ``offset`` modulo ``period``, in float64: [0, period).
          */
         Loop: {
             /**
@@ -1170,6 +1216,11 @@ export interface components {
             rule: "loop";
             /** Period */
             period: number;
+            /**
+             * Offset
+             * @default 0
+             */
+            offset: number;
         };
         /**
          * Machine
@@ -1586,6 +1637,19 @@ export interface components {
              */
             chop_size: number;
             /**
+             * Rings
+             * @description Rings from a map drawn each frame, or summed per pixel
+             * @default map
+             * @enum {string}
+             */
+            rings: "map" | "exact";
+            /**
+             * Rings Size
+             * @description Texels along a side of the map of rings
+             * @default 1024
+             */
+            rings_size: number;
+            /**
              * Samples
              * @description Samples a pixel, on a square grid
              * @default 1
@@ -1685,6 +1749,58 @@ export interface components {
             version: string;
         };
         /**
+         * Ring
+         * @description Circular waves around a centre: η = (I0 e^(−bs) − d) cos(kρ − ωs) behind a front, from ``birth`` on.
+         */
+        Ring: {
+            /**
+             * Place
+             * @description Centre (x, z), m
+             * @default [
+             *       0,
+             *       -20
+             *     ]
+             */
+            place: [
+                number,
+                number
+            ];
+            /**
+             * Birth
+             * @description When it starts, s; no ring before
+             * @default 0
+             */
+            birth: number;
+            /**
+             * Every
+             * @description It starts again after so long, s, at least its life, at most 5.55/b; absent: once
+             */
+            every?: number | null;
+            /**
+             * Amplitude
+             * @description I0: height of a crest at birth, m
+             * @default 0.2
+             */
+            amplitude: number;
+            /**
+             * Decay
+             * @description b: how fast it dies away, 1/s
+             * @default 0.3
+             */
+            decay: number;
+            /**
+             * Wavelength
+             * @description λ: crest to crest in deep water, m
+             * @default 3
+             */
+            wavelength: number;
+            /**
+             * Crests
+             * @description Waves behind the front before it is calm; absent: to the centre
+             */
+            crests?: number | null;
+        };
+        /**
          * Running
          * @description A measurement that is not finished.
          */
@@ -1720,6 +1836,12 @@ export interface components {
              * @default []
              */
             waves: components["schemas"]["ParametricWave"][];
+            /**
+             * Rings
+             * @description Rings of stones, drops and blasts
+             * @default []
+             */
+            rings: components["schemas"]["Ring"][];
             /** @description Absent: no foam */
             foam?: components["schemas"]["Foam"] | null;
             water?: components["schemas"]["Water"];
@@ -1738,6 +1860,35 @@ export interface components {
             sha256: string;
             /** Files */
             files: components["schemas"]["SourceFile"][];
+        };
+        /**
+         * SlopeSaturation
+         * @description Foam where the water is steep: f = gain (1 − n.y − base), n the waves' normal (GPU ocean, 2007: base 0).
+         */
+        SlopeSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "slope";
+            /**
+             * Gain
+             * @description f over 1 − n.y − base; the larger, the more foam
+             * @default 6
+             */
+            gain: number;
+            /**
+             * Base
+             * @description 1 − n.y where foam starts: 0.03 at 14°, 0.13 at 30°
+             * @default 0
+             */
+            base: number;
+            /**
+             * Blur
+             * @description 1 − n.y is the mean of a place and four so far around it, m
+             * @default 0
+             */
+            blur: number;
         };
         /**
          * SourceFile
@@ -2115,7 +2266,7 @@ export interface components {
              */
             count: number;
             /** Rules */
-            rules: (components["schemas"]["Constant"] | components["schemas"]["Phase"] | components["schemas"]["Wrap"] | components["schemas"]["Loop"] | components["schemas"]["CameraRule"] | components["schemas"]["Viewport"] | components["schemas"]["PassIndex"])[];
+            rules: (components["schemas"]["Constant"] | components["schemas"]["Phase"] | components["schemas"]["Wrap"] | components["schemas"]["Loop"] | components["schemas"]["Held"] | components["schemas"]["CameraRule"] | components["schemas"]["Viewport"] | components["schemas"]["PassIndex"])[];
         };
         /**
          * Viewport
@@ -2331,6 +2482,7 @@ export type FrontSaturation = components['schemas']['FrontSaturation'];
 export type Fullscreen = components['schemas']['Fullscreen'];
 export type Grid = components['schemas']['Grid'];
 export type HeightSaturation = components['schemas']['HeightSaturation'];
+export type Held = components['schemas']['Held'];
 export type KnobChoice = components['schemas']['KnobChoice'];
 export type KnobInfo = components['schemas']['KnobInfo'];
 export type Light = components['schemas']['Light'];
@@ -2354,9 +2506,11 @@ export type Quality = components['schemas']['Quality'];
 export type QualityTiers = components['schemas']['QualityTiers'];
 export type Ready = components['schemas']['Ready'];
 export type RendererInfo = components['schemas']['RendererInfo'];
+export type Ring = components['schemas']['Ring'];
 export type Running = components['schemas']['Running'];
 export type Scene = components['schemas']['Scene'];
 export type Shader = components['schemas']['Shader'];
+export type SlopeSaturation = components['schemas']['SlopeSaturation'];
 export type SourceFile = components['schemas']['SourceFile'];
 export type State = components['schemas']['State'];
 export type Step = components['schemas']['Step'];

@@ -80,7 +80,11 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
     case "wrap":
       return [modulo(rule.k[0] * ox + rule.k[1] * oz + rule.offset, rule.period)];
     case "loop":
-      return [modulo(state.time, rule.period)];
+      return [modulo(state.time + rule.offset, rule.period)];
+    case "held": {
+      const value = rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz);
+      return [Math.min(Math.max(value, rule.low), rule.high)];
+    }
     case "camera":
       return camera(rule, state);
     case "viewport":

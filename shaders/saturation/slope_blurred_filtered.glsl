@@ -1,0 +1,17 @@
+// Foam where the water is steep (GPU ocean, 2007), blurred: f = gain (1 - n.y - base), n the waves' normal; f in [0, 1].
+// The mean of five places, the middle and a cross around it. What the footprint has taken out of the slope still counts, by its mean square.
+uniform float u_slope_gain;
+uniform float u_slope_base;
+uniform float u_slope_blur; // m
+
+float slope_lack(vec2 p, Footprint fp) {
+    vec4 wave = waves_shading(p, fp);
+    return 1.0 - inversesqrt(1.0 + dot(wave.yz, wave.yz) + wave.w);
+}
+
+float slope_saturation(vec2 p, float height, Footprint fp) {
+    vec2 arm = vec2(u_slope_blur, 0.0);
+    float mean = slope_lack(p, fp) + slope_lack(p + arm, fp) + slope_lack(p - arm, fp);
+    mean = 0.2 * (mean + slope_lack(p + arm.yx, fp) + slope_lack(p - arm.yx, fp));
+    return clamp(u_slope_gain * (mean - u_slope_base), 0.0, 1.0);
+}
