@@ -8,6 +8,7 @@ from collections.abc import Iterable
 
 from seafoam.effects.contribution import (
     Bound,
+    Const,
     Constant,
     Contribution,
     Effect,
@@ -90,7 +91,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     level, steepest = calm_level(scene), ring_slope(scene)
     bound = _bound(scene, level, steepest)
     count = len(shown)
-    consts: dict[str, int | float | bool] = {
+    consts: dict[str, Const] = {
         "RING_COUNT": count,
         "RING_DEAD": DEAD,
         "RING_DEAD_SHARE": DEAD_SHARE,
