@@ -46,16 +46,26 @@ class Quality(Knobs):
         default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
     )
     chop_size: int = Field(default=256, ge=32, le=1024, description="Texels along a side of the ripple tile")
+    sea_size: Literal[64, 128, 256, 512] = Field(default=256, description="Texels along a side of a tile of open sea")
+    sea_tiles: Literal[2, 3, 4] = Field(default=4, description="Tiles of an FFT sea, the largest first")
+    sea_digits: Literal["half", "float"] = Field(default="half", description="Floats of the tiles of open sea")
+    age_steps: Literal[0, 4, 8] = Field(default=8, description="Earlier times at which the sea's folds are looked for")
+    age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Seconds between them")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112), chop_size=128),
+    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112), chop_size=128, sea_size=128, sea_tiles=3, age_steps=4, age_step=0.7),
     "standard": Quality(),
-    "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", samples=4),
+    "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", sea_digits="float", samples=4),
     "reference": Quality(
-        surface=SurfaceQuality(steps=512, tolerance=2e-4, filter=False), chop="exact", samples=16, target="RGBA32F"
+        surface=SurfaceQuality(steps=512, tolerance=2e-4, filter=False),
+        chop="exact",
+        sea_size=512,
+        sea_digits="float",
+        samples=16,
+        target="RGBA32F",
     ),
 }
 

@@ -1,13 +1,15 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
-from seafoam.effects import chop, crest, floor, foam_look, front, glitter, height, light, parametric, water
+from seafoam.effects import chop, crest, floor, foam_look, fold, front, glitter, height, light, parametric, sea, water
 from seafoam.effects.contribution import Effect
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
+    sea.EFFECT,
     chop.EFFECT,
     front.EFFECT,
     height.EFFECT,
+    fold.EFFECT,
     foam_look.EFFECT,
     light.EFFECT,
     glitter.EFFECT,

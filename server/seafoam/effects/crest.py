@@ -10,7 +10,7 @@ from seafoam.effects.contribution import (
     SlotFile,
     number,
 )
-from seafoam.effects.extremes import crest_limit, surface_top
+from seafoam.effects.extremes import crest_limit, relief_top
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -26,7 +26,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by ``light`` on translucent water."""
     if scene.light is None:
         return None
-    top = surface_top(scene)
+    top = relief_top(scene)
     return Contribution(
         why=f"crests up to {top:g} m against the sun",
         slots=(SlotFile("crest", "crest/translucent.glsl", needs=("shade/sun.glsl",)),),

@@ -3,15 +3,24 @@
 import math
 
 from seafoam.effects.light import sky_irradiance, sun_irradiance
-from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, Scene
+from seafoam.scene.models import Foam, FoldSaturation, FrontSaturation, HeightSaturation, Scene
+from seafoam.scene.sea import RAISED, cascades
 
 SATURATION_CAP = 4.0
 """No look tells saturations above 4 apart (docs/formulae.md, section 4)."""
 
 
 def surface_top(scene: Scene) -> float:
-    """Greatest height of the surface, m: every crest in one place."""
+    """Greatest height of the parametric waves, m: every crest in one place."""
     return sum(wave.amplitude for wave in scene.waves)
+
+
+def relief_top(scene: Scene) -> float:
+    """Greatest height of everything that raises the surface, m."""
+    top = surface_top(scene)
+    if scene.sea is not None and scene.sea.wind > 0.0:
+        top += sum(2.0 * of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+    return top
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
@@ -21,19 +30,22 @@ def front_limit(front: FrontSaturation, scene: Scene) -> float:
 
 def height_limit(height: HeightSaturation, scene: Scene) -> float:
     """Greatest height saturation: that of the greatest height."""
-    reached = (surface_top(scene) - height.base) / (height.full - height.base)
+    reached = (relief_top(scene) - height.base) / (height.full - height.base)
     return min(max(reached, 0.0), SATURATION_CAP)
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:
     """Greatest saturation of the sources as they join."""
-    limits = [
-        front_limit(source, scene) if isinstance(source, FrontSaturation) else height_limit(source, scene)
-        for source in foam.saturation
-    ]
+    limits = [_limit(source, scene) for source in foam.saturation]
     if foam.combine == "max":
         return max(limits)
     return min(math.prod(limits), SATURATION_CAP)
+
+
+def _limit(source: FrontSaturation | HeightSaturation | FoldSaturation, scene: Scene) -> float:
+    if isinstance(source, FoldSaturation):
+        return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
+    return front_limit(source, scene) if isinstance(source, FrontSaturation) else height_limit(source, scene)
 
 
 def slope_sensitivity(scene: Scene) -> float:
@@ -51,7 +63,7 @@ def slope_sensitivity(scene: Scene) -> float:
 def crest_limit(scene: Scene) -> float:
     """Brightest light through a crest, display white = 1."""
     light, water = scene.light, scene.water
-    if light is None or surface_top(scene) == 0.0:
+    if light is None or relief_top(scene) == 0.0:
         return 0.0
     passed = (
         water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(light.sun_elevation)

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import FrontSaturation, HeightSaturation
+from seafoam.scene.models import FoldSaturation, FrontSaturation, HeightSaturation
 
 from .types import Floats, smoothstep
 from .waves import WaveSet
@@ -173,7 +173,7 @@ def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) 
 
 
 def saturation(
-    sources: tuple[FrontSaturation | HeightSaturation, ...],
+    sources: tuple[FrontSaturation | HeightSaturation | FoldSaturation, ...],
     combine: Literal["max", "product"],
     waves: dict[str, WaveSet],
     x: Floats,
@@ -182,16 +182,21 @@ def saturation(
     *,
     cap: float,
     footprints: tuple[Floats, Floats] | None,
+    folds: list[Floats],
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
     ``waves`` holds the waves for each kind of front constants. With footprints (each (r, 2) m) fronts are averaged
-    over them.
+    over them. ``folds``: f of the fold sources, in their order.
     """
     parts = []
+    given = iter(folds)
     for source in sources:
         if isinstance(source, HeightSaturation):
             parts.append(height_saturation(H, source.base, source.full))
+            continue
+        if isinstance(source, FoldSaturation):
+            parts.append(next(given))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

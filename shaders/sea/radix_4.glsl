@@ -1,0 +1,1 @@
+const int FFT_RADIX = 4;

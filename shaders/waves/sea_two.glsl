@@ -1,0 +1,28 @@
+// Open sea: the two largest tiles raise the surface. Heights are counted from the lowest that the tiles hold; m.
+uniform sampler2D u_sea_tile_0;
+uniform sampler2D u_sea_tile_1;
+uniform float u_sea_level; // m
+
+// Height and its gradient.
+vec3 sea_waves(vec2 p) {
+    vec3 sum = sea_fetch(u_sea_tile_0, p / u_sea_size[0].x + u_sea_offset[0]).xyz
+        + sea_fetch(u_sea_tile_1, p / u_sea_size[1].x + u_sea_offset[1]).xyz;
+    return vec3(u_sea_level + sum.x, sum.yz);
+}
+
+// The raised tiles under a footprint, added up, with the mean square slope that it lost: slopes, lost, fold.
+vec4 sea_folds(vec2 p, Footprint fp) {
+    vec4 first = sea_seen(u_sea_tile_0, 0, p, sea_level(0, fp));
+    vec4 second = sea_seen(u_sea_tile_1, 1, p, sea_level(1, fp));
+    return vec4(first.xy + second.xy, sea_lost(first) + sea_lost(second), first.w + second.w);
+}
+
+// Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
+vec4 sea_shading(vec2 p, Footprint fp) {
+    float height = 0.0;
+    float kept = clamp(0.5 * (float(SEA_LEVELS + 1) - sea_level(0, fp)), 0.0, 1.0);
+    height += kept * sea_fetch(u_sea_tile_0, p / u_sea_size[0].x + u_sea_offset[0]).x;
+    kept = clamp(0.5 * (float(SEA_LEVELS + 1) - sea_level(1, fp)), 0.0, 1.0);
+    height += kept * sea_fetch(u_sea_tile_1, p / u_sea_size[1].x + u_sea_offset[1]).x;
+    return vec4(u_sea_level + height, sea_folds(p, fp).xyz);
+}
