@@ -11,7 +11,7 @@ float sea_level(int tile, Footprint fp) {
     float longer = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y)));
     // Held to so many times its width: on a crest's edge a footprint is endlessly long, and nothing of the sea would be left there.
     float width = abs(fp.x.x * fp.y.y - fp.x.y * fp.y.x) / max(longer, 1e-30);
-    float texels = min(longer, 8.0 * width) * float(SEA_SIZE) / u_sea_size[tile].x;
+    float texels = min(longer, 4.0 * width) * float(SEA_SIZE) / u_sea_size[tile].x;
     return clamp(log2(max(texels, 1e-6)), 0.0, float(SEA_LEVELS + 1));
 }
 

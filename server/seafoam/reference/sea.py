@@ -163,8 +163,8 @@ class SeaSurface:
 
     @cached_property
     def shape(self) -> float:
-        """Two texels of the finest raised tile, m."""
-        return min(2.0 * one.size / one.height.shape[0] for one in self._raised)
+        """Half the shortest wave of the finest raised tile at ``TEXELS``, m: 4 texels."""
+        return min(4.0 * one.size / one.height.shape[0] for one in self._raised)
 
     @property
     def _raised(self) -> tuple[Tile, ...]:
@@ -217,15 +217,19 @@ class SeaSurface:
     def _at(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
         """``values`` of a tile, bilinear, at places from the origin."""
         texels = values.shape[0]
-        u = (math.fmod(self.origin[0], of.size) + x) * (texels / of.size)
-        v = (math.fmod(self.origin[1], of.size) + z) * (texels / of.size)
+        scale = texels / of.size
+        u = x * scale + math.fmod(self.origin[0], of.size) * scale
+        v = z * scale + math.fmod(self.origin[1], of.size) * scale
         i, j = np.floor(u), np.floor(v)
         s, t = u - i, v - j
-        i0, j0 = i.astype(np.intp) % texels, j.astype(np.intp) % texels
-        i1, j1 = (i0 + 1) % texels, (j0 + 1) % texels
-        near = values[j0, i0] * (1.0 - s) + values[j0, i1] * s
-        far = values[j1, i0] * (1.0 - s) + values[j1, i1] * s
-        result: Floats = near * (1.0 - t) + far * t
+        i0, j0 = i.astype(np.intp) & (texels - 1), j.astype(np.intp) & (texels - 1)
+        i1, j1 = (i0 + 1) & (texels - 1), ((j0 + 1) & (texels - 1)) * texels
+        j0 *= texels
+        flat = values.ravel()
+        near, far = flat[j0 + i0], flat[j1 + i0]
+        near += (flat[j0 + i1] - near) * s
+        far += (flat[j1 + i1] - far) * s
+        result: Floats = near + (far - near) * t
         return result
 
 
