@@ -1,15 +1,12 @@
-"""Whitecap coverage of the open sea against the wind: the table and plot of docs/whitecaps.md, and ``CLAMPED`` of scene/sea.py.
+"""Whitecap coverage of the open sea against the wind: table and plot of docs/whitecaps.md, ``CLAMPED`` of scene/sea.py.
 
 Run as ``python docs/make_whitecaps.py [--derive]``; with ``--derive`` it prints what ``CLAMPED`` should be instead.
 """
 
-import argparse
 import sys
-from pathlib import Path
 
 import numpy as np
 
-from seafoam.accuracy.plots import line_plot
 from seafoam.reference.sea import fold_saturation, sea_surface
 from seafoam.scene import sea as model
 from seafoam.scene.models import Foam, FoldSaturation, Scene, Sea

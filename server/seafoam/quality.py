@@ -56,7 +56,14 @@ class Quality(Knobs):
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112), chop_size=128, sea_size=128, sea_tiles=3, age_steps=4, age_step=0.7),
+    "draft": Quality(
+        surface=SurfaceQuality(method="mesh", cells=112),
+        chop_size=128,
+        sea_size=128,
+        sea_tiles=3,
+        age_steps=4,
+        age_step=0.7,
+    ),
     "standard": Quality(),
     "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", sea_digits="float", samples=4),
     "reference": Quality(

@@ -1,6 +1,7 @@
-"""The open sea: tiles of the GPU against float64 sums, the transform against numpy.fft, and what a spectrum promises."""
+"""The open sea: the GPU's tiles against float64 sums, its transform against numpy.fft, what a spectrum promises."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -58,7 +59,9 @@ def bilinear(tile: NDArray[np.float32], at: NDArray[np.float32]) -> NDArray[np.f
 
 @pytest.mark.parametrize("name", SEAS)
 @pytest.mark.parametrize("time", TIMES)
-def test_height_slopes_and_jacobian_are_the_references(executor: Executor, report: Report, name: str, time: float) -> None:
+def test_height_slopes_and_jacobian_are_the_references(
+    executor: Executor, report: Report, name: str, time: float
+) -> None:
     """At 10,000 random places round each origin: the tiles that the GPU drew, read as the shader reads them."""
     scene = seen(SEAS[name])
     plan = make_plan(scene, EXACT)
@@ -92,7 +95,7 @@ def test_height_slopes_and_jacobian_are_the_references(executor: Executor, repor
             slope=f"{away['slope']:.1e}",
             normal=f"{away['normal']:.1e} rad",
         )
-        # The place in the largest tile is a float32 share of it: a ten-thousandth of a texel moves the steepest height so far.
+        # The place in the largest tile is a float32 share of it: good to a ten-thousandth of a texel.
         assert away["height"] <= 2e-3
         assert away["slope"] <= 2e-3
         assert away["normal"] <= 2e-3
@@ -190,10 +193,10 @@ def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) 
         wanted = np.zeros((size, size), np.complex128)
         moved = truth.amplitudes(of, 12.5)
         for j, iz in enumerate(number):
-            for l, ix in enumerate(number):
+            for m, ix in enumerate(number):
                 if max(abs(ix), abs(iz)) < min(model.BAND, size // 2):
                     row, column = iz + model.BAND, ix + model.BAND
-                    wanted[j, l] = moved[row, column] + np.conj(moved[2 * model.BAND - row, 2 * model.BAND - column])
+                    wanted[j, m] = moved[row, column] + np.conj(moved[2 * model.BAND - row, 2 * model.BAND - column])
         scale = np.abs(wanted).max()
         parseval = float(np.mean(np.fft.ifft2(spectrum * size**2).real ** 2) / (np.abs(wanted) ** 2).sum())
         report.add(
@@ -248,7 +251,9 @@ def test_without_choppiness_nothing_folds(executor: Executor, name: str) -> None
 @pytest.mark.parametrize("name", SEAS)
 def test_a_tile_has_no_seam(executor: Executor, name: str) -> None:
     """Across its edge a tile changes as it does inside; and its waves are the same a whole tile away."""
-    tile = target(executor, make_plan(seen(SEAS[name], foam=False), QUICK), "sea_tile_0", 5.0)[..., :3].astype(np.float64)
+    tile = target(executor, make_plan(seen(SEAS[name], foam=False), QUICK), "sea_tile_0", 5.0)[..., :3].astype(
+        np.float64
+    )
     for axis in (0, 1):
         inside = np.abs(np.diff(tile, axis=axis)).reshape(-1, 3)
         edge = np.abs(np.take(tile, 0, axis) - np.take(tile, -1, axis)).reshape(-1, 3)
@@ -265,10 +270,10 @@ def test_no_wave_is_counted_twice() -> None:
     for of in model.cascades(SEAS["fft"], None):
         there = of.k[np.abs(of.h0) > 0.0]
         ends.append((float(there.min()), float(there.max())))
-    for (_, high), (low, _) in zip(ends, ends[1:], strict=False):
+    for (_, high), (low, _) in pairwise(ends):
         assert high < low
     sizes = [of.size for of in model.cascades(SEAS["fft"], None)]
-    for a, b in zip(sizes, sizes[1:], strict=False):
+    for a, b in pairwise(sizes):
         assert abs(a / b - round(a / b)) > 0.1
 
 

@@ -15,8 +15,8 @@ from seafoam.textures import foam_texture
 from . import camera as cameras
 from . import light, looks, sampling, surface
 from .relief import Part, Relief
-from .sea import fold_saturation, sea_surface
 from .saturation import CAP, FRONT_CONSTANTS, saturation
+from .sea import fold_saturation, sea_surface
 from .types import Bools, Floats, Ranks, dot, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
 

@@ -1,4 +1,4 @@
-"""Sections 2 and 4: the open sea in float64, by numpy.fft on fine grids, cubic splines and Newton's method to the end."""
+"""Sections 2 and 4: the open sea in float64, by numpy.fft on fine grids, cubic splines and Newton's method."""
 
 from __future__ import annotations
 
@@ -141,16 +141,16 @@ class SeaSurface:
         """Twice the sum of the heights' limits, m."""
         return sum(2.0 * of.limit for of in self.cascades[:RAISED])
 
-    @property
+    @cached_property
     def slope(self) -> float:
         """Greatest slope between texels, rounded up."""
         steepest = 0.0
         for one in self._raised:
             across = [np.abs(np.diff(one.height, axis=axis, append=_first(one.height, axis))).max() for axis in (0, 1)]
-            steepest += math.hypot(*across) * one.height.shape[0] / one.size
+            steepest += math.hypot(float(across[0]), float(across[1])) * one.height.shape[0] / one.size
         return 1.001 * steepest
 
-    @property
+    @cached_property
     def curvature(self) -> float:
         """Greatest change of slope over a texel, 1/m: bilinear patches bend at their seams."""
         worst = 0.0
@@ -164,7 +164,7 @@ class SeaSurface:
     @cached_property
     def shape(self) -> float:
         """Half the shortest wave of the finest raised tile at ``TEXELS``, m: 4 texels."""
-        return min(4.0 * one.size / one.height.shape[0] for one in self._raised)
+        return min(4.0 * one.size / float(one.height.shape[0]) for one in self._raised)
 
     @property
     def _raised(self) -> tuple[Tile, ...]:
@@ -252,9 +252,7 @@ def _drawn(
     return tiles, tuple(earlier)
 
 
-def sea_surface(
-    scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS
-) -> SeaSurface | None:
+def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
     """The scene's sea at a time (s) around an origin (x, z) in m, on tiles of ``texels``²; None without sea or wind."""
     if scene.sea is None or scene.sea.wind <= 0.0:
         return None
@@ -263,9 +261,7 @@ def sea_surface(
     return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier)
 
 
-def fold_saturation(
-    scene: Scene, foam: FoldSaturation, surface: SeaSurface | None, x: Floats, z: Floats
-) -> Floats:
+def fold_saturation(scene: Scene, foam: FoldSaturation, surface: SeaSurface | None, x: Floats, z: Floats) -> Floats:
     """f at (x, z), m from the origin; (r,) in [0, 1]."""
     if scene.sea is None or surface is None:
         return np.zeros_like(x)

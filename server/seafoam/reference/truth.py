@@ -44,9 +44,16 @@ class Truth:
     """Version of NumPy that rendered it."""
 
 
+_ALWAYS = ("foam", "light")
+
+
 def scene_sha256(scene: Scene) -> str:
-    """SHA-256, in hexadecimal, of the scene as canonical JSON."""
-    text = json.dumps(scene.model_dump(mode="json"), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    """SHA-256, in hexadecimal, of the scene as canonical JSON, without the parts that are absent from it.
+
+    So a new kind of part leaves the hashes of scenes without it alone. Foam and light count even when absent.
+    """
+    kept = {name: part for name, part in scene.model_dump(mode="json").items() if part is not None or name in _ALWAYS}
+    text = json.dumps(kept, sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
 
 

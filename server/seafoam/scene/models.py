@@ -129,7 +129,7 @@ class FoldSaturation(Part):
         default=1.0,
         ge=0.0,
         le=10.0,
-        description="Mean foam, as a multiple of the whitecaps that the wind raises (Monahan and O'Muircheartaigh 1980)",
+        description="Mean foam over the whitecaps that the wind raises (Monahan and O'Muircheartaigh 1980)",
     )
     softness: float = Field(
         default=1.2, ge=0.01, le=3.0, description="From no foam to full, in standard deviations of the Jacobian"

@@ -1,8 +1,8 @@
 """The open sea that a wind raises: its spectrum and the random components that effect and reference both draw.
 
-JONSWAP (Hasselmann et al. 1973) with the fully developed limits of Pierson and Moskowitz (1964), the finite-depth factor of
-Kitaigorodskii et al. (1975; TMA, Bouws et al. 1985), spreading cos^2s of half the angle (Longuet-Higgins et al. 1963).
-docs/formulae.md, section 2.
+JONSWAP (Hasselmann et al. 1973) with the fully developed limits of Pierson and Moskowitz (1964), the finite-depth
+factor of Kitaigorodskii et al. (1975; TMA, Bouws et al. 1985), spreading cos^2s of half the angle (Longuet-Higgins
+et al. 1963). docs/formulae.md, section 2.
 """
 
 import math
@@ -32,11 +32,11 @@ GERSTNER_WAVES = 48
 CREST = 4.5
 """Heights are held within so many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
 TILT = 0.24
-"""Greatest root mean square slope of a tile times choppiness: folds of a Gaussian sea stay under one point in 30 000."""
+"""Greatest root mean square slope of a tile times choppiness: one point in 60 000 of a Gaussian sea folds then."""
 GAMMA = 3.3
 """Peak enhancement of JONSWAP."""
 LEAST_JACOBIAN = 0.3
-"""What stands for a smaller Jacobian where one divides by it: at a fold the surface turns over, and a height field cannot."""
+"""What stands for a smaller Jacobian where one divides by it: at a fold the sea turns over, a height field cannot."""
 AGE_STEPS = 8
 """Earlier times at which folds are looked for."""
 AGE_STEP = 0.35
@@ -47,9 +47,9 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Cascade:
-    """A square tile of sea: h(x, t) = Σ 2 Re(h₀ e^{i(k·x − ωt)}) / 2 over both halves of the plane of wavevectors.
+    """A square tile of sea: h(x, t) = Σ 2 Re(h₀ e^{i(k·x − ωt)}) over the wavevectors.
 
-    Arrays are (2·BAND, 2·BAND), row iz + BAND, column ix + BAND, for whole numbers of waves −BAND … BAND − 1 along z and x.
+    Arrays are (2·BAND, 2·BAND), row iz + BAND, column ix + BAND, for −BAND … BAND − 1 waves along z and x.
     """
 
     size: float
@@ -122,7 +122,7 @@ class Fold:
 
 def whitecaps(wind: float) -> float:
     """Share of the sea under whitecaps, W = 3.84·10⁻⁶ U^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.6."""
-    return min(3.84e-6 * wind**3.41, 0.6)
+    return min(3.84e-6 * math.pow(wind, 3.41), 0.6)
 
 
 CLAMPED: tuple[tuple[float, float], ...] = (
@@ -134,25 +134,25 @@ CLAMPED: tuple[tuple[float, float], ...] = (
     (17.5, 1.512),
     (20.0, 1.511),
 )
-"""Wind (m/s), and what the closed form loses, mostly where foam of several times adds up to more than 1: wanted over drawn
-coverage, by ``docs/make_whitecaps.py --derive``."""
+"""Wind (m/s), and wanted over drawn coverage: the closed form loses where foam of several times adds up to more than
+1. By ``docs/make_whitecaps.py --derive``."""
 
 
 def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: float, texels: int) -> Fold | None:
     """Thresholds of the fold that give a sea its whitecaps, on tiles of ``texels``²; None where it has none.
 
-    Where water rests, the fold of a Gaussian sea is normal about 0; over the surface, which is pressed together where it
-    folds, about its variance. So mean foam has a closed form, which is solved for the threshold in standard deviations;
-    what the form leaves out is in ``CLAMPED``.
+    Where water rests, the fold of a Gaussian sea is normal about 0; over the surface, which is pressed together where
+    it folds, about its variance. So mean foam has a closed form, which is solved for the threshold in standard
+    deviations; what the form leaves out is in ``CLAMPED``.
     """
     raised = cascades(sea, depth)[:RAISED]
     now = sum(c.fold_variance(sea.choppiness, texels, smooth=True) for c in raised)
     earlier = sum(c.fold_variance(sea.choppiness, texels // 2, smooth=False) for c in raised)
     wanted = foam.coverage * whitecaps(sea.wind)
-    if min(now, earlier) < 1e-12 or wanted <= 0.0:
+    if min(now, earlier) < 1e-8 or wanted <= 0.0:
         return None
     shares = tuple(math.exp(-j * step / foam.decay) for j in range(steps + 1))
-    wanted *= float(np.interp(sea.wind, *zip(*CLAMPED, strict=True)))
+    wanted *= float(np.interp(sea.wind, [entry[0] for entry in CLAMPED], [entry[1] for entry in CLAMPED]))
     total = sum(shares)
 
     def mean(z: float) -> float:
@@ -165,7 +165,10 @@ def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: 
     z, soft = 0.5 * (low + high), foam.softness
     deviations = math.sqrt(now), math.sqrt(earlier)
     return Fold(
-        (now - z * deviations[0], soft * deviations[0]), (-z * deviations[1], soft * deviations[1]), shares, (now, earlier)
+        (now - z * deviations[0], soft * deviations[0]),
+        (-z * deviations[1], soft * deviations[1]),
+        shares,
+        (now, earlier),
     )
 
 
@@ -182,7 +185,7 @@ def slope_limit(root_mean_square: float) -> float:
 
 def peak_frequency(wind: float, fetch: float) -> float:
     """Angular frequency of the spectrum's peak, rad/s; wind in m/s above 0, fetch in m."""
-    growing = 22.0 * (GRAVITY * GRAVITY / (wind * fetch)) ** (1.0 / 3.0)
+    growing = 22.0 * math.pow(GRAVITY * GRAVITY / (wind * fetch), 1.0 / 3.0)
     return max(growing, 0.855 * GRAVITY / wind)
 
 
@@ -221,7 +224,7 @@ def spreading(angle: Floats, exponent: float, against: float) -> Floats:
         result: Floats = weight * np.abs(np.cos(0.5 * angles)) ** (2.0 * exponent)
         return result
 
-    around = (np.arange(720) + 0.5) * (2.0 * math.pi / 720)
+    around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)
     result: Floats = shape(angle) / float(shape(around).sum() * (2.0 * math.pi / 720))
     return result
 
@@ -254,7 +257,7 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
 
 @lru_cache(maxsize=32)
 def cascades(sea: Sea, depth: float | None) -> tuple[Cascade, ...]:
-    """The tiles of a sea over water of a depth (m; absent: deep), the largest first; one for ``gerstner``, else four."""
+    """The tiles of a sea over water of a depth (m; absent: deep), the largest first: four, or one for ``gerstner``."""
     sea = sea.model_copy(update={"choppiness": 0.0})
     largest = largest_tile(sea, depth)
     if sea.model == "gerstner":
@@ -297,7 +300,8 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
     h0 = np.zeros(k.shape, np.complex128)
     step = 2.0 * math.pi / size
     if sea.wind > 0.0 and there.any():
-        energy = wave_spectrum(step * ix[there], step * iz[there], sea, depth) * step * step
+        kx, kz = step * ix[there].astype(np.float64), step * iz[there].astype(np.float64)
+        energy = wave_spectrum(kx, kz, sea, depth) * step * step
         phase = 2.0 * math.pi * _uniform(sea.seed, number, ix[there], iz[there])
         # Phases are random and amplitudes are the spectrum's, so that every seed has the sea's exact height.
         h0[there] = np.sqrt(0.5 * energy) * np.exp(1j * phase)
@@ -305,13 +309,13 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
 
 
 def _gerstner(sea: Sea, depth: float | None, size: float) -> Cascade:
-    """Waves on the tile's whole wavevectors, one in each of so many equal steps of log k, with the energy of its step."""
+    """Waves on the tile's whole wavevectors, one in each of many equal steps of log k, with its step's energy."""
     h0 = np.zeros((2 * BAND, 2 * BAND), np.complex128)
     step = 2.0 * math.pi / size
     _, _, k = _wavevectors(size)
     if sea.wind > 0.0:
         edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * step
-        around = (np.arange(720) + 0.5) * (2.0 * math.pi / 720) - math.pi
+        around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720) - math.pi
         share = np.cumsum(spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
         for wave in range(GERSTNER_WAVES):
             inner = np.linspace(edges[wave], edges[wave + 1], 33)

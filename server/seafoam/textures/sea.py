@@ -24,7 +24,7 @@ def sea_spectrum_name(sea: Sea, depth: float | None) -> str:
 
 
 def sea_spectrum(words: list[str]) -> NDArray[np.float32]:
-    """(4·BAND, 8·BAND, 2) float32 of the words behind ``sea/``: below, (Re, Im) of h₀ in m; above, (turns in a loop, 0).
+    """(4·BAND, 8·BAND, 2) float32 of the words behind ``sea/``: first (Re, Im) of h₀ in m, then (turns in a loop, 0).
 
     Raises :class:`UnknownSeaError`.
     """
