@@ -7,9 +7,9 @@ float fold_saturation(vec2 p, float height, Footprint fp) {
     float kept = sqrt(max(1.0 - folds.z / u_fold_variance.z, 0.0));
     float f = u_fold_share[0] * fold_ramp(folds.w, sqrt(u_fold_variance.x * folds.z), u_fold[0]);
     float deviation = sqrt(u_fold_variance.y * folds.z);
-    vec4 then = kept * (sea_fetch(u_age_tile_0_0, p / u_sea_size[0].x + u_sea_offset[0]));
+    vec4 then = kept * (sea_fetch(u_age_tile_0_0, sea_place_0(p)));
     for (int j = 0; j < 4; ++j) {
         f += u_fold_share[1 + j] * fold_ramp(then[j], deviation, u_fold[1]);
     }
-    return min(f, 1.0);
+    return fold_together(f, folds.z);
 }

@@ -1,17 +1,15 @@
 // What a footprint sees of a tile of sea: mean slopes, their mean square, mean fold.
-uniform vec2 u_sea_offset[SEA_TILES]; // the eye's place in each tile, in tiles
 uniform sampler2D u_sea_means;        // means over more and more texels, a level beside the other, a tile over the other
-uniform vec3 u_sea_size[SEA_TILES];   // side (m), mean square slope and mean fold of each tile
 
 // Level of the means that a footprint asks for: 0 is the tile itself, above SEA_LEVELS nothing of it is left.
-float sea_level(int tile, Footprint fp) {
+float sea_level(vec3 size, Footprint fp) {
     if (!SURFACE_FILTER) {
         return 0.0;
     }
     float longer = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y)));
     // Held to so many times its width: on a crest's edge a footprint is endlessly long, and nothing of the sea would be left there.
     float width = abs(fp.x.x * fp.y.y - fp.x.y * fp.y.x) / max(longer, 1e-30);
-    float texels = min(longer, 4.0 * width) * float(SEA_SIZE) / u_sea_size[tile].x;
+    float texels = min(longer, 4.0 * width) * float(SEA_SIZE) / size.x;
     return clamp(log2(max(texels, 1e-6)), 0.0, float(SEA_LEVELS + 1));
 }
 
@@ -29,8 +27,9 @@ vec4 sea_mean(int tile, int level, vec2 at) {
     return mix(first, second, t.y);
 }
 
-vec4 sea_seen(sampler2D tile, int number, vec2 p, float level) {
-    vec2 at = p / u_sea_size[number].x + u_sea_offset[number];
+// size: side (m), mean square slope and mean fold of the tile; at: place in it, in tiles.
+vec4 sea_seen(sampler2D tile, int number, vec3 size, vec2 at, Footprint fp) {
+    float level = sea_level(size, fp);
     vec4 finer;
     if (level < 1.0) {
         vec4 here = sea_smooth(tile, at);
@@ -41,7 +40,7 @@ vec4 sea_seen(sampler2D tile, int number, vec2 p, float level) {
     } else {
         finer = sea_mean(number, min(int(level), SEA_LEVELS), at);
     }
-    vec4 coarser = int(level) < SEA_LEVELS ? sea_mean(number, int(level) + 1, at) : vec4(0.0, 0.0, u_sea_size[number].yz);
+    vec4 coarser = int(level) < SEA_LEVELS ? sea_mean(number, int(level) + 1, at) : vec4(0.0, 0.0, size.yz);
     return mix(finer, coarser, level - floor(level));
 }
 

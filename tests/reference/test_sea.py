@@ -8,13 +8,15 @@ import pytest
 from numpy.typing import NDArray
 
 from report import Report
+from seafoam.effects.sea import displaced_target
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.rules import FrameState, evaluate
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS
 from seafoam.reference import sea as truth
 from seafoam.render.executor import Executor
 from seafoam.scene import sea as model
 from seafoam.scene.models import Camera, Foam, FoldSaturation, Scene, Sea, Water
+from seafoam.scene.presets import load_preset
 from seafoam.textures import texture
 from seafoam.textures.sea import sea_spectrum_name
 
@@ -59,25 +61,26 @@ def bilinear(tile: NDArray[np.float32], at: NDArray[np.float32]) -> NDArray[np.f
 
 @pytest.mark.parametrize("name", SEAS)
 @pytest.mark.parametrize("time", TIMES)
-def test_height_slopes_and_jacobian_are_the_references(
-    executor: Executor, report: Report, name: str, time: float
-) -> None:
-    """At 10,000 random places round each origin: the tiles that the GPU drew, read as the shader reads them."""
+def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name: str, time: float) -> None:
+    """The tiles that the GPU drew: each texel, and read as the shader reads them at 10,000 places round each origin."""
     scene = seen(SEAS[name])
     plan = make_plan(scene, EXACT)
     count = 2 if name == "fft" else 1
     tiles = [target(executor, plan, f"sea_tile_{i}", time) for i in range(count)]
     random = np.random.default_rng(7)
     p = random.uniform(-500.0, 500.0, (POINTS, 2)).astype(np.float32)
+    origin_surface = truth.sea_surface(scene, time, (0.0, 0.0))
+    assert origin_surface is not None
+    _check_texels(executor, report, plan, origin_surface, name, time)
     for origin in ORIGINS:
         surface = truth.sea_surface(scene, time, origin)
         assert surface is not None
         camera = Camera(position=(origin[0], 6.0, origin[1]))
         state = FrameState(time, camera, 16, 16, 16, 16, 0)
-        offsets = evaluate(plan.uniforms["u_sea_offset"], state).reshape(-1, 2)
-        sides = evaluate(plan.uniforms["u_sea_size"], state).reshape(-1, 3)[:, 0]
+        offsets = [evaluate(plan.uniforms[f"u_sea_offset_{i}"], state) for i in range(count)]
+        sides = [evaluate(plan.uniforms[f"u_sea_size_{i}"], state)[0] for i in range(count)]
         sums = np.zeros((POINTS, 4))
-        for tile, offset, side in zip(tiles, offsets, sides, strict=False):
+        for tile, offset, side in zip(tiles, offsets, sides, strict=True):
             sums += bilinear(tile, p / side + offset)
         x, z = p.astype(np.float64).T
         h_x, h_z = surface.gradient(x, z)
@@ -107,14 +110,10 @@ def _angle(a_x: Floats, a_z: Floats, b_x: Floats, b_z: Floats) -> Floats:
     return np.arctan2(cross, dot * np.sqrt((a_x**2 + a_z**2 + 1.0) * (b_x**2 + b_z**2 + 1.0)))
 
 
-@pytest.mark.parametrize("name", SEAS)
-@pytest.mark.parametrize("time", TIMES)
-def test_texels_are_the_references(executor: Executor, report: Report, name: str, time: float) -> None:
+def _check_texels(
+    executor: Executor, report: Report, plan: FramePlan, surface: truth.SeaSurface, name: str, time: float
+) -> None:
     """Every texel of every tile that the GPU drew: height, slopes, fold, and the folds of earlier times."""
-    scene = seen(SEAS[name])
-    plan = make_plan(scene, EXACT)
-    surface = truth.sea_surface(scene, time, (0.0, 0.0))
-    assert surface is not None
     for i, one in enumerate(surface.tiles):
         got = target(executor, plan, f"sea_tile_{i}", time).astype(np.float64)
         away = [np.abs(got[..., 0] - one.height).max(), np.abs(got[..., 1:3] - np.stack((one.h_x, one.h_z), -1)).max()]
@@ -128,7 +127,7 @@ def test_texels_are_the_references(executor: Executor, report: Report, name: str
             slope=f"{away[1]:.1e}",
             fold=f"{fold:.1e}",
         )
-        assert away[0] <= 5e-4 * math.sqrt(surface.cascades[i].variance)
+        assert away[0] <= 1e-3 * math.sqrt(surface.cascades[i].variance)
         assert away[1] <= 1e-3
         assert fold <= 1e-3
     for i, then in enumerate(surface.earlier):
@@ -182,8 +181,6 @@ def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) 
     sea = SEAS["fft"]
     quality = QUICK.model_copy(update={"sea_size": size, "sea_tiles": 3})
     plan = make_plan(seen(sea, foam=False), quality)
-    from seafoam.effects.sea import displaced_target
-
     atlas = target(executor, plan, displaced_target(seen(sea, foam=False), quality), 12.5).astype(np.float64)
     response = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(size))) / 3.0
     for i, of in enumerate(model.cascades(sea, None)[:3]):
@@ -337,8 +334,6 @@ def test_shallow_water_lowers_and_shortens_the_sea() -> None:
 
 
 def test_a_scene_without_a_sea_has_none_of_its_code() -> None:
-    from seafoam.scene.presets import load_preset
-
     for quality in TIERS.values():
         for scene in (load_preset("default").scene, Scene(sea=Sea(wind=0.0))):
             plan = make_plan(scene, quality)
@@ -356,10 +351,6 @@ def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
     assert np.array_equal(first, later)
     other = target(executor, plan, "sea_tile_0", 11.1)
     assert np.abs(first - other).max() > 1e-3
-
-
-def quality_of_age(steps: int) -> Quality:
-    return TIERS["standard"].model_copy(update={"age_steps": steps})
 
 
 @pytest.mark.parametrize("wind", [5.0, 12.5, 20.0])

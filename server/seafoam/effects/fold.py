@@ -56,6 +56,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     uniforms: dict[str, Uniform] = {
         "u_fold": array("vec2", limits, 2),
         "u_fold_variance": vector((*(significant(part / slopes) for part in model.variance), significant(slopes))),
+        "u_fold_clamped": number(significant(model.clamped)),
         "u_fold_share": array("float", [Constant(value=(significant(s),)) for s in model.shares], steps + 1),
     }
     name = f"{steps}_{'two' if len(raised) == RAISED else 'one'}" if steps else "now"
@@ -173,7 +174,7 @@ EFFECT = Effect(
                 sea=Sea(wind=60.0, model="gerstner"),
                 foam=Foam(saturation=(FoldSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
             ),
-            guard="f at most 1 (saturation/fold_8_one.glsl), the threshold sought in a bracket (scene/sea.py)",
+            guard="f at most 1 (saturation/fold.glsl), the threshold sought in a bracket (scene/sea.py)",
             without="f up to 8.5, the sum of nine times; the look clamps it here",
             camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
             times=(1e9,),

@@ -118,6 +118,8 @@ class Fold:
     shares: tuple[float, ...]
     variance: tuple[float, float]
     """Mean square of the fold as it is drawn, now and earlier."""
+    clamped: float
+    """Share of the sum that is left where sums are held at 1."""
 
 
 def whitecaps(wind: float) -> float:
@@ -152,7 +154,8 @@ def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: 
     if min(now, earlier) < 1e-8 or wanted <= 0.0:
         return None
     shares = tuple(math.exp(-j * step / foam.decay) for j in range(steps + 1))
-    wanted *= float(np.interp(sea.wind, [entry[0] for entry in CLAMPED], [entry[1] for entry in CLAMPED]))
+    lost = float(np.interp(sea.wind, [entry[0] for entry in CLAMPED], [entry[1] for entry in CLAMPED]))
+    wanted *= lost
     total = sum(shares)
 
     def mean(z: float) -> float:
@@ -169,6 +172,7 @@ def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: 
         (-z * deviations[1], soft * deviations[1]),
         shares,
         (now, earlier),
+        1.0 / lost,
     )
 
 
