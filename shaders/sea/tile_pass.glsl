@@ -1,3 +1,4 @@
+// A texel of the height field: what the water that is there has brought along.
 void main() {
     Displaced here = displaced(resting(floor(gl_FragCoord.xy)));
     vec3 a = stretch(here);

@@ -1,1 +1,0 @@
-const int FFT_RADIX = 2;
