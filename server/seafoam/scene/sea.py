@@ -184,7 +184,7 @@ def _above(t: float) -> float:
 
 def slope_limit(root_mean_square: float) -> float:
     """Slope that texel pairs of a tile of this root mean square slope do not pass but for one in ten thousand."""
-    return min(6.0 * root_mean_square, 3.0)
+    return min(5.0 * root_mean_square, 3.0)
 
 
 def peak_frequency(wind: float, fetch: float) -> float:
