@@ -9,6 +9,7 @@ from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import (
     Foam,
+    FoldSaturation,
     FrontSaturation,
     HeightSaturation,
     Light,
@@ -16,6 +17,7 @@ from seafoam.scene.models import (
     ParametricWave,
     Saturation,
     Scene,
+    Sea,
     SlopeSaturation,
     Water,
 )
@@ -41,6 +43,10 @@ def qualities() -> Iterator[Quality]:
         yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
     for mask, taps in product(("u8", "half"), (1, 4)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
+    for size, tiles, digits, steps in ((64, 2, "half", 0), (128, 3, "float", 4), (512, 4, "half", 8)):
+        yield standard.model_copy(
+            update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
+        )
 
 
 def scenes() -> Iterator[Scene]:
@@ -68,6 +74,16 @@ def scenes() -> Iterator[Scene]:
         yield sea.model_copy(update={"foam": foam})
     for look in get_args(Look):
         yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"cells": True, "look": look})})
+    for model in ("fft", "gerstner"):
+        wind = Sea(model=model)  # type: ignore[arg-type]
+        yield sea.model_copy(update={"sea": wind})
+        yield Scene(sea=wind, foam=Foam(saturation=(FoldSaturation(),), look="halftone"), light=None)
+        yield Scene(
+            sea=wind,
+            waves=sea.waves,
+            foam=Foam(saturation=(FoldSaturation(), FrontSaturation(), HeightSaturation()), combine="product"),
+        )
+        yield Scene(sea=wind.model_copy(update={"choppiness": 0.0}))
     yield Scene()
     yield Scene(foam=Foam(), light=Light())
     yield Scene(waves=tuple(ParametricWave(wavelength=3.0 + i) for i in range(16)), foam=Foam())

@@ -50,20 +50,39 @@ class Quality(Knobs):
         default="map", description="Rings from a map drawn each frame, or summed per pixel"
     )
     rings_size: int = Field(default=1024, ge=32, le=2048, description="Texels along a side of the map of rings")
+    sea_size: Literal[64, 128, 256, 512] = Field(default=256, description="Texels along a side of a tile of open sea")
+    sea_tiles: Literal[2, 3, 4] = Field(default=4, description="Tiles of an FFT sea, the largest first")
+    sea_digits: Literal["half", "float"] = Field(default="half", description="Floats of the tiles of open sea")
+    age_steps: Literal[0, 4, 8] = Field(default=8, description="Earlier times at which the sea's folds are looked for")
+    age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Seconds between them")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112, refine=2), chop_size=128, rings_size=512),
+    "draft": Quality(
+        surface=SurfaceQuality(method="mesh", cells=112, refine=2),
+        chop_size=128,
+        rings_size=512,
+        sea_size=128,
+        sea_tiles=3,
+        age_steps=4,
+        age_step=0.7,
+    ),
     "standard": Quality(),
     "high": Quality(
-        surface=SurfaceQuality(steps=384, tolerance=0.02, refine=2), chop="exact", rings_size=2048, samples=4
+        surface=SurfaceQuality(steps=384, tolerance=0.02, refine=2),
+        chop="exact",
+        rings_size=2048,
+        sea_digits="float",
+        samples=4,
     ),
     "reference": Quality(
         surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),
         chop="exact",
         rings="exact",
+        sea_size=512,
+        sea_digits="float",
         samples=16,
         target="RGBA32F",
     ),

@@ -5,12 +5,14 @@ from seafoam.effects import (
     crest,
     floor,
     foam_look,
+    fold,
     front,
     glitter,
     height,
     light,
     parametric,
     rings,
+    sea,
     slope,
     water,
 )
@@ -18,11 +20,13 @@ from seafoam.effects.contribution import Effect
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
+    sea.EFFECT,
     rings.EFFECT,
     chop.EFFECT,
     front.EFFECT,
     height.EFFECT,
     slope.EFFECT,
+    fold.EFFECT,
     foam_look.EFFECT,
     light.EFFECT,
     glitter.EFFECT,

@@ -3,8 +3,17 @@
 import math
 
 from seafoam.effects.light import sky_irradiance, sun_irradiance
-from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, Saturation, Scene, SlopeSaturation
+from seafoam.scene.models import (
+    Foam,
+    FoldSaturation,
+    FrontSaturation,
+    HeightSaturation,
+    Saturation,
+    Scene,
+    SlopeSaturation,
+)
 from seafoam.scene.ring_level import calm_level
+from seafoam.scene.sea import RAISED, cascades
 
 SATURATION_CAP = 4.0
 """No look tells saturations above 4 apart (docs/formulae.md, section 4)."""
@@ -16,8 +25,11 @@ def waves_top(scene: Scene) -> float:
 
 
 def surface_top(scene: Scene) -> float:
-    """Greatest height of the surface, m: every crest in one place, and the rings as high as they can be."""
-    return waves_top(scene) + 2.0 * calm_level(scene)
+    """Greatest height of everything that raises the surface, m: crests in one place, rings and sea at their limits."""
+    top = waves_top(scene) + 2.0 * calm_level(scene)
+    if scene.sea is not None and scene.sea.wind > 0.0:
+        top += sum(2.0 * of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+    return top
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
@@ -45,6 +57,8 @@ def source_limit(source: Saturation, scene: Scene) -> float:
             return height_limit(source, scene)
         case SlopeSaturation():
             return slope_limit(source, scene)
+        case FoldSaturation():
+            return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:

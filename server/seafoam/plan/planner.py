@@ -112,7 +112,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         "MARCH_TOLERANCE": quality.surface.tolerance,
         "SAMPLE_SIDE": side,
     }
-    find = "plane" if level else "newton" if mesh else "march"
+    march = "march" if scene.sea is None else "march_on"
+    find = "plane" if level else "newton" if mesh else march
     chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
     combine = scene.foam.combine if scene.foam else "max"
     surface_fragment = [*_COMMON]

@@ -9,14 +9,15 @@ from typing import Literal
 import numpy as np
 
 from seafoam.masks import custom_mask, load_mask
-from seafoam.scene.models import Camera, Foam, FrontSaturation, Scene
+from seafoam.scene.models import Camera, Foam, FoldSaturation, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
 from . import cells, light, looks, sampling, surface
-from .relief import Relief
+from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
+from .sea import fold_saturation, sea_surface
 from .types import Bools, Floats, Ranks, dot, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
 
@@ -165,7 +166,9 @@ class _Shader:
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         self.waves = wave_set(scene, time, self.origin)
-        self.relief = Relief((self.waves, ring_set(scene, time, self.origin)))
+        self.sea = sea_surface(scene, time, self.origin)
+        parts: tuple[Part, ...] = (self.waves, ring_set(scene, time, self.origin))
+        self.relief = Relief(parts if self.sea is None else (*parts, self.sea))
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
@@ -201,6 +204,15 @@ class _Shader:
         h_x, h_z = self.relief.gradient(x, z)
         c_x, c_z = self.ripples.gradient(x, z)
         N = surface.normal(h_x, h_z)
+        if self.sea is not None:
+            # Rays meet the bilinear sea; light sees its spline.
+            (seen_x, seen_z), (met_x, met_z), (s_x, s_z) = (
+                self.sea.shading(x, z),
+                self.sea.gradient(x, z),
+                self.sea.detail(x, z),
+            )
+            h_x, h_z = h_x + (seen_x - met_x), h_z + (seen_z - met_z)
+            c_x, c_z = c_x + s_x, c_z + s_z
         a = np.zeros_like(x)
         if scene.foam is not None and self.assets is not None:
             tau = distance / np.sqrt(dot(D, D))
@@ -239,6 +251,11 @@ class _Shader:
             H,
             cap=1.0 if filtered else CAP,
             footprints=(foot_x, foot_y) if filtered and self.filtering else None,
+            folds=[
+                fold_saturation(self.scene, source, self.sea, x, z)
+                for source in foam.saturation
+                if isinstance(source, FoldSaturation)
+            ],
         )
         t = self._texture(foam, assets, x, z, foot_x, foot_y)
         if foam.look == "textured":

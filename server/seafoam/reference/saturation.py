@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import HeightSaturation, Saturation, SlopeSaturation
+from seafoam.scene.models import FoldSaturation, HeightSaturation, Saturation, SlopeSaturation
 
 from .relief import Part
 from .types import Floats, smoothstep
@@ -195,20 +195,24 @@ def saturation(
     *,
     cap: float,
     footprints: tuple[Floats, Floats] | None,
+    folds: list[Floats],
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
-    ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface.
-    With footprints (each (r, 2) m) fronts are averaged
-    over them.
+    ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface. With footprints
+    (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order.
     """
     parts = []
+    given = iter(folds)
     for source in sources:
         if isinstance(source, HeightSaturation):
             parts.append(height_saturation(H, source.base, source.full))
             continue
         if isinstance(source, SlopeSaturation):
             parts.append(slope_saturation(relief, x, z, source.gain, source.base, source.blur))
+            continue
+        if isinstance(source, FoldSaturation):
+            parts.append(next(given))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

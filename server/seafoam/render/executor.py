@@ -46,7 +46,7 @@ _FILTERS = {
 }
 _PROGRAMS_KEPT = 96
 _TEXTURES_KEPT = 48
-_TARGETS_KEPT = 12
+_TARGETS_KEPT = 48
 
 
 class ShaderError(RuntimeError):

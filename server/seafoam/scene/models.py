@@ -50,6 +50,32 @@ class ParametricWave(Part):
     )
 
 
+class Sea(Part):
+    """Open sea that a wind raises: a JONSWAP spectrum (Hasselmann et al. 1973) drawn on tiles."""
+
+    model: Literal["gerstner", "fft"] = Field(
+        default="fft",
+        description="gerstner: some dozens of waves on one tile; fft: every wavevector of four tiles (Tessendorf 2001)",
+    )
+    wind: float = Field(default=10.0, ge=0.0, le=60.0, description="Wind speed 10 m above the sea, m/s")
+    fetch: float = Field(default=2e5, ge=100.0, le=1e7, description="Way over which the wind has raised the sea, m")
+    wind_direction: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Heading of the wind, rad from +x toward +z",
+        json_schema_extra={"unit": "rad"},
+    )
+    spread: float = Field(
+        default=6.0, ge=0.0, le=100.0, description="s: energy goes with cos^2s of half the angle to the wind"
+    )
+    against: Share = Field(default=0.3, description="Share left of the waves against the wind; 0 for rivers")
+    choppiness: Share = Field(
+        default=0.9, description="λ: how far water moves along as it rises; 0 sines, 1 the trochoids of deep water"
+    )
+    seed: int = Field(default=1, ge=0, le=65535, description="Which sea of its kind")
+
+
 Wave = ParametricWave
 """Every wave model; becomes a union, told apart by ``model``, when the second one arrives."""
 
@@ -108,7 +134,25 @@ class SlopeSaturation(Part):
     )
 
 
-Saturation = Annotated[FrontSaturation | HeightSaturation | SlopeSaturation, Field(discriminator="source")]
+class FoldSaturation(Part):
+    """Foam where the sea folds: where the Jacobian of its horizontal displacement falls, and some seconds after."""
+
+    source: Literal["fold"] = "fold"
+    coverage: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=10.0,
+        description="Mean foam over the whitecaps that the wind raises (Monahan and O'Muircheartaigh 1980)",
+    )
+    softness: float = Field(
+        default=1.2, ge=0.01, le=3.0, description="From no foam to full, in standard deviations of the Jacobian"
+    )
+    decay: float = Field(default=3.0, ge=0.05, le=60.0, description="Foam is down to 1/e after so long, s")
+
+
+Saturation = Annotated[
+    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation, Field(discriminator="source")
+]
 
 Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
 
@@ -266,6 +310,7 @@ class Scene(Part):
 
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
     rings: tuple[Ring, ...] = Field(default=(), max_length=RINGS_MOST, description="Rings of stones, drops and blasts")
+    sea: Sea | None = Field(default=None, description="Open sea from a wind; absent: none")
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")

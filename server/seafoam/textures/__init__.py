@@ -2,6 +2,7 @@
 
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_integral_name
+from seafoam.textures.sea import sea_spectrum_name
 from seafoam.textures.store import TextureData, UnknownTextureError, mask_by_name, texture
 
 __all__ = [
@@ -13,5 +14,6 @@ __all__ = [
     "front_full",
     "front_integral_name",
     "mask_by_name",
+    "sea_spectrum_name",
     "texture",
 ]

@@ -13,6 +13,7 @@ from seafoam.masks.catalogue import Mask, UnknownMaskError, custom_mask, load_ma
 from seafoam.masks.formats import quantised, to_u16
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import front_integral
+from seafoam.textures.sea import UnknownSeaError, fft_twiddles, sea_spectrum
 
 Format = Literal["R8UI", "R16UI", "R16F", "RG16F", "R32F", "RG32F", "RGBA32F"]
 
@@ -51,7 +52,8 @@ def texture(name: str) -> TextureData:
 
     ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/moments-half`` and
     ``-float`` (mean of m and m², all levels),
-    ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels).
+    ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
+    ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`).
     Raises :class:`UnknownTextureError`.
     """
     match name.split("/"):
@@ -59,6 +61,13 @@ def texture(name: str) -> TextureData:
             return _pack(name, "R16F", _box_levels(foam_texture()[..., None]))
         case ["front-integral", intensity, log_base]:
             return _pack(name, "RGBA32F", [_front(intensity, log_base)[None]])
+        case ["fft-twiddles"]:
+            return _pack(name, "RG32F", [fft_twiddles()[None]])
+        case ["sea", *words]:
+            try:
+                return _pack(name, "RG32F", [sea_spectrum(words)])
+            except UnknownSeaError as error:
+                raise UnknownTextureError(name) from error
         case ["mask", mask_name, kind]:
             return _mask_texture(name, mask_name, kind)
         case _:

@@ -821,7 +821,7 @@ export interface components {
              *       }
              *     ]
              */
-            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"])[];
+            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"])[];
             /**
              * Combine
              * @description How several saturations join
@@ -889,6 +889,35 @@ export interface components {
              * @default 0.9
              */
             albedo: number;
+        };
+        /**
+         * FoldSaturation
+         * @description Foam where the sea folds: where the Jacobian of its horizontal displacement falls, and some seconds after.
+         */
+        FoldSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "fold";
+            /**
+             * Coverage
+             * @description Mean foam over the whitecaps that the wind raises (Monahan and O'Muircheartaigh 1980)
+             * @default 1
+             */
+            coverage: number;
+            /**
+             * Softness
+             * @description From no foam to full, in standard deviations of the Jacobian
+             * @default 1.2
+             */
+            softness: number;
+            /**
+             * Decay
+             * @description Foam is down to 1/e after so long, s
+             * @default 3
+             */
+            decay: number;
         };
         /**
          * FramePlan
@@ -1650,6 +1679,40 @@ export interface components {
              */
             rings_size: number;
             /**
+             * Sea Size
+             * @description Texels along a side of a tile of open sea
+             * @default 256
+             * @enum {integer}
+             */
+            sea_size: 64 | 128 | 256 | 512;
+            /**
+             * Sea Tiles
+             * @description Tiles of an FFT sea, the largest first
+             * @default 4
+             * @enum {integer}
+             */
+            sea_tiles: 2 | 3 | 4;
+            /**
+             * Sea Digits
+             * @description Floats of the tiles of open sea
+             * @default half
+             * @enum {string}
+             */
+            sea_digits: "half" | "float";
+            /**
+             * Age Steps
+             * @description Earlier times at which the sea's folds are looked for
+             * @default 8
+             * @enum {integer}
+             */
+            age_steps: 0 | 4 | 8;
+            /**
+             * Age Step
+             * @description Seconds between them
+             * @default 0.35
+             */
+            age_step: number;
+            /**
              * Samples
              * @description Samples a pixel, on a square grid
              * @default 1
@@ -1842,12 +1905,69 @@ export interface components {
              * @default []
              */
             rings: components["schemas"]["Ring"][];
+            /** @description Open sea from a wind; absent: none */
+            sea?: components["schemas"]["Sea"] | null;
             /** @description Absent: no foam */
             foam?: components["schemas"]["Foam"] | null;
             water?: components["schemas"]["Water"];
             /** @description null: unlit, foam white on black */
             light?: components["schemas"]["Light"] | null;
             camera?: components["schemas"]["Camera"];
+        };
+        /**
+         * Sea
+         * @description Open sea that a wind raises: a JONSWAP spectrum (Hasselmann et al. 1973) drawn on tiles.
+         */
+        Sea: {
+            /**
+             * Model
+             * @description gerstner: some dozens of waves on one tile; fft: every wavevector of four tiles (Tessendorf 2001)
+             * @default fft
+             * @enum {string}
+             */
+            model: "gerstner" | "fft";
+            /**
+             * Wind
+             * @description Wind speed 10 m above the sea, m/s
+             * @default 10
+             */
+            wind: number;
+            /**
+             * Fetch
+             * @description Way over which the wind has raised the sea, m
+             * @default 200000
+             */
+            fetch: number;
+            /**
+             * Wind Direction
+             * @description Heading of the wind, rad from +x toward +z
+             * @default 0
+             */
+            wind_direction: number;
+            /**
+             * Spread
+             * @description s: energy goes with cos^2s of half the angle to the wind
+             * @default 6
+             */
+            spread: number;
+            /**
+             * Against
+             * @description Share left of the waves against the wind; 0 for rivers
+             * @default 0.3
+             */
+            against: number;
+            /**
+             * Choppiness
+             * @description λ: how far water moves along as it rises; 0 sines, 1 the trochoids of deep water
+             * @default 0.9
+             */
+            choppiness: number;
+            /**
+             * Seed
+             * @description Which sea of its kind
+             * @default 1
+             */
+            seed: number;
         };
         /**
          * Shader
@@ -2476,6 +2596,7 @@ export type EffectNote = components['schemas']['EffectNote'];
 export type Errors = components['schemas']['Errors'];
 export type FixedSize = components['schemas']['FixedSize'];
 export type Foam = components['schemas']['Foam'];
+export type FoldSaturation = components['schemas']['FoldSaturation'];
 export type FramePlan = components['schemas']['FramePlan'];
 export type FrameRequest = components['schemas']['FrameRequest'];
 export type FrontSaturation = components['schemas']['FrontSaturation'];
@@ -2509,6 +2630,7 @@ export type RendererInfo = components['schemas']['RendererInfo'];
 export type Ring = components['schemas']['Ring'];
 export type Running = components['schemas']['Running'];
 export type Scene = components['schemas']['Scene'];
+export type Sea = components['schemas']['Sea'];
 export type Shader = components['schemas']['Shader'];
 export type SlopeSaturation = components['schemas']['SlopeSaturation'];
 export type SourceFile = components['schemas']['SourceFile'];

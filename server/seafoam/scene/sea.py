@@ -1,0 +1,360 @@
+"""The open sea that a wind raises: its spectrum and the random components that effect and reference both draw.
+
+JONSWAP (Hasselmann et al. 1973) with the fully developed limits of Pierson and Moskowitz (1964), the finite-depth
+factor of Kitaigorodskii et al. (1975; TMA, Bouws et al. 1985), spreading cos^2s of half the angle (Longuet-Higgins
+et al. 1963). docs/formulae.md, section 2.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.scene.models import GRAVITY, FoldSaturation, Sea
+
+BAND = 64
+"""Wavenumbers of a tile stay under so many waves along its side."""
+LOOP = 2048.0
+"""Seconds after which the sea repeats: every angular frequency is a whole multiple of 2π/LOOP."""
+RATIOS = (1.0, 5.23, 4.87, 4.61)
+"""Side of each tile's predecessor over its own; no small whole numbers, so the tiles never line up again."""
+PEAKS = 8.0
+"""Waves of the spectrum's peak along the largest tile."""
+SMALLEST_TILE = 24.0
+"""The largest tile is at least so large, m."""
+SHORTEST = 0.1
+"""No wave is shorter, m: ripples (``Chop``) stand for those."""
+RAISED = 2
+"""So many tiles, the largest, raise the surface; what is smaller tilts it alone."""
+GERSTNER_WAVES = 48
+CREST = 4.5
+"""Heights are held within so many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
+TILT = 0.24
+"""Greatest root mean square slope of a tile times choppiness: one point in 60 000 of a Gaussian sea folds then."""
+GAMMA = 3.3
+"""Peak enhancement of JONSWAP."""
+LEAST_JACOBIAN = 0.3
+"""What stands for a smaller Jacobian where one divides by it: at a fold the sea turns over, a height field cannot."""
+AGE_STEPS = 8
+"""Earlier times at which folds are looked for."""
+AGE_STEP = 0.35
+"""Seconds between them."""
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Cascade:
+    """A square tile of sea: h(x, t) = Σ 2 Re(h₀ e^{i(k·x − ωt)}) over the wavevectors.
+
+    Arrays are (2·BAND, 2·BAND), row iz + BAND, column ix + BAND, for −BAND … BAND − 1 waves along z and x.
+    """
+
+    size: float
+    """Side, m."""
+    h0: NDArray[np.complex128]
+    """Complex amplitude of the wave that runs along +k, m: half its real amplitude, with its phase."""
+    turns: NDArray[np.int64]
+    """Periods in LOOP seconds."""
+
+    @cached_property
+    def k(self) -> Floats:
+        """Wavenumbers, rad/m."""
+        i = np.arange(-BAND, BAND)
+        result: Floats = 2.0 * math.pi / self.size * np.hypot(i[None, :], i[:, None])
+        return result
+
+    @cached_property
+    def variance(self) -> float:
+        """Mean square height, m²."""
+        return float(2.0 * (np.abs(self.h0) ** 2).sum())
+
+    @cached_property
+    def mean_square_slope(self) -> float:
+        """Mean square slope, both directions together."""
+        return float(2.0 * (np.abs(self.k * self.h0) ** 2).sum())
+
+    @cached_property
+    def limit(self) -> float:
+        """Heights are held in ± this, m."""
+        return min(CREST * math.sqrt(self.variance), 2.0 * float(np.abs(self.h0).sum()))
+
+    @property
+    def steepest(self) -> float:
+        """Bound of the drawn height's slope."""
+        return slope_limit(math.sqrt(self.mean_square_slope))
+
+    def choppiness(self, wanted: float) -> float:
+        """``wanted``, lowered where the tile would fold too often."""
+        slope = math.sqrt(self.mean_square_slope)
+        return wanted if wanted * slope <= TILT else TILT / slope
+
+    def fold_variance(self, wanted: float, texels: int, *, smooth: bool) -> float:
+        """Mean square of the fold F = λ div D between ``texels``² texels, read by a B-spline (smooth) or bilinearly."""
+        i = np.arange(-BAND, BAND)
+        response = (2.0 + np.cos(2.0 * math.pi * i / texels)) / 3.0 * (np.abs(i) < min(BAND, texels // 2))
+        # The spline of the texels themselves weakens a wave by this; bilinear ones its mean square.
+        power = response**2 if smooth else response
+        square = np.abs(self.k * self.h0) ** 2 * power[:, None] * power[None, :]
+        return self.choppiness(wanted) ** 2 * float(2.0 * square.sum())
+
+    @property
+    def waves(self) -> list[tuple[int, int]]:
+        """(iz, ix) rows and columns of the waves that are there."""
+        rows, columns = np.nonzero(self.h0)
+        return list(zip(rows.tolist(), columns.tolist(), strict=True))
+
+
+@dataclass(frozen=True)
+class Fold:
+    """Foam of a sea: f = min(Σ_j a_j clamp((threshold − F_j)/width, 0, 1), 1), a_j the share left after j steps."""
+
+    now: tuple[float, float]
+    """Threshold and width for the fold of the moment."""
+    earlier: tuple[float, float]
+    """The same for earlier ones."""
+    shares: tuple[float, ...]
+    variance: tuple[float, float]
+    """Mean square of the fold as it is drawn, now and earlier."""
+    clamped: float
+    """Share of the sum that is left where sums are held at 1."""
+
+
+def whitecaps(wind: float) -> float:
+    """Share of the sea under whitecaps, W = 3.84·10⁻⁶ U^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.6."""
+    return min(3.84e-6 * math.pow(wind, 3.41), 0.6)
+
+
+CLAMPED: tuple[tuple[float, float], ...] = (
+    (5.0, 1.466),
+    (7.5, 1.429),
+    (10.0, 1.4),
+    (12.5, 1.463),
+    (15.0, 1.478),
+    (17.5, 1.512),
+    (20.0, 1.511),
+)
+"""Wind (m/s), and wanted over drawn coverage: the closed form loses where foam of several times adds up to more than
+1. By ``docs/make_whitecaps.py --derive``."""
+
+
+def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: float, texels: int) -> Fold | None:
+    """Thresholds of the fold that give a sea its whitecaps, on tiles of ``texels``²; None where it has none.
+
+    Where water rests, the fold of a Gaussian sea is normal about 0; over the surface, which is pressed together where
+    it folds, about its variance. So mean foam has a closed form, which is solved for the threshold in standard
+    deviations; what the form leaves out is in ``CLAMPED``.
+    """
+    raised = cascades(sea, depth)[:RAISED]
+    now = sum(c.fold_variance(sea.choppiness, texels, smooth=True) for c in raised)
+    earlier = sum(c.fold_variance(sea.choppiness, texels // 2, smooth=False) for c in raised)
+    wanted = foam.coverage * whitecaps(sea.wind)
+    if min(now, earlier) < 1e-8 or wanted <= 0.0:
+        return None
+    shares = tuple(math.exp(-j * step / foam.decay) for j in range(steps + 1))
+    lost = float(np.interp(sea.wind, [entry[0] for entry in CLAMPED], [entry[1] for entry in CLAMPED]))
+    wanted *= lost
+    total = sum(shares)
+
+    def mean(z: float) -> float:
+        return total * (_above(-z) - _above(-z - foam.softness)) / foam.softness
+
+    low, high = -6.0, 12.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if mean(middle) > wanted else (low, middle)
+    z, soft = 0.5 * (low + high), foam.softness
+    deviations = math.sqrt(now), math.sqrt(earlier)
+    return Fold(
+        (now - z * deviations[0], soft * deviations[0]),
+        (-z * deviations[1], soft * deviations[1]),
+        shares,
+        (now, earlier),
+        1.0 / lost,
+    )
+
+
+def _above(t: float) -> float:
+    """Mean of max(t − n, 0) over a standard normal n."""
+    density = math.exp(-0.5 * t * t) / math.sqrt(2.0 * math.pi)
+    return density + t * 0.5 * math.erfc(-t / math.sqrt(2.0))
+
+
+def slope_limit(root_mean_square: float) -> float:
+    """Slope that texel pairs of a tile of this root mean square slope do not pass but for one in ten thousand."""
+    return min(5.0 * root_mean_square, 3.0)
+
+
+def peak_frequency(wind: float, fetch: float) -> float:
+    """Angular frequency of the spectrum's peak, rad/s; wind in m/s above 0, fetch in m."""
+    growing = 22.0 * math.pow(GRAVITY * GRAVITY / (wind * fetch), 1.0 / 3.0)
+    return max(growing, 0.855 * GRAVITY / wind)
+
+
+def frequency_spectrum(omega: Floats, wind: float, fetch: float) -> Floats:
+    """JONSWAP S(ω) in deep water, m²·s/rad, at ω > 0 rad/s; 0 without wind."""
+    if wind <= 0.0:
+        return np.zeros_like(omega)
+    peak = peak_frequency(wind, fetch)
+    alpha = max(0.076 * (wind * wind / (fetch * GRAVITY)) ** 0.22, 0.0081)
+    ratio = omega / peak
+    width = np.where(ratio <= 1.0, 0.07, 0.09)
+    enhanced = GAMMA ** np.exp(-((ratio - 1.0) ** 2) / (2.0 * width * width))
+    # Under a third of the peak exp underflows anyway, and the powers of a tiny ratio must not overflow.
+    held = np.maximum(ratio, 0.05)
+    result: Floats = alpha * GRAVITY**2 * (held * peak) ** -5.0 * np.exp(-1.25 * held**-4.0) * enhanced
+    return np.where(ratio < 0.05, 0.0, result)
+
+
+def dispersion(k: Floats, depth: float | None) -> tuple[Floats, Floats, Floats]:
+    """ω (rad/s), dω/dk (m/s) and the depth factor of the spectrum, at k > 0 rad/m; depth in m, absent: deep."""
+    if depth is None:
+        omega = np.sqrt(GRAVITY * k)
+        return omega, 0.5 * omega / k, np.ones_like(k)
+    kd = np.minimum(k * depth, 30.0)
+    tanh = np.tanh(kd)
+    omega = np.sqrt(GRAVITY * k * tanh)
+    share = 0.5 * (1.0 + 2.0 * kd / np.sinh(2.0 * kd))
+    return omega, share * omega / k, tanh * tanh / (2.0 * share)
+
+
+def spreading(angle: Floats, exponent: float, against: float) -> Floats:
+    """Share of the energy a radian, at an angle to the wind, rad; waves against the wind weighted by ``against``."""
+
+    def shape(angles: Floats) -> Floats:
+        weight = np.where(np.cos(angles) < 0.0, against, 1.0)
+        result: Floats = weight * np.abs(np.cos(0.5 * angles)) ** (2.0 * exponent)
+        return result
+
+    around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)
+    result: Floats = shape(angle) / float(shape(around).sum() * (2.0 * math.pi / 720))
+    return result
+
+
+def largest_tile(sea: Sea, depth: float | None) -> float:
+    """Side of the largest tile, m."""
+    if sea.wind <= 0.0:
+        return SMALLEST_TILE
+    omega = peak_frequency(sea.wind, sea.fetch)
+    k = omega * omega / GRAVITY
+    if depth is not None:
+        # k tanh(kd) = ω²/g by Newton from Eckart's estimate; a tile's side needs no more than some digits.
+        deep = k
+        k = deep / math.sqrt(math.tanh(min(deep * depth, 30.0)))
+        for _ in range(20):
+            tanh = math.tanh(min(k * depth, 30.0))
+            k -= (k * tanh - deep) / (tanh + k * depth * (1.0 - tanh * tanh))
+    return max(float(f"{PEAKS * 2.0 * math.pi / k:.6g}"), SMALLEST_TILE)
+
+
+def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floats:
+    """Ψ(k), m⁴: its integral over the plane of wavevectors (rad/m, not 0) is the mean square height."""
+    k = np.hypot(kx, kz)
+    omega, group, shallow = dispersion(k, depth)
+    angle = np.arctan2(kz, kx) - sea.wind_direction
+    energy = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group / k
+    result: Floats = energy * spreading(angle, sea.spread, sea.against)
+    return result
+
+
+@lru_cache(maxsize=32)
+def cascades(sea: Sea, depth: float | None) -> tuple[Cascade, ...]:
+    """The tiles of a sea over water of a depth (m; absent: deep), the largest first: four, or one for ``gerstner``."""
+    sea = sea.model_copy(update={"choppiness": 0.0})
+    largest = largest_tile(sea, depth)
+    if sea.model == "gerstner":
+        return (_gerstner(sea, depth, largest),)
+    made = []
+    size, low = largest, 0.0
+    for number, ratio in enumerate(RATIOS):
+        size = float(f"{size / ratio:.6g}")
+        made.append(_fft(sea, depth, number, size, low))
+        low = BAND * 2.0 * math.pi / size
+    return tuple(made)
+
+
+def _wavevectors(size: float) -> tuple[NDArray[np.int64], NDArray[np.int64], Floats]:
+    i = np.arange(-BAND, BAND)
+    ix, iz = np.meshgrid(i, i)
+    k: Floats = 2.0 * math.pi / size * np.hypot(ix, iz)
+    return ix, iz, k
+
+
+def _turns(k: Floats, depth: float | None) -> NDArray[np.int64]:
+    omega, _, _ = dispersion(np.maximum(k, 1e-9), depth)
+    result: NDArray[np.int64] = np.round(omega * (LOOP / (2.0 * math.pi))).astype(np.int64)
+    return result
+
+
+def _shallow(omega: Floats, depth: float | None) -> Floats:
+    """The depth factor by frequency."""
+    if depth is None:
+        return np.ones_like(omega)
+    k = np.geomspace(1e-7, 1e3, 20001)
+    of_k, _, factor = dispersion(k, depth)
+    result: Floats = np.interp(omega, of_k, factor)
+    return result
+
+
+def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) -> Cascade:
+    ix, iz, k = _wavevectors(size)
+    there = (k >= low) & (k < min(BAND * 2.0 * math.pi / size, 2.0 * math.pi / SHORTEST)) & (k > 0.0)
+    h0 = np.zeros(k.shape, np.complex128)
+    step = 2.0 * math.pi / size
+    if sea.wind > 0.0 and there.any():
+        kx, kz = step * ix[there].astype(np.float64), step * iz[there].astype(np.float64)
+        energy = wave_spectrum(kx, kz, sea, depth) * step * step
+        phase = 2.0 * math.pi * _uniform(sea.seed, number, ix[there], iz[there])
+        # Phases are random and amplitudes are the spectrum's, so that every seed has the sea's exact height.
+        h0[there] = np.sqrt(0.5 * energy) * np.exp(1j * phase)
+    return Cascade(size, h0, np.where(there, _turns(k, depth), 0))
+
+
+def _gerstner(sea: Sea, depth: float | None, size: float) -> Cascade:
+    """Waves on the tile's whole wavevectors, one in each of many equal steps of log k, with its step's energy."""
+    h0 = np.zeros((2 * BAND, 2 * BAND), np.complex128)
+    step = 2.0 * math.pi / size
+    _, _, k = _wavevectors(size)
+    if sea.wind > 0.0:
+        edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * step
+        around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720) - math.pi
+        share = np.cumsum(spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
+        for wave in range(GERSTNER_WAVES):
+            inner = np.linspace(edges[wave], edges[wave + 1], 33)
+            omega, group, shallow = dispersion(inner, depth)
+            density = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
+            energy = float(np.trapezoid(density, inner))
+            draws = [float(_uniform(sea.seed, 7 + n, np.array([wave]), np.array([0]))[0]) for n in range(3)]
+            # Headings by the golden ratio: even over the spread whatever the seed.
+            angle = sea.wind_direction + float(np.interp((draws[0] + 0.618034 * wave) % 1.0, share, around))
+            middle = math.sqrt(edges[wave] * edges[wave + 1]) / step
+            ix, iz = round(middle * math.cos(angle)), round(middle * math.sin(angle))
+            if sea.against == 0.0 and ix * math.cos(sea.wind_direction) + iz * math.sin(sea.wind_direction) < 0.0:
+                continue
+            if energy > 0.0 and (ix, iz) != (0, 0):
+                h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
+        drawn = 2.0 * float((np.abs(h0) ** 2).sum())
+        omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind, sea.fetch)
+        total = float(np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * _shallow(omega, depth), omega))
+        # The few waves have the height of all.
+        h0 *= math.sqrt(total / drawn) if drawn > 0.0 else 0.0
+    return Cascade(size, h0, np.where(h0 != 0.0, _turns(k, depth), 0))
+
+
+def _pcg(state: NDArray[np.uint32]) -> NDArray[np.uint32]:
+    """One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014) of 32-bit integers."""
+    state = state * np.uint32(747796405) + np.uint32(2891336453)
+    word = ((state >> ((state >> np.uint32(28)) + np.uint32(4))) ^ state) * np.uint32(277803737)
+    return (word >> np.uint32(22)) ^ word
+
+
+def _uniform(seed: int, number: int, ix: NDArray[np.int64], iz: NDArray[np.int64]) -> Floats:
+    """Numbers in (0, 1) of each wavevector, from whole numbers alone."""
+    with np.errstate(over="ignore"):
+        word = _pcg(np.full(ix.shape, seed, np.uint32)) ^ np.uint32(number)
+        word = _pcg(_pcg(word) ^ (ix + BAND).astype(np.uint32))
+        word = _pcg(word ^ (iz + BAND).astype(np.uint32))
+    result: Floats = (word.astype(np.float64) + 0.5) / 2.0**32
+    return result

@@ -1,0 +1,30 @@
+// Foam where the sea folds, and where it folded within the last seconds: f = sum of a_j clamp((threshold - F_j) / width, 0, 1), at most 1,
+// F = l div D, the Jacobian less 1 to first order. What the footprint lost of it is taken as normal. docs/formulae.md, section 4.
+uniform vec2 u_fold[2];         // threshold and width of folds now and earlier
+uniform vec3 u_fold_variance;   // of the fold, a mean square slope's worth, now and earlier; and the whole mean square slope
+uniform float u_fold_clamped;   // share of summed foam that is left where sums are held at 1
+uniform float u_fold_share[FOLD_TIMES]; // of the foam of each time that is left
+
+// Mean of max(t - n, 0) over normal n of deviation s. The error function of Abramowitz and Stegun 7.1.26, to 1.5e-7.
+float fold_above(float t, float s) {
+    float x = clamp(t / s, -6.0, 6.0);
+    float y = abs(x) * 0.707106781186548;
+    float q = 1.0 / (1.0 + 0.3275911 * y);
+    float bell = exp(-y * y);
+    float tail = 0.5 * bell * q * (0.254829592 + q * (-0.284496736 + q * (1.421413741 + q * (-1.453152027 + q * 1.061405429))));
+    float share = x < 0.0 ? tail : 1.0 - tail;
+    return s * 0.398942280401433 * bell + (t / s > 6.0 ? t : s * x * share);
+}
+
+float fold_ramp(float fold, float deviation, vec2 limits) {
+    float over = limits.x - fold;
+    if (deviation < 0.02 * limits.y) {
+        return clamp(over / limits.y, 0.0, 1.0);
+    }
+    return clamp((fold_above(over, deviation) - fold_above(over - limits.y, deviation)) / limits.y, 0.0, 1.0);
+}
+
+// Foam of all times together. Means over a footprint are not held at 1 one by one, so what that would take goes by its share.
+float fold_together(float f, float lost) {
+    return min(f * mix(1.0, u_fold_clamped, min(lost / u_fold_variance.z, 1.0)), 1.0);
+}

@@ -1,0 +1,24 @@
+// Folds of eight earlier times on two tiles.
+uniform sampler2D u_age_tile_0_0;
+uniform sampler2D u_age_tile_0_1;
+uniform sampler2D u_age_tile_1_0;
+uniform sampler2D u_age_tile_1_1;
+
+float fold_saturation(vec2 p, float height, Footprint fp) {
+    vec4 folds = sea_folds(p, fp);
+    // Earlier folds have no means of their own: what the footprint lost of the fold now, it takes from them.
+    float kept = sqrt(max(1.0 - folds.z / u_fold_variance.z, 0.0));
+    float f = u_fold_share[0] * fold_ramp(folds.w, sqrt(u_fold_variance.x * folds.z), u_fold[0]);
+    float deviation = sqrt(u_fold_variance.y * folds.z);
+    vec4 then = kept * (sea_fetch(u_age_tile_0_0, sea_place_0(p))
+        + sea_fetch(u_age_tile_1_0, sea_place_1(p)));
+    for (int j = 0; j < 4; ++j) {
+        f += u_fold_share[1 + j] * fold_ramp(then[j], deviation, u_fold[1]);
+    }
+    then = kept * (sea_fetch(u_age_tile_0_1, sea_place_0(p))
+        + sea_fetch(u_age_tile_1_1, sea_place_1(p)));
+    for (int j = 0; j < 4; ++j) {
+        f += u_fold_share[5 + j] * fold_ramp(then[j], deviation, u_fold[1]);
+    }
+    return fold_together(f, folds.z);
+}

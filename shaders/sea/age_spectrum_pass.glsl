@@ -1,0 +1,21 @@
+// Spectra of the fold F = l div D = -l |k| h at four earlier times: (F1 + i F2, F3 + i F4). Tiles side by side, each
+// four times a row of blocks.
+uniform vec2 u_age_scale; // l 2 pi / side of the first and second tile, rad/m
+uniform float u_age_step; // s
+out vec4 o_spectra;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int tile = at.x / AGE_SIZE;
+    ivec2 k;
+    o_spectra = vec4(0.0);
+    if (wave_of(at % AGE_SIZE, AGE_SIZE, k)) {
+        float scale = -(tile == 0 ? u_age_scale.x : u_age_scale.y) * length(vec2(k));
+        float first = float(at.y / AGE_SIZE * 4);
+        vec2 a = amplitude(k, tile, (first + 1.0) * u_age_step);
+        vec2 b = amplitude(k, tile, (first + 2.0) * u_age_step);
+        vec2 c = amplitude(k, tile, (first + 3.0) * u_age_step);
+        vec2 d = amplitude(k, tile, (first + 4.0) * u_age_step);
+        o_spectra = scale * vec4(a.x - b.y, a.y + b.x, c.x - d.y, c.y + d.x);
+    }
+}

@@ -1,0 +1,22 @@
+// A tile between its texels, by the sampler: half floats. at: in tiles; texel j stands at j / size.
+vec4 sea_fetch(sampler2D tile, vec2 at) {
+    return textureLod(tile, at + 0.5 / vec2(textureSize(tile, 0)), 0.0);
+}
+
+// The uniform cubic B-spline with the texels as coefficients, by four bilinear reads (Sigg and Hadwiger 2005): bilinear slopes would
+// show the grid.
+vec4 sea_smooth(sampler2D tile, vec2 at) {
+    float size = float(textureSize(tile, 0).x);
+    vec2 place = fract(at) * size;
+    vec2 base = floor(place);
+    vec2 t = place - base;
+    vec2 u = 1.0 - t;
+    vec2 before = u * u * u / 6.0;
+    vec2 here = (3.0 * t - 6.0) * t * t / 6.0 + 2.0 / 3.0;
+    vec2 near = before + here;
+    vec2 far = 1.0 - near;
+    vec2 low = (base - 0.5 + here / near) / size;
+    vec2 high = (base + 1.5 + t * t * t / 6.0 / far) / size;
+    return near.y * (near.x * textureLod(tile, low, 0.0) + far.x * textureLod(tile, vec2(high.x, low.y), 0.0))
+        + far.y * (near.x * textureLod(tile, vec2(low.x, high.y), 0.0) + far.x * textureLod(tile, high, 0.0));
+}

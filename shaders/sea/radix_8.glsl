@@ -1,0 +1,2 @@
+// Texels that a pass of the transform sums.
+const int FFT_RADIX = 8;

@@ -1,0 +1,62 @@
+// First hit of the ray with the surface by steps that cannot pass it: gap / (descent + steepest slope), then Newton. A ray that
+// passes close over a crest goes on where the surface falls away from it, so that no back of a crest shows.
+// ray: not normalised; returns tau, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
+uniform float u_surface_top;
+uniform float u_surface_steepest;
+
+const float FARTHEST = 1e5;
+
+bool find_surface(vec3 ray, out float tau, out vec3 wave) {
+    float speed = length(ray.xz);
+    float reach = FARTHEST / max(speed, 1e-6 * length(ray));
+    float enter = 0.0;
+    float leave = reach;
+    float over = u_eye_height - u_surface_top;
+    if (over > 0.0) {
+        if (ray.y >= 0.0) {
+            return false;
+        }
+        enter = over / -ray.y;
+    } else if (ray.y > 0.0) {
+        leave = min(leave, -over / ray.y);
+    }
+    if (ray.y < 0.0) {
+        leave = max(u_eye_height, 0.0) / -ray.y;
+    }
+    leave = min(leave, reach);
+    enter = min(enter, leave);
+
+    // Share of a sample's height under which Newton takes over.
+    float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
+    float fastest = max(u_surface_steepest * speed - ray.y, 1e-6 * length(ray));
+    tau = enter;
+    float gap = 0.0;
+    wave = vec3(0.0);
+    // A sea fills its slab more thinly than a few waves do: twice the steps to its crests.
+    for (int i = 0; i < 2 * MARCH_STEPS; ++i) {
+        wave = waves(tau * ray.xz);
+        gap = u_eye_height + tau * ray.y - wave.x;
+        if (tau >= leave || (gap < fine * tau && (gap < 0.0 || ray.y < dot(wave.yz, ray.xz)))) {
+            break;
+        }
+        tau += max(gap, 0.5 * fine * tau) / fastest;
+    }
+    if (ray.y >= 0.0 && gap >= fine * tau) {
+        return false;
+    }
+    float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * length(ray));
+    for (int i = 0; i < 3; ++i) {
+        float rate = ray.y - dot(wave.yz, ray.xz);
+        if (rate < -1e-3 * length(ray)) {
+            float trial = max(tau - clamp(gap / rate, -limit, limit), enter);
+            vec3 there = waves(trial * ray.xz);
+            // A step over the crest would end on its back: the place before it is within the march's tolerance.
+            if (ray.y < dot(there.yz, ray.xz)) {
+                tau = trial;
+                wave = there;
+                gap = u_eye_height + tau * ray.y - wave.x;
+            }
+        }
+    }
+    return true;
+}

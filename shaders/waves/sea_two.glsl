@@ -1,0 +1,40 @@
+// Open sea: the two largest tiles raise the surface. Heights are counted from the lowest that the tiles hold; m.
+uniform sampler2D u_sea_tile_0;
+uniform sampler2D u_sea_tile_1;
+uniform float u_sea_level; // m
+uniform vec3 u_sea_size_0;   // side (m), mean square slope, mean fold
+uniform vec2 u_sea_offset_0; // the eye's place in the tile, in tiles
+uniform vec3 u_sea_size_1;   // side (m), mean square slope, mean fold
+uniform vec2 u_sea_offset_1; // the eye's place in the tile, in tiles
+
+vec2 sea_place_0(vec2 p) {
+    return p / u_sea_size_0.x + u_sea_offset_0;
+}
+
+vec2 sea_place_1(vec2 p) {
+    return p / u_sea_size_1.x + u_sea_offset_1;
+}
+
+// Height and its gradient.
+vec3 sea_waves(vec2 p) {
+    vec3 sum = sea_fetch(u_sea_tile_0, sea_place_0(p)).xyz
+        + sea_fetch(u_sea_tile_1, sea_place_1(p)).xyz;
+    return vec3(u_sea_level + sum.x, sum.yz);
+}
+
+// The raised tiles under a footprint, added up, with the mean square slope that it lost: slopes, lost, fold.
+vec4 sea_folds(vec2 p, Footprint fp) {
+    vec4 first = sea_seen(u_sea_tile_0, 0, u_sea_size_0, sea_place_0(p), fp);
+    vec4 second = sea_seen(u_sea_tile_1, 1, u_sea_size_1, sea_place_1(p), fp);
+    return vec4(first.xy + second.xy, sea_lost(first) + sea_lost(second), first.w + second.w);
+}
+
+// Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
+vec4 sea_shading(vec2 p, Footprint fp) {
+    float height = 0.0;
+    float kept = clamp(0.5 * (float(SEA_LEVELS + 1) - sea_level(u_sea_size_0, fp)), 0.0, 1.0);
+    height += kept * sea_fetch(u_sea_tile_0, sea_place_0(p)).x;
+    kept = clamp(0.5 * (float(SEA_LEVELS + 1) - sea_level(u_sea_size_1, fp)), 0.0, 1.0);
+    height += kept * sea_fetch(u_sea_tile_1, sea_place_1(p)).x;
+    return vec4(u_sea_level + height, sea_folds(p, fp).xyz);
+}
