@@ -35,6 +35,8 @@ from seafoam.scene.models import (
     Scene,
     Water,
 )
+from seafoam.scene.ring_level import trains
+from seafoam.scene.rings import Ring
 
 SIZE = (32, 18)
 STABLE: dict[str, Any] = {"deadline": None, "derandomize": True, "database": None}
@@ -142,7 +144,31 @@ def few(r: Random) -> tuple[ParametricWave, ...]:
     return tuple(WAVES(r) for _ in range(r.choice((0, 1, 2, 3))))
 
 
-SCENES = of(Scene, waves=few, foam=one_of(None, FOAMS, FOAMS), water=WATERS, light=one_of(None, LIGHTS, LIGHTS, LIGHTS))
+def ring(r: Random) -> Ring:
+    """A ring no steeper than water can be, near the origin, of any time."""
+    length = spread(0.05, 500.0)(r)
+    return Ring(
+        place=(r.uniform(-50.0, 50.0), r.uniform(-50.0, 50.0)),
+        birth=TIMES(r),
+        amplitude=min(spread(1e-6, 0.1)(r) * length, 20.0),
+        decay=spread(0.01, 10.0)(r),
+        wavelength=length,
+        crests=one_of(None, spread(0.5, 100.0))(r),
+    )
+
+
+def rings(r: Random) -> tuple[Ring, ...]:
+    return tuple(ring(r) for _ in range(r.choice((0, 0, 1, 4))))
+
+
+SCENES = of(
+    Scene,
+    rings=rings,
+    waves=few,
+    foam=one_of(None, FOAMS, FOAMS),
+    water=WATERS,
+    light=one_of(None, LIGHTS, LIGHTS, LIGHTS),
+)
 
 
 def seen(r: Random) -> Scene:
@@ -202,6 +228,7 @@ def fastest(scene: Scene) -> float:
     found = [angular_frequency(wave) for wave in scene.waves]
     if scene.water.chop is not None:
         found += [wave.omega for cascade in ripples(scene.water.chop) for wave in cascade]
+    found += [train.omega for train in trains(scene)]
     return max(found, default=0.0)
 
 
@@ -226,7 +253,7 @@ def test_a_small_step_of_time_changes_the_picture_a_little(executor: Executor, r
 
 
 def still(scene: Scene, tile: float, share: int) -> Scene:
-    """Without waves, foam everywhere, its tiles whole parts of ``tile``."""
+    """Without waves and rings, foam everywhere, its tiles whole parts of ``tile``."""
     foam = (scene.foam or Foam()).model_copy(
         update={
             "saturation": (HeightSaturation(base=-0.5, full=0.5 + 0.01 * share),),
@@ -235,7 +262,7 @@ def still(scene: Scene, tile: float, share: int) -> Scene:
             "mask_angle": 0.0,
         }
     )
-    return scene.model_copy(update={"waves": (), "foam": foam})
+    return scene.model_copy(update={"waves": (), "rings": (), "foam": foam})
 
 
 def test_a_shift_by_whole_tiles_changes_nothing(executor: Executor, report: Report) -> None:

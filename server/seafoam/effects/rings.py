@@ -36,7 +36,7 @@ from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring
 
 _FAR = 1e8
 """Places are held so far from the eye, m: no picture reaches there."""
-_FEWEST_TEXELS = 6.0
+_FEWEST_TEXELS = 4.0
 """A map with fewer texels to its shortest wave would not hold it; the rings are summed then."""
 
 
