@@ -27,6 +27,20 @@ def frame(executor: Executor, name: str, width: int, height: int, **foam: object
     return Image.fromarray(rendered.pixels[..., :3])
 
 
+def seas(executor: Executor) -> Image.Image:
+    """The open seas at 0, 5 and 20 s, and from 200 m."""
+    pictures = []
+    for name in ("open-ocean", "swell", "storm", "river"):
+        scene = load_preset(name).scene
+        plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": 4}))
+        x, _, z = scene.camera.position
+        high = scene.camera.model_copy(update={"position": (x, 200.0, z), "pitch": -0.4})
+        for time, camera in ((0.0, scene.camera), (5.0, scene.camera), (20.0, scene.camera), (20.0, high)):
+            drawn = executor.render(plan, time=time, camera=camera, width=480, height=270)
+            pictures.append(Image.fromarray(drawn.pixels[..., :3]))
+    return sheet(pictures, 4)
+
+
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
     """Pictures of one size in rows."""
     width, height = pictures[0].size
@@ -48,6 +62,7 @@ def main() -> None:
     sheet([frame(executor, "paper-wake", 480, 270, look=look) for look in looks], 3).save(
         PICTURES / "looks.webp", quality=92
     )
+    seas(executor).save(PICTURES / "seas.webp", quality=90)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

@@ -3,16 +3,24 @@
 Run as ``python docs/make_whitecaps.py [--derive]``; with ``--derive`` it prints what ``CLAMPED`` should be instead.
 """
 
+import argparse
 import sys
+from pathlib import Path
 
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 from seafoam.reference.sea import fold_saturation, sea_surface
 from seafoam.scene import sea as model
 from seafoam.scene.models import Foam, FoldSaturation, Scene, Sea
 
+PAGE = Path(__file__).parent / "whitecaps.md"
+PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"
+MARK = "<!-- table -->\n"
 WINDS = (5.0, 7.5, 10.0, 12.5, 15.0, 17.5, 20.0)
-SEEDS = (1, 2)
+DERIVED, SHOWN = (1, 2), (5, 6)
+"""Seeds of the seas that the factors come from, and of others that the page shows."""
 FETCH = 5e5
 TEXELS = 256
 POINTS = 100_000
@@ -29,9 +37,9 @@ def coverage(wind: float, seed: int, points: int = POINTS, texels: int = TEXELS)
     return float(fold_saturation(scene, foam, surface, x, z).mean())
 
 
-def measured() -> dict[float, float]:
+def measured(seeds: tuple[int, ...]) -> dict[float, float]:
     """Coverage at each wind, the mean of several seas."""
-    return {wind: float(np.mean([coverage(wind, seed) for seed in SEEDS])) for wind in WINDS}
+    return {wind: float(np.mean([coverage(wind, seed) for seed in seeds])) for wind in WINDS}
 
 
 def derive() -> tuple[tuple[float, float], ...]:
@@ -39,7 +47,45 @@ def derive() -> tuple[tuple[float, float], ...]:
     factors = dict.fromkeys(WINDS, 1.0)
     for _ in range(3):
         model.CLAMPED = tuple(factors.items())
-        for wind, drawn in measured().items():
+        for wind, drawn in measured(DERIVED).items():
             factors[wind] *= model.whitecaps(wind) / drawn
         print({wind: round(factor, 3) for wind, factor in factors.items()}, file=sys.stderr)
     return tuple((wind, round(factor, 3)) for wind, factor in factors.items())
+
+
+def write(drawn: dict[float, float]) -> None:
+    """The page's table and its plot."""
+    rows = ["| wind, m/s | wanted, % | drawn, % | drawn / wanted |\n", "|---|---|---|---|\n"]
+    for wind, share in drawn.items():
+        wanted = model.whitecaps(wind)
+        rows.append(f"| {wind:g} | {100 * wanted:.3f} | {100 * share:.3f} | {share / wanted:.2f} |\n")
+    before, _, after = PAGE.read_text(encoding="utf-8").split(MARK)
+    PAGE.write_text(before + MARK + "".join(rows) + MARK + after, encoding="utf-8")
+    figure = Figure(figsize=(8.0, 5.0), dpi=120, layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    winds = np.linspace(4.5, 21.0, 100)
+    law = 100 * 3.84e-6 * winds**3.41
+    axes.fill_between(winds, 0.8 * law, 1.2 * law, color="#dde3e6", label="within 20 %")
+    axes.plot(winds, law, color="#1c2b33", lw=1.2, label="3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980)")
+    axes.plot(list(drawn), [100 * share for share in drawn.values()], "o", color="#b5353c", label="drawn")
+    axes.set_yscale("log")
+    axes.set_xlabel("wind 10 m above the sea, m/s")
+    axes.set_ylabel("share of the sea under foam, %")
+    axes.legend(frameon=False)
+    axes.grid(color="#dde3e6", lw=0.6)
+    figure.savefig(PICTURE)
+
+
+def main() -> None:
+    """Write page and plot, or print ``CLAMPED``."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--derive", action="store_true")
+    if parser.parse_args().derive:
+        print(derive())
+    else:
+        write(measured(SHOWN))
+
+
+if __name__ == "__main__":
+    main()
