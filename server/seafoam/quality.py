@@ -46,12 +46,21 @@ class Quality(Knobs):
         default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
     )
     chop_size: int = Field(default=256, ge=32, le=1024, description="Texels along a side of the ripple tile")
+    shore_map: Literal[64, 128, 256, 512] = Field(
+        default=256, description="Texels along a side of the map of distances to the shore"
+    )
+    shore_floor: Literal[64, 128, 256, 512] = Field(
+        default=256, description="Texels along a side of the height field of floor and land"
+    )
+    shore_profile: Literal[32, 64, 128, 256] = Field(
+        default=128, description="Nodes of a row of the table of shore-wave profiles"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
 
 TIERS: dict[Tier, Quality] = {
-    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112), chop_size=128),
+    "draft": Quality(surface=SurfaceQuality(method="mesh", cells=112), chop_size=128, shore_map=128),
     "standard": Quality(),
     "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", samples=4),
     "reference": Quality(

@@ -1,6 +1,6 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
-from seafoam.effects import chop, crest, floor, foam_look, front, glitter, height, light, parametric, water
+from seafoam.effects import chop, crest, floor, foam_look, front, glitter, height, light, parametric, shore, surf, water
 from seafoam.effects.contribution import Effect
 
 EFFECTS: tuple[Effect, ...] = (
@@ -13,6 +13,8 @@ EFFECTS: tuple[Effect, ...] = (
     glitter.EFFECT,
     water.EFFECT,
     floor.EFFECT,
+    shore.EFFECT,
+    surf.EFFECT,
     crest.EFFECT,
 )
 """Every effect there is."""

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.light import sky_irradiance, sun_irradiance
-from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, Scene
+from seafoam.scene.models import Foam, FrontSaturation, HeightSaturation, Scene, SurfSaturation
 
 SATURATION_CAP = 4.0
 """No look tells saturations above 4 apart (docs/formulae.md, section 4)."""
@@ -11,7 +11,8 @@ SATURATION_CAP = 4.0
 
 def surface_top(scene: Scene) -> float:
     """Greatest height of the surface, m: every crest in one place."""
-    return sum(wave.amplitude for wave in scene.waves)
+    shore = 0.0 if scene.shore is None else scene.shore.surf.height
+    return sum(wave.amplitude for wave in scene.waves) + shore
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
@@ -25,10 +26,21 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
     return min(max(reached, 0.0), SATURATION_CAP)
 
 
+def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
+    """Greatest surf saturation: twice the front's and the veil, or nothing without surf."""
+    if scene.shore is None or scene.shore.surf.height == 0.0:
+        return 0.0
+    return min(2.0 * surf.amount + surf.veil, SATURATION_CAP)
+
+
 def greatest_saturation(foam: Foam, scene: Scene) -> float:
     """Greatest saturation of the sources as they join."""
     limits = [
-        front_limit(source, scene) if isinstance(source, FrontSaturation) else height_limit(source, scene)
+        front_limit(source, scene)
+        if isinstance(source, FrontSaturation)
+        else surf_limit(source, scene)
+        if isinstance(source, SurfSaturation)
+        else height_limit(source, scene)
         for source in foam.saturation
     ]
     if foam.combine == "max":

@@ -82,7 +82,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_mean": array("vec2", means, len(waves)),
         },
         bound=_bound(scene, steepest),
-        top=surface_top(scene),
+        top=sum(wave.amplitude for wave in waves),
         steepest=steepest,
     )
 

@@ -2,15 +2,20 @@
 
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import FRONT_NODES, front_full, front_integral_name
+from seafoam.textures.shore import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
 from seafoam.textures.store import TextureData, UnknownTextureError, mask_by_name, texture
 
 __all__ = [
     "FRONT_NODES",
+    "ROWS",
     "TextureData",
     "UnknownTextureError",
     "foam_texture",
     "front_full",
     "front_integral_name",
     "mask_by_name",
+    "shore_floor_name",
+    "shore_profiles",
+    "shore_profiles_name",
     "texture",
 ]
