@@ -1,6 +1,6 @@
 // Land and sea floor: where the ray meets land, where the refracted ray meets the floor, and what colour it is there.
 uniform float u_shore_top;       // nothing is higher, m
-uniform float u_shore_steepest;
+uniform float u_shore_steepest[2]; // slope of the floor, and of what stands over y = 0
 uniform float u_shore_swash;     // height that waves reach on the beach, m
 uniform float u_shore_plants_from;
 uniform float u_shore_reef;
@@ -33,7 +33,9 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
         return false;
     }
     float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
-    float fastest = max(u_shore_steepest * length(ray.xz) - ray.y, 1e-6 * length(ray));
+    float level = length(ray.xz);
+    float fastest = max(u_shore_steepest[0] * level - ray.y, 1e-6 * length(ray));
+    float fastest_dry = max(u_shore_steepest[1] * level - ray.y, 1e-6 * length(ray));
     float gap = 0.0;
     for (int i = 0; i < MARCH_STEPS; ++i) {
         ground = shore_floor(eye + tau * ray.xz);
@@ -41,7 +43,8 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
         if (gap < fine * tau || tau >= leave) {
             break;
         }
-        tau += gap / fastest;
+        // Land over y = 0 is gentler than the floor, and lower than the eye's way by no more than that way's own height.
+        tau += max(gap / fastest, min(gap, u_eye_height + tau * ray.y) / fastest_dry);
     }
     if (tau >= leave || gap >= fine * tau) {
         return false;
@@ -58,37 +61,18 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
     return true;
 }
 
-float shore_hash(ivec2 cell) {
-    uint word = 0x9E3779B9u;
-    for (int i = 0; i < 3; ++i) {
-        uint state = (i == 0 ? word : word ^ uint(i == 1 ? cell.x : cell.y)) * 747796405u + 2891336453u;
-        uint mixed = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-        word = (mixed >> 22u) ^ mixed;
-    }
-    return float(word >> 8u) / 16777216.0;
-}
-
-// Value noise in [0, 1], one cell a unit.
-float shore_noise(vec2 x) {
-    vec2 base = floor(x);
-    vec2 t = x - base;
-    t = t * t * (3.0 - 2.0 * t);
-    ivec2 cell = ivec2(base);
-    return mix(
-        mix(shore_hash(cell), shore_hash(cell + ivec2(1, 0)), t.x),
-        mix(shore_hash(cell + ivec2(0, 1)), shore_hash(cell + ivec2(1, 1)), t.x), t.y);
-}
-
 // Grain of what lies there: octaves of noise that fade out before they are smaller than the footprint.
 float shore_grain(vec2 q, Footprint fp) {
     float reach = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y)));
     float sum = 0.5;
-    float cell = 6.0;
-    for (int i = 0; i < 4; ++i) {
-        sum += (shore_noise(q / cell) - 0.5) * 0.5 * (1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach));
-        cell *= 0.29;
+    float cell = 9.0;
+    for (int i = 0; i < 5; ++i) {
+        // Each octave is turned against the last (3-4-5), so that no lattice shows.
+        q = vec2(0.8 * q.x - 0.6 * q.y, 0.6 * q.x + 0.8 * q.y);
+        sum += (shore_noise(q / cell) - 0.5) * 0.45 * (1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach));
+        cell *= 0.31;
     }
-    return sum;
+    return clamp(sum, 0.0, 1.0);
 }
 
 float shore_wet(float y) {

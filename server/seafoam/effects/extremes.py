@@ -27,10 +27,10 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
 
 
 def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
-    """Greatest surf saturation: twice the front's and the veil, or nothing without surf."""
+    """Greatest surf saturation: on a thin film 2.4 of the front's, and twice the veil, or nothing without surf."""
     if scene.shore is None or scene.shore.surf.height == 0.0:
         return 0.0
-    return min(2.0 * surf.amount + surf.veil, SATURATION_CAP)
+    return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:

@@ -9,6 +9,7 @@ from scipy import ndimage
 
 from seafoam.effects.contribution import (
     Bound,
+    Constant,
     Contribution,
     Effect,
     FixedSize,
@@ -51,15 +52,19 @@ def _smooth(low: float, high: float, x: NDArray[np.float64]) -> NDArray[np.float
 
 
 @lru_cache(maxsize=32)
-def _limits(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tuple[float, float, float, float]:
-    """Greatest slope of shore waves and of their share of the open sea (1/m), greatest slope and height (m) of the land.
+def _limits(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tuple[float, float, float, float, float]:
+    """Greatest slope of shore waves and of their share of the open sea (1/m), of the floor and of the land over y = 0, and
+    height (m) of the land.
 
     The spline of a map changes no faster than its texels do, and every factor of a wave's height is at most what it is
     here: without the changing mask, the exposure and the ridges, which lower it, at the steepest near each texel.
     """
     floor = floor_grid(shore, floor_texels)[..., 0]
     step = shore.size / floor_texels
-    land = math.hypot(*(float(np.abs(np.diff(floor, axis=axis)).max()) / step for axis in (0, 1)))
+    slopes = [
+        math.hypot(*(float(np.abs(np.diff(part, axis=axis)).max()) / step for axis in (0, 1)))
+        for part in (floor, np.maximum(floor, 0.0))
+    ]
     heights = ndimage.zoom(floor, map_texels / floor_texels, order=1, grid_mode=True, mode="nearest")
     texel = shore.size / map_texels
     dry = heights >= 0.0
@@ -101,7 +106,7 @@ def _limits(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tup
     slope = near(tall) * (near(steep) * near(per_metre) + rows * change(skew) + varies) + change(tall)
     open_share = _smooth(0.0, 0.6 * shore.deep, depth)
     ring = 1.5 * 0.9 / (0.25 * shore.radius) if shore.kind == "lagoon" else 0.0
-    return float(slope.max()), float(change(open_share).max()) + ring, land, float(floor.max())
+    return float(slope.max()), float(change(open_share).max()) + ring, slopes[0], slopes[1], float(floor.max())
 
 
 def _spread(shore: Shore, texels: int) -> float:
@@ -232,7 +237,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if shore is None:
         return None
     surf = shore.surf
-    slope, share, land_slope, land_top = _limits(shore, quality.shore_map, quality.shore_floor, quality.shore_profile)
+    slope, share, floor_slope, land_slope, land_top = _limits(
+        shore, quality.shore_map, quality.shore_floor, quality.shore_profile
+    )
     lit = scene.light is not None
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
@@ -242,7 +249,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "shore",
                 "shore/waves.glsl",
-                needs=("shore/place.glsl", "shore/spline.glsl", "shore/floor.glsl", "shore/field.glsl"),
+                needs=("shore/place.glsl", "shore/spline.glsl", "shore/floor.glsl", "shore/noise.glsl", "shore/field.glsl"),
             ),
             *((SlotFile("body", "shore/body.glsl"),) if lit else ()),
             SlotFile(
@@ -263,7 +270,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **_place(shore),
             "u_shore_time": array("float", [Phase(offset=0.0, rate=-2.0 * math.pi / surf.period, k=(0.0, 0.0))], 1),
             "u_shore_top": number(_up(max(land_top, 0.0))),
-            "u_shore_steepest": number(_up(land_slope)),
+            "u_shore_steepest": array("float", [Constant(value=(_up(s),)) for s in (floor_slope, land_slope)], 2),
             "u_shore_swash": number(significant(0.3 * surf.height)),
             "u_shore_plants_from": number(shore.plants_from, "/shore/plants_from"),
             "u_shore_reef": number(shore.reef, "/shore/reef"),

@@ -1,6 +1,7 @@
 """Foam of the surf. docs/formulae.md, section 8."""
 
 from seafoam.effects.contribution import Bound, Contribution, Effect, HardCase, SlotFile, number, significant
+from seafoam.effects.extremes import SATURATION_CAP
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene, Shore, SurfSaturation
 from seafoam.scene.shore import Surf
@@ -25,6 +26,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(SlotFile("saturation", "saturation/surf.glsl", prefix="surf"),),
+        consts={"SURF_CAP": 1.0 if scene.foam.look == "filtered" else SATURATION_CAP},
         uniforms={
             "u_surf_foam": number(surf.amount),
             "u_surf_life": number(surf.life, f"{pointer}/life"),

@@ -1,13 +1,14 @@
 """Section 4: the saturation f of foam, before any look thresholds it."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import FrontSaturation, HeightSaturation
+from seafoam.scene.models import FrontSaturation, HeightSaturation, SurfSaturation
 
 from .types import Floats, smoothstep
 from .waves import WaveSet
@@ -173,7 +174,7 @@ def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) 
 
 
 def saturation(
-    sources: tuple[FrontSaturation | HeightSaturation, ...],
+    sources: tuple[FrontSaturation | HeightSaturation | SurfSaturation, ...],
     combine: Literal["max", "product"],
     waves: dict[str, WaveSet],
     x: Floats,
@@ -182,16 +183,20 @@ def saturation(
     *,
     cap: float,
     footprints: tuple[Floats, Floats] | None,
+    surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
     ``waves`` holds the waves for each kind of front constants. With footprints (each (r, 2) m) fronts are averaged
-    over them.
+    over them. ``surf`` gives the foam of a shore's surf; without a shore there is none.
     """
     parts = []
     for source in sources:
         if isinstance(source, HeightSaturation):
             parts.append(height_saturation(H, source.base, source.full))
+            continue
+        if isinstance(source, SurfSaturation):
+            parts.append(np.zeros_like(x) if surf is None else surf(source, x, z, H))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))
