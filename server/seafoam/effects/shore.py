@@ -56,8 +56,8 @@ def _limits(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tup
     """Greatest slope of shore waves and of their share of the open sea (1/m), of the floor and of the land over y = 0, and
     height (m) of the land.
 
-    The spline of a map changes no faster than its texels do, and every factor of a wave's height is at most what it is
-    here: without the changing mask, the exposure and the ridges, which lower it, at the steepest near each texel.
+    Of waves at every texel in every phase, as high as they can be there: without the mask, the exposure and the ridges,
+    which lower them; a tenth is added for what lies between.
     """
     floor = floor_grid(shore, floor_texels)[..., 0]
     step = shore.size / floor_texels
@@ -84,29 +84,41 @@ def _limits(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tup
     inland = _smooth(-1.2 * max(surf.height, 0.05) / shore.slope, 0.0, d)
     tall = surf.height * shoal * inland * (1.0 - _smooth(0.45 * shore.deep, 0.9 * shore.deep, depth))
     least = max(0.3 * surf.height, 0.05)
-    # Speed over a floor of even slope; |∇d| of a smoothed distance is at most about 1.
-    per_metre = 1.1 / (surf.period * np.sqrt(9.81 * (least + shore.slope * np.maximum(d, 0.0))))
+    per_metre = 1.0 / (surf.period * np.sqrt(9.81 * (least + shore.slope * np.maximum(d, 0.0))))
     skew = 1.0 - _smooth(breaks, 2.5 * breaks, depth)
     table = shore_profiles(nodes, surf.skew, surf.sharpness).astype(np.float64)
-    turn = np.abs(np.diff(table, axis=1, append=table[:, :1])).max(axis=1) * nodes
-    steep = np.interp(skew * (ROWS - 1), np.arange(ROWS), np.maximum.accumulate(turn))
-    rows = float(np.abs(np.diff(table, axis=0)).max()) * (ROWS - 1)
-
-    def near(values: NDArray[np.float64]) -> NDArray[np.float64]:
-        found: NDArray[np.float64] = ndimage.maximum_filter(values, size=5, mode="nearest")
-        return found
 
     def change(values: NDArray[np.float64]) -> NDArray[np.float64]:
-        both = [near(np.abs(np.diff(values, axis=axis, append=values.take([-1], axis)))) / texel for axis in (0, 1)]
-        found: NDArray[np.float64] = np.hypot(both[0], both[1])
+        found: NDArray[np.float64] = np.stack(np.gradient(values, texel), axis=-1)
         return found
 
-    # The mask's own slope: its greatest change is 1.875 a wave of about 60 m.
-    varies = surf.variation * 2.0 * math.pi / 60.0
-    slope = near(tall) * (near(steep) * near(per_metre) + rows * change(skew) + varies) + change(tall)
-    open_share = _smooth(0.0, 0.6 * shore.deep, depth)
+    # Every other texel says as much of fields this smooth.
+    breaking = np.zeros_like(dry)
+    breaking[::2, ::2] = tall[::2, ::2] > 0.05 * surf.height
+    slope = 0.0
+    if breaking.any():
+        height, way = tall[breaking][:, None], change(d)[breaking]
+        # A smoothed distance changes by about a metre a metre; near the texel it may reach a little more.
+        way *= 1.05 / np.maximum(np.hypot(way[:, :1], way[:, 1:]), 1.0)
+        at = skew[breaking] * (ROWS - 1)
+        row = np.minimum(at.astype(int), ROWS - 2)
+        share = (at - row)[:, None]
+        turning = (np.roll(table, -1, axis=1) - table) * nodes
+        rising = np.diff(table, axis=0) * (ROWS - 1)
+        value = table[row] * (1.0 - share) + table[row + 1] * share
+        turn = turning[row] * (1.0 - share) + turning[row + 1] * share
+        parts = [
+            height * (rising[row] * change(skew)[breaking][:, i : i + 1] - turn * (way[:, i] * per_metre[breaking])[:, None])
+            + value * change(tall)[breaking][:, i : i + 1]
+            for i in (0, 1)
+        ]
+        # The mask's own slope: four sines of about 75 m, through a step of 1.6.
+        varies = surf.variation * 0.94 * 0.5 * sum(2.0 * math.pi / length for length, _, _ in MASK_WAVES)
+        slope = float(np.hypot(*parts).max()) + 0.5 * surf.height * varies
+    open_share = change(_smooth(0.0, 0.6 * shore.deep, depth))
     ring = 1.5 * 0.9 / (0.25 * shore.radius) if shore.kind == "lagoon" else 0.0
-    return float(slope.max()), float(change(open_share).max()) + ring, slopes[0], slopes[1], float(floor.max())
+    shared = float(np.hypot(open_share[..., 0], open_share[..., 1]).max()) + ring
+    return 1.1 * slope, shared, slopes[0], slopes[1], float(floor.max())
 
 
 def _spread(shore: Shore, texels: int) -> float:

@@ -109,7 +109,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         **draft.consts,
         "SURFACE_FILTER": quality.surface.filter,
         "REFINE": quality.surface.refine,
-        "MARCH_STEPS": quality.surface.steps,
+        # Breakers are steep, so what cannot pass them takes short steps.
+        "MARCH_STEPS": quality.surface.steps * (2 if shore else 1),
         "MARCH_TOLERANCE": quality.surface.tolerance,
         "SAMPLE_SIDE": side,
     }

@@ -339,8 +339,9 @@ class Coast:
         length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
         swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
         c_x, c_z = q_x + swing * map_x[:, 0], q_z + swing * map_z[:, 0]
-        coarse = noise((0.8 * c_x - 0.6 * c_z) / 6.0, (0.6 * c_x + 0.8 * c_z) / 6.0)
-        patches = smoothstep(0.3, 0.7, 0.55 * coarse + 0.45 * noise(c_x / 1.9, c_z / 1.9))
+        t_x, t_z = 0.8 * c_x - 0.6 * c_z, 0.6 * c_x + 0.8 * c_z
+        torn = 0.4 * noise(t_x / 6.0, t_z / 6.0) + 0.35 * noise(c_x / 1.7, c_z / 1.7) + 0.25 * noise(t_x / 0.5, t_z / 0.5)
+        patches = smoothstep(0.25, 0.72, torn)
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
         left = source.amount * np.maximum(front, age * (0.3 + 0.9 * patches)) * (1.0 + film)
         result: Floats = breaking * (left + 2.0 * source.veil * patches)

@@ -74,7 +74,7 @@ class Shore(_Part):
     )
     sand: _Rgb = Field(default=(0.66, 0.56, 0.40), description="Reflectance of dry sand")
     rock: _Rgb = Field(default=(0.27, 0.24, 0.21), description="Reflectance of rock, where it is steep")
-    plants: _Rgb = Field(default=(0.10, 0.15, 0.05), description="Reflectance of what grows")
+    plants: _Rgb = Field(default=(0.06, 0.10, 0.035), description="Reflectance of what grows")
     plants_from: float = Field(default=2.0, ge=0.0, le=400.0, description="Height from which something grows, m")
     reef: float = Field(default=0.5, ge=0.0, le=1.0, description="Share of dark patches on the floor: reef and weed")
     surf: Surf = Field(default_factory=Surf)
@@ -119,7 +119,7 @@ def _floor_grid(ground: str, texels: int) -> Floats:
     half = 0.5 * shore.size
     centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")
-    strays = shore.roughness * 0.16 * min(shore.size, 8.0 * shore.radius if shore.kind != "beach" else shore.size)
+    strays = shore.roughness * 0.3 * min(shore.size, 8.0 * shore.radius if shore.kind != "beach" else shore.size)
     e = _plain(shore, x, z) + strays * (_fbm(x, z, 0.3 * shore.size, shore.seed, 5) - 0.5)
     # Whatever the shape, the sea is all round: the floor is level where the square ends.
     edge = np.maximum(np.abs(x), np.abs(z)) - 0.84 * half
