@@ -20,6 +20,6 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     float patches = smoothstep(0.25, 0.72, torn);
     // The last of the water runs off under its foam: what is thinner than a hand holds more of it.
     float film = 1.0 - smoothstep(0.0, 0.15, height - shore_floor(q).x);
-    float left = u_surf_foam * max(front, age * (0.3 + 0.9 * patches)) * (1.0 + film);
+    float left = u_surf_foam * max(front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)) * (1.0 + film);
     return min(breaking * (left + 2.0 * u_surf_veil * patches), SURF_CAP);
 }

@@ -343,7 +343,8 @@ class Coast:
         torn = 0.4 * noise(t_x / 6.0, t_z / 6.0) + 0.35 * noise(c_x / 1.7, c_z / 1.7) + 0.25 * noise(t_x / 0.5, t_z / 0.5)
         patches = smoothstep(0.25, 0.72, torn)
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
-        left = source.amount * np.maximum(front, age * (0.3 + 0.9 * patches)) * (1.0 + film)
+        torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
+        left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)
         result: Floats = breaking * (left + 2.0 * source.veil * patches)
         return result
 
