@@ -32,7 +32,7 @@ from seafoam.effects.contribution import (
 from seafoam.effects.extremes import surface_top
 from seafoam.effects.light import sky_irradiance, sun_irradiance
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Chop, Foam, ParametricWave, Scene, Shore, SurfSaturation, Water
+from seafoam.scene.models import Camera, Chop, Foam, Scene, Shore, SurfSaturation, Water
 from seafoam.scene.shore import Surf, floor_grid
 from seafoam.textures import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
 
@@ -51,8 +51,17 @@ def _smooth(low: float, high: float, x: NDArray[np.float64]) -> NDArray[np.float
     return result
 
 
+def _limits(shore: Shore, quality: Quality) -> tuple[float, float, float, float, float]:
+    """:func:`_measured` of the shore, whatever its place and its colours."""
+    plain = Shore()
+    same = {name: getattr(plain, name) for name in ("place", "sand", "rock", "plants", "plants_from", "reef")}
+    return _measured(
+        shore.model_copy(update=same), quality.shore_map, quality.shore_floor, quality.shore_profile
+    )
+
+
 @lru_cache(maxsize=32)
-def _limits(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tuple[float, float, float, float, float]:
+def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tuple[float, float, float, float, float]:
     """Greatest slope of shore waves and of their share of the open sea (1/m), of the floor and of the land over y = 0, and
     height (m) of the land.
 
@@ -249,9 +258,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if shore is None:
         return None
     surf = shore.surf
-    slope, share, floor_slope, land_slope, land_top = _limits(
-        shore, quality.shore_map, quality.shore_floor, quality.shore_profile
-    )
+    slope, share, floor_slope, land_slope, land_top = _limits(shore, quality)
     lit = scene.light is not None
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
@@ -328,13 +335,23 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
     )
 
 
-_SEA = Camera(position=(-70.0, 9.0, 12.0), yaw=1.3, pitch=-0.2)
 _FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
+_VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
 _SMALL = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
 
 
-def _shore(**fields: object) -> Shore:
-    return _SMALL.model_copy(update=fields)
+def _case(
+    name: str,
+    guard: str,
+    without: str,
+    camera: Camera = _VIEW,
+    water: Water | None = None,
+    foam: Foam | None = _FOAM,
+    times: tuple[float, ...] = (0.0,),
+    **fields: object,
+) -> HardCase:
+    scene = Scene(shore=_SMALL.model_copy(update=fields), water=water or Water(scattering=0.01), foam=foam)
+    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=times)
 
 
 EFFECT = Effect(
@@ -346,6 +363,100 @@ EFFECT = Effect(
         Knob("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
         Knob("/shore_profile", "nodes of the trochoid table", (32, 64, 128, 256), "geometry"),
     ),
+    hard_cases=(
+        _case(
+            "distances without any smoothing",
+            "a deviation of at least a hundredth of a texel (shore/blur_pass.glsl)",
+            "W1",
+            smoothing=0.0,
+        ),
+        _case(
+            "all land",
+            "gradients divided by at least 1e-6; no coast is as far as the square is wide (shore/map_pass.glsl, "
+            "distance_pass.glsl)",
+            "W2",
+            level=90.0,
+            camera=Camera(position=(-42.0, 107.0, 9.0), yaw=1.4, pitch=-0.3),
+        ),
+        _case(
+            "all water, a bank two metres down",
+            "no coast is as far as the square is wide (shore/distance_pass.glsl)",
+            "W3",
+            kind="island",
+            height=0.0,
+            level=-2.0,
+        ),
+        _case(
+            "an island of one texel",
+            "ridges of the distance map carry no waves (shore/map_pass.glsl)",
+            "W4",
+            kind="island",
+            radius=1.0,
+            smoothing=0.5,
+            height=0.5,
+            slope=0.4,
+        ),
+        _case(
+            "water a hand deep and a beach as level",
+            "depths and speeds held at 5 cm of wave (shore/map_pass.glsl)",
+            "W5",
+            depth=0.5,
+            slope=0.01,
+            height=0.1,
+            surf=Surf(height=0.0),
+        ),
+        _case(
+            "waves of no skew and of all of it",
+            "profiles from a table, the highest branch where they overhang, smoothed (textures/shore.py)",
+            "W6",
+            surf=Surf(height=2.0, skew=0.0, sharpness=0.15),
+            times=(0.0, 2.3),
+            camera=Camera(position=(-42.0, 9.0, 9.0), yaw=1.4, pitch=-0.25),
+        ),
+        _case(
+            "black water a millimetre deep",
+            "none needed: the way is 0 at the water's edge, and so is what it takes (shore/body.glsl)",
+            "W7",
+            water=Water(absorption_length=(0.01, 0.01, 0.01), scattering=0.5),
+        ),
+        _case(
+            "the clearest water",
+            "absorption is never 0 (scene/models.py)",
+            "W8",
+            water=Water(absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0),
+        ),
+        _case(
+            "ripples that face away",
+            "the refracted ray falls by at least a quarter (shore/ground.glsl)",
+            "W9",
+            water=Water(chop=Chop(slope=0.6), scattering=0.01),
+            camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
+        ),
+        _case(
+            "straight down on the water's edge",
+            "a way across of at least 1e-9 (shore/ground.glsl)",
+            "W10",
+            camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
+        ),
+        _case(
+            "a shore ten thousand kilometres away, after thirty years",
+            "place and time reduced in float64 (plan/rules.py)",
+            "W11",
+            place=(-9999900.0, 9999900.0),
+            camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
+            times=(-1e9, 1e9),
+        ),
+        _case(
+            "eye inside a hill",
+            "the way to land is never negative (shore/ground.glsl)",
+            "W12",
+            camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
+        ),
+        _case(
+            "eye under water",
+            "a search that ends before it begins finds nothing (shore/ground.glsl)",
+            "W13",
+            camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
+        ),
+    ),
 )
-
-__all__ = ["EFFECT", "MASK_WAVES", "PERIOD", "ParametricWave", "Surf", "Water", "Chop", "HardCase"]

@@ -39,6 +39,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 _BEACH = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)
 _FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
+_VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
 
 EFFECT = Effect(
     "surf foam",
@@ -46,5 +47,38 @@ EFFECT = Effect(
     invisible=(
         Scene(foam=_FOAM),
         Scene(shore=_BEACH.model_copy(update={"surf": Surf(height=0.0)}), foam=_FOAM),
+    ),
+    hard_cases=(
+        HardCase(
+            name="foam that is gone in a fiftieth of a period",
+            scene=Scene(
+                shore=_BEACH, foam=Foam(saturation=(SurfSaturation(amount=4.0, life=0.02, veil=1.0),), look="halftone")
+            ),
+            guard="f held at 4 (saturation/surf.glsl)",
+            without="S1",
+            times=(0.0, 2.3),
+            camera=_VIEW,
+        ),
+        HardCase(
+            name="surf foam and height foam multiplied",
+            scene=Scene(
+                shore=_BEACH,
+                foam=Foam(
+                    saturation=(SurfSaturation(), HeightSaturation(base=-0.5, full=0.5)), combine="product", mask="clump"
+                ),
+            ),
+            guard="the filtered look clamps each at 1 first (saturation/surf.glsl)",
+            without="S2",
+            camera=_VIEW,
+        ),
+        HardCase(
+            name="foam where no way leads to the shore",
+            scene=Scene(
+                shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}), foam=_FOAM
+            ),
+            guard="the way to the shore divided by at least 1e-6 (saturation/surf.glsl)",
+            without="S3",
+            camera=_VIEW,
+        ),
     ),
 )
