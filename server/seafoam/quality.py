@@ -64,8 +64,12 @@ TIERS: dict[Tier, Quality] = {
     "standard": Quality(),
     "high": Quality(surface=SurfaceQuality(steps=384, tolerance=0.02), chop="exact", samples=4),
     "reference": Quality(
-        surface=SurfaceQuality(steps=512, tolerance=2e-4, filter=False), chop="exact", samples=16, target="RGBA32F",
-        shore_floor=512, shore_profile=256,
+        surface=SurfaceQuality(steps=512, tolerance=2e-4, filter=False),
+        chop="exact",
+        samples=16,
+        target="RGBA32F",
+        shore_floor=512,
+        shore_profile=256,
     ),
 }
 

@@ -1,4 +1,4 @@
-"""The shore against float64: distances, map, waves, foam, land and the way through the water (docs/formulae.md, section 8).
+"""The shore against float64: distances, map, waves, foam, ground, way through water (docs/formulae.md, section 8).
 
 Where a closed form does not exist, the reference has the same grids of texels and the same splines between them as the
 shaders: they are part of the model. Its distances are SciPy's exact ones.
@@ -23,8 +23,8 @@ from seafoam.reference.relief import Relief
 from seafoam.reference.waves import wave_set
 from seafoam.render import executor as executors
 from seafoam.render.executor import Executor
-from seafoam.scene.models import Camera, Foam, ParametricWave, Scene, Shore, SurfSaturation
-from seafoam.scene.shore import Surf, floor_grid
+from seafoam.scene.models import Camera, Foam, ParametricWave, Scene, SurfSaturation
+from seafoam.scene.shore import Shore, Surf, floor_grid
 from seafoam.textures import TextureData, shore_profiles
 
 EXACT = TIERS["reference"].model_copy(update={"samples": 1})
@@ -60,7 +60,7 @@ def patched(plan: FramePlan, main: str) -> FramePlan:
 
 
 def probe(executor: Executor, scene: Scene, body: str, time: float = 0.0) -> NDArray[np.float64]:
-    """(10,000, 4): what ``body`` (reads ``vec2 p``, m from the eye; sets o_color) gives at points all over the square."""
+    """(10,000, 4): what ``body`` (reads ``vec2 p``, m from the eye; sets o_color) gives all over the square."""
     assert scene.shore is not None
     main = f"""
 void main() {{
@@ -259,7 +259,9 @@ def test_ground_and_the_way_through_the_water(executor: Executor, report: Report
     path = np.abs(got[:, 0] - way)
     tint = np.abs(colour[:, :3] - albedo).max(axis=1)
     report.add(
-        "Way of the light and colour of the floor against float64", path=f"{path.max():.1e} m", albedo=f"{tint.max():.1e}"
+        "Way of the light and colour of the floor against float64",
+        path=f"{path.max():.1e} m",
+        albedo=f"{tint.max():.1e}",
     )
     assert way.max() > 15.0
     assert path.max() <= 1e-2

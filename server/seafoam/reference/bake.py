@@ -53,9 +53,7 @@ def same_size(scene: Scene) -> tuple[int, int]:
 def jobs_of(preset: str, scene: Scene) -> list[Job]:
     """Every frame of a preset, in baking order."""
     jobs = [
-        Job(
-            f"{preset}.same.{time:.1f}", preset, scene, time, same_size(scene), SAME_SAMPLES, "same-samples"
-        )
+        Job(f"{preset}.same.{time:.1f}", preset, scene, time, same_size(scene), SAME_SAMPLES, "same-samples")
         for time in TIMES
     ]
     if scene.shore is not None:

@@ -128,8 +128,8 @@ def water(
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
-    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``: way
-    through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3).
+    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
+    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3).
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
@@ -213,9 +213,7 @@ def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
     return result
 
 
-def _body(
-    of: Air, body: Water, n: Floats, H: Floats, cv: Floats, bed: tuple[Floats, Floats] | None
-) -> Floats:
+def _body(of: Air, body: Water, n: Floats, H: Floats, cv: Floats, bed: tuple[Floats, Floats] | None) -> Floats:
     """L_body: light scattered back by the water, and by its floor; (r, 3)."""
     absorption = 1.0 / np.array(body.absorption_length)
     extinction = absorption + body.scattering

@@ -285,7 +285,7 @@ class Coast:
         return x + self.offset[0], z + self.offset[1]
 
     def within(self, d: Floats) -> tuple[Floats, Floats]:
-        """Where unit rays d (r, 3) from the origin enter and leave the square, m; (r,) each, in that order if at all."""
+        """Where unit rays d (r, 3) enter and leave the square, m; (r,) each, out of order where they miss it."""
         low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
         for axis, offset in zip((0, 2), self.offset, strict=True):
             way = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
@@ -340,7 +340,9 @@ class Coast:
         swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
         c_x, c_z = q_x + swing * map_x[:, 0], q_z + swing * map_z[:, 0]
         t_x, t_z = 0.8 * c_x - 0.6 * c_z, 0.6 * c_x + 0.8 * c_z
-        torn = 0.4 * noise(t_x / 6.0, t_z / 6.0) + 0.35 * noise(c_x / 1.7, c_z / 1.7) + 0.25 * noise(t_x / 0.5, t_z / 0.5)
+        torn = (
+            0.4 * noise(t_x / 6.0, t_z / 6.0) + 0.35 * noise(c_x / 1.7, c_z / 1.7) + 0.25 * noise(t_x / 0.5, t_z / 0.5)
+        )
         patches = smoothstep(0.25, 0.72, torn)
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
         torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
@@ -460,4 +462,5 @@ def grain(q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
         seen = np.flatnonzero(kept > 0.0)
         total[seen] += (noise(q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
         cell *= GRAIN_STEP
-    return np.clip(total, 0.0, 1.0)
+    result: Floats = np.clip(total, 0.0, 1.0)
+    return result

@@ -66,7 +66,9 @@ class Shore(_Part):
     inner_depth: float = Field(default=3.0, ge=0.2, le=100.0, description="Depth inside a lagoon, m")
     height: float = Field(default=6.0, ge=0.0, le=300.0, description="About how high the land rises, m")
     slope: float = Field(default=0.06, ge=0.01, le=1.0, description="Slope of the floor at the water's edge")
-    roughness: float = Field(default=0.5, ge=0.0, le=1.0, description="How far bays and capes stray from the plain shape")
+    roughness: float = Field(
+        default=0.5, ge=0.0, le=1.0, description="How far bays and capes stray from the plain shape"
+    )
     level: float = Field(default=0.0, ge=-1000.0, le=100.0, description="Lifts floor and land; below 0: high water, m")
     seed: int = Field(default=1, ge=0, le=65535, description="Which shore of its kind")
     smoothing: float = Field(
@@ -138,8 +140,11 @@ def _floor_grid(ground: str, texels: int) -> Floats:
     rest = shore.height - 0.3 * shore.height
     floor += dune * rise / np.sqrt(1.0 + rise * rise) + rest * inland * (0.25 + 1.1 * hills * hills)
     # Sand ripples and bars, gone at the water's edge and in the deep.
-    floor += 0.25 * shore.roughness * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5) * _smoothstep(
-        0.0, 30.0, np.abs(e)
+    floor += (
+        0.25
+        * shore.roughness
+        * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
+        * _smoothstep(0.0, 30.0, np.abs(e))
     )
     floor = floor + (-shore.depth - floor) * _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
     tint = _fbm(x, z, 0.09 * shore.size, shore.seed + 307, 5)
