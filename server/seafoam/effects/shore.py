@@ -60,8 +60,7 @@ def _limits(shore: Shore, quality: Quality) -> tuple[float, float, float, float,
 
 @lru_cache(maxsize=32)
 def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tuple[float, float, float, float, float]:
-    """Greatest slope of shore waves and of their share of the open sea (1/m), of the floor and of the land over y = 0, and
-    height (m) of the land.
+    """Greatest slope of shore waves, of the open sea's share (1/m), of floor and of land over y = 0; height of land, m.
 
     Of waves at every texel in every phase, as high as they can be there: without the mask, the exposure and the ridges,
     which lower them; a tenth is added for what lies between.

@@ -89,21 +89,30 @@ class Shore(_Part):
     @property
     def ground(self) -> str:
         """All that the height field hangs on, as text: what is equal here has the same floor."""
-        return self.model_dump_json(
-            include={
-                "kind",
-                "size",
-                "heading",
-                "radius",
-                "depth",
-                "inner_depth",
-                "height",
-                "slope",
-                "roughness",
-                "level",
-                "seed",
-            }
-        )
+        return ",".join(str(getattr(self, name)) for name in _GROUND)
+
+    @staticmethod
+    def of_ground(text: str) -> "Shore":
+        """A shore with the ground that :attr:`ground` tells of. Raises ``ValueError`` where no shore has it."""
+        values = text.split(",")
+        if len(values) != len(_GROUND):
+            raise ValueError(text)
+        return Shore.model_validate(dict(zip(_GROUND, values, strict=True)))
+
+
+_GROUND = (
+    "kind",
+    "size",
+    "heading",
+    "radius",
+    "depth",
+    "inner_depth",
+    "height",
+    "slope",
+    "roughness",
+    "level",
+    "seed",
+)
 
 
 def floor_grid(shore: Shore, texels: int) -> Floats:
@@ -117,7 +126,7 @@ def floor_grid(shore: Shore, texels: int) -> Floats:
 
 @lru_cache(maxsize=16)
 def _floor_grid(ground: str, texels: int) -> Floats:
-    shore = Shore.model_validate_json(ground)
+    shore = Shore.of_ground(ground)
     half = 0.5 * shore.size
     centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")
@@ -146,8 +155,11 @@ def _floor_grid(ground: str, texels: int) -> Floats:
         * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
         * _smoothstep(0.0, 30.0, np.abs(e))
     )
-    floor = floor + (-shore.depth - floor) * _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
+    # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
+    ends = _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
+    floor = floor + (-shore.depth - floor) * ends
     tint = _fbm(x, z, 0.09 * shore.size, shore.seed + 307, 5)
+    tint += (0.4 - tint) * ends
     both = np.stack((floor + shore.level, tint), axis=-1)
     result: Floats = np.round(both * STEPS) / STEPS
     result.setflags(write=False)

@@ -1,12 +1,9 @@
 """Textures of shores: the floor's heights, and the table of shore-wave profiles. docs/formulae.md, section 8."""
 
-import base64
-import json
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ValidationError
 
 from seafoam.scene.shore import Shore, floor_grid
 
@@ -19,18 +16,14 @@ _SIZES = (32, 64, 128, 256, 512, 1024)
 
 def shore_floor_name(shore: Shore, texels: int) -> str:
     """Name in the texture store of a shore's height field."""
-    return f"shore-floor/{texels}/{base64.urlsafe_b64encode(shore.ground.encode()).decode().rstrip('=')}"
+    return f"shore-floor/{texels}/{shore.ground}"
 
 
-def shore_floor(texels: str, encoded: str) -> NDArray[np.float32]:
+def shore_floor(texels: str, ground: str) -> NDArray[np.float32]:
     """(texels, texels, 2) float32: height (m) and tint. Raises ``ValueError`` for what no shore has."""
     if texels not in map(str, _SIZES):
         raise ValueError(texels)
-    try:
-        text = base64.urlsafe_b64decode(encoded + "=" * (-len(encoded) % 4)).decode()
-        shore = Shore.model_validate(json.loads(text))
-    except (ValidationError, UnicodeDecodeError) as error:
-        raise ValueError(encoded) from error
+    shore = Shore.of_ground(ground)
     return floor_grid(shore, int(texels)).astype(np.float32)
 
 
