@@ -4,13 +4,17 @@ Where a closed form does not exist, the reference has the same grids of texels a
 shaders: they are part of the model. Its distances are SciPy's exact ones.
 """
 
+import base64
 import hashlib
+import io
 import math
 from collections.abc import Iterator
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PIL import Image
+from pydantic import ValidationError
 from scipy import ndimage
 
 from report import Report
@@ -25,7 +29,7 @@ from seafoam.render import executor as executors
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Foam, ParametricWave, Scene, SurfSaturation
 from seafoam.scene.shore import Shore, Surf, floor_grid
-from seafoam.textures import TextureData, shore_profiles
+from seafoam.textures import TextureData, shore_floor_name, shore_profiles, texture
 
 EXACT = TIERS["reference"].model_copy(update={"samples": 1})
 SIDE = 100
@@ -308,3 +312,63 @@ def test_floors_end_level_and_are_what_their_seed_says(kind: str) -> None:
     # A finer grid is of the same floor.
     fine = floor_grid(shore, 256)[..., 0].reshape(128, 2, 128, 2).mean(axis=(1, 3))
     assert np.abs(fine - grid[..., 0]).mean() <= 0.05
+
+
+def png(grey: NDArray[np.uint8]) -> str:
+    held = io.BytesIO()
+    Image.fromarray(grey).save(held, "PNG")
+    return base64.b64encode(held.getvalue()).decode()
+
+
+def test_a_picture_is_a_shore() -> None:
+    """White in the middle of black is an island; deep and high as the scene says, and so is its texture."""
+    grey = np.zeros((64, 64), np.uint8)
+    grey[24:40, 20:30] = 255
+    shore = Shore(kind="image", image=png(grey), size=640.0, depth=8.0, height=5.0)
+    grid = floor_grid(shore, 128)[..., 0]
+    assert grid[64, 50] == 5.0
+    assert grid[10, 10] == -8.0
+    # Texels of 5 m, pixels of 10 m: rows run with z, columns with x.
+    assert (grid[52:76, 44:56] > 0.0).all()
+    assert (grid[:46] < 0.0).all()
+    assert (grid[:, 64:] < 0.0).all()
+    stored = np.frombuffer(texture(shore_floor_name(shore, 128)).data, "<f4").reshape(128, 128, 2)
+    assert (stored[..., 0] == grid).all()
+
+
+@pytest.mark.parametrize(
+    ("image", "says"),
+    [
+        (None, "needs one"),
+        ("not base64!", "not base64"),
+        (base64.b64encode(b"GIF89a").decode(), "not a PNG"),
+        (png(np.zeros((1, 40), np.uint8)), "pixels"),
+        (png(np.zeros((200, 200), np.uint8)), "pixels"),
+        (png(np.zeros((16, 16), np.uint8))[:60], "not"),
+        ("A" * 9000, "8192"),
+    ],
+)
+def test_pictures_that_are_none_say_why(image: str | None, says: str) -> None:
+    with pytest.raises(ValidationError, match=says):
+        Shore(kind="image", image=image)
+    with pytest.raises(ValidationError):
+        Shore(kind="beach", image=png(np.zeros((16, 16), np.uint8)))
+
+
+def test_a_scene_with_a_broken_picture_names_its_field() -> None:
+    """As every other scene that is not one; the field is named."""
+    with pytest.raises(ValidationError) as caught:
+        Scene.model_validate({"shore": {"kind": "image", "image": "????"}})
+    assert caught.value.errors()[0]["loc"][:1] == ("shore",)
+
+
+def test_a_drawn_picture_is_the_references(executor: Executor) -> None:
+    random = np.random.default_rng(8)
+    grey = ndimage.zoom(random.random((6, 6)), 8, order=1)
+    scene = Scene(
+        shore=Shore(kind="image", image=png((255 * grey).astype(np.uint8)), size=300.0, depth=8.0, height=8.0)
+    )
+    x, z = places(executor, scene)
+    got = probe(executor, scene, "o_color = shore_floor(shore_place(p));")
+    want = coast(scene, 0.0).ground(x, z)
+    assert np.abs(got - np.stack(want, axis=-1)).max() <= 1e-3

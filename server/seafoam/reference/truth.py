@@ -48,8 +48,9 @@ def scene_sha256(scene: Scene) -> str:
     """SHA-256, in hexadecimal, of the scene as canonical JSON."""
     fields = scene.model_dump(mode="json")
     # A part that came later and is not there leaves the scene what it was.
-    if fields["shore"] is None:
-        del fields["shore"]
+    for part, name in ((fields, "shore"), (fields["shore"] or {"image": 0}, "image")):
+        if part[name] is None:
+            del part[name]
     text = json.dumps(fields, sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
 

@@ -1,12 +1,16 @@
 """A shore: sea floor and land over a square, and the surf that runs up on it. docs/formulae.md, section 8."""
 
+import base64
+import binascii
+import io
 import math
 from functools import lru_cache
 from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field
+from PIL import Image
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 Floats = NDArray[np.float64]
 _Place = Annotated[float, Field(ge=-1e7, le=1e7)]
@@ -48,9 +52,10 @@ class Surf(_Part):
 class Shore(_Part):
     """Sea floor and land: a height field over a square; beyond it the floor goes on level."""
 
-    kind: Literal["beach", "island", "islands", "lagoon"] = Field(
+    kind: Literal["beach", "island", "islands", "lagoon", "image"] = Field(
         default="beach",
-        description="beach: a coast right through the square; island; islands: several; lagoon: a ring with an opening",
+        description="beach: a coast right through the square; island; islands: several; lagoon: a ring with an opening; image: "
+        "a picture of your own",
     )
     place: tuple[_Place, _Place] = Field(default=(0.0, 0.0), description="Middle of the square (x, z), m")
     size: float = Field(default=500.0, ge=40.0, le=10000.0, description="Side of the square, m")
@@ -71,6 +76,12 @@ class Shore(_Part):
     )
     level: float = Field(default=0.0, ge=-1000.0, le=100.0, description="Lifts floor and land; below 0: high water, m")
     seed: int = Field(default=1, ge=0, le=65535, description="Which shore of its kind")
+    image: str | None = Field(
+        default=None,
+        max_length=8192,
+        description="For kind image, a PNG in base64, 2 to 128 pixels a side: black is the deep floor, white the "
+        "height of the land; its top is toward −z",
+    )
     smoothing: float = Field(
         default=6.0, ge=0.0, le=60.0, description="Standard deviation of the Gaussian that smooths distances, m"
     )
@@ -81,6 +92,14 @@ class Shore(_Part):
     reef: float = Field(default=0.5, ge=0.0, le=1.0, description="Share of dark patches on the floor: reef and weed")
     surf: Surf = Field(default_factory=Surf)
 
+    @model_validator(mode="after")
+    def _pictured(self) -> "Shore":
+        if (self.kind == "image") != (self.image is not None):
+            raise ValueError("image: a shore of kind image needs one, and no other kind takes one")
+        if self.image is not None:
+            _picture(self.image)
+        return self
+
     @property
     def deep(self) -> float:
         """Depth of the level floor below y = 0, m; at least 0.1, so that what divides by it may."""
@@ -89,15 +108,23 @@ class Shore(_Part):
     @property
     def ground(self) -> str:
         """All that the height field hangs on, as text: what is equal here has the same floor."""
-        return ",".join(str(getattr(self, name)) for name in _GROUND)
+        values = [str(getattr(self, name)) for name in _GROUND]
+        if self.image is not None:
+            # The alphabet of base64 that addresses take.
+            values.append(self.image.replace("+", "-").replace("/", "_"))
+        return ",".join(values)
 
     @staticmethod
     def of_ground(text: str) -> "Shore":
         """A shore with the ground that :attr:`ground` tells of. Raises ``ValueError`` where no shore has it."""
         values = text.split(",")
-        if len(values) != len(_GROUND):
+        names = _GROUND if len(values) == len(_GROUND) else (*_GROUND, "image")
+        if len(values) != len(names):
             raise ValueError(text)
-        return Shore.model_validate(dict(zip(_GROUND, values, strict=True)))
+        found = dict(zip(names, values, strict=True))
+        if "image" in found:
+            found["image"] = found["image"].replace("-", "+").replace("_", "/")
+        return Shore.model_validate(found)
 
 
 _GROUND = (
@@ -115,6 +142,42 @@ _GROUND = (
 )
 
 
+@lru_cache(maxsize=16)
+def _picture(encoded: str) -> Floats:
+    """Grey of a PNG in base64, (rows, columns) in [0, 1]. Raises ``ValueError`` that says what is wrong with it."""
+    try:
+        raw = base64.b64decode(encoded, validate=True)
+    except binascii.Error:
+        raise ValueError("image: not base64") from None
+    try:
+        with Image.open(io.BytesIO(raw), formats=("PNG",)) as picture:
+            if not (2 <= picture.width <= 128 and 2 <= picture.height <= 128):
+                raise ValueError(f"image: {picture.width} × {picture.height} pixels, not 2 to 128 a side")
+            deep = picture.mode.startswith("I")
+            grey = np.asarray(picture if deep else picture.convert("L"), np.float64) / (65535.0 if deep else 255.0)
+    except (OSError, SyntaxError) as error:
+        raise ValueError("image: not a PNG that can be read") from error
+    result: Floats = np.clip(grey, 0.0, 1.0)
+    result.setflags(write=False)
+    return result
+
+
+def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
+    """The quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
+    taps = []
+    for place, count in ((z, grey.shape[0]), (x, grey.shape[1])):
+        at = place * count - 0.5
+        base = np.floor(at + 0.5)
+        t = at + 0.5 - base
+        index = [np.clip(base.astype(np.int64) + i, 0, count - 1) for i in (-1, 0, 1)]
+        taps.append((index, (0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t)))
+    total = np.zeros_like(x)
+    for row, down in zip(*taps[0], strict=True):
+        for column, along in zip(*taps[1], strict=True):
+            total += down * along * grey[row, column]
+    return total
+
+
 def floor_grid(shore: Shore, texels: int) -> Floats:
     """(texels, texels, 2): height of floor or land over y = 0 (m) and a tint in [0, 1]; row z, column x, texel centres.
 
@@ -130,6 +193,9 @@ def _floor_grid(ground: str, texels: int) -> Floats:
     half = 0.5 * shore.size
     centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")
+    if shore.image is not None:
+        grey = _pictured(_picture(shore.image), x / shore.size + 0.5, z / shore.size + 0.5)
+        return _finished(shore, x, z, grey * (shore.depth + shore.height) - shore.depth)
     strays = shore.roughness * 0.3 * min(shore.size, 8.0 * shore.radius if shore.kind != "beach" else shore.size)
     e = _plain(shore, x, z) + strays * (_fbm(x, z, 0.3 * shore.size, shore.seed, 5) - 0.5)
     # Whatever the shape, the sea is all round: the floor is level where the square ends.
@@ -155,6 +221,12 @@ def _floor_grid(ground: str, texels: int) -> Floats:
         * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
         * _smoothstep(0.0, 30.0, np.abs(e))
     )
+    return _finished(shore, x, z, floor)
+
+
+def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
+    """The floor made level where the square ends, with its tint; rounded, read-only."""
+    half = 0.5 * shore.size
     # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
     ends = _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
     floor = floor + (-shore.depth - floor) * ends
