@@ -54,8 +54,8 @@ class Shore(_Part):
 
     kind: Literal["beach", "island", "islands", "lagoon", "image"] = Field(
         default="beach",
-        description="beach: a coast right through the square; island; islands: several; lagoon: a ring with an opening; image: "
-        "a picture of your own",
+        description="beach: a coast right through the square; island; islands: several; lagoon: a ring with an "
+        "opening; image: a picture of your own",
     )
     place: tuple[_Place, _Place] = Field(default=(0.0, 0.0), description="Middle of the square (x, z), m")
     size: float = Field(default=500.0, ge=40.0, le=10000.0, description="Side of the square, m")
@@ -221,6 +221,9 @@ def _floor_grid(ground: str, texels: int) -> Floats:
         * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
         * _smoothstep(0.0, 30.0, np.abs(e))
     )
+    # Off the coast it sinks to the deep long before the square ends, and in the round: no edge shows from the air.
+    out = np.sqrt(np.sqrt(x**4 + z**4)) / half
+    floor += (-shore.depth - floor) * _smoothstep(0.5, 0.95, out) * _smoothstep(0.0, 0.14 * shore.size, e)
     return _finished(shore, x, z, floor)
 
 
