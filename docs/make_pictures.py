@@ -41,6 +41,36 @@ def seas(executor: Executor) -> Image.Image:
     return sheet(pictures, 4)
 
 
+def shore(executor: Executor, name: str, time: float, **water: object) -> Image.Image:
+    """A preset of a shore, four samples a pixel."""
+    scene = load_preset(name).scene
+    scene = scene.model_copy(update={"water": scene.water.model_copy(update=water)})
+    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    rendered = executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270)
+    return Image.fromarray(rendered.pixels[..., :3])
+
+
+def shores(executor: Executor) -> None:
+    """Every shore at 0, 5 and 20 s, and the three comparisons of water colour of Outerra 2011: absorption lengths
+    7/30/70 against 70/30/7 m at scattering 0.005, and scattering 0 against 0.02."""
+    made = [
+        shore(executor, name, time)
+        for name in preset_names()
+        if load_preset(name).scene.shore is not None
+        for time in (0.0, 5.0, 20.0)
+    ]
+    sheet(made, 3).save(PICTURES / "shores.webp", quality=90)
+    waters = (
+        {"absorption_length": (7.0, 30.0, 70.0), "scattering": 0.005},
+        {"absorption_length": (70.0, 30.0, 7.0), "scattering": 0.005},
+        {"absorption_length": (7.0, 30.0, 70.0), "scattering": 0.0},
+        {"absorption_length": (7.0, 30.0, 70.0), "scattering": 0.02},
+    )
+    sheet([shore(executor, "island-surf", 5.0, **water) for water in waters], 2).save(
+        PICTURES / "water-colours.webp", quality=90
+    )
+
+
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
     """Pictures of one size in rows."""
     width, height = pictures[0].size
@@ -55,7 +85,8 @@ def main() -> None:
     """Write every picture."""
     executor = Executor()
     frame(executor, "default", 1280, 720).save(PICTURES / "default.webp", quality=92)
-    figures = [frame(executor, name, 480, 270 if name != "paper-threshold" else 240) for name in preset_names()[1:]]
+    plain = [name for name in preset_names()[1:] if load_preset(name).scene.shore is None]
+    figures = [frame(executor, name, 480, 270 if name != "paper-threshold" else 240) for name in plain]
     figures = [picture.resize((480, 270)) if picture.size != (480, 270) else picture for picture in figures]
     sheet(figures, 4).save(PICTURES / "figures.webp", quality=92)
     looks = ("textured", "halftone", "fading", "halftone_textured", "listing", "filtered")
@@ -63,6 +94,7 @@ def main() -> None:
         PICTURES / "looks.webp", quality=92
     )
     seas(executor).save(PICTURES / "seas.webp", quality=90)
+    shores(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

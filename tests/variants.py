@@ -19,10 +19,12 @@ from seafoam.scene.models import (
     Scene,
     Sea,
     SlopeSaturation,
+    SurfSaturation,
     Water,
 )
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
+from seafoam.scene.shore import Shore, Surf
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),
@@ -88,6 +90,14 @@ def scenes() -> Iterator[Scene]:
     yield Scene(foam=Foam(), light=Light())
     yield Scene(waves=tuple(ParametricWave(wavelength=3.0 + i) for i in range(16)), foam=Foam())
     yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"mask": "vac:2:64:7"})})
+    yield sea.model_copy(
+        update={"foam": sea.foam.model_copy(update={"saturation": (FrontSaturation(), SurfSaturation())})}
+    )
+    shore = Shore(size=200.0, smoothing=20.0)
+    for light, saturation in product((Light(), None), ((SurfSaturation(),), (SurfSaturation(), HeightSaturation()))):
+        foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
+        yield Scene(shore=shore, foam=foam, light=light)
+    yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
 
 
 def every_plan() -> Iterator[FramePlan]:

@@ -55,6 +55,15 @@ class Quality(Knobs):
     sea_digits: Literal["half", "float"] = Field(default="half", description="Floats of the tiles of open sea")
     age_steps: Literal[0, 4, 8] = Field(default=8, description="Earlier times at which the sea's folds are looked for")
     age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Seconds between them")
+    shore_map: Literal[64, 128, 256, 512] = Field(
+        default=256, description="Texels along a side of the map of distances to the shore"
+    )
+    shore_floor: Literal[64, 128, 256, 512] = Field(
+        default=256, description="Texels along a side of the height field of floor and land"
+    )
+    shore_profile: Literal[32, 64, 128, 256] = Field(
+        default=128, description="Nodes of a row of the table of shore-wave profiles"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -68,6 +77,7 @@ TIERS: dict[Tier, Quality] = {
         sea_tiles=3,
         age_steps=4,
         age_step=0.7,
+        shore_map=128,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -83,6 +93,8 @@ TIERS: dict[Tier, Quality] = {
         rings="exact",
         sea_size=512,
         sea_digits="float",
+        shore_floor=512,
+        shore_profile=256,
         samples=16,
         target="RGBA32F",
     ),

@@ -37,6 +37,8 @@ LOOSE = {
 APART = {
     "eye inside a crest": "the reference looks for the surface from below, the march takes the eye's own place",
     "eye far below the water": "the reference looks for the surface from below, the march takes the eye's own place",
+    "eye inside a hill": "the reference looks for the hill from its inside, the march takes the eye's own place",
+    "eye under water": "the reference looks for the surface from below, the march takes the eye's own place",
     "no phase at all: waves in antiphase": "the phase of a sum that is 0 is rounding",
     "filtered, where the phase turns endlessly fast": "the phase of a sum that is 0 is rounding",
 }

@@ -12,7 +12,7 @@ from seafoam.plan import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference import camera as cameras
 from seafoam.reference import load_truth, render, truth_is_current
-from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, SAME_SIZE, TIMES, jobs_of, truth_file
+from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, same_size, truth_file
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
 from seafoam.scene.presets import load_preset, preset_names
@@ -65,18 +65,19 @@ def test_reference_quality_is_the_truth(executor: Executor, report: Report, pres
     scene = load_preset(preset).scene
     truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
     want = white(truth.rgb)
-    linear = draw(executor, scene, TIERS["reference"], time, SAME_SIZE)
+    size = same_size(scene)
+    linear = draw(executor, scene, TIERS["reference"], time, size)
     got = white(linear[..., :3])
-    below = cameras.depression(cameras.view(scene.camera, *SAME_SIZE), *SAME_SIZE) > np.radians(1.0)
+    below = cameras.depression(cameras.view(scene.camera, *size), *size) > np.radians(1.0)
     near, whole = rmse(got[below], want[below]), rmse(got, want)
-    samples = draw(executor, scene, TIERS["reference"], time, SAME_SIZE, "samples")
+    samples = draw(executor, scene, TIERS["reference"], time, size, "samples")
     flips = float(np.mean((samples[..., 3] > 0.0) != truth.foam))
     height, width = truth.alpha.shape
     cells = (linear[..., 3] - truth.alpha)[: height // 8 * 8, : width // 8 * 8].reshape(height // 8, 8, width // 8, 8)
     tone = float(np.abs(cells.mean(axis=(1, 3))).mean())
-    standard = rmse(white(draw(executor, scene, TIERS["standard"], time, SAME_SIZE)[..., :3]), want)
+    standard = rmse(white(draw(executor, scene, TIERS["standard"], time, size)[..., :3]), want)
     report.add(
-        "Frames against the float64 truth (RMSE in 8-bit levels of linear light, 320 × 180)",
+        "Frames against the float64 truth (RMSE in 8-bit levels of linear light, 320 × 180; shores 160 × 90)",
         preset=preset,
         time=f"{time:g} s",
         below_1_degree=f"{near:.3f}",

@@ -13,7 +13,9 @@ from seafoam.effects import (
     parametric,
     rings,
     sea,
+    shore,
     slope,
+    surf,
     water,
 )
 from seafoam.effects.contribution import Effect
@@ -32,6 +34,8 @@ EFFECTS: tuple[Effect, ...] = (
     glitter.EFFECT,
     water.EFFECT,
     floor.EFFECT,
+    shore.EFFECT,
+    surf.EFFECT,
     crest.EFFECT,
 )
 """Every effect there is."""

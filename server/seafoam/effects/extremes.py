@@ -11,6 +11,7 @@ from seafoam.scene.models import (
     Saturation,
     Scene,
     SlopeSaturation,
+    SurfSaturation,
 )
 from seafoam.scene.ring_level import calm_level
 from seafoam.scene.sea import RAISED, cascades
@@ -25,11 +26,11 @@ def waves_top(scene: Scene) -> float:
 
 
 def surface_top(scene: Scene) -> float:
-    """Greatest height of everything that raises the surface, m: crests in one place, rings and sea at their limits."""
+    """Greatest height of everything that raises the surface, m: all crests in one place."""
     top = waves_top(scene) + 2.0 * calm_level(scene)
     if scene.sea is not None and scene.sea.wind > 0.0:
         top += sum(2.0 * of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return top
+    return top if scene.shore is None else top + scene.shore.surf.height
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
@@ -41,6 +42,13 @@ def height_limit(height: HeightSaturation, scene: Scene) -> float:
     """Greatest height saturation: that of the greatest height."""
     reached = (surface_top(scene) - height.base) / (height.full - height.base)
     return min(max(reached, 0.0), SATURATION_CAP)
+
+
+def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
+    """Greatest surf saturation: on a thin film 2.4 of the front's, and twice the veil, or nothing without surf."""
+    if scene.shore is None or scene.shore.surf.height == 0.0:
+        return 0.0
+    return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
 
 
 def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
@@ -59,6 +67,8 @@ def source_limit(source: Saturation, scene: Scene) -> float:
             return slope_limit(source, scene)
         case FoldSaturation():
             return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
+        case SurfSaturation():
+            return surf_limit(source, scene)
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:

@@ -23,9 +23,9 @@ from seafoam.scene.models import (
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``water.depth`` under a light."""
+    """Called for by ``water.depth`` under a light; a shore has a floor of its own."""
     water, light = scene.water, scene.light
-    if water.depth is None or light is None:
+    if water.depth is None or light is None or scene.shore is not None:
         return None
     # The shortest way down and back is straight, under a trough. Floor and deep water differ by less than the floor at
     # reflectance 1.

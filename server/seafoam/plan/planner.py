@@ -102,13 +102,16 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     draft = _Draft(scene, quality, economy)
     side = math.isqrt(quality.samples)
     level = draft.top == 0.0
-    mesh = quality.surface.method == "mesh" and not level
+    shore = any(file.slot == "shore" for file in draft.slots)
+    # Land stands above the horizon, where no mesh of the sea reaches.
+    mesh = quality.surface.method == "mesh" and not level and not shore
 
     consts: dict[str, Const] = {
         **draft.consts,
         "SURFACE_FILTER": quality.surface.filter,
         "REFINE": quality.surface.refine,
-        "MARCH_STEPS": quality.surface.steps,
+        # Breakers are steep, so what cannot pass them takes short steps.
+        "MARCH_STEPS": quality.surface.steps * (2 if shore else 1),
         "MARCH_TOLERANCE": quality.surface.tolerance,
         "SAMPLE_SIDE": side,
     }
@@ -117,9 +120,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
     combine = scene.foam.combine if scene.foam else "max"
     surface_fragment = [*_COMMON]
-    for slot in surface_slots(combine):
+    for slot in surface_slots(combine, shore):
         surface_fragment += slot_pieces(slot, chosen)
-    surface_fragment.append("surface/main.glsl")
     if mesh:
         surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]
     else:

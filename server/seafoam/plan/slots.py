@@ -60,6 +60,16 @@ WAVES = Slot(
 )
 """Height and gradient of the surface; the second function with what is smaller than the footprint taken out."""
 
+OPEN_WAVES = Slot(
+    "waves",
+    joins=(
+        Join("vec3", "open_waves", "vec2 p", "waves", "p"),
+        Join("vec4", "open_shading", "vec2 p, Footprint fp", "shading", "p, fp"),
+    ),
+)
+SHORE = Slot("shore")
+"""Where there is a shore, it joins the open sea's waves with its own."""
+
 DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "detail", "p, fp"),))
 """Slopes that have no height: gradient, and the mean square slope taken out."""
 
@@ -93,10 +103,12 @@ BODY = Slot("body", default="body/deep.glsl", under="shade")
 CREST = Slot("crest", default="crest/none.glsl", under="shade")
 GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
 SHADE = Slot("shade", default="shade/flat.glsl")
+MAIN = Slot("main", default="surface/main.glsl")
 TONE = Slot("tone", default="tone/clamp.glsl")
 
 
-def surface_slots(combine: Literal["max", "product"]) -> tuple[Slot, ...]:
+def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tuple[Slot, ...]:
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
-    return (WAVES, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, SHADE)
+    waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, SHADE, MAIN)

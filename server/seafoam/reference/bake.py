@@ -19,6 +19,8 @@ from .truth import save_truth, truth_is_current
 TIMES = (0.0, 2.7, 1000003.5)
 """Times of same-samples frames, s."""
 SAME_SIZE = (320, 180)
+SHORE_SIZE = (160, 90)
+"""Of same-samples frames with a shore, whose splines cost ten times as much; they have no converged frame."""
 SAME_SAMPLES = 4
 CONVERGED_TIME = 2.7
 CONVERGED_SIZE = (160, 90)
@@ -43,11 +45,19 @@ class Job:
     mode: Mode
 
 
+def same_size(scene: Scene) -> tuple[int, int]:
+    """Width and height of a scene's same-samples frames, pixels."""
+    return SAME_SIZE if scene.shore is None else SHORE_SIZE
+
+
 def jobs_of(preset: str, scene: Scene) -> list[Job]:
     """Every frame of a preset, in baking order."""
     jobs = [
-        Job(f"{preset}.same.{time:.1f}", preset, scene, time, SAME_SIZE, SAME_SAMPLES, "same-samples") for time in TIMES
+        Job(f"{preset}.same.{time:.1f}", preset, scene, time, same_size(scene), SAME_SAMPLES, "same-samples")
+        for time in TIMES
     ]
+    if scene.shore is not None:
+        return jobs
     scenes = {None if scene.foam is None else scene.foam.look: scene}
     if preset in EVERY_LOOK and scene.foam is not None:
         for look in get_args(Look):

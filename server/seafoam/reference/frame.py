@@ -18,6 +18,7 @@ from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
 from .sea import fold_saturation, sea_surface
+from .shore import Coast
 from .types import Bools, Floats, Ranks, dot, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
 
@@ -168,7 +169,9 @@ class _Shader:
         self.waves = wave_set(scene, time, self.origin)
         self.sea = sea_surface(scene, time, self.origin)
         parts: tuple[Part, ...] = (self.waves, ring_set(scene, time, self.origin))
-        self.relief = Relief(parts if self.sea is None else (*parts, self.sea))
+        open_sea = Relief(parts if self.sea is None else (*parts, self.sea))
+        self.coast = None if scene.shore is None else Coast(scene.shore, time, self.origin, open_sea)
+        self.relief: Part = open_sea if self.coast is None else self.coast
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
@@ -185,12 +188,31 @@ class _Shader:
         met = np.isfinite(distance)
         colour = np.zeros_like(D)
         amount = np.zeros_like(X)
-        if not met.all() and self.air is not None:
-            sky = ~met
+        dry = np.zeros_like(met)
+        if self.coast is not None:
+            to_land = surface.land_crossing(self.coast.land, self.eye_y, d, *self.coast.within(d))
+            dry = to_land < distance
+            if dry.any():
+                colour[dry] = self._land(self.coast, D[dry], d[dry], to_land[dry])
+            met &= ~dry
+        sky = ~met & ~dry
+        if sky.any() and self.air is not None:
             colour[sky] = (self.air.sky(d[sky]) + light.sun_disc(self.air, d[sky])) * self._exposure
         if met.any():
             colour[met], amount[met] = self._surface(D[met], d[met], distance[met])
-        return np.minimum(colour, BRIGHTEST), amount, met
+        return np.minimum(colour, BRIGHTEST), amount, met | dry
+
+    def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Floats:
+        """Colour (r, 3) where rays D meet land, ``distance`` metres away."""
+        if self.air is None or self.scene.light is None:
+            return np.zeros_like(D)
+        q_x, q_z = coast.place(d[:, 0] * distance, d[:, 2] * distance)
+        height, g_x, g_z, _ = coast.ground(q_x, q_z)
+        N = surface.normal(g_x, g_z)
+        tau = distance / np.sqrt(dot(D, D))
+        feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
+        colour = light.land(self.air, coast.albedo(q_x, q_z, *feet), coast.wet(height), d, unit(N))
+        return light.haze(self.air, self.scene.light.visibility, colour, d, distance) * self._exposure
 
     @property
     def _exposure(self) -> float:
@@ -222,7 +244,12 @@ class _Shader:
             colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
             n = unit(surface.normal(h_x + c_x, h_z + c_z))
-            colour = light.water(air, scene.water, self.relief.top, d, n, H)
+            bed = None
+            if self.coast is not None:
+                tau = distance / np.sqrt(dot(D, D))
+                feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
+                bed = self.coast.bed(x, z, H, d, n, *feet)
+            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed)
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)
@@ -256,6 +283,7 @@ class _Shader:
                 for source in foam.saturation
                 if isinstance(source, FoldSaturation)
             ],
+            surf=None if self.coast is None else self.coast.foam,
         )
         t = self._texture(foam, assets, x, z, foot_x, foot_y)
         if foam.look == "textured":

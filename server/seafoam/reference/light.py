@@ -35,6 +35,7 @@ BACKSCATTER = 0.4
 CREST_PATH = 6.0
 GLITTER_MOST = 1e4
 CONTRAST = 3.912
+WET_ROUGHNESS2 = 0.02
 SKY_NODES = 192
 SKY_TURNS = 384
 
@@ -122,16 +123,19 @@ def sky_light(of: Air, up: Floats) -> Floats:
     return result
 
 
-def water(of: Air, body: Water, top: float, d: Floats, n: Floats, H: Floats) -> Floats:
+def water(
+    of: Air, body: Water, top: float, d: Floats, n: Floats, H: Floats, bed: tuple[Floats, Floats] | None = None
+) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
-    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m.
+    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
+    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3).
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
-    inner = (1.0 - mirror) * (_body(of, body, n, H, cv) + _crest(of, body, top, d, H))
+    inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed) + _crest(of, body, top, d, H))
     return inner + mirror * of.sky(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
 
 
@@ -139,6 +143,15 @@ def foam(of: Air, albedo: float, N: Floats) -> Floats:
     """Radiance of foam of unit normals N (r, 3), before haze; (r, 3)."""
     direct = of.sun_irradiance * np.maximum(dot(N, of.sun), 0.0)[:, None]
     result: Floats = albedo / math.pi * (direct + sky_light(of, N[:, 1]))
+    return result
+
+
+def land(of: Air, albedo: Floats, wet: Floats, d: Floats, n: Floats) -> Floats:
+    """Radiance of ground of reflectance (r, 3) and wetness (r,), before haze; (r, 3). d, n: (r, 3) unit vectors."""
+    nv = np.maximum(-dot(n, d), 0.0)
+    mirror = wet * 0.6 * fresnel(np.sqrt(nv * nv + WET_ROUGHNESS2 * (1.0 - nv * nv)))
+    bare = foam(of, 1.0, n) * albedo
+    result: Floats = bare + mirror[:, None] * (of.sky(_reflected(d, n, WET_ROUGHNESS2)) - bare)
     return result
 
 
@@ -200,12 +213,16 @@ def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
     return result
 
 
-def _body(of: Air, body: Water, n: Floats, H: Floats, cv: Floats) -> Floats:
+def _body(of: Air, body: Water, n: Floats, H: Floats, cv: Floats, bed: tuple[Floats, Floats] | None) -> Floats:
     """L_body: light scattered back by the water, and by its floor; (r, 3)."""
     absorption = 1.0 / np.array(body.absorption_length)
     extinction = absorption + body.scattering
     down = ENTERS * (of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None] + sky_light(of, n[:, 1]))
     deep = BACKSCATTER * body.scattering / extinction * down / math.pi
+    if bed is not None:
+        left = np.exp(-extinction * bed[0][:, None])
+        seen: Floats = deep * (1.0 - left) + bed[1] * down / math.pi * left
+        return seen
     if body.depth is None:
         return deep
     refracted = np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2)

@@ -1,13 +1,14 @@
 """Section 4: the saturation f of foam, before any look thresholds it."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import FoldSaturation, HeightSaturation, Saturation, SlopeSaturation
+from seafoam.scene.models import FoldSaturation, HeightSaturation, Saturation, SlopeSaturation, SurfSaturation
 
 from .relief import Part
 from .types import Floats, smoothstep
@@ -196,11 +197,13 @@ def saturation(
     cap: float,
     footprints: tuple[Floats, Floats] | None,
     folds: list[Floats],
+    surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
     ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface. With footprints
-    (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order.
+    (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf`` gives the
+    foam of a shore's surf; without a shore there is none.
     """
     parts = []
     given = iter(folds)
@@ -213,6 +216,9 @@ def saturation(
             continue
         if isinstance(source, FoldSaturation):
             parts.append(next(given))
+            continue
+        if isinstance(source, SurfSaturation):
+            parts.append(np.zeros_like(x) if surf is None else surf(source, x, z, H))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

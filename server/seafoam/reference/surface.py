@@ -50,6 +50,29 @@ def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
     return distance
 
 
+def land_crossing(land: Part, eye_y: float, d: Floats, low: Floats, high: Floats) -> Floats:
+    """Distance along unit rays d (r, 3) to what stands over y = 0, m; (r,), infinite where they miss it.
+
+    Only between ``low`` and ``high`` (r,) m is anything looked for.
+    """
+    distance = np.full(d.shape[0], np.inf)
+    if land.top <= 0.0:
+        return distance
+    start, end, inside = _slab(eye_y, land.top, d[:, 1])
+    start, end = np.maximum(start, low), np.minimum(end, high)
+    chosen = np.flatnonzero(inside & (start < end))
+    if chosen.size:
+        search = _Search(land, eye_y, d[chosen])
+        found = search.first(start[chosen], end[chosen])
+        # A ray that leaves where the search ends is taken to have crossed there: only what lies on dry land counts.
+        met = np.isfinite(found)
+        s = np.where(met, found, 0.0)
+        height = land.height(d[chosen, 0] * s, d[chosen, 2] * s)
+        met &= (height > 0.0) & (np.abs(eye_y + d[chosen, 1] * s - height) <= 1e-6)
+        distance[chosen] = np.where(met, found, np.inf)
+    return distance
+
+
 def normal(h_x: Floats, h_z: Floats) -> Floats:
     """(−h_x, 1, −h_z), not normalised; (r, 3)."""
     return np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1)

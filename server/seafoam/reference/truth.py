@@ -18,7 +18,11 @@ from seafoam.scene.models import Scene
 from .frame import Frame, Mode
 from .types import Bools, Floats
 
-_LATER: dict[str, dict[str, Any]] = {"": {"rings": [], "sea": None}, "foam": {"texture_second": None, "cells": False}}
+_LATER: dict[str, dict[str, Any]] = {
+    "": {"rings": [], "sea": None, "shore": None},
+    "shore": {"image": None},
+    "foam": {"texture_second": None, "cells": False},
+}
 """Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults."""
 BRIGHTEST = 4.0
 LEVELS = 65535

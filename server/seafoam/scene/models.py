@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from seafoam.scene.rings import RINGS_MOST, Ring
+from seafoam.scene.shore import Shore
 
 GRAVITY = 9.81
 """Gravitational acceleration, m/s²."""
@@ -150,8 +151,18 @@ class FoldSaturation(Part):
     decay: float = Field(default=3.0, ge=0.05, le=60.0, description="Foam is down to 1/e after so long, s")
 
 
+class SurfSaturation(Part):
+    """Foam of the surf: born where a shore wave breaks, left behind it, draining down the beach."""
+
+    source: Literal["surf"] = "surf"
+    amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation on a breaking front")
+    life: float = Field(default=0.35, ge=0.02, le=5.0, description="Time to 1/e behind the front, in periods")
+    veil: float = Field(default=0.1, ge=0.0, le=1.0, description="Saturation that stays in the surf between waves")
+
+
 Saturation = Annotated[
-    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation, Field(discriminator="source")
+    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation,
+    Field(discriminator="source"),
 ]
 
 Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
@@ -313,5 +324,6 @@ class Scene(Part):
     sea: Sea | None = Field(default=None, description="Open sea from a wind; absent: none")
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
+    shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
     camera: Camera = Field(default_factory=Camera)

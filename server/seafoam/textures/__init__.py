@@ -3,10 +3,12 @@
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_integral_name
 from seafoam.textures.sea import sea_spectrum_name
+from seafoam.textures.shore import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
 from seafoam.textures.store import TextureData, UnknownTextureError, mask_by_name, texture
 
 __all__ = [
     "FRONT_NODES",
+    "ROWS",
     "TextureData",
     "UnknownTextureError",
     "foam_texture",
@@ -15,5 +17,8 @@ __all__ = [
     "front_integral_name",
     "mask_by_name",
     "sea_spectrum_name",
+    "shore_floor_name",
+    "shore_profiles",
+    "shore_profiles_name",
     "texture",
 ]

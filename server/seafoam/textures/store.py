@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
@@ -14,6 +15,7 @@ from seafoam.masks.formats import quantised, to_u16
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import front_integral
 from seafoam.textures.sea import UnknownSeaError, fft_twiddles, sea_spectrum
+from seafoam.textures.shore import shore_floor, shore_profiles
 
 Format = Literal["R8UI", "R16UI", "R16F", "RG16F", "R32F", "RG32F", "RGBA32F"]
 
@@ -53,7 +55,8 @@ def texture(name: str) -> TextureData:
     ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/moments-half`` and
     ``-float`` (mean of m and m², all levels),
     ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
-    ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`).
+    ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
+    ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F).
     Raises :class:`UnknownTextureError`.
     """
     match name.split("/"):
@@ -68,6 +71,14 @@ def texture(name: str) -> TextureData:
                 return _pack(name, "RG32F", [sea_spectrum(words)])
             except UnknownSeaError as error:
                 raise UnknownTextureError(name) from error
+        case ["shore-floor", texels, ground]:
+            return _pack(name, "RG32F", [_shore(name, lambda: shore_floor(texels, ground))])
+        case ["shore-profiles", nodes, skew, sharpness]:
+            return _pack(
+                name,
+                "R32F",
+                [_shore(name, lambda: shore_profiles(int(nodes), float(skew), float(sharpness)))[..., None]],
+            )
         case ["mask", mask_name, kind]:
             return _mask_texture(name, mask_name, kind)
         case _:
@@ -95,6 +106,13 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
             return _pack(name, "R32F", [np.asarray(mask.quantile)[None, :, None]])
         case _:
             raise UnknownTextureError(name)
+
+
+def _shore(name: str, make: Callable[[], NDArray[np.float32]]) -> NDArray[np.float32]:
+    try:
+        return make()
+    except ValueError:
+        raise UnknownTextureError(name) from None
 
 
 def _front(intensity: str, log_base: str) -> NDArray[np.float32]:

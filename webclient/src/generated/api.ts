@@ -821,7 +821,7 @@ export interface components {
              *       }
              *     ]
              */
-            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"])[];
+            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"])[];
             /**
              * Combine
              * @description How several saturations join
@@ -1713,6 +1713,27 @@ export interface components {
              */
             age_step: number;
             /**
+             * Shore Map
+             * @description Texels along a side of the map of distances to the shore
+             * @default 256
+             * @enum {integer}
+             */
+            shore_map: 64 | 128 | 256 | 512;
+            /**
+             * Shore Floor
+             * @description Texels along a side of the height field of floor and land
+             * @default 256
+             * @enum {integer}
+             */
+            shore_floor: 64 | 128 | 256 | 512;
+            /**
+             * Shore Profile
+             * @description Nodes of a row of the table of shore-wave profiles
+             * @default 128
+             * @enum {integer}
+             */
+            shore_profile: 32 | 64 | 128 | 256;
+            /**
              * Samples
              * @description Samples a pixel, on a square grid
              * @default 1
@@ -1910,6 +1931,8 @@ export interface components {
             /** @description Absent: no foam */
             foam?: components["schemas"]["Foam"] | null;
             water?: components["schemas"]["Water"];
+            /** @description Sea floor, land and surf; absent: open sea */
+            shore?: components["schemas"]["Shore"] | null;
             /** @description null: unlit, foam white on black */
             light?: components["schemas"]["Light"] | null;
             camera?: components["schemas"]["Camera"];
@@ -1980,6 +2003,157 @@ export interface components {
             sha256: string;
             /** Files */
             files: components["schemas"]["SourceFile"][];
+        };
+        /**
+         * Shore
+         * @description Sea floor and land: a height field over a square; beyond it the floor goes on level.
+         */
+        Shore: {
+            /**
+             * Kind
+             * @description beach: a coast right through the square; island; islands: several; lagoon: a ring with an opening; image: a picture of your own
+             * @default beach
+             * @enum {string}
+             */
+            kind: "beach" | "island" | "islands" | "lagoon" | "image";
+            /**
+             * Place
+             * @description Middle of the square (x, z), m
+             * @default [
+             *       0,
+             *       0
+             *     ]
+             */
+            place: [
+                number,
+                number
+            ];
+            /**
+             * Size
+             * @description Side of the square, m
+             * @default 500
+             */
+            size: number;
+            /**
+             * Heading
+             * @description Toward the land of a beach, the opening of a lagoon; rad from +x toward +z
+             * @default 0
+             */
+            heading: number;
+            /**
+             * Radius
+             * @description Of an island or of a lagoon's ring, m
+             * @default 60
+             */
+            radius: number;
+            /**
+             * Depth
+             * @description Depth of the level floor around, m
+             * @default 12
+             */
+            depth: number;
+            /**
+             * Inner Depth
+             * @description Depth inside a lagoon, m
+             * @default 3
+             */
+            inner_depth: number;
+            /**
+             * Height
+             * @description About how high the land rises, m
+             * @default 6
+             */
+            height: number;
+            /**
+             * Slope
+             * @description Slope of the floor at the water's edge
+             * @default 0.06
+             */
+            slope: number;
+            /**
+             * Roughness
+             * @description How far bays and capes stray from the plain shape
+             * @default 0.5
+             */
+            roughness: number;
+            /**
+             * Level
+             * @description Lifts floor and land; below 0: high water, m
+             * @default 0
+             */
+            level: number;
+            /**
+             * Seed
+             * @description Which shore of its kind
+             * @default 1
+             */
+            seed: number;
+            /**
+             * Image
+             * @description For kind image, a PNG in base64, 2 to 128 pixels a side: black is the deep floor, white the height of the land; its top is toward −z
+             */
+            image?: string | null;
+            /**
+             * Smoothing
+             * @description Standard deviation of the Gaussian that smooths distances, m
+             * @default 6
+             */
+            smoothing: number;
+            /**
+             * Sand
+             * @description Reflectance of dry sand
+             * @default [
+             *       0.66,
+             *       0.56,
+             *       0.4
+             *     ]
+             */
+            sand: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Rock
+             * @description Reflectance of rock, where it is steep
+             * @default [
+             *       0.27,
+             *       0.24,
+             *       0.21
+             *     ]
+             */
+            rock: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Plants
+             * @description Reflectance of what grows
+             * @default [
+             *       0.06,
+             *       0.1,
+             *       0.035
+             *     ]
+             */
+            plants: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Plants From
+             * @description Height from which something grows, m
+             * @default 2
+             */
+            plants_from: number;
+            /**
+             * Reef
+             * @description Share of dark patches on the floor: reef and weed
+             * @default 0.5
+             */
+            reef: number;
+            surf?: components["schemas"]["Surf"];
         };
         /**
          * SlopeSaturation
@@ -2093,6 +2267,83 @@ export interface components {
             error_per_ms: number | null;
             /** Sentence */
             sentence: string;
+        };
+        /**
+         * Surf
+         * @description Shore waves: skewed trochoids x = s − b sin(2π frac(s)^γ), y = a cos(2π frac(s)^γ) (Outerra 2011).
+         */
+        Surf: {
+            /**
+             * Height
+             * @description Height of a wave where it breaks, m; 0: no surf
+             * @default 1
+             */
+            height: number;
+            /**
+             * Period
+             * @description Time from crest to crest, s
+             * @default 7
+             */
+            period: number;
+            /**
+             * Skew
+             * @description γ where a wave breaks: 1 is upright, less leans to the shore
+             * @default 0.5
+             */
+            skew: number;
+            /**
+             * Sharpness
+             * @description b: how far a crest gathers, in wavelengths
+             * @default 0.05
+             */
+            sharpness: number;
+            /**
+             * Variation
+             * @description How far the slowly changing mask lowers waves: 0 breaks all alike
+             * @default 0.7
+             */
+            variation: number;
+            /**
+             * Heading
+             * @description Heading of the swell, rad from +x toward +z
+             * @default 0
+             */
+            heading: number;
+            /**
+             * Exposure
+             * @description How calm coasts are that the swell does not meet: 0 as rough, 1 calm
+             * @default 0
+             */
+            exposure: number;
+        };
+        /**
+         * SurfSaturation
+         * @description Foam of the surf: born where a shore wave breaks, left behind it, draining down the beach.
+         */
+        SurfSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "surf";
+            /**
+             * Amount
+             * @description Saturation on a breaking front
+             * @default 1
+             */
+            amount: number;
+            /**
+             * Life
+             * @description Time to 1/e behind the front, in periods
+             * @default 0.35
+             */
+            life: number;
+            /**
+             * Veil
+             * @description Saturation that stays in the surf between waves
+             * @default 0.1
+             */
+            veil: number;
         };
         /**
          * SurfaceQuality
@@ -2632,10 +2883,13 @@ export type Running = components['schemas']['Running'];
 export type Scene = components['schemas']['Scene'];
 export type Sea = components['schemas']['Sea'];
 export type Shader = components['schemas']['Shader'];
+export type Shore = components['schemas']['Shore'];
 export type SlopeSaturation = components['schemas']['SlopeSaturation'];
 export type SourceFile = components['schemas']['SourceFile'];
 export type State = components['schemas']['State'];
 export type Step = components['schemas']['Step'];
+export type Surf = components['schemas']['Surf'];
+export type SurfSaturation = components['schemas']['SurfSaturation'];
 export type SurfaceQuality = components['schemas']['SurfaceQuality'];
 export type Sweep = components['schemas']['Sweep'];
 export type Target = components['schemas']['Target'];

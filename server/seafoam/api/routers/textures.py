@@ -38,7 +38,7 @@ _RESPONSES: dict[int | str, dict[str, Any]] = {
 @router.get("/textures/{name:path}", responses=_RESPONSES | problem_responses(404, 422, 503), response_class=Response)
 async def get_texture(
     name: Annotated[
-        str, Path(description="Name of a texture, from a plan", examples=["mask/vac-24/ranks"], max_length=120)
+        str, Path(description="Name of a texture, from a plan", examples=["mask/vac-24/ranks"], max_length=9000)
     ],
     asked: Annotated[TextureParameters, Query()],
     request: Request,

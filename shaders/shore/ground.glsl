@@ -1,0 +1,108 @@
+// Land and sea floor: where the ray meets land, where the refracted ray meets the floor, and what colour it is there.
+uniform float u_shore_top;       // nothing is higher, m
+uniform float u_shore_steepest[2]; // slope of the floor, and of what stands over y = 0
+uniform float u_shore_swash;     // height that waves reach on the beach, m
+uniform float u_shore_plants_from;
+uniform float u_shore_reef;
+uniform vec3 u_shore_sand;
+uniform vec3 u_shore_rock;
+uniform vec3 u_shore_plants;
+
+// First hit of the ray with land, above y = 0 and inside the square, before `farthest`: steps that cannot pass it.
+bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
+    vec2 eye = shore_place(vec2(0.0));
+    vec2 way = vec2(abs(ray.x) < 1e-9 ? 1e-9 : ray.x, abs(ray.z) < 1e-9 ? 1e-9 : ray.z);
+    vec2 one = (-0.5 * u_shore_size - eye) / way;
+    vec2 two = (0.5 * u_shore_size - eye) / way;
+    float enter = max(max(min(one.x, two.x), min(one.y, two.y)), 0.0);
+    float leave = min(min(max(one.x, two.x), max(one.y, two.y)), farthest);
+    float over = u_eye_height - u_shore_top;
+    float fall = abs(ray.y) < 1e-9 ? -1e-9 : ray.y;
+    // A rising ray leaves through the top, a falling one enters there and leaves at y = 0, where the sea begins.
+    if (over > 0.0) {
+        enter = max(enter, ray.y < 0.0 ? over / -fall : 1e30);
+    } else if (ray.y > 0.0) {
+        leave = min(leave, -over / fall);
+    }
+    if (ray.y < 0.0) {
+        leave = min(leave, u_eye_height / -fall);
+    }
+    tau = enter;
+    ground = vec4(0.0);
+    if (enter >= leave) {
+        return false;
+    }
+    float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
+    float level = length(ray.xz);
+    float fastest = max(u_shore_steepest[0] * level - ray.y, 1e-6 * length(ray));
+    float fastest_dry = max(u_shore_steepest[1] * level - ray.y, 1e-6 * length(ray));
+    float gap = 0.0;
+    for (int i = 0; i < MARCH_STEPS; ++i) {
+        ground = shore_floor(eye + tau * ray.xz);
+        gap = u_eye_height + tau * ray.y - ground.x;
+        if (gap < fine * tau || tau >= leave) {
+            break;
+        }
+        // Land over y = 0 is gentler than the floor, and lower than the eye's way by no more than that way's own height.
+        tau += max(gap / fastest, min(gap, u_eye_height + tau * ray.y) / fastest_dry);
+    }
+    if (tau >= leave || gap >= fine * tau) {
+        return false;
+    }
+    float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * length(ray));
+    for (int i = 0; i < 3; ++i) {
+        float rate = ray.y - dot(ground.yz, ray.xz);
+        if (rate < -1e-3 * length(ray)) {
+            tau = max(tau - clamp(gap / rate, -limit, limit), enter);
+            ground = shore_floor(eye + tau * ray.xz);
+            gap = u_eye_height + tau * ray.y - ground.x;
+        }
+    }
+    return true;
+}
+
+// Grain of what lies there: octaves of noise that fade out before they are smaller than the footprint.
+float shore_grain(vec2 q, Footprint fp) {
+    float reach = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y)));
+    float sum = 0.5;
+    float cell = 9.0;
+    for (int i = 0; i < 5; ++i) {
+        // Each octave is turned against the last (3-4-5), so that no lattice shows.
+        q = vec2(0.8 * q.x - 0.6 * q.y, 0.6 * q.x + 0.8 * q.y);
+        sum += (shore_noise(q / cell) - 0.5) * 0.45 * (1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach));
+        cell *= 0.31;
+    }
+    return clamp(sum, 0.0, 1.0);
+}
+
+float shore_wet(float y) {
+    return 1.0 - smoothstep(0.5 * u_shore_swash, 1.1 * u_shore_swash + 0.05, y);
+}
+
+// Reflectance of the ground: sand, dark where wet; rock where steep; plants higher up; reef and weed under water.
+vec3 ground_albedo(vec4 ground, float grain) {
+    float steep = length(ground.yz);
+    float rocky = smoothstep(0.35, 0.6, steep + 0.25 * (grain - 0.5));
+    float grown = smoothstep(u_shore_plants_from, 1.25 * u_shore_plants_from + 0.5, ground.x + 4.0 * (ground.w - 0.5) + 1.5 * (grain - 0.5));
+    float reef = u_shore_reef * smoothstep(0.52, 0.6, ground.w + 0.12 * (grain - 0.5)) * smoothstep(0.4, 2.0, -ground.x);
+    vec3 albedo = u_shore_sand * (0.8 + 0.4 * grain);
+    albedo = mix(albedo, vec3(0.08, 0.085, 0.05) * (0.5 + grain), reef);
+    albedo = mix(albedo, u_shore_plants * (0.4 + 1.2 * grain), grown);
+    albedo = mix(albedo, u_shore_rock * (0.5 + grain), rocky);
+    return albedo * mix(1.0, 0.55, shore_wet(ground.x));
+}
+
+// Way of the refracted ray from the surface to the floor and of the light straight down to it, m; `at`: where it meets the
+// floor. d, n: unit vectors. Four steps of the fixed point that starts from the depth right under.
+float floor_path(vec2 q, float height, vec3 d, vec3 n, out vec2 at) {
+    float c = dot(n, d);
+    vec3 r = d / 1.34 - (c / 1.34 + sqrt(1.0 - (1.0 - c * c) / (1.34 * 1.34))) * n;
+    float fall = max(-r.y, 0.25);
+    at = q;
+    float under = max(height - shore_floor(q).x, 0.0);
+    for (int i = 0; i < 4; ++i) {
+        at = q + r.xz * (under / fall);
+        under = max(height - shore_floor(at).x, 0.0);
+    }
+    return under * (1.0 + 1.0 / fall);
+}

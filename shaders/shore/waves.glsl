@@ -1,0 +1,65 @@
+// Shore waves over what the floor leaves of the open sea's: skewed trochoids (Outerra 2011) from a table of profiles, each
+// periodic along the way to the shore. Heights in metres, in [0, 2a]; exact to the table's and the map's splines.
+uniform sampler2D u_shore_profiles; // height in [0, 1]; rows: skew
+uniform float u_shore_time[1];      // -t over the period, as a phase
+
+// Where in its wave a place is, in periods: 0 on the crest, rising toward the shore.
+float shore_turn(float phase) {
+    return fract(u_shore_time[0] / TAU - phase);
+}
+
+// Profile, its change a period, and a row.
+vec3 shore_profile(float turn, float skew) {
+    float at = turn * float(PROFILE_NODES) - 0.5;
+    float base = floor(at + 0.5);
+    vec3 w = bspline_weights(at + 0.5 - base);
+    vec3 s = bspline_slopes(at + 0.5 - base);
+    float y = clamp(skew, 0.0, 1.0) * float(PROFILE_ROWS - 1);
+    int row = min(int(y), PROFILE_ROWS - 2);
+    vec2 value = vec2(0.0);
+    vec2 slope = vec2(0.0);
+    for (int i = 0; i < 3; ++i) {
+        int node = (int(base) + i - 1 + PROFILE_NODES) % PROFILE_NODES;
+        vec2 pair = vec2(texelFetch(u_shore_profiles, ivec2(node, row), 0).r, texelFetch(u_shore_profiles, ivec2(node, row + 1), 0).r);
+        value += w[i] * pair;
+        slope += s[i] * pair;
+    }
+    float share = y - float(row);
+    return vec3(mix(value.x, value.y, share), mix(slope.x, slope.y, share) * float(PROFILE_NODES), (value.y - value.x) * float(PROFILE_ROWS - 1));
+}
+
+vec3 shore_waves(ShoreField f, vec3 profile) {
+    vec4 change = vec4(-f.here.g * profile.y, profile.x, f.here.g * profile.z, 0.0);
+    return vec3(f.here.g * profile.x, dot(change, f.along_x), dot(change, f.along_z));
+}
+
+// Height and its gradient.
+vec3 waves(vec2 p) {
+    vec3 sea = open_waves(p);
+    ShoreField f = shore_field(shore_place(p));
+    vec3 sum = vec3(sea.x * f.here.a, sea.yz * f.here.a + sea.x * vec2(f.along_x.a, f.along_z.a));
+    if (f.here.g > 0.0) {
+        sum += shore_waves(f, shore_profile(shore_turn(f.here.r), f.here.b));
+    }
+    return sum;
+}
+
+// The same without what is smaller than the footprint, and the mean square slope taken out.
+vec4 waves_shading(vec2 p, Footprint fp) {
+    vec4 sea = open_shading(p, fp);
+    ShoreField f = shore_field(shore_place(p));
+    vec4 sum = vec4(sea.x * f.here.a, sea.yz * f.here.a + sea.x * vec2(f.along_x.a, f.along_z.a), sea.w * f.here.a * f.here.a);
+    if (f.here.g > 0.0) {
+        vec3 profile = shore_profile(shore_turn(f.here.r), f.here.b);
+        vec2 change = vec2(f.along_x.r, f.along_z.r);
+        float kept = 1.0;
+        if (SURFACE_FILTER) {
+            float a = TAU * dot(change, fp.x);
+            float b = TAU * dot(change, fp.y);
+            kept = exp(-0.125 * min(a * a + b * b, 600.0));
+        }
+        float k = TAU * f.here.g * length(change);
+        sum += vec4(shore_waves(f, vec3(mix(0.42, profile.x, kept), kept * profile.yz)), (1.0 - kept * kept) * 0.15 * k * k);
+    }
+    return sum;
+}
