@@ -1,5 +1,6 @@
 """Makes the pictures of the docs again: ``make docs``."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from PIL import Image
@@ -27,10 +28,10 @@ def frame(executor: Executor, name: str, width: int, height: int, **foam: object
     return Image.fromarray(rendered.pixels[..., :3])
 
 
-def seas(executor: Executor) -> Image.Image:
-    """The open seas at 0, 5 and 20 s, and from 200 m."""
+def at_times(executor: Executor, names: Sequence[str]) -> Image.Image:
+    """Presets at 0, 5 and 20 s, and from 200 m, four samples a pixel."""
     pictures = []
-    for name in ("open-ocean", "swell", "storm", "river"):
+    for name in names:
         scene = load_preset(name).scene
         plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": 4}))
         x, _, z = scene.camera.position
@@ -85,15 +86,16 @@ def main() -> None:
     """Write every picture."""
     executor = Executor()
     frame(executor, "default", 1280, 720).save(PICTURES / "default.webp", quality=92)
-    plain = [name for name in preset_names()[1:] if load_preset(name).scene.shore is None]
-    figures = [frame(executor, name, 480, 270 if name != "paper-threshold" else 240) for name in plain]
+    early = [name for name in preset_names() if name.startswith("paper-") or name == "shallows"]
+    figures = [frame(executor, name, 480, 270 if name != "paper-threshold" else 240) for name in early]
     figures = [picture.resize((480, 270)) if picture.size != (480, 270) else picture for picture in figures]
     sheet(figures, 4).save(PICTURES / "figures.webp", quality=92)
     looks = ("textured", "halftone", "fading", "halftone_textured", "listing", "filtered")
     sheet([frame(executor, "paper-wake", 480, 270, look=look) for look in looks], 3).save(
         PICTURES / "looks.webp", quality=92
     )
-    seas(executor).save(PICTURES / "seas.webp", quality=90)
+    at_times(executor, ("open-ocean", "swell", "storm", "river")).save(PICTURES / "seas.webp", quality=90)
+    at_times(executor, ("lake-calm", "lake-choppy", "explosion")).save(PICTURES / "lakes.webp", quality=90)
     shores(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
