@@ -36,7 +36,12 @@ vec3 shore_waves(ShoreField f, vec3 profile) {
 // Height and its gradient.
 vec3 waves(vec2 p) {
     vec3 sea = open_waves(p);
-    ShoreField f = shore_field(shore_place(p));
+    vec2 q = shore_place(p);
+    // Beyond the square the sea is open.
+    if (any(greaterThan(abs(q), vec2(0.5 * u_shore_size)))) {
+        return sea;
+    }
+    ShoreField f = shore_field(q);
     vec3 sum = vec3(sea.x * f.here.a, sea.yz * f.here.a + sea.x * vec2(f.along_x.a, f.along_z.a));
     if (f.here.g > 0.0) {
         sum += shore_waves(f, shore_profile(shore_turn(f.here.r), f.here.b));
@@ -47,7 +52,11 @@ vec3 waves(vec2 p) {
 // The same without what is smaller than the footprint, and the mean square slope taken out.
 vec4 waves_shading(vec2 p, Footprint fp) {
     vec4 sea = open_shading(p, fp);
-    ShoreField f = shore_field(shore_place(p));
+    vec2 q = shore_place(p);
+    if (any(greaterThan(abs(q), vec2(0.5 * u_shore_size)))) {
+        return sea;
+    }
+    ShoreField f = shore_field(q);
     vec4 sum = vec4(sea.x * f.here.a, sea.yz * f.here.a + sea.x * vec2(f.along_x.a, f.along_z.a), sea.w * f.here.a * f.here.a);
     if (f.here.g > 0.0) {
         vec3 profile = shore_profile(shore_turn(f.here.r), f.here.b);

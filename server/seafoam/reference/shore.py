@@ -304,7 +304,7 @@ class Coast:
         total = self.open_sea.height(x, z) if self.open_sea.top > 0.0 else np.zeros_like(x)
         q_x, q_z = self.place(x, z)
         # At the square's edge waves of the shore are gone and those of the sea whole.
-        inside = np.flatnonzero((np.abs(q_x) < 0.5 * self.shore.size) & (np.abs(q_z) < 0.5 * self.shore.size))
+        inside = np.flatnonzero((np.abs(q_x) <= 0.5 * self.shore.size) & (np.abs(q_z) <= 0.5 * self.shore.size))
         if inside.size:
             here = self.field.value(q_x[inside], q_z[inside])
             own = np.zeros(inside.size)
@@ -319,12 +319,15 @@ class Coast:
         sea = self.open_sea
         H = sea.height(x, z) if sea.top > 0.0 else np.zeros_like(x)
         along = sea.gradient(x, z) if sea.top > 0.0 else (np.zeros_like(x), np.zeros_like(x))
-        here, map_x, map_z = self.field.all(*self.place(x, z))
+        q_x, q_z = self.place(x, z)
+        beyond = (np.abs(q_x) > 0.5 * self.shore.size) | (np.abs(q_z) > 0.5 * self.shore.size)
+        here, map_x, map_z = self.field.all(q_x, q_z)
         profile, turned, skewed = self.profiles(self.turn(here[:, 0]), here[:, 2])
         result = []
         for rise, change in zip(along, (map_x, map_z), strict=True):
             own = change[:, 1] * profile + here[:, 1] * (skewed * change[:, 2] - turned * change[:, 0])
-            result.append(rise * here[:, 3] + H * change[:, 3] + np.where(here[:, 1] > 0.0, own, 0.0))
+            joined = rise * here[:, 3] + H * change[:, 3] + np.where(here[:, 1] > 0.0, own, 0.0)
+            result.append(np.where(beyond, rise, joined))
         return result[0], result[1]
 
     def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats) -> Floats:
