@@ -1,10 +1,17 @@
 """Quality: how exactly a scene is computed, apart from what it is."""
 
-from typing import Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 Tier = Literal["draft", "standard", "high", "reference"]
+
+
+def _no_truth_value(value: Any) -> Any:
+    """``False`` equals 0 and would pass for it, which the schema does not say."""
+    if isinstance(value, bool):
+        raise ValueError("must be a number")
+    return value
 
 
 class Knobs(BaseModel):
@@ -53,7 +60,9 @@ class Quality(Knobs):
     sea_size: Literal[64, 128, 256, 512] = Field(default=256, description="Texels along a side of a tile of open sea")
     sea_tiles: Literal[2, 3, 4] = Field(default=4, description="Tiles of an FFT sea, the largest first")
     sea_digits: Literal["half", "float"] = Field(default="half", description="Floats of the tiles of open sea")
-    age_steps: Literal[0, 4, 8] = Field(default=8, description="Earlier times at which the sea's folds are looked for")
+    age_steps: Annotated[Literal[0, 4, 8], BeforeValidator(_no_truth_value)] = Field(
+        default=8, description="Earlier times at which the sea's folds are looked for"
+    )
     age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Seconds between them")
     shore_map: Literal[64, 128, 256, 512] = Field(
         default=256, description="Texels along a side of the map of distances to the shore"

@@ -2,7 +2,6 @@
 
 import cmath
 import math
-from functools import lru_cache
 
 from seafoam.effects.contribution import (
     Bound,
@@ -136,8 +135,8 @@ def _size(of: Cascade, choppiness: float, texels: int) -> Uniform:
     return vector((of.size, significant(of.mean_square_slope), significant(fold)))
 
 
-@lru_cache(maxsize=16)
-def _contribute(scene: Scene, quality: Quality) -> Contribution | None:
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by ``sea``."""
     sea = scene.sea
     if sea is None:
         return None
@@ -248,11 +247,6 @@ def _contribute(scene: Scene, quality: Quality) -> Contribution | None:
         top=top,
         steepest=steepest,
     )
-
-
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``sea``."""
-    return _contribute(scene, quality)
 
 
 def _bound(scene: Scene, steepest: float) -> Bound | None:
