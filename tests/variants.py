@@ -108,6 +108,8 @@ def every_plan() -> Iterator[FramePlan]:
     for scene in scenes():
         for quality in TIERS.values():
             yield make_plan(scene, quality)
+    # What a bound leaves out is drawn where that bound is tested.
+    yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
 
 
 def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:

@@ -1,4 +1,5 @@
-// First hit of the ray with the surface by steps that cannot pass it: gap / (descent + steepest slope), then Newton.
+// First hit of the ray with the surface by steps that cannot pass it: gap / (descent + steepest slope), then Newton. A ray that
+// passes close over a crest goes on where the surface falls away from it, so that no back of a crest shows.
 // ray: not normalised; returns tau, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
 uniform float u_surface_top;
 uniform float u_surface_steepest;
@@ -34,23 +35,26 @@ bool find_surface(vec3 ray, out float tau, out vec3 wave) {
     for (int i = 0; i < MARCH_STEPS; ++i) {
         wave = waves(tau * ray.xz);
         gap = u_eye_height + tau * ray.y - wave.x;
-        if (gap < fine * tau || tau >= leave) {
+        if (tau >= leave || (gap < fine * tau && (gap < 0.0 || ray.y < dot(wave.yz, ray.xz)))) {
             break;
         }
-        tau += gap / fastest;
+        tau += max(gap, 0.5 * fine * tau) / fastest;
     }
     if (ray.y >= 0.0 && gap >= fine * tau) {
         return false;
     }
     float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * length(ray));
     for (int i = 0; i < REFINE; ++i) {
-        if (i > 0) {
-            wave = waves(tau * ray.xz);
-            gap = u_eye_height + tau * ray.y - wave.x;
-        }
         float rate = ray.y - dot(wave.yz, ray.xz);
         if (rate < -1e-3 * length(ray)) {
-            tau = max(tau - clamp(gap / rate, -limit, limit), enter);
+            float trial = max(tau - clamp(gap / rate, -limit, limit), enter);
+            vec3 there = waves(trial * ray.xz);
+            // A step over the crest would end on its back: the place before it is within the march's tolerance.
+            if (ray.y < dot(there.yz, ray.xz)) {
+                tau = trial;
+                wave = there;
+                gap = u_eye_height + tau * ray.y - wave.x;
+            }
         }
     }
     return true;

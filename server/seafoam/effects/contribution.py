@@ -215,6 +215,8 @@ class Contribution:
     """What the effect can add to the surface's height at most, m."""
     steepest: float = 0.0
     """What the effect can add to the surface's slope at most."""
+    march: int = 1
+    """How many times the march's steps it takes: its crests are steep, or fill their slab thinly."""
 
 
 @dataclass(frozen=True)

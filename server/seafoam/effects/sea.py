@@ -246,6 +246,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=_bound(scene, sum(of.steepest for of in tiles)),
         top=top,
         steepest=steepest,
+        march=2,
     )
 
 

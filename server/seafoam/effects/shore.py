@@ -321,6 +321,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=_bound(scene, shore, land_top),
         top=surf.height,
         steepest=_up(slope + share * surface_top(scene)),
+        march=2,
     )
 
 

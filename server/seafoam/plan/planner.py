@@ -56,6 +56,7 @@ class _Draft:
         self.passes: list[PassSpec] = []
         self.top = 0.0
         self.steepest = 0.0
+        self.march = 1
         self.bound_fields: set[str] = set()
         for effect in EFFECTS:
             given = effect.contribute(scene, quality)
@@ -76,6 +77,7 @@ class _Draft:
         self.passes += given.passes
         self.top += given.top
         self.steepest += given.steepest
+        self.march = max(self.march, given.march)
         for mine, theirs in (
             (self.consts, given.consts),
             (self.uniforms, given.uniforms),
@@ -110,13 +112,11 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         **draft.consts,
         "SURFACE_FILTER": quality.surface.filter,
         "REFINE": quality.surface.refine,
-        # Breakers are steep, so what cannot pass them takes short steps.
-        "MARCH_STEPS": quality.surface.steps * (2 if shore else 1),
+        "MARCH_STEPS": quality.surface.steps * draft.march,
         "MARCH_TOLERANCE": quality.surface.tolerance,
         "SAMPLE_SIDE": side,
     }
-    march = "march" if scene.sea is None else "march_on"
-    find = "plane" if level else "newton" if mesh else march
+    find = "plane" if level else "newton" if mesh else "march"
     chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
     combine = scene.foam.combine if scene.foam else "max"
     surface_fragment = [*_COMMON]

@@ -84,8 +84,8 @@ export class ScenePane {
   }
 
   private folder(parent: FolderApi, { pointer, hint, kind }: Control, title: string): FolderApi {
-    // Of a long panel, the first group that is no list is the one to begin with.
-    const first = this.model?.children.find((control) => control.kind !== "list")?.pointer;
+    // Of a long panel, the first group that is no list and that the scene has is the one to begin with.
+    const first = this.model?.children.find((each) => each.kind !== "list" && get(this.scene, each.pointer) !== null)?.pointer;
     const path = steps(pointer);
     const part = kind !== "list" && path.length === 2 && !/^\d+$/.test(path[1] ?? "");
     const open = pointer === first || part;
