@@ -119,7 +119,10 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     return plan.model_copy(
         update={
             "programs": {**plan.programs, "surface": uber.program},
-            "uniforms": plan.uniforms | uniforms,
+            # A plan of level water finds a plane and knows neither.
+            "uniforms": {name: number(0.0) for name in ("u_surface_top", "u_surface_steepest")}
+            | plan.uniforms
+            | uniforms,
             "textures": textures | plan.textures,
             "targets": targets | plan.targets,
             "passes": tuple(
@@ -132,6 +135,11 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
 def slot_files(quality: Quality) -> tuple[str, ...]:
     """Every file that fills a slot of the program."""
     return tuple(path for paths in _uber(quality, True).switches.values() for path in paths if path)
+
+
+def held_effects(quality: Quality) -> frozenset[str]:
+    """Names of the effects that the program holds: those of the paper and its water."""
+    return frozenset(note.name for plan in _uber(quality, True).plans for note in plan.effects)
 
 
 @cache
@@ -151,6 +159,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
         "SURFACE_FILTER": quality.surface.filter,
         "MARCH_STEPS": quality.surface.steps,
         "MARCH_TOLERANCE": quality.surface.tolerance,
+        "REFINE": quality.surface.refine,
     }
     texts, switches = _surface(parts)
     text = _by_uniforms("\n".join(texts), consts)
@@ -187,6 +196,8 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
         files = [file for file in parts.files.values() if file.slot == slot.name]
         if slot.name == "find":
             texts.append(read_file("surface/march.glsl"))
+            continue
+        if slot.name == "main":
             continue
         if not slot.joins and slot.default not in {file.path for file in files}:
             files.insert(0, SlotFile(slot.name, slot.default))
