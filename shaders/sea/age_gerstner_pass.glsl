@@ -7,11 +7,13 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 before = u_age_step * (float(at.y / AGE_SIZE * 4) + vec4(1.0, 2.0, 3.0, 4.0));
     o_folds = vec4(0.0);
-    for (int i = 0; i < GERSTNER_WAVES; ++i) {
+    ivec2 waves = gerstner_waves(at.x / AGE_SIZE);
+    float scale = at.x < AGE_SIZE ? u_age_scale.x : u_age_scale.y;
+    for (int i = waves.x; i < waves.y; ++i) {
         vec4 wave = u_gerstner[i];
         float theta = gerstner_theta(i, at % AGE_SIZE, AGE_SIZE);
         vec4 angle = theta + wave.w * before;
-        o_folds -= u_age_scale.x * length(wave.xy) * wave.z
+        o_folds -= scale * length(wave.xy) * wave.z
             * vec4(cos(wrap_phase(angle.x)), cos(wrap_phase(angle.y)), cos(wrap_phase(angle.z)), cos(wrap_phase(angle.w)));
     }
 }

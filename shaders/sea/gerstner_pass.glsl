@@ -1,10 +1,11 @@
-// Height and displacement D = -a k/|k| sin(theta) of all waves, as coefficients of a cubic B-spline; (h, Dx, Dz), m.
+// Height and displacement D = -a k/|k| sin(theta) of a tile's waves, as coefficients of a cubic B-spline; (h, Dx, Dz), m.
 out vec4 o_displaced;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < GERSTNER_WAVES; ++i) {
+    ivec2 waves = gerstner_waves(at.x / SEA_SIZE);
+    for (int i = waves.x; i < waves.y; ++i) {
         float theta = gerstner_theta(i, at, SEA_SIZE);
         sum += u_gerstner[i].z * vec3(cos(theta), -sin(theta) * normalize(u_gerstner[i].xy));
     }

@@ -59,7 +59,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "u_fold_clamped": number(significant(model.clamped)),
         "u_fold_share": array("float", [Constant(value=(significant(s),)) for s in model.shares], steps + 1),
     }
-    name = f"{steps}_{'two' if len(raised) == RAISED else 'one'}" if steps else "now"
+    name = str(steps) if steps else "now"
     why = f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}"
     slots = (SlotFile("saturation", f"saturation/fold_{name}.glsl", prefix="fold", needs=("saturation/fold.glsl",)),)
     if not steps:
@@ -104,7 +104,7 @@ def _ages(
                 fragment=("common/numbers.glsl", "sea/gerstner.glsl", "sea/age_gerstner_pass.glsl"),
                 target="age_a",
                 mesh=Fullscreen(),
-                uniforms={**gerstner_uniforms(raised[0], 0), **uniforms},
+                uniforms={**gerstner_uniforms(raised, 0), **uniforms},
             ),
         )
     else:

@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from collections.abc import Sequence
 
 from seafoam.effects.contribution import (
     Bound,
@@ -75,10 +76,10 @@ def loop_uniforms() -> dict[str, Uniform]:
     }
 
 
-def gerstner_uniforms(of: Cascade, size: int) -> dict[str, Uniform]:
-    """The waves of a tile that is summed wave by wave. ``size``: texels of the spline that is drawn; 0: none."""
+def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:
+    """The waves of tiles that are summed wave by wave. ``size``: texels of the splines that are drawn; 0: none."""
     data, phases = [], []
-    for row, column in of.waves:
+    for of, (row, column) in ((tile, place) for tile in tiles for place in tile.waves):
         iz, ix = row - BAND, column - BAND
         h0 = complex(of.h0[row, column])
         omega = 2.0 * math.pi / LOOP * int(of.turns[row, column])
@@ -160,7 +161,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 fragment=("common/numbers.glsl", "sea/gerstner.glsl", "sea/gerstner_pass.glsl"),
                 target="sea_a",
                 mesh=Fullscreen(),
-                uniforms=gerstner_uniforms(tiles[0], size),
+                uniforms=gerstner_uniforms(tiles, size),
             ),
         )
     else:
@@ -209,16 +210,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     fetch = f"sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
     needs = (fetch, "sea/tiles.glsl")
-    slots = [
-        SlotFile("waves", f"waves/sea_{'two' if len(raised) == RAISED else 'one'}.glsl", prefix="sea", needs=needs)
-    ]
+    slots = [SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs)]
     if len(tiles) > RAISED:
         name = "detail_two" if len(tiles) == 4 else "detail_one"
         slots.append(SlotFile("detail", f"sea/{name}.glsl", prefix="sea", needs=needs))
     top = sum(2.0 * of.limit for of in raised)
     steepest = sum(of.steepest for of in raised)
     height = 4.0 * math.sqrt(sum(of.variance for of in tiles))
-    how = f"{len(tiles[0].waves)} waves on a tile" if gerstner else f"{len(tiles)} tiles by FFT, {size}²"
+    waves = sum(len(of.waves) for of in tiles)
+    how = f"{waves} waves on {len(tiles)} tiles" if gerstner else f"{len(tiles)} tiles by FFT, {size}²"
     return Contribution(
         why=f"sea of {sea.wind:g} m/s wind, significant height {height:.3g} m: {how}",
         slots=tuple(slots),
@@ -229,7 +229,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "SEA_NEWTON": NEWTON if sea.choppiness > 0.0 else 0,
             "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
             "SEA_LEVELS": size.bit_length() - 4,
-            "GERSTNER_WAVES": len(tiles[0].waves) if gerstner else 1,
+            "GERSTNER_WAVES": waves if gerstner else 2,
+            "GERSTNER_FIRST": len(tiles[0].waves) if gerstner else 1,
         },
         uniforms={
             **{f"u_sea_offset_{i}": _offset(of) for i, of in enumerate(tiles)},

@@ -29,6 +29,8 @@ SHORTEST = 0.1
 RAISED = 2
 """So many tiles, the largest, raise the surface; what is smaller tilts it alone."""
 GERSTNER_WAVES = 48
+GERSTNER_RATIO = 1.618
+"""Of the sides of the two tiles that hold these waves."""
 CREST = 4.5
 """Heights are held within so many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
 TILT = 0.24
@@ -261,11 +263,11 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
 
 @lru_cache(maxsize=32)
 def cascades(sea: Sea, depth: float | None) -> tuple[Cascade, ...]:
-    """The tiles of a sea over water of a depth (m; absent: deep), the largest first: four, or one for ``gerstner``."""
+    """The tiles of a sea over water of a depth (m; absent: deep), the largest first: four, or two for ``gerstner``."""
     sea = sea.model_copy(update={"choppiness": 0.0})
     largest = largest_tile(sea, depth)
     if sea.model == "gerstner":
-        return (_gerstner(sea, depth, largest),)
+        return _gerstner(sea, depth, (largest, float(f"{largest / GERSTNER_RATIO:.6g}")))
     made = []
     size, low = largest, 0.0
     for number, ratio in enumerate(RATIOS):
@@ -312,13 +314,15 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
     return Cascade(size, h0, np.where(there, _turns(k, depth), 0))
 
 
-def _gerstner(sea: Sea, depth: float | None, size: float) -> Cascade:
-    """Waves on the tile's whole wavevectors, one in each of many equal steps of log k, with its step's energy."""
-    h0 = np.zeros((2 * BAND, 2 * BAND), np.complex128)
-    step = 2.0 * math.pi / size
-    _, _, k = _wavevectors(size)
+def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tuple[Cascade, Cascade]:
+    """Waves on the tiles' whole wavevectors, one in each of many equal steps of log k, with its step's energy.
+
+    They lie on the two tiles in turn: the tiles have no common period, so no pattern of waves comes back.
+    """
+    tiles = [np.zeros((2 * BAND, 2 * BAND), np.complex128) for _ in sizes]
+    steps = [2.0 * math.pi / size for size in sizes]
     if sea.wind > 0.0:
-        edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * step
+        edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * steps[0]
         around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720) - math.pi
         share = np.cumsum(spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
         for wave in range(GERSTNER_WAVES):
@@ -329,18 +333,23 @@ def _gerstner(sea: Sea, depth: float | None, size: float) -> Cascade:
             draws = [float(_uniform(sea.seed, 7 + n, np.array([wave]), np.array([0]))[0]) for n in range(3)]
             # Headings by the golden ratio: even over the spread whatever the seed.
             angle = sea.wind_direction + float(np.interp((draws[0] + 0.618034 * wave) % 1.0, share, around))
+            h0, step = tiles[wave % 2], steps[wave % 2]
             middle = math.sqrt(edges[wave] * edges[wave + 1]) / step
             ix, iz = round(middle * math.cos(angle)), round(middle * math.sin(angle))
             if sea.against == 0.0 and ix * math.cos(sea.wind_direction) + iz * math.sin(sea.wind_direction) < 0.0:
                 continue
             if energy > 0.0 and (ix, iz) != (0, 0):
                 h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
-        drawn = 2.0 * float((np.abs(h0) ** 2).sum())
+        drawn = 2.0 * sum(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
         omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind, sea.fetch)
         total = float(np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * _shallow(omega, depth), omega))
         # The few waves have the height of all.
-        h0 *= math.sqrt(total / drawn) if drawn > 0.0 else 0.0
-    return Cascade(size, h0, np.where(h0 != 0.0, _turns(k, depth), 0))
+        tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]
+    first, second = (
+        Cascade(size, h0, np.where(h0 != 0.0, _turns(_wavevectors(size)[2], depth), 0))
+        for size, h0 in zip(sizes, tiles, strict=True)
+    )
+    return first, second
 
 
 def _pcg(state: NDArray[np.uint32]) -> NDArray[np.uint32]:
