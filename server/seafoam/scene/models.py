@@ -56,7 +56,7 @@ class Sea(Part):
 
     model: Literal["gerstner", "fft"] = Field(
         default="fft",
-        description="gerstner: some dozens of waves on one tile; fft: every wavevector of four tiles (Tessendorf 2001)",
+        description="gerstner: dozens of waves on two tiles; fft: every wavevector of four tiles (Tessendorf 2001)",
     )
     wind: float = Field(default=10.0, ge=0.0, le=60.0, description="Wind speed 10 m above the sea, m/s")
     fetch: float = Field(default=2e5, ge=100.0, le=1e7, description="Way over which the wind has raised the sea, m")

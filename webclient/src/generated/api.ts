@@ -1944,7 +1944,7 @@ export interface components {
         Sea: {
             /**
              * Model
-             * @description gerstner: some dozens of waves on one tile; fft: every wavevector of four tiles (Tessendorf 2001)
+             * @description gerstner: dozens of waves on two tiles; fft: every wavevector of four tiles (Tessendorf 2001)
              * @default fft
              * @enum {string}
              */
