@@ -109,11 +109,23 @@ def _angle(a_x: Floats, a_z: Floats, b_x: Floats, b_z: Floats) -> Floats:
     return np.arctan2(cross, dot * np.sqrt((a_x**2 + a_z**2 + 1.0) * (b_x**2 + b_z**2 + 1.0)))
 
 
+def spline_at_texels(coefficients: Floats) -> Floats:
+    """Values at the texels of the uniform cubic B-spline with these coefficients, periodic; (size, size, n)."""
+    for axis in (0, 1):
+        beside = np.roll(coefficients, 1, axis) + np.roll(coefficients, -1, axis)
+        coefficients = (beside + 4.0 * coefficients) / 6.0
+    return coefficients
+
+
 def _check_texels(
     executor: Executor, report: Report, plan: FramePlan, surface: truth.SeaSurface, name: str, time: float
 ) -> None:
-    """Every texel of every tile that the GPU drew: height, slopes, fold, and the folds of earlier times."""
+    """Every texel of every tile that the GPU drew: displacement, height, slopes, fold, and folds of earlier times."""
+    atlas = target(executor, plan, displaced_target(seen(SEAS[name]), EXACT), time).astype(np.float64)
     for i, one in enumerate(surface.tiles):
+        moved = truth.grids(surface.cascades[i], time, truth.TEXELS)
+        block = spline_at_texels(atlas[:, i * truth.TEXELS : (i + 1) * truth.TEXELS, :3])
+        shift = np.abs(block - np.stack((moved.h, moved.d_x, moved.d_z), -1)).max()
         got = target(executor, plan, f"sea_tile_{i}", time).astype(np.float64)
         away = [np.abs(got[..., 0] - one.height).max(), np.abs(got[..., 1:3] - np.stack((one.h_x, one.h_z), -1)).max()]
         fold = np.abs(got[..., 3] - one.fold).max()
@@ -122,10 +134,12 @@ def _check_texels(
             model=name,
             time=f"{time:g} s",
             tile=f"{one.size:g} m",
+            displacement=f"{1e3 * shift:.4f} mm",
             height=f"{1e3 * away[0]:.4f} mm",
             slope=f"{away[1]:.1e}",
             fold=f"{fold:.1e}",
         )
+        assert shift <= 1e-3 * math.sqrt(surface.cascades[i].variance)
         assert away[0] <= 1e-3 * math.sqrt(surface.cascades[i].variance)
         assert away[1] <= 1e-3
         assert fold <= 1e-3
