@@ -28,8 +28,7 @@ vec4 spline_bends(float t) {
 }
 
 // Mean of the mask's uniform cubic B-spline over the footprint, to second order, and half its change across it.
-// wanted: renderers that compute both sides of a branch still leave a loop that no pixel wants.
-vec2 mask_spline(bool wanted, vec2 uv, vec2 uv_x, vec2 uv_y) {
+vec2 mask_spline(vec2 uv, vec2 uv_x, vec2 uv_y) {
     vec2 at = fract(uv) * float(MASK_SIZE) - 0.5;
     vec2 base = floor(at);
     vec4 wx = spline_weights(at.x - base.x);
@@ -40,8 +39,7 @@ vec2 mask_spline(bool wanted, vec2 uv, vec2 uv_x, vec2 uv_y) {
     vec4 by = spline_bends(at.y - base.y);
     vec3 sum = vec3(0.0);
     vec3 bend = vec3(0.0);
-    int rows = wanted ? 4 : 0;
-    for (int j = 0; j < rows; ++j) {
+    for (int j = 0; j < 4; ++j) {
         ivec2 row = ivec2(base) + ivec2(-1, j - 1);
         vec4 m = vec4(mask_texel(row), mask_texel(row + ivec2(1, 0)), mask_texel(row + ivec2(2, 0)), mask_texel(row + ivec2(3, 0)));
         float along = dot(wx, m);
@@ -75,7 +73,7 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     float saturation_here = s;
     float edge = 0.0;
     if (far < 1.0) {
-        vec2 spline = mask_spline(far < 1.0, uv, uv_x, uv_y);
+        vec2 spline = mask_spline(uv, uv_x, uv_y);
         edge = spline.y * (1.0 - far);
         threshold = mix(spline.x, threshold, far);
         saturation_here = mix(quantile(s), s, far);
