@@ -10,7 +10,6 @@ from seafoam.effects.contribution import (
     Contribution,
     Effect,
     FixedSize,
-    Fullscreen,
     HardCase,
     Knob,
     PassSpec,
@@ -112,10 +111,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"ripples, {tile:g} m tile",
                 program="chop",
-                vertex=("vertex/fullscreen.glsl",),
                 fragment=("common/numbers.glsl", "chop/tile_pass.glsl"),
                 target=f"chop_{i}",
-                mesh=Fullscreen(),
                 uniforms={
                     "u_chop_wave": array("vec4", _data(waves), len(waves)),
                     "u_chop_phase": array(

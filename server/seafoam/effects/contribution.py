@@ -184,14 +184,17 @@ class SlotFile:
 
 @dataclass(frozen=True)
 class PassSpec:
-    """A pass that an effect adds before the surface is drawn; ``vertex`` and ``fragment`` list its files."""
+    """A pass that an effect adds before the surface is drawn; ``vertex`` and ``fragment`` list its files.
+
+    It covers its whole target unless told otherwise.
+    """
 
     name: str
     program: str
-    vertex: tuple[str, ...]
     fragment: tuple[str, ...]
     target: str
-    mesh: Fullscreen | Grid
+    vertex: tuple[str, ...] = ("vertex/fullscreen.glsl",)
+    mesh: Fullscreen | Grid = field(default_factory=Fullscreen)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
 

@@ -8,7 +8,6 @@ from seafoam.effects.contribution import (
     Contribution,
     Effect,
     FixedSize,
-    Fullscreen,
     HardCase,
     Knob,
     PassSpec,
@@ -23,7 +22,6 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.sea import (
-    FULLSCREEN,
     displaced_target,
     drawn,
     gerstner_uniforms,
@@ -100,10 +98,8 @@ def _ages(
             PassSpec(
                 name="folds of earlier waves",
                 program="age_gerstner",
-                vertex=FULLSCREEN,
                 fragment=("common/numbers.glsl", "sea/gerstner.glsl", "sea/age_gerstner_pass.glsl"),
                 target="age_a",
-                mesh=Fullscreen(),
                 uniforms={**gerstner_uniforms(raised, 0), **uniforms},
             ),
         )
@@ -112,10 +108,8 @@ def _ages(
         first = PassSpec(
             name="spectrum of earlier folds",
             program="age_spectrum",
-            vertex=FULLSCREEN,
             fragment=("common/numbers.glsl", "sea/spectrum.glsl", "sea/age_spectrum_pass.glsl"),
             target="age_a",
-            mesh=Fullscreen(),
             inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
             uniforms={**loop_uniforms(), **uniforms},
         )
@@ -129,10 +123,8 @@ def _ages(
                 PassSpec(
                     name=f"earlier folds {row}, {of.size:g} m tile",
                     program="age_tile",
-                    vertex=FULLSCREEN,
                     fragment=("sea/resample_pass.glsl", "sea/age_tile_pass.glsl"),
                     target=f"age_tile_{i}_{row}",
-                    mesh=Fullscreen(),
                     inputs={
                         "u_sea_displaced": TargetInput(target=displaced),
                         "u_age_folds": TargetInput(target=folds),

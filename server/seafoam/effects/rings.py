@@ -13,7 +13,6 @@ from seafoam.effects.contribution import (
     Contribution,
     Effect,
     FixedSize,
-    Fullscreen,
     HardCase,
     Held,
     Knob,
@@ -123,10 +122,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return PassSpec(
             name=f"{target.replace('_', ', ')}, {side:g} m map",
             program=target,
-            vertex=("vertex/fullscreen.glsl",),
             fragment=("common/numbers.glsl", "rings/ring.glsl", shader),
             target=target,
-            mesh=Fullscreen(),
             uniforms={
                 "u_ring_now": _now(shown, corners),
                 "u_ring_shape": _shapes(shown),

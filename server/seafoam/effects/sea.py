@@ -10,7 +10,6 @@ from seafoam.effects.contribution import (
     Contribution,
     Effect,
     FixedSize,
-    Fullscreen,
     HardCase,
     Knob,
     Loop,
@@ -37,7 +36,6 @@ from seafoam.textures import sea_spectrum_name
 NEWTON = 2
 """Newton steps from a corner of the tile to the water that rests under it."""
 TWIDDLES = {"fft_twiddles": TextureUse("fft-twiddles", wrap="clamp_to_edge")}
-FULLSCREEN = ("vertex/fullscreen.glsl",)
 
 
 def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[PassSpec, ...], str]:
@@ -52,10 +50,8 @@ def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[Pass
                 PassSpec(
                     name=f"{name}: {'columns' if axis else 'rows'}, {span} to {span * radix}",
                     program=f"fft_{radix}",
-                    vertex=FULLSCREEN,
                     fragment=(f"sea/radix_{radix}.glsl", "sea/fft_pass.glsl"),
                     target=other,
-                    mesh=Fullscreen(),
                     inputs={
                         "u_fft_from": TargetInput(target=source),
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
@@ -157,10 +153,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name="waves of the sea",
                 program="gerstner",
-                vertex=FULLSCREEN,
                 fragment=("common/numbers.glsl", "sea/gerstner.glsl", "sea/gerstner_pass.glsl"),
                 target="sea_a",
-                mesh=Fullscreen(),
                 uniforms=gerstner_uniforms(tiles, size),
             ),
         )
@@ -173,10 +167,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         first = PassSpec(
             name="spectrum of the sea",
             program="sea_spectrum",
-            vertex=FULLSCREEN,
             fragment=("common/numbers.glsl", "sea/spectrum.glsl", "sea/displaced_pass.glsl"),
             target="sea_a",
-            mesh=Fullscreen(),
             inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
             uniforms=loop_uniforms(),
         )
@@ -187,10 +179,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"sea, {of.size:g} m tile",
                 program="sea_tile",
-                vertex=FULLSCREEN,
                 fragment=("sea/resample_pass.glsl", "sea/tile_pass.glsl"),
                 target=f"sea_tile_{i}",
-                mesh=Fullscreen(),
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(of, i, sea.choppiness, size),
             ),
@@ -201,10 +191,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name="means of the sea",
                 program="sea_means",
-                vertex=FULLSCREEN,
                 fragment=("sea/means_pass.glsl",),
                 target="sea_means",
-                mesh=Fullscreen(),
                 inputs={f"u_sea_full_{i}": TargetInput(target=f"sea_tile_{min(i, len(tiles) - 1)}") for i in range(4)},
             ),
         )

@@ -13,7 +13,6 @@ from seafoam.effects.contribution import (
     Contribution,
     Effect,
     FixedSize,
-    Fullscreen,
     HardCase,
     Knob,
     PassSpec,
@@ -161,7 +160,6 @@ def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
     """The passes that draw the map: nearest points by jump flooding, distances, smoothing, and what waves need."""
     texels, surf = quality.shore_map, shore.surf
     floor = {"u_shore_floor": TextureInput(texture="shore_floor")}
-    vertex = ("vertex/fullscreen.glsl",)
 
     def one(
         name: str, files: tuple[str, ...], target: str, read: dict[str, str], uniforms: dict[str, Uniform] | None = None
@@ -169,10 +167,8 @@ def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
         return PassSpec(
             name=f"shore: {name}",
             program=f"shore_{name.split(',')[0].replace(' ', '_')}",
-            vertex=vertex,
             fragment=files,
             target=target,
-            mesh=Fullscreen(),
             inputs={**floor, **{sampler: TargetInput(target=source) for sampler, source in read.items()}},
             uniforms=uniforms or {},
         )

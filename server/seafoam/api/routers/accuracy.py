@@ -2,6 +2,7 @@
 
 import io
 import math
+from collections.abc import Callable
 from typing import Annotated, Any
 
 import numpy as np
@@ -67,10 +68,24 @@ def _kept(request: Request, content: bytes, media: str, *identity: Any) -> Respo
     return not_modified(request, tag, headers) or Response(content, headers={"ETag": tag, **headers}, media_type=media)
 
 
+async def _shown(
+    preset: str, request: Request, context: Context, render: Callable[[Sweep], bytes], media: str
+) -> Response:
+    """The sweep of a preset in one of its forms, or how far it is."""
+    found = await measured(context, _subject(preset))
+    if isinstance(found, Running):
+        return _wait(found)
+    return _kept(request, await context.plans.run(render, found), media, found.model_dump(mode="json"))
+
+
 def _npy(truth: Truth) -> bytes:
     buffer = io.BytesIO()
     np.save(buffer, truth.astype("<f4", copy=False), allow_pickle=False)
     return buffer.getvalue()
+
+
+def _json(sweep: Sweep) -> bytes:
+    return sweep.model_dump_json().encode()
 
 
 def _plot(sweep: Sweep) -> bytes:
@@ -97,11 +112,7 @@ async def get_accuracy_csv(
     preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
     """The measured cost of accuracy of a preset, as a table."""
-    found = await measured(context, _subject(preset))
-    if isinstance(found, Running):
-        return _wait(found)
-    content = await context.plans.run(_csv, found)
-    return _kept(request, content, "text/csv", found.model_dump(mode="json"))
+    return await _shown(preset, request, context, _csv, "text/csv")
 
 
 @router.get(
@@ -115,11 +126,7 @@ async def get_accuracy_plot(
     preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
     """The measured cost of accuracy of a preset, as a plot."""
-    found = await measured(context, _subject(preset))
-    if isinstance(found, Running):
-        return _wait(found)
-    content = await context.plans.run(_plot, found)
-    return _kept(request, content, "image/png", found.model_dump(mode="json"))
+    return await _shown(preset, request, context, _plot, "image/png")
 
 
 @router.get(
@@ -167,8 +174,4 @@ async def get_accuracy(
 
     The first request starts the measurement, which takes some minutes; until it is done the answer is 202.
     """
-    found = await measured(context, _subject(preset))
-    if isinstance(found, Running):
-        return _wait(found)
-    document = found.model_dump(mode="json")
-    return _kept(request, found.model_dump_json().encode(), "application/json", document)
+    return await _shown(preset, request, context, _json, "application/json")
