@@ -79,26 +79,30 @@ void main() {
     float leave = min(u_eye_height / -ray.y, farthest);
     float fine = 0.1 * length(u_ray_y) * 2.0 / u_viewport.y;
     float step_size = 1.0 / (u_surface_steepest * speed - ray.y);
-    float tau = min((u_eye_height - amplitude) / -ray.y, leave);
+    float enter = min((u_eye_height - amplitude) / -ray.y, leave);
+    float tau = enter;
     float gap = 0.0;
+    float rate = 0.0;
+    vec2 turn = vec2(0.0);
     for (int i = 0; i < 192; ++i) {
-        float u = 0.5 + 0.5 * sin(theta(phase - tau * along));
+        float angle = theta(phase - tau * along);
+        turn = vec2(cos(angle), sin(angle));
+        float u = 0.5 + 0.5 * turn.y;
         gap = u_eye_height + tau * ray.y - amplitude * u * u;
-        if (gap < fine * tau || tau >= leave) {
+        rate = ray.y + amplitude * u * turn.x * along;
+        if (tau >= leave || (gap < fine * tau && (gap < 0.0 || rate < 0.0))) {
             break;
         }
-        tau += gap * step_size;
+        tau += max(gap, 0.5 * fine * tau) * step_size;
     }
     float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * size);
-    float angle = theta(phase - tau * along);
-    vec2 turn = vec2(cos(angle), sin(angle));
-    for (int i = 0; i < 3; ++i) {
-        float u = 0.5 + 0.5 * turn.y;
-        float rate = ray.y + amplitude * u * turn.x * along;
-        if (rate < -1e-3 * size) {
-            tau = max(tau - clamp((u_eye_height + tau * ray.y - amplitude * u * u) / rate, -limit, limit), 0.0);
-            angle = theta(phase - tau * along);
-            turn = vec2(cos(angle), sin(angle));
+    if (rate < -1e-3 * size) {
+        float trial = max(tau - clamp(gap / rate, -limit, limit), enter);
+        float angle = theta(phase - trial * along);
+        vec2 there = vec2(cos(angle), sin(angle));
+        if (ray.y + amplitude * (0.5 + 0.5 * there.y) * there.x * along < 0.0) {
+            tau = trial;
+            turn = there;
         }
     }
     vec2 p = tau * ray.xz;
