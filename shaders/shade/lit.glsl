@@ -17,7 +17,7 @@ vec3 water_light(vec3 d, vec3 n, float lost, float height) {
 
     vec3 r = reflect(d, n);
     r.y = sqrt(max(r.y, 0.0) * max(r.y, 0.0) + sigma2);
-    vec3 reflected = sky_light(normalize(r));
+    vec3 reflected = reflected_light(normalize(r), d, n);
 
     vec3 below = 0.95 * irradiance(n) / PI;
     vec3 absorption = 1.0 / u_absorption_length;

@@ -162,7 +162,22 @@ class Grid(PlanPart):
     columns: int = Field(ge=1)
 
 
-Mesh = Annotated[Fullscreen | Grid, Field(discriminator="rule")]
+class Points(PlanPart):
+    """``count`` points without attributes; gl_VertexID tells which, and gl_PointSize gives the side in pixels."""
+
+    rule: Literal["points"] = "points"
+    count: int = Field(ge=1, le=1 << 20)
+
+
+Mesh = Annotated[Fullscreen | Grid | Points, Field(discriminator="rule")]
+
+Blend = Literal["none", "add", "over"]
+"""How a pass meets what its target holds: replaces it, adds to it, or lies over it with premultiplied alpha."""
+
+BENEATH = "beneath"
+"""The target of surface and sky where passes of stage ``after`` follow; those may read it."""
+ABOVE = "above"
+"""The target of passes of stage ``after``: premultiplied light, laid over :data:`BENEATH`; half floats, which blend."""
 
 
 Const = int | float | bool | tuple[int, ...]
@@ -184,9 +199,10 @@ class SlotFile:
 
 @dataclass(frozen=True)
 class PassSpec:
-    """A pass that an effect adds before the surface is drawn; ``vertex`` and ``fragment`` list its files.
+    """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
 
-    It covers its whole target unless told otherwise.
+    It covers its whole target unless told otherwise. ``stage``: before the surface is drawn, or after surface and sky
+    into :data:`ABOVE`, which is cleared for the first of them.
     """
 
     name: str
@@ -194,9 +210,12 @@ class PassSpec:
     fragment: tuple[str, ...]
     target: str
     vertex: tuple[str, ...] = ("vertex/fullscreen.glsl",)
-    mesh: Fullscreen | Grid = field(default_factory=Fullscreen)
+    mesh: Fullscreen | Grid | Points = field(default_factory=Fullscreen)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
+    stage: Literal["before", "after"] = "before"
+    blend: Blend = "none"
+    clear: bool = False
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from typing import Literal
 from pydantic import Field
 
 from seafoam.effects.contribution import (
+    Blend,
     Filter,
     Mesh,
     PlanPart,
@@ -59,6 +60,11 @@ class State(PlanPart):
 
     depth: bool = False
     clear: bool = Field(default=False, description="Clear the target to (0, 0, 0, 0) and depth to 1 first")
+    blend: Blend = Field(
+        default="none",
+        description="none: replace what the target holds; add: add to it; over: lie over it, alpha premultiplied. "
+        "Never into 32-bit floats, which WebGL2 need not blend",
+    )
 
 
 class Pass(PlanPart):

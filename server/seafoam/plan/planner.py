@@ -5,6 +5,8 @@ from functools import lru_cache
 
 from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import (
+    ABOVE,
+    BENEATH,
     CameraRule,
     Const,
     Contribution,
@@ -150,6 +152,31 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         **draft.targets,
         "samples": Target(size=ViewportSize(scale=side), format=quality.target, depth=True),
     }
+    drawn = "samples"
+    compose: list[Pass] = []
+    after = [_pass(spec) for spec in draft.passes if spec.stage == "after"]
+    if after:
+        drawn = BENEATH
+        targets[BENEATH] = targets["samples"]
+        targets[ABOVE] = Target(size=ViewportSize(scale=side), format="RGBA16F")
+        targets["samples"] = Target(size=ViewportSize(scale=side), format=quality.target)
+        programs["compose"] = Program(
+            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            fragment=assemble(["common/numbers.glsl", "output/compose.glsl"], {}),
+        )
+        first = next(i for i, one in enumerate(after) if one.target == ABOVE)
+        after[first] = after[first].model_copy(update={"state": after[first].state.model_copy(update={"clear": True})})
+        compose = [
+            *after,
+            Pass(
+                name="what stands before the water",
+                when="frame",
+                program="compose",
+                target="samples",
+                mesh=Fullscreen(),
+                inputs={"u_beneath": TargetInput(target=BENEATH), "u_above": TargetInput(target=ABOVE)},
+            ),
+        ]
     linear = "samples"
     resolve: list[Pass] = []
     if side > 1:
@@ -170,28 +197,18 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             )
         ]
     passes = [
-        *(
-            Pass(
-                name=spec.name,
-                when="frame",
-                program=spec.program,
-                target=spec.target,
-                mesh=spec.mesh,
-                inputs=spec.inputs,
-                uniforms=spec.uniforms,
-            )
-            for spec in draft.passes
-        ),
+        *(_pass(spec) for spec in draft.passes if spec.stage == "before"),
         Pass(
             name="surface",
             when="frame",
             program="surface",
-            target="samples",
+            target=drawn,
             mesh=Grid(rows=quality.surface.cells, columns=quality.surface.cells) if mesh else Fullscreen(),
             inputs=draft.inputs,
             state=State(depth=True, clear=True),
         ),
-        Pass(name="sky", when="frame", program="sky", target="samples", mesh=Fullscreen(), state=State(depth=True)),
+        Pass(name="sky", when="frame", program="sky", target=drawn, mesh=Fullscreen(), state=State(depth=True)),
+        *compose,
         *resolve,
         Pass(
             name="tone",
@@ -236,6 +253,19 @@ def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
         "u_surface_top": number(top),
         "u_surface_steepest": number(steepest),
     }
+
+
+def _pass(spec: PassSpec) -> Pass:
+    return Pass(
+        name=spec.name,
+        when="frame",
+        program=spec.program,
+        target=spec.target,
+        mesh=spec.mesh,
+        inputs=spec.inputs,
+        uniforms=spec.uniforms,
+        state=State(clear=spec.clear, blend=spec.blend),
+    )
 
 
 def _texture(use: TextureUse) -> Texture:

@@ -102,6 +102,8 @@ DISC = Slot("disc", default="sky/no_disc.glsl")
 BODY = Slot("body", default="body/deep.glsl", under="shade")
 CREST = Slot("crest", default="crest/none.glsl", under="shade")
 GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
+REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
+"""What the water mirrors."""
 SHADE = Slot("shade", default="shade/flat.glsl")
 MAIN = Slot("main", default="surface/main.glsl")
 TONE = Slot("tone", default="tone/clamp.glsl")
@@ -111,4 +113,4 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, SHADE, MAIN)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)

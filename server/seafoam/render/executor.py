@@ -15,7 +15,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.effects.contribution import FixedSize, Fullscreen, Grid, Target, TextureInput
+from seafoam.effects.contribution import Blend, FixedSize, Fullscreen, Grid, Points, Target, TextureInput
 from seafoam.plan.assemble import declared_uniforms
 from seafoam.plan.model import FramePlan, Pass, Program, Texture
 from seafoam.plan.rules import FrameState, evaluate
@@ -38,6 +38,11 @@ TEXTURE_FORMATS = {
 }
 """Components and moderngl dtype of each texture format."""
 _TARGET_FORMATS = {"RGBA16F": "f2", "RGBA32F": "f4", "RGBA8": "f1"}
+_BLENDS: dict[Blend, tuple[int, int]] = {
+    "none": (moderngl.ONE, moderngl.ZERO),
+    "add": (moderngl.ONE, moderngl.ONE),
+    "over": (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA),
+}
 _BYTES = {"u1": 1, "u2": 2, "f2": 2, "f4": 4}
 _FILTERS = {
     "nearest": (moderngl.NEAREST, moderngl.NEAREST),
@@ -101,17 +106,26 @@ class _Linked:
     def __init__(self, context: moderngl.Context, program: moderngl.Program) -> None:
         self._context = context
         self.program = program
-        self._arrays: dict[Fullscreen | Grid, tuple[Any, ...]] = {}
+        self._arrays: dict[Grid | None, tuple[Any, ...]] = {}
 
-    def array(self, mesh: Fullscreen | Grid) -> moderngl.VertexArray:
-        """The vertex array that feeds ``mesh`` to the program."""
+    def draw(self, mesh: Fullscreen | Grid | Points) -> None:
+        """Draw ``mesh`` with the program."""
+        if isinstance(mesh, Grid):
+            self._array(mesh).render(moderngl.TRIANGLES)
+        elif isinstance(mesh, Points):
+            self._array(None).render(moderngl.POINTS, vertices=mesh.count)
+        else:
+            self._array(None).render(moderngl.TRIANGLES, vertices=3)
+
+    def _array(self, mesh: Grid | None) -> moderngl.VertexArray:
+        """The vertex array that feeds ``mesh``; None: no attribute at all."""
         if mesh not in self._arrays:
             self._arrays[mesh] = self._make(mesh)
         found: moderngl.VertexArray = self._arrays[mesh][0]
         return found
 
-    def _make(self, mesh: Fullscreen | Grid) -> tuple[Any, ...]:
-        if isinstance(mesh, Fullscreen):
+    def _make(self, mesh: Grid | None) -> tuple[Any, ...]:
+        if mesh is None:
             return (self._context.vertex_array(self.program, []),)
         vertices, indices = grid(mesh.rows, mesh.columns)
         buffers = self._context.buffer(vertices.tobytes()), self._context.buffer(indices.tobytes())
@@ -215,8 +229,11 @@ class Executor:
         program = linked.program
         framebuffer.use()
         framebuffer.viewport = (0, 0, framebuffer.width, framebuffer.height)
-        self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | (moderngl.DEPTH_TEST if one.state.depth else 0))
+        depth = moderngl.DEPTH_TEST if one.state.depth else 0
+        blend = moderngl.BLEND if one.state.blend != "none" else 0
+        self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | depth | blend)
         self._context.depth_func = "<"
+        self._context.blend_func = _BLENDS[one.state.blend]
         if one.state.clear:
             framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
         state = FrameState(time, camera, width, height, framebuffer.width, framebuffer.height, index)
@@ -234,7 +251,7 @@ class Executor:
             if name in program and name not in one.inputs:
                 uniform = one.uniforms.get(name) or plan.uniforms[name]
                 _member(program, name).write(evaluate(uniform, state).tobytes())
-        linked.array(one.mesh).render(moderngl.TRIANGLES, vertices=-1 if isinstance(one.mesh, Grid) else 3)
+        linked.draw(one.mesh)
 
     def _program(self, model: Program) -> _Linked:
         def make() -> _Linked:

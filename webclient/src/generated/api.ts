@@ -1434,7 +1434,7 @@ export interface components {
              */
             target: string;
             /** Mesh */
-            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"];
+            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__effects__contribution__Points"];
             /**
              * Inputs
              * @description Sampler name -> what it reads
@@ -1452,7 +1452,8 @@ export interface components {
             /**
              * @default {
              *       "depth": false,
-             *       "clear": false
+             *       "clear": false,
+             *       "blend": "none"
              *     }
              */
             state: components["schemas"]["State"];
@@ -1535,17 +1536,6 @@ export interface components {
              * @description SHA-256 of its plan
              */
             plan: string;
-        };
-        /**
-         * Points
-         * @description What is measured, before it is.
-         */
-        Points: {
-            /** Preset */
-            preset: string;
-            truth: components["schemas"]["TruthInfo"];
-            /** Points */
-            points: components["schemas"]["Point"][];
         };
         /**
          * PresetDetail
@@ -2210,6 +2200,13 @@ export interface components {
              * @default false
              */
             clear: boolean;
+            /**
+             * Blend
+             * @description none: replace what the target holds; add: add to it; over: lie over it, alpha premultiplied. Never into 32-bit floats, which WebGL2 need not blend
+             * @default none
+             * @enum {string}
+             */
+            blend: "none" | "add" | "over";
         };
         /**
          * Step
@@ -2752,6 +2749,30 @@ export interface components {
             period: number;
         };
         /**
+         * Points
+         * @description What is measured, before it is.
+         */
+        seafoam__accuracy__model__Points: {
+            /** Preset */
+            preset: string;
+            truth: components["schemas"]["TruthInfo"];
+            /** Points */
+            points: components["schemas"]["Point"][];
+        };
+        /**
+         * Points
+         * @description ``count`` points without attributes; gl_VertexID tells which, and gl_PointSize gives the side in pixels.
+         */
+        seafoam__effects__contribution__Points: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            rule: "points";
+            /** Count */
+            count: number;
+        };
+        /**
          * FieldProblem
          * @description What is wrong with one member or parameter.
          */
@@ -2870,7 +2891,6 @@ export type PassIndex = components['schemas']['PassIndex'];
 export type Phase = components['schemas']['Phase'];
 export type PlanRequest = components['schemas']['PlanRequest'];
 export type Point = components['schemas']['Point'];
-export type Points = components['schemas']['Points'];
 export type PresetDetail = components['schemas']['PresetDetail'];
 export type PresetSummary = components['schemas']['PresetSummary'];
 export type Program = components['schemas']['Program'];
@@ -2905,6 +2925,8 @@ export type Viewport = components['schemas']['Viewport'];
 export type ViewportSize = components['schemas']['ViewportSize'];
 export type Water = components['schemas']['Water'];
 export type Wrap = components['schemas']['Wrap'];
+export type SeafoamAccuracyModelPoints = components['schemas']['seafoam__accuracy__model__Points'];
+export type SeafoamEffectsContributionPoints = components['schemas']['seafoam__effects__contribution__Points'];
 export type FieldProblem = components['schemas']['FieldProblem'];
 export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;
@@ -3772,7 +3794,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Points"];
+                    "application/json": components["schemas"]["seafoam__accuracy__model__Points"];
                 };
             };
             /** @description Bad Request */

@@ -9,7 +9,8 @@ export interface Mesh {
 }
 
 export function meshKey(spec: MeshSpec): string {
-  return spec.rule === "grid" ? `grid ${spec.rows} ${spec.columns}` : spec.rule;
+  if (spec.rule === "grid") return `grid ${spec.rows} ${spec.columns}`;
+  return spec.rule === "points" ? `points ${spec.count}` : spec.rule;
 }
 
 /** Vertices (column/columns, row/rows), columns first, and two triangles a cell. */
@@ -39,10 +40,11 @@ export function gridData(rows: number, columns: number): { vertices: Float32Arra
 
 export function makeMesh(gl: WebGL2RenderingContext, spec: MeshSpec): Mesh {
   const array = gl.createVertexArray();
-  if (spec.rule === "fullscreen") {
+  if (spec.rule !== "grid") {
+    const [mode, count] = spec.rule === "points" ? [gl.POINTS, spec.count] : [gl.TRIANGLES, 3];
     const draw = () => {
       gl.bindVertexArray(array);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      gl.drawArrays(mode, 0, count);
     };
     return { draw, dispose: () => gl.deleteVertexArray(array) };
   }

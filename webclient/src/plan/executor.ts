@@ -161,7 +161,12 @@ export class Executor {
     } else {
       gl.disable(gl.SCISSOR_TEST);
     }
-    gl.disable(gl.BLEND);
+    if (pass.state.blend === "none") {
+      gl.disable(gl.BLEND);
+    } else {
+      gl.enable(gl.BLEND);
+      gl.blendFunc(gl.ONE, pass.state.blend === "add" ? gl.ONE : gl.ONE_MINUS_SRC_ALPHA);
+    }
     gl.disable(gl.CULL_FACE);
     gl.depthMask(true);
     gl.depthFunc(gl.LESS);

@@ -1,0 +1,83 @@
+"""Passes after surface and sky: points, blended, laid over the picture alike on the server and in Chromium."""
+
+import base64
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.contribution import ABOVE, Blend, Contribution, Effect, PassSpec, Points
+from seafoam.plan import FramePlan, make_plan, planner
+from seafoam.quality import TIERS, Quality
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Light, Scene
+
+SIZE = (32, 16)
+FILES = Path(__file__).with_name("stages")
+SCENE = Scene(light=Light(), camera=Camera(pitch=1.5708))
+"""Nothing but sky."""
+
+
+def plan_of(blend: Blend, samples: int = 1) -> FramePlan:
+    """The scene's plan with four points over it, three of them in one place."""
+
+    def contribute(scene: Scene, quality: Quality) -> Contribution:
+        spec = PassSpec(
+            name="points",
+            program="points",
+            vertex=(str(FILES / "points.glsl"),),
+            fragment=(str(FILES / "quarter.glsl"),),
+            target=ABOVE,
+            mesh=Points(count=4),
+            stage="after",
+            blend=blend,
+        )
+        return Contribution(why="a test", passes=(spec,))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(planner, "EFFECTS", (*EFFECTS, Effect("points", contribute)))
+        quality = TIERS["standard"].model_copy(update={"samples": samples})
+        return planner.make_plan.__wrapped__(SCENE, quality)
+
+
+@pytest.mark.parametrize(("blend", "light", "free"), [("add", 0.75, 0.0), ("over", 0.4375, 0.125), ("none", 0.25, 0.5)])
+@pytest.mark.parametrize("samples", [1, 4])
+def test_points_lie_over_the_picture(
+    page: Page, executor: Executor, blend: Blend, light: float, free: float, samples: int
+) -> None:
+    width, height = SIZE
+    plan = plan_of(blend, samples)
+
+    def draw(one: FramePlan) -> np.ndarray:
+        return executor.render(
+            one, time=0.0, camera=SCENE.camera, width=width, height=height, output="samples"
+        ).pixels.astype(np.float64)
+
+    sky, drawn = draw(make_plan(SCENE, TIERS["standard"].model_copy(update={"samples": samples}))), draw(plan)
+    middle = (drawn.shape[0] // 2, drawn.shape[1] // 2)
+    left = (drawn.shape[0] // 2, drawn.shape[1] // 4)
+    assert np.allclose(drawn[middle][:3], sky[middle][:3] * free + light, atol=2e-3)
+    assert np.allclose(drawn[left][:3], sky[left][:3] * 0.5 + 0.25, atol=2e-3)
+    changed = (np.abs(drawn - sky).max(axis=2) > 1e-6).sum()
+    assert changed == 32, "two squares of 4 × 4 samples"
+
+    answer = page.evaluate(
+        "([plan, options]) => window.seafoam.render(plan, options)",
+        [
+            json.loads(plan.canonical_json()),
+            {"time": 0.0, "width": width, "height": height, "camera": SCENE.camera.model_dump(mode="json")},
+        ],
+    )
+    pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(height, width, 4)
+    here = executor.render(plan, time=0.0, camera=SCENE.camera, width=width, height=height).pixels
+    assert answer["glError"] == 0
+    assert np.abs(pixels.astype(int) - here.astype(int)).max() <= 1
+
+
+def test_a_scene_without_such_passes_is_drawn_at_once() -> None:
+    plan = make_plan(SCENE, TIERS["standard"])
+    assert "compose" not in plan.programs
+    assert set(plan.targets) == {"samples"}
