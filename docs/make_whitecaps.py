@@ -6,6 +6,7 @@ Run as ``python docs/make_whitecaps.py [--derive]``; with ``--derive`` it prints
 import argparse
 import sys
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -26,20 +27,20 @@ TEXELS = 256
 POINTS = 100_000
 
 
-def coverage(wind: float, seed: int, points: int = POINTS, texels: int = TEXELS) -> float:
+def coverage(wind: float, seed: int, kind: Literal["fft", "gerstner"] = "fft") -> float:
     """Mean foam of a sea, over points spread over its largest tile: the covered share, as masks are rank-uniform."""
     foam = FoldSaturation()
-    scene = Scene(sea=Sea(wind=wind, fetch=FETCH, seed=seed), foam=Foam(saturation=(foam,)))
-    surface = sea_surface(scene, 100.0 * seed, (0.0, 0.0), texels)
+    scene = Scene(sea=Sea(model=kind, wind=wind, fetch=FETCH, seed=seed), foam=Foam(saturation=(foam,)))
+    surface = sea_surface(scene, 100.0 * seed, (0.0, 0.0), TEXELS)
     assert surface is not None
     random = np.random.default_rng(seed)
-    x, z = random.uniform(0.0, 20.0 * surface.tiles[0].size, (2, points))
+    x, z = random.uniform(0.0, 20.0 * surface.tiles[0].size, (2, POINTS))
     return float(fold_saturation(scene, foam, surface, x, z).mean())
 
 
-def measured(seeds: tuple[int, ...]) -> dict[float, float]:
+def measured(seeds: tuple[int, ...], kind: Literal["fft", "gerstner"] = "fft") -> dict[float, float]:
     """Coverage at each wind, the mean of several seas."""
-    return {wind: float(np.mean([coverage(wind, seed) for seed in seeds])) for wind in WINDS}
+    return {wind: float(np.mean([coverage(wind, seed, kind) for seed in seeds])) for wind in WINDS}
 
 
 def derive() -> tuple[tuple[float, float], ...]:
@@ -53,12 +54,16 @@ def derive() -> tuple[tuple[float, float], ...]:
     return tuple((wind, round(factor, 3)) for wind, factor in factors.items())
 
 
-def write(drawn: dict[float, float]) -> None:
+def write(drawn: dict[float, float], gerstner: dict[float, float]) -> None:
     """The page's table and its plot."""
-    rows = ["| wind, m/s | wanted, % | drawn, % | drawn / wanted |\n", "|---|---|---|---|\n"]
-    for wind, share in drawn.items():
+    rows = [
+        "| wind, m/s | wanted, % | `fft`, % | over wanted | `gerstner`, % | over wanted |\n",
+        "|---|---|---|---|---|---|\n",
+    ]
+    for wind in WINDS:
         wanted = model.whitecaps(wind)
-        rows.append(f"| {wind:g} | {100 * wanted:.3f} | {100 * share:.3f} | {share / wanted:.2f} |\n")
+        shares = " | ".join(f"{100 * of[wind]:.3f} | {of[wind] / wanted:.2f}" for of in (drawn, gerstner))
+        rows.append(f"| {wind:g} | {100 * wanted:.3f} | {shares} |\n")
     before, _, after = PAGE.read_text(encoding="utf-8").split(MARK)
     PAGE.write_text(before + MARK + "".join(rows) + MARK + after, encoding="utf-8")
     figure = Figure(figsize=(8.0, 5.0), dpi=120, layout="constrained")
@@ -68,7 +73,8 @@ def write(drawn: dict[float, float]) -> None:
     law = 100 * 3.84e-6 * winds**3.41
     axes.fill_between(winds, 0.8 * law, 1.2 * law, color="#dde3e6", label="within 20 %")
     axes.plot(winds, law, color="#1c2b33", lw=1.2, label="3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980)")
-    axes.plot(list(drawn), [100 * share for share in drawn.values()], "o", color="#b5353c", label="drawn")
+    for of, mark, colour, name in ((drawn, "o", "#b5353c", "fft"), (gerstner, "^", "#27708b", "gerstner")):
+        axes.plot(list(of), [100 * share for share in of.values()], mark, color=colour, label=f"drawn, {name}")
     axes.set_yscale("log")
     axes.set_xlabel("wind 10 m above the sea, m/s")
     axes.set_ylabel("share of the sea under foam, %")
@@ -84,7 +90,7 @@ def main() -> None:
     if parser.parse_args().derive:
         print(derive())
     else:
-        write(measured(SHOWN))
+        write(measured(SHOWN), measured(SHOWN, "gerstner"))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import math
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -368,13 +369,17 @@ def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
     assert np.abs(first - other).max() > 1e-3
 
 
+@pytest.mark.parametrize("model_name", ["fft", "gerstner"])
 @pytest.mark.parametrize("wind", [5.0, 12.5, 20.0])
-def test_whitecaps_cover_what_the_wind_raises(report: Report, wind: float) -> None:
+def test_whitecaps_cover_what_the_wind_raises(
+    report: Report, wind: float, model_name: Literal["fft", "gerstner"]
+) -> None:
     """Within 20 % of Monahan and O'Muircheartaigh (1980); masks are rank-uniform, so mean saturation is coverage."""
     foam = FoldSaturation()
     found = []
     for seed in (1, 4):
-        scene = Scene(sea=Sea(wind=wind, fetch=5e5, seed=seed), foam=Foam(saturation=(foam,)))
+        sea = Sea(model=model_name, wind=wind, fetch=5e5, seed=seed)
+        scene = Scene(sea=sea, foam=Foam(saturation=(foam,)))
         surface = truth.sea_surface(scene, 70.0 * seed, (0.0, 0.0), 256)
         assert surface is not None
         x, z = np.random.default_rng(seed).uniform(0.0, 2e4, (2, 100_000))
@@ -382,11 +387,19 @@ def test_whitecaps_cover_what_the_wind_raises(report: Report, wind: float) -> No
     wanted = 3.84e-6 * wind**3.41
     report.add(
         "Whitecaps: share of the sea under foam",
+        sea=model_name,
         wind=f"{wind:g} m/s",
         wanted=f"{100 * wanted:.3f} %",
         drawn=f"{100 * np.mean(found):.3f} %",
     )
     assert abs(np.mean(found) / wanted - 1.0) <= 0.2
+
+
+@pytest.mark.parametrize("name", ["open-ocean", "swell", "storm", "river"])
+def test_wind_seas_foam_by_the_law(name: str) -> None:
+    foam = load_preset(name).scene.foam
+    assert foam is not None
+    assert [source.coverage for source in foam.saturation if isinstance(source, FoldSaturation)] == [1.0]
 
 
 @pytest.mark.parametrize("look", ["halftone", "filtered"])
