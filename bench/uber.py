@@ -46,7 +46,7 @@ BY_SCENE = (
 )
 """Compile-time numbers that hang on the scene."""
 
-GENERAL: dict[str, Const] = {"PARAMETRIC_TWICE": (0,) * MOST_WAVES}
+GENERAL: dict[str, Const] = {"PARAMETRIC_KIND": (-1,) * MOST_WAVES, "PARAMETRIC_ALIKE": True}
 """Compile-time numbers of one scene, and what serves them all."""
 
 _FUNCTION = re.compile(r"^(?P<returns>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\) \{", re.MULTILINE)

@@ -31,14 +31,15 @@ bool find_surface(vec3 ray, out float tau, out vec3 wave) {
     float fastest = max(u_surface_steepest * speed - ray.y, 1e-6 * length(ray));
     tau = enter;
     float gap = 0.0;
-    wave = vec3(0.0);
+    // Looked at once before the loop: what the waves read from uniforms is then read there, not in every step.
+    wave = waves(tau * ray.xz);
     for (int i = 0; i < MARCH_STEPS; ++i) {
-        wave = waves(tau * ray.xz);
         gap = u_eye_height + tau * ray.y - wave.x;
         if (tau >= leave || (gap < fine * tau && (gap < 0.0 || ray.y < dot(wave.yz, ray.xz)))) {
             break;
         }
         tau += max(gap, 0.5 * fine * tau) / fastest;
+        wave = waves(tau * ray.xz);
     }
     if (ray.y >= 0.0 && gap >= fine * tau) {
         return false;

@@ -4,28 +4,40 @@ uniform vec4 u_parametric[PARAMETRIC_COUNT]; // k.x, k.z (rad/m), A (m), K
 uniform float u_parametric_phase[PARAMETRIC_COUNT];
 uniform vec2 u_parametric_mean[PARAMETRIC_COUNT]; // mean square slope and mean height (m) of the whole wave
 
-// Height over A, and its derivative by theta. With s = sin(theta/2 + pi/4): u = s^2 and du/dtheta = s cos(theta/2 + pi/4).
-// twice: 2K where that is a whole number and the power a product, else 0.
-vec2 parametric_profile(float theta, float exponent, int twice) {
+// Height over A, and its derivative by theta. kind: 2K where that is a whole number and the power a product; 0: any K from 1 on;
+// -1: any K at all.
+vec2 parametric_profile(float theta, float exponent, int kind) {
+    if (kind >= 0) {
+        float u = max(0.5 + 0.5 * sin(theta), 0.0);
+        float power = 1.0;
+        if (kind > 0) {
+            // u^(K - 1): the squares of the bits of floor(K - 1), and a root where K is half a whole number.
+            int whole = (kind - 2) >> 1;
+            float u2 = u * u;
+            float u4 = u2 * u2;
+            power = (whole & 1) != 0 ? u : 1.0;
+            power *= (whole & 2) != 0 ? u2 : 1.0;
+            power *= (whole & 4) != 0 ? u4 : 1.0;
+            power *= (whole & 8) != 0 ? u4 * u4 : 1.0;
+            power *= (kind & 1) != 0 ? sqrt(u) : 1.0;
+        } else {
+            power = pow(max(u, 1e-30), exponent - 1.0);
+        }
+        return vec2(power * u, 0.5 * exponent * power * cos(theta));
+    }
+    // By the half angle, which keeps its digits at the trough, where u^(K - 1) has no end: u = s^2, du/dtheta = s c.
     float half_angle = 0.5 * theta + 0.25 * PI;
     float s = sin(half_angle);
     float q = abs(s);
     float slope_sign = s < 0.0 ? -cos(half_angle) : cos(half_angle);
-    if (twice > 0) {
-        float product = 1.0;
-        float square = q;
-        for (int bits = twice - 1; bits > 0; bits >>= 1) {
-            if ((bits & 1) == 1) {
-                product *= square;
-            }
-            square *= square;
-        }
-        return vec2(product * q, exponent * product * slope_sign);
-    }
     // K < 1/2 has an infinite slope at the trough: held there, in the derivative alone.
     float power = pow(max(q, exponent < 0.5 ? 1e-4 : 1e-30), 2.0 * exponent - 1.0);
     float height = exponent < 0.5 && q < 1e-4 ? (q > 0.0 ? pow(q, 2.0 * exponent) : 0.0) : power * q;
     return vec2(height, exponent * power * slope_sign);
+}
+
+int parametric_kind(int i) {
+    return PARAMETRIC_ALIKE ? PARAMETRIC_KIND[0] : PARAMETRIC_KIND[i];
 }
 
 float parametric_theta(int i, vec2 p) {
@@ -37,7 +49,7 @@ vec3 parametric_waves(vec2 p) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
-        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w, PARAMETRIC_TWICE[i]);
+        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w, parametric_kind(i));
         sum += vec3(profile.x, -profile.y * wave.xy);
     }
     return sum;
@@ -48,7 +60,7 @@ vec4 parametric_shading(vec2 p, Footprint fp) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
-        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w, PARAMETRIC_TWICE[i]);
+        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w, parametric_kind(i));
         float kept = 1.0;
         if (SURFACE_FILTER) {
             float a = dot(wave.xy, fp.x);

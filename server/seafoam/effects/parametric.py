@@ -31,7 +31,7 @@ _HELD = 1e-4
 """|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""
 
 
-_MOST_TWICE = 32
+_MOST_TWICE = 33
 """Greatest 2K whose power the shader multiplies out."""
 
 
@@ -57,9 +57,11 @@ def _means(exponent: float) -> tuple[float, float]:
     return square, sum(math.sin(a) ** (2.0 * exponent) for a in angles) / count
 
 
-def _twice(exponent: float) -> int:
-    """2K where u^K is a product of a few |sin|, else 0."""
+def _kind(exponent: float) -> int:
+    """How the shader raises u to K: 2K where that is a product, 0 for any other K from 1 on, −1 below."""
     twice = 2.0 * exponent
+    if exponent < 1.0:
+        return -1
     return int(twice) if twice <= _MOST_TWICE and twice == int(twice) else 0
 
 
@@ -68,6 +70,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     waves = [wave for wave in scene.waves if wave.amplitude > 0.0]
     if not waves:
         return None
+    kinds = tuple(_kind(wave.exponent) for wave in waves)
     data: list[Constant] = []
     phases: list[Phase] = []
     means: list[Constant] = []
@@ -85,7 +88,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
         slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"),),
-        consts={"PARAMETRIC_COUNT": len(waves), "PARAMETRIC_TWICE": tuple(_twice(wave.exponent) for wave in waves)},
+        consts={
+            "PARAMETRIC_COUNT": len(waves),
+            "PARAMETRIC_KIND": kinds,
+            "PARAMETRIC_ALIKE": len(set(kinds)) == 1,
+        },
         uniforms={
             "u_parametric": array("vec4", data, len(waves)),
             "u_parametric_phase": array("float", phases, len(waves)),
