@@ -19,14 +19,14 @@ from .truth import save_truth, truth_is_current
 TIMES = (0.0, 2.7, 1000003.5)
 """Times of same-samples frames, s."""
 SAME_SIZE = (320, 180)
-SHORE_SIZE = (160, 90)
-"""Of same-samples frames with a shore, whose splines cost ten times as much; they have no converged frame."""
+COSTLY_SIZE = (160, 90)
+"""Of same-samples frames with a shore or an open sea, whose splines cost ten times as much."""
 SAME_SAMPLES = 4
 CONVERGED_TIME = 2.7
 CONVERGED_SIZE = (160, 90)
 CONVERGED_SAMPLES = 16
 EVERY_LOOK = ("default", "paper-halftone")
-"""Presets whose converged frame is baked in every look."""
+"""Presets that have converged frames, one in every look."""
 PROCESSES = 2
 DIRECTORY = Path("tests/references")
 
@@ -47,7 +47,7 @@ class Job:
 
 def same_size(scene: Scene) -> tuple[int, int]:
     """Width and height of a scene's same-samples frames, pixels."""
-    return SAME_SIZE if scene.shore is None else SHORE_SIZE
+    return SAME_SIZE if scene.shore is None and scene.sea is None else COSTLY_SIZE
 
 
 def jobs_of(preset: str, scene: Scene) -> list[Job]:
@@ -56,24 +56,12 @@ def jobs_of(preset: str, scene: Scene) -> list[Job]:
         Job(f"{preset}.same.{time:.1f}", preset, scene, time, same_size(scene), SAME_SAMPLES, "same-samples")
         for time in TIMES
     ]
-    if scene.shore is not None:
+    if preset not in EVERY_LOOK or scene.foam is None:
         return jobs
-    scenes = {None if scene.foam is None else scene.foam.look: scene}
-    if preset in EVERY_LOOK and scene.foam is not None:
-        for look in get_args(Look):
-            scenes[look] = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
-    jobs += [
-        Job(
-            f"{preset}.converged.{look or 'no-foam'}",
-            preset,
-            variant,
-            CONVERGED_TIME,
-            CONVERGED_SIZE,
-            CONVERGED_SAMPLES,
-            "converged",
-        )
-        for look, variant in scenes.items()
-    ]
+    for look in get_args(Look):
+        variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
+        name = f"{preset}.converged.{look}"
+        jobs.append(Job(name, preset, variant, CONVERGED_TIME, CONVERGED_SIZE, CONVERGED_SAMPLES, "converged"))
     return jobs
 
 
