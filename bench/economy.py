@@ -91,7 +91,7 @@ def _presets(executor: Executor, watch: Watch) -> list[Table]:
             "uber": uber_plan(scene, QUALITY),
             "uber without sums": uber_plan(scene, QUALITY, exact_ripples=False),
         }
-        differences = [_same_picture(executor, plans["plan"], plan, scene.camera) for plan in plans.values()]
+        differences = [same_picture(executor, plans["plan"], plan, scene.camera) for plan in plans.values()]
         compiled = _compiled(executor, plans, scene.camera, watch.rounds(f"{name}, compiling", 3, 6.0))
         costs = side_by_side(executor, plans, scene.camera, SIZE, watch.rounds(f"{name}, all effects", 25, 10.0))
         drawn.append(
@@ -205,10 +205,10 @@ def _hand(executor: Executor, watch: Watch) -> list[Table]:
     for case in by_hand():
         plan = make_plan(case.scene, QUALITY)
         text = (Path(__file__).with_name("minimal") / case.file).read_text(encoding="utf-8")
-        plans = {"plan": plan, "hand": _with_surface(plan, text)}
+        plans = {"plan": plan, "hand": with_surface(plan, text)}
         plans |= {f"{name}, numbers": _with_numbers(one) for name, one in plans.items()}
         camera = case.scene.camera
-        differences = {name: _same_picture(executor, plan, one, camera) for name, one in plans.items()}
+        differences = {name: same_picture(executor, plan, one, camera) for name, one in plans.items()}
         compiled = _compiled(executor, plans, camera, watch.rounds(f"{case.name}, compiling", 5, 6.0))
         frames = {name: plans[name] for name in ("plan", "hand")}
         alone = {name: _alone(one) for name, one in plans.items()}
@@ -293,7 +293,7 @@ def _size(plan: FramePlan) -> int:
     return len(_surface(plan).text.encode())
 
 
-def _with_surface(plan: FramePlan, text: str) -> FramePlan:
+def with_surface(plan: FramePlan, text: str) -> FramePlan:
     """The plan with another text for the surface's fragments."""
     shader = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
     program = plan.programs["surface"].model_copy(update={"fragment": shader})
@@ -315,7 +315,7 @@ def _with_numbers(plan: FramePlan) -> FramePlan:
             return f"const {kind} {name}[{len(items)}] = {kind}[{len(items)}]({', '.join(items)});"
         return f"const {kind} {name} = {items[0]};"
 
-    return _with_surface(plan, _DECLARED.sub(constant, _surface(plan).text))
+    return with_surface(plan, _DECLARED.sub(constant, _surface(plan).text))
 
 
 def _alone(plan: FramePlan) -> FramePlan:
@@ -323,7 +323,7 @@ def _alone(plan: FramePlan) -> FramePlan:
     return plan.model_copy(update={"passes": tuple(one for one in plan.passes if one.program == "surface")})
 
 
-def _same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:
+def same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:
     """How the pictures differ. Raises ``RuntimeError`` where they are not the same."""
     found = []
     for time in PICTURE_TIMES:
@@ -358,4 +358,4 @@ def _fresh(plan: FramePlan) -> FramePlan:
     A comment would not do: Mesa keeps machine code by what is left after the text has been translated.
     """
     head, _, tail = _surface(plan).text.rpartition("}")
-    return _with_surface(plan, f"{head}    o_color += 1e-30 * {clock.time_ns() % 10**7}.0;\n}}{tail}")
+    return with_surface(plan, f"{head}    o_color += 1e-30 * {clock.time_ns() % 10**7}.0;\n}}{tail}")
