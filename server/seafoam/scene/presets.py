@@ -3,6 +3,7 @@
 import json
 from functools import lru_cache
 from pathlib import Path
+from typing import Literal, get_args
 
 from pydantic import Field
 
@@ -10,12 +11,16 @@ from seafoam.scene.models import Part, Scene
 
 _DIRECTORY = Path(__file__).parent / "presets"
 
+Group = Literal["Seas", "Light and life", "Shores", "Lakes and rivers", "Foam of the paper"]
+"""What a preset stands under in the menu, in the menu's order."""
+
 
 class Preset(Part):
     """A scene worth looking at, and when and how large."""
 
     name: str
-    order: int = Field(description="Place in the menu")
+    group: Group = Field(description="What it stands under in the menu")
+    order: int = Field(description="Place in its group")
     title: str
     summary: str
     size: tuple[int, int] = Field(description="Width and height it was made for, pixels")
@@ -29,7 +34,11 @@ def _presets() -> dict[str, Preset]:
         Preset.model_validate({"name": path.stem, **json.loads(path.read_text(encoding="utf-8"))})
         for path in sorted(_DIRECTORY.glob("*.json"))
     ]
-    return {preset.name: preset for preset in sorted(found, key=lambda preset: preset.order)}
+    return {preset.name: preset for preset in sorted(found, key=_place)}
+
+
+def _place(preset: Preset) -> tuple[int, int]:
+    return get_args(Group).index(preset.group), preset.order
 
 
 def preset_names() -> tuple[str, ...]:

@@ -1544,6 +1544,12 @@ export interface components {
         PresetDetail: {
             /** Name */
             name: string;
+            /**
+             * Group
+             * @description What it stands under in the menu
+             * @enum {string}
+             */
+            group: "Seas" | "Light and life" | "Shores" | "Lakes and rivers" | "Foam of the paper";
             /** Title */
             title: string;
             /** Summary */
@@ -1575,6 +1581,12 @@ export interface components {
         PresetSummary: {
             /** Name */
             name: string;
+            /**
+             * Group
+             * @description What it stands under in the menu
+             * @enum {string}
+             */
+            group: "Seas" | "Light and life" | "Shores" | "Lakes and rivers" | "Foam of the paper";
             /** Title */
             title: string;
             /** Summary */

@@ -1,4 +1,4 @@
-/** The seas to choose from, as small pictures that the server draws. */
+/** The seas to choose from, group by group, as small pictures that the server draws. */
 import type { PresetSummary } from "../api";
 import { element } from "./dom";
 
@@ -10,11 +10,16 @@ export class Gallery {
     presets: readonly PresetSummary[],
     choose: (name: string) => void,
   ) {
-    for (const { name, title, summary } of presets) {
+    let group = container;
+    for (const { name, group: heading, title, summary } of presets) {
+      if (group.getAttribute("aria-label") !== heading) {
+        group = element("div", { role: "group", "aria-label": heading }, element("em", { "aria-hidden": "true" }, heading));
+        container.append(group);
+      }
       const button = element("button", { type: "button", role: "option", title: summary }, element("span", {}, title));
       button.addEventListener("click", () => choose(name));
       this.buttons.set(name, button);
-      container.append(button);
+      group.append(button);
     }
     container.addEventListener("keydown", (event) => {
       const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];

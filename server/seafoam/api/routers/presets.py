@@ -13,7 +13,7 @@ from seafoam.api.parameters import Parameters
 from seafoam.api.planning import compile_scene
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import Preset, load_preset, preset_names
+from seafoam.scene.presets import Group, Preset, load_preset, preset_names
 
 router = APIRouter(prefix="/api", tags=["presets"])
 
@@ -24,6 +24,7 @@ class PresetSummary(BaseModel):
     """A preset, without its scene."""
 
     name: str
+    group: Group = Field(description="What it stands under in the menu")
     title: str
     summary: str
     size: tuple[int, int] = Field(description="Width and height it was made for, pixels")
