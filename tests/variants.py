@@ -8,6 +8,7 @@ from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import (
+    Chop,
     Foam,
     FoldSaturation,
     FrontSaturation,
@@ -25,6 +26,7 @@ from seafoam.scene.models import (
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),
@@ -43,6 +45,7 @@ def qualities() -> Iterator[Quality]:
     ):
         surface = standard.surface.model_copy(update={"method": method, "filter": filtered})
         yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
+    yield standard.model_copy(update={"cube": "exact", "cloud_octaves": 2})
     for mask, taps in product(("u8", "half"), (1, 4)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
     for size, tiles, digits, steps in ((64, 2, "half", 0), (128, 3, "float", 4), (512, 4, "half", 8)):
@@ -98,6 +101,12 @@ def scenes() -> Iterator[Scene]:
         foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
         yield Scene(shore=shore, foam=foam, light=light)
     yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
+    for sky in (None, Sky(), Sky(clouds=Clouds()), Sky(moon=Moon(), stars=1.0), Sky(clouds=Clouds(), moon=Moon())):
+        for around, reflection in product((None, shore), ("sky", "cubemap")):
+            low = -0.3 if sky is not None and sky.moon is not None else 0.3
+            light = Light(sun_elevation=low, sky=sky, reflection=reflection)  # type: ignore[arg-type]
+            yield Scene(light=light, shore=around)
+    yield sea.model_copy(update={"water": Water(chop=Chop(gusts=Gusts()))})
 
 
 def every_plan() -> Iterator[FramePlan]:

@@ -73,6 +73,13 @@ class Quality(Knobs):
     shore_profile: Literal[32, 64, 128, 256] = Field(
         default=128, description="Nodes of a row of the table of shore-wave profiles"
     )
+    cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the clouds' noise")
+    cube: Literal["map", "exact"] = Field(
+        default="map", description="What stands around the water, from a cube map or found for each sample"
+    )
+    cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
+        default=256, description="Texels along a side of a face of the cube map"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -87,6 +94,8 @@ TIERS: dict[Tier, Quality] = {
         age_steps=4,
         age_step=0.7,
         shore_map=128,
+        cloud_octaves=4,
+        cube_size=128,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -94,6 +103,7 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
+        cube_size=512,
         samples=4,
     ),
     "reference": Quality(
@@ -104,6 +114,8 @@ TIERS: dict[Tier, Quality] = {
         sea_digits="float",
         shore_floor=512,
         shore_profile=256,
+        cube="exact",
+        cube_size=512,
         samples=16,
         target="RGBA32F",
     ),

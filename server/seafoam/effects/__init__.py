@@ -2,7 +2,9 @@
 
 from seafoam.effects import (
     chop,
+    clouds,
     crest,
+    cubemap,
     floor,
     foam_look,
     fold,
@@ -10,6 +12,7 @@ from seafoam.effects import (
     glitter,
     height,
     light,
+    night,
     parametric,
     rings,
     sea,
@@ -31,11 +34,15 @@ EFFECTS: tuple[Effect, ...] = (
     fold.EFFECT,
     foam_look.EFFECT,
     light.EFFECT,
+    clouds.EFFECT,
+    night.MOON,
+    night.STARS,
     glitter.EFFECT,
     water.EFFECT,
     floor.EFFECT,
     shore.EFFECT,
     surf.EFFECT,
+    cubemap.EFFECT,
     crest.EFFECT,
 )
 """Every effect there is."""

@@ -176,6 +176,8 @@ Blend = Literal["none", "add", "over"]
 
 BENEATH = "beneath"
 """The target of surface and sky where passes of stage ``after`` follow; those may read it."""
+SKY_FILES = "sky/*"
+"""In a pass's list of files: those that make ``sky_light``, whichever the scene calls for."""
 ABOVE = "above"
 """The target of passes of stage ``after``: premultiplied light, laid over :data:`BENEATH`; half floats, which blend."""
 

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.light import sky_irradiance, sun_irradiance
+from seafoam.effects.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.scene.models import (
     Foam,
     FoldSaturation,
@@ -97,7 +97,7 @@ def crest_limit(scene: Scene) -> float:
     if light is None or surface_top(scene) == 0.0:
         return 0.0
     passed = (
-        water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(light.sun_elevation)
+        water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(lamp_angles(light)[1])
         for sun, length in zip(sun_irradiance(light), water.absorption_length, strict=True)
     )
     return max(passed) * math.exp2(light.exposure)

@@ -2,6 +2,7 @@
 
 import math
 
+from seafoam.effects import layered
 from seafoam.effects.contribution import (
     Contribution,
     Effect,
@@ -22,6 +23,7 @@ from seafoam.scene.models import (
     Scene,
     Water,
 )
+from seafoam.scene.sky import Moon, Sky, direction
 
 Rgb = tuple[float, float, float]
 
@@ -47,15 +49,24 @@ def _view_air_mass(y: float) -> float:
     return 1.0 / (y + 0.09)
 
 
+def lamp_angles(light: Light) -> tuple[float, float]:
+    """Azimuth and elevation of what lights the water, rad: the sun, or a moon once the sun is well down."""
+    if light.sky is not None and light.sky.moon is not None and layered.moon_is_lamp(light):
+        return light.sky.moon.azimuth, light.sky.moon.elevation
+    return light.sun
+
+
 def sun_direction(light: Light) -> Rgb:
-    """Unit vector toward the sun."""
-    level = math.cos(light.sun_elevation)
-    return level * math.cos(light.sun_azimuth), math.sin(light.sun_elevation), level * math.sin(light.sun_azimuth)
+    """Unit vector toward the lamp, the sun or the moon."""
+    return direction(*lamp_angles(light))
 
 
 def sun_irradiance(light: Light) -> Rgb:
-    """E_s: the sun's irradiance on a surface that faces it."""
-    y = math.sin(light.sun_elevation)
+    """E_s: the lamp's irradiance on a surface that faces it, less what clouds take in the mean."""
+    if light.sky is not None:
+        left = 1.0 - layered.cloud_mean(light.sky.clouds)
+        return _rgb([left * value for value in layered.direct(light)])
+    y = math.sin(light.sun[1])
     t = min(max((y + 0.02) / 0.04, 0.0), 1.0)
     up = t * t * (3.0 - 2.0 * t)
     return _rgb([_E0 * math.exp(-(tau + _mie(light)) * _air_mass(y)) * up for tau in _RAYLEIGH])
@@ -63,12 +74,16 @@ def sun_irradiance(light: Light) -> Rgb:
 
 def sun_disc(light: Light) -> Rgb:
     """Radiance of the sun's disc, held at 3000, well inside half floats."""
+    if light.sky is not None:
+        # Clouds hide the disc where they are; the moon has a face of its own.
+        bright = (0.0, 0.0, 0.0) if layered.moon_is_lamp(light) else layered.direct(light)
+        return _rgb([min(value / 6.8e-5, 3000.0) for value in bright])
     return _rgb([min(value / 6.8e-5, 3000.0) for value in sun_irradiance(light)])
 
 
 def air_light(light: Light) -> Rgb:
     """E_a: irradiance of the light that the air scatters."""
-    y = math.sin(light.sun_elevation)
+    y = math.sin(light.sun[1])
     return _rgb(
         [
             _E0 * math.exp(-0.5 * (tau + _mie(light)) * _air_mass(y)) * math.exp(12.0 * min(y, 0.0)) + 0.002
@@ -79,6 +94,8 @@ def air_light(light: Light) -> Rgb:
 
 def sky_irradiance(light: Light) -> Rgb:
     """E_sky: irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
+    if light.sky is not None:
+        return _rgb(list(layered.irradiance(light)))
     sun = sun_direction(light)
     air = air_light(light)
     mie_depth = _mie(light)
@@ -107,10 +124,27 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     light = scene.light
     if light is None:
         return None
+    if light.sky is None:
+        sky: tuple[SlotFile, ...] = (SlotFile("sky", "sky/analytic.glsl", needs=("sky/exposure.glsl",)),)
+        air = {"u_air_light": vector(air_light(light))}
+    else:
+        toward = layered.sun(light)
+        sky = (
+            SlotFile("layered", "sky/layered.glsl", needs=("sky/exposure.glsl",)),
+            SlotFile("sky", "sky/whole.glsl"),
+            SlotFile("sky main", "sky/main_layered.glsl"),
+            *((SlotFile("reflection", "reflection/layered_sky.glsl"),) if light.reflection == "sky" else ()),
+        )
+        air = {
+            "u_haze_depth": number(light.sky.haze),
+            "u_sky_sun": vector(_rgb(list(toward))),
+            "u_sky_sun_path": vector(_rgb(list(layered.path(light, toward[1])))),
+            "u_sky_sun_power": number(significant(layered.sun_power(light))),
+        }
     return Contribution(
-        why=f"sun {math.degrees(light.sun_elevation):.0f}° over the horizon, sky, haze",
+        why=f"sun {math.degrees(light.sun[1]):.0f}° over the horizon, sky, haze",
         slots=(
-            SlotFile("sky", "sky/analytic.glsl", needs=("sky/exposure.glsl",)),
+            *sky,
             SlotFile("shade", "shade/lit.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl")),
             SlotFile("tone", "tone/filmic.glsl"),
         ),
@@ -118,7 +152,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_sun_direction": vector(_rgb(list(sun_direction(light)))),
             "u_sun_irradiance": vector(sun_irradiance(light)),
             "u_sky_irradiance": vector(sky_irradiance(light)),
-            "u_air_light": vector(air_light(light)),
+            **air,
             "u_rayleigh_depth": vector(_RAYLEIGH),
             "u_mie_depth": number(significant(_mie(light))),
             "u_visibility": number(light.visibility, "/light/visibility"),
@@ -176,6 +210,23 @@ EFFECT = Effect(
             guard="a floor of 0.002 in the air's light (effects/light.py)",
             without="67 % of samples below what half floats hold, 0 there: 2e-5 levels",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="sun setting through 0 degrees under a layered sky",
+            scene=Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(chop=Chop())),
+            guard="the haze's offset, 0.02 (sky/layered.glsl)",
+            without="0/0 along the horizon: 85 % of samples off by more than 2 levels",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="no lamp at all: the sun down, the moon not yet counted",
+            scene=Scene(
+                light=Light(sun_elevation=-0.06, exposure=2.0, sky=Sky(moon=Moon(), stars=1.0)),
+                water=Water(chop=Chop()),
+            ),
+            guard="moonlight rises from nothing where the sun's has ended (effects/layered.py)",
+            without="water and sky jump by 16 levels in the mean as the sun sinks by a hundredth of a degree",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.4, pitch=0.0),
         ),
         HardCase(
             name="fog on the eye",

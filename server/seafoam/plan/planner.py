@@ -1,12 +1,14 @@
 """The planner: a scene and a quality become a frame plan, here and nowhere else."""
 
 import math
+from collections.abc import Sequence
 from functools import lru_cache
 
 from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import (
     ABOVE,
     BENEATH,
+    SKY_FILES,
     CameraRule,
     Const,
     Contribution,
@@ -25,7 +27,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Texture
-from seafoam.plan.slots import DISC, SKY, TONE, WAVES, surface_slots
+from seafoam.plan.slots import SKY_PASS_SLOTS, SKY_SLOTS, TONE, WAVES, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -73,7 +75,7 @@ class _Draft:
     def _add(self, name: str, given: Contribution) -> None:
         files = [*given.slots]
         paths = {path.partition("?")[0] for file in files for path in (*file.needs, file.path)}
-        paths |= {path for spec in given.passes for path in (*spec.vertex, *spec.fragment)}
+        paths |= {path for spec in given.passes for path in (*spec.vertex, *spec.fragment)} - {SKY_FILES}
         self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
         self.slots += files
         self.passes += given.passes
@@ -136,7 +138,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         "sky": Program(
             vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
             fragment=assemble(
-                [*_COMMON, *slot_pieces(SKY, chosen), *slot_pieces(DISC, chosen), "sky/main.glsl"], consts
+                [*_COMMON, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, chosen))], consts
             ),
         ),
         "present": Program(
@@ -146,7 +148,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     }
     for spec in draft.passes:
         programs[spec.program] = Program(
-            vertex=assemble(spec.vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(spec.fragment, consts)
+            vertex=assemble(spec.vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
+            fragment=assemble(_with_sky(spec.fragment, chosen), consts),
         )
     targets = {
         **draft.targets,
@@ -253,6 +256,12 @@ def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
         "u_surface_top": number(top),
         "u_surface_steepest": number(steepest),
     }
+
+
+def _with_sky(files: Sequence[str], chosen: Sequence[SlotFile]) -> list[str]:
+    """The files of a pass, with those that make the sky in the place of :data:`SKY_FILES`."""
+    sky = [piece for slot in SKY_SLOTS for piece in slot_pieces(slot, chosen)]
+    return [piece for file in files for piece in (sky if file == SKY_FILES else [file])]
 
 
 def _pass(spec: PassSpec) -> Pass:

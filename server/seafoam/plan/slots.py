@@ -97,7 +97,14 @@ LOOK = Slot("look", default="look/none.glsl")
 OVER = Slot("over", default="foam/over.glsl")
 """How foam meets water."""
 ALBEDO = Slot("albedo", default="foam/no_albedo.glsl", under="shade")
+LAYERED = Slot("layered")
+MOON = Slot("moon", default="sky/no_moon.glsl", under="layered")
+CLOUDS = Slot("clouds", default="clouds/none.glsl", under="layered")
 SKY = Slot("sky", default="sky/none.glsl")
+"""Light of the sky; a layered one is joined from air, moonlight and clouds."""
+MOON_DISC = Slot("moon disc", default="sky/no_moon_disc.glsl", under="layered")
+STARS = Slot("stars", default="sky/no_stars.glsl", under="layered")
+SKY_MAIN = Slot("sky main", default="sky/main.glsl")
 DISC = Slot("disc", default="sky/no_disc.glsl")
 BODY = Slot("body", default="body/deep.glsl", under="shade")
 CREST = Slot("crest", default="crest/none.glsl", under="shade")
@@ -109,8 +116,15 @@ MAIN = Slot("main", default="surface/main.glsl")
 TONE = Slot("tone", default="tone/clamp.glsl")
 
 
+SKY_SLOTS = (LAYERED, MOON, CLOUDS, SKY)
+"""What ``sky_light`` is made of, in the order of the text."""
+SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
+"""The slots of the sky's fragment shader, in the order of the text."""
+
+
 def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tuple[Slot, ...]:
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)
+    shading = (BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *SKY_SLOTS, *shading)

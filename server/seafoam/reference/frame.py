@@ -14,6 +14,7 @@ from seafoam.textures import foam_texture
 
 from . import camera as cameras
 from . import cells, light, looks, sampling, surface
+from .gusts import GustField
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -27,6 +28,9 @@ Mode = Literal["same-samples", "converged"]
 CHUNK = 32768
 """Rays at a time: their arrays stay in the processor's cache."""
 JITTER_SEED = 20110
+AROUND_HEIGHT = 1.0
+AROUND_BLUR = 0.012
+"""Where the surroundings are looked at from (m), and how much of them ripples blur (rad)."""
 BRIGHTEST = 65504.0
 """The greatest half float; a frame holds no more."""
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
@@ -163,9 +167,10 @@ class _Shader:
         self.assets = assets
         self.delta_x = 2.0 * view.ray_x / (samples * width)
         self.delta_y = 2.0 * view.ray_y / (samples * height)
-        self.air = None if scene.light is None else light.air(scene.light)
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
+        eye = (self.origin[0], self.eye_y, self.origin[1])
+        self.air = None if scene.light is None else light.air(scene.light, time, eye)
         self.waves = wave_set(scene, time, self.origin)
         self.sea = sea_surface(scene, time, self.origin)
         parts: tuple[Part, ...] = (self.waves, ring_set(scene, time, self.origin))
@@ -173,6 +178,7 @@ class _Shader:
         self.coast = None if scene.shore is None else Coast(scene.shore, time, self.origin, open_sea)
         self.relief: Part = open_sea if self.coast is None else self.coast
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
+        self.gusts = GustField(scene.water.chop, time, self.origin)
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
             source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
@@ -197,7 +203,13 @@ class _Shader:
             met &= ~dry
         sky = ~met & ~dry
         if sky.any() and self.air is not None:
-            colour[sky] = (self.air.sky(d[sky]) + light.sun_disc(self.air, d[sky])) * self._exposure
+            if self.air.above is None:
+                beyond = self.air.sky(d[sky]) + light.sun_disc(self.air, d[sky])
+            else:
+                beyond = self.air.above.whole(
+                    d[sky], math.sqrt(dot(self.delta_y, self.delta_y)) / np.sqrt(dot(D[sky], D[sky]))
+                )
+            colour[sky] = beyond * self._exposure
         if met.any():
             colour[met], amount[met] = self._surface(D[met], d[met], distance[met])
         return np.minimum(colour, BRIGHTEST), amount, met | dry
@@ -214,6 +226,28 @@ class _Shader:
         colour = light.land(self.air, coast.albedo(q_x, q_z, *feet), coast.wet(height), d, unit(N))
         return light.haze(self.air, self.scene.light.visibility, colour, d, distance) * self._exposure
 
+    def _around(self, r: Floats) -> Floats:
+        """Sky and land toward r (n, 3), seen from a metre over water or ground, right under the eye; (n, 3)."""
+        coast, air = self.coast, self.air
+        assert coast is not None
+        assert air is not None
+        assert self.scene.light is not None
+        here = coast.place(np.zeros(1), np.zeros(1))
+        height = AROUND_HEIGHT + max(0.0, float(coast.ground(*here)[0][0]))
+        distance = surface.land_crossing(coast.land, height, r, *coast.within(r))
+        met = np.isfinite(distance)
+        colour = np.empty_like(r)
+        colour[~met] = air.mirrored(r[~met])
+        if met.any():
+            d, far = r[met], distance[met]
+            q_x, q_z = coast.place(d[:, 0] * far, d[:, 2] * far)
+            ground, g_x, g_z, _ = coast.ground(q_x, q_z)
+            wide = np.column_stack((AROUND_BLUR * far, np.zeros(far.size)))
+            albedo = coast.albedo(q_x, q_z, wide, wide)
+            seen = light.land(air, albedo, coast.wet(ground), d, unit(surface.normal(g_x, g_z)))
+            colour[met] = light.haze(air, self.scene.light.visibility, seen, d, far)
+        return colour
+
     @property
     def _exposure(self) -> float:
         return 1.0 if self.scene.light is None else 2.0**self.scene.light.exposure
@@ -225,6 +259,9 @@ class _Shader:
         H = self.relief.height(x, z)
         h_x, h_z = self.relief.gradient(x, z)
         c_x, c_z = self.ripples.gradient(x, z)
+        if self.gusts.gusts is not None:
+            gust = self.gusts(x, z)
+            c_x, c_z = gust * c_x, gust * c_z
         N = surface.normal(h_x, h_z)
         if self.sea is not None:
             # Rays meet the bilinear sea; light sees its spline.
@@ -249,7 +286,8 @@ class _Shader:
                 tau = distance / np.sqrt(dot(D, D))
                 feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
                 bed = self.coast.bed(x, z, H, d, n, *feet)
-            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed)
+            around = self._around if scene.light.reflection == "cubemap" and self.coast is not None else None
+            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, around)
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)

@@ -4,13 +4,15 @@ Colours are linear RGB along the last axis, directions unit vectors (x, y, z) al
 """
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
 from seafoam.scene.models import Light, Water
 
+from .heaven import EYE, MIRROR, Heaven, heaven, sun_angles
 from .types import Floats, dot, smoothstep, unit
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
@@ -53,14 +55,22 @@ class Air:
     """E_s, (3,)."""
     air_light: Floats
     """E_a, (3,)."""
+    above: Heaven | None = None
+    """The sky of section 9, where the scene has one."""
 
     def sky(self, d: Floats) -> Floats:
         """sky(d) without the disc; (..., 3). Directions below the horizon get its air mass."""
-        return sky(self, d)
+        return sky(self, d) if self.above is None else self.above.seen(d, EYE)
+
+    def mirrored(self, d: Floats) -> Floats:
+        """The sky as water mirrors it; (r, 3)."""
+        return sky(self, d) if self.above is None else self.above.seen(d, MIRROR)
 
     @property
     def sky_irradiance(self) -> Floats:
         """E_sky, (3,): the sky's light on level ground."""
+        if self.above is not None:
+            return self.above.irradiance
         return _sky_irradiance(tuple(self.sun.tolist()), self.mie)
 
 
@@ -76,9 +86,12 @@ def view_air_mass(y: Floats) -> Floats:
     return result
 
 
-def air(light: Light) -> Air:
-    """The air under a light."""
-    elevation, azimuth = light.sun_elevation, light.sun_azimuth
+def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Air:
+    """The air under a light at a time (s) round an eye (m)."""
+    if light.day is None:
+        azimuth, elevation = light.sun_azimuth, light.sun_elevation
+    else:
+        azimuth, elevation = sun_angles(light.day)
     sun = np.array(
         [
             math.cos(elevation) * math.cos(azimuth),
@@ -86,7 +99,11 @@ def air(light: Light) -> Air:
             math.cos(elevation) * math.sin(azimuth),
         ]
     )
-    return _air(sun, MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
+    plain = _air(sun, MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
+    above = heaven(light, time, eye)
+    if above is None:
+        return plain
+    return replace(plain, sun=above.lit_by, sun_irradiance=above.direct, above=above)
 
 
 def sky(of: Air, d: Floats) -> Floats:
@@ -124,19 +141,28 @@ def sky_light(of: Air, up: Floats) -> Floats:
 
 
 def water(
-    of: Air, body: Water, top: float, d: Floats, n: Floats, H: Floats, bed: tuple[Floats, Floats] | None = None
+    of: Air,
+    body: Water,
+    top: float,
+    d: Floats,
+    n: Floats,
+    H: Floats,
+    bed: tuple[Floats, Floats] | None = None,
+    mirrored: Callable[[Floats], Floats] | None = None,
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
     d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
-    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3).
+    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light
+    that comes from directions (r, 3) over the water; absent: the sky's.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
     inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed) + _crest(of, body, top, d, H))
-    return inner + mirror * of.sky(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
+    seen = of.mirrored if mirrored is None else mirrored
+    return inner + mirror * seen(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
 
 
 def foam(of: Air, albedo: float, N: Floats) -> Floats:

@@ -21,6 +21,8 @@ from .types import Bools, Floats
 _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None},
     "shore": {"image": None},
+    "water/chop": {"gusts": None},
+    "light": {"day": None, "sky": None, "reflection": "sky"},
     "foam": {"texture_second": None, "cells": False},
 }
 """Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults."""
@@ -58,7 +60,9 @@ def scene_sha256(scene: Scene) -> str:
     """
     document = scene.model_dump(mode="json")
     for part, defaults in _LATER.items():
-        held: dict[str, Any] = (document.get(part) if part else document) or {}
+        held: dict[str, Any] = document
+        for key in filter(None, part.split("/")):
+            held = held.get(key) or {}
         for name, default in defaults.items():
             if name in held and held[name] == default:
                 del held[name]

@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
+from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
 
 GRAVITY = 9.81
 """Gravitational acceleration, m/s²."""
@@ -238,6 +239,7 @@ class Chop(Part):
         json_schema_extra={"unit": "rad"},
     )
     seed: int = Field(default=1, ge=0, le=65535, description="Which ripples of their kind")
+    gusts: Gusts | None = Field(default=None, description="Patches of rougher ripples; absent: all alike")
 
 
 class Water(Part):
@@ -284,6 +286,19 @@ class Light(Part):
         default=20000.0, ge=50.0, le=1e6, description="Distance at which contrast has fallen to 2 %, m"
     )
     exposure: float = Field(default=0.0, ge=-10.0, le=10.0, description="Exposure, stops")
+    day: Day | None = Field(
+        default=None, description="Time of day, which moves the sun; absent: it stands as said above"
+    )
+    sky: Sky | None = Field(default=None, description="Haze, clouds, moon and stars; absent: a plain clear sky")
+    reflection: Literal["sky", "cubemap"] = Field(
+        default="sky",
+        description="What water mirrors. sky: the sky alone; cubemap: sky and land as seen from right under the eye",
+    )
+
+    @property
+    def sun(self) -> tuple[float, float]:
+        """Azimuth and elevation of the sun, rad."""
+        return (self.sun_azimuth, self.sun_elevation) if self.day is None else sun_angles(self.day)
 
 
 class Camera(Part):

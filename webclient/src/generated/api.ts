@@ -715,6 +715,68 @@ export interface components {
              * @default 1
              */
             seed: number;
+            /** @description Patches of rougher ripples; absent: all alike */
+            gusts?: components["schemas"]["Gusts"] | null;
+        };
+        /**
+         * Clouds
+         * @description A layer of clouds, thin as paper: gradient noise that drifts with the wind and changes as it goes.
+         */
+        Clouds: {
+            /**
+             * Cover
+             * @description Share of the sky that clouds cover
+             * @default 0.4
+             */
+            cover: number;
+            /**
+             * Thickness
+             * @description Optical depth of the densest cloud
+             * @default 6
+             */
+            thickness: number;
+            /**
+             * Softness
+             * @description From the edge of a cloud to its densest, in standard deviations
+             * @default 1
+             */
+            softness: number;
+            /**
+             * Size
+             * @description Size of the largest clouds, m
+             * @default 2500
+             */
+            size: number;
+            /**
+             * Height
+             * @description Height of the layer, m
+             * @default 1800
+             */
+            height: number;
+            /**
+             * Wind
+             * @description Speed at which clouds drift, m/s
+             * @default 8
+             */
+            wind: number;
+            /**
+             * Wind Direction
+             * @description Heading of the wind up there, rad from +x toward +z
+             * @default 0
+             */
+            wind_direction: number;
+            /**
+             * Change
+             * @description Time in which a cloud becomes another, s
+             * @default 400
+             */
+            change: number;
+            /**
+             * Seed
+             * @description Which clouds of their kind
+             * @default 1
+             */
+            seed: number;
         };
         /**
          * Constant
@@ -730,6 +792,36 @@ export interface components {
             value: number[];
             /** Field */
             field?: string | null;
+        };
+        /**
+         * Day
+         * @description A time of day at a place on earth, which says where the sun stands.
+         */
+        Day: {
+            /**
+             * Hour
+             * @description Solar time, hours; at 12 the sun stands highest
+             * @default 12
+             */
+            hour: number;
+            /**
+             * Date
+             * @description Day of the year; 172 is 21 June
+             * @default 172
+             */
+            date: number;
+            /**
+             * Latitude
+             * @description North of the equator, rad
+             * @default 0.8
+             */
+            latitude: number;
+            /**
+             * North
+             * @description Where north is, rad from +x toward +z
+             * @default -1.5708
+             */
+            north: number;
         };
         /**
          * EffectNote
@@ -1092,6 +1184,42 @@ export interface components {
             columns: number;
         };
         /**
+         * Gusts
+         * @description Gusts run over the water: patches of rougher and of smoother ripples.
+         */
+        Gusts: {
+            /**
+             * Strength
+             * @description How far ripples rise and fall from their mean
+             * @default 0.6
+             */
+            strength: number;
+            /**
+             * Size
+             * @description Size of the largest patches, m
+             * @default 25
+             */
+            size: number;
+            /**
+             * Speed
+             * @description How fast they run with the wind, m/s
+             * @default 3
+             */
+            speed: number;
+            /**
+             * Change
+             * @description Time in which a patch becomes another, s
+             * @default 12
+             */
+            change: number;
+            /**
+             * Seed
+             * @description Which gusts of their kind
+             * @default 1
+             */
+            seed: number;
+        };
+        /**
          * HeightSaturation
          * @description Foam by height: f = (H − H0)/(Hmax − H0) (Kryachko 2005).
          */
@@ -1232,6 +1360,17 @@ export interface components {
              * @default 0
              */
             exposure: number;
+            /** @description Time of day, which moves the sun; absent: it stands as said above */
+            day?: components["schemas"]["Day"] | null;
+            /** @description Haze, clouds, moon and stars; absent: a plain clear sky */
+            sky?: components["schemas"]["Sky"] | null;
+            /**
+             * Reflection
+             * @description What water mirrors. sky: the sky alone; cubemap: sky and land as seen from right under the eye
+             * @default sky
+             * @enum {string}
+             */
+            reflection: "sky" | "cubemap";
         };
         /**
          * Loop
@@ -1365,6 +1504,36 @@ export interface components {
             model: components["schemas"]["TimeModel"];
             error: components["schemas"]["Errors"];
             causes: components["schemas"]["Causes"];
+        };
+        /**
+         * Moon
+         * @description A moon; how much of it is lit follows from where the sun is. It lights the water once the sun is well down.
+         */
+        Moon: {
+            /**
+             * Azimuth
+             * @description Where the moon stands, rad from +x toward +z
+             * @default -1.2
+             */
+            azimuth: number;
+            /**
+             * Elevation
+             * @description Height of the moon over the horizon, rad
+             * @default 0.35
+             */
+            elevation: number;
+            /**
+             * Brightness
+             * @description 1: a full moon gives 1 % of the sun's light (really 1/400 000)
+             * @default 1
+             */
+            brightness: number;
+            /**
+             * Size
+             * @description Diameter, in real ones (0.52°)
+             * @default 1
+             */
+            size: number;
         };
         /**
          * ParametricWave
@@ -1735,6 +1904,26 @@ export interface components {
              * @enum {integer}
              */
             shore_profile: 32 | 64 | 128 | 256;
+            /**
+             * Cloud Octaves
+             * @description Octaves of the clouds' noise
+             * @default 6
+             */
+            cloud_octaves: number;
+            /**
+             * Cube
+             * @description What stands around the water, from a cube map or found for each sample
+             * @default map
+             * @enum {string}
+             */
+            cube: "map" | "exact";
+            /**
+             * Cube Size
+             * @description Texels along a side of a face of the cube map
+             * @default 256
+             * @enum {integer}
+             */
+            cube_size: 32 | 64 | 128 | 256 | 512 | 1024;
             /**
              * Samples
              * @description Samples a pixel, on a square grid
@@ -2156,6 +2345,28 @@ export interface components {
              */
             reef: number;
             surf?: components["schemas"]["Surf"];
+        };
+        /**
+         * Sky
+         * @description A sky that light reaches through more air near the horizon; absent: the plain clear sky.
+         */
+        Sky: {
+            /**
+             * Haze
+             * @description Optical depth of the haze along the horizon
+             * @default 0.5
+             */
+            haze: number;
+            /**
+             * Stars
+             * @description Brightness of the stars at night; 0: none
+             * @default 0
+             */
+            stars: number;
+            /** @description Absent: none */
+            clouds?: components["schemas"]["Clouds"] | null;
+            /** @description Absent: none */
+            moon?: components["schemas"]["Moon"] | null;
         };
         /**
          * SlopeSaturation
@@ -2875,7 +3086,9 @@ export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];
 export type Causes = components['schemas']['Causes'];
 export type Chop = components['schemas']['Chop'];
+export type Clouds = components['schemas']['Clouds'];
 export type Constant = components['schemas']['Constant'];
+export type Day = components['schemas']['Day'];
 export type EffectNote = components['schemas']['EffectNote'];
 export type Errors = components['schemas']['Errors'];
 export type FixedSize = components['schemas']['FixedSize'];
@@ -2886,6 +3099,7 @@ export type FrameRequest = components['schemas']['FrameRequest'];
 export type FrontSaturation = components['schemas']['FrontSaturation'];
 export type Fullscreen = components['schemas']['Fullscreen'];
 export type Grid = components['schemas']['Grid'];
+export type Gusts = components['schemas']['Gusts'];
 export type HeightSaturation = components['schemas']['HeightSaturation'];
 export type Held = components['schemas']['Held'];
 export type KnobChoice = components['schemas']['KnobChoice'];
@@ -2897,6 +3111,7 @@ export type MaskInfo = components['schemas']['MaskInfo'];
 export type MaskParameters = components['schemas']['MaskParameters'];
 export type MaskSize = components['schemas']['MaskSize'];
 export type MeasuredPoint = components['schemas']['MeasuredPoint'];
+export type Moon = components['schemas']['Moon'];
 export type ParametricWave = components['schemas']['ParametricWave'];
 export type Pass = components['schemas']['Pass'];
 export type PassIndex = components['schemas']['PassIndex'];
@@ -2916,6 +3131,7 @@ export type Scene = components['schemas']['Scene'];
 export type Sea = components['schemas']['Sea'];
 export type Shader = components['schemas']['Shader'];
 export type Shore = components['schemas']['Shore'];
+export type Sky = components['schemas']['Sky'];
 export type SlopeSaturation = components['schemas']['SlopeSaturation'];
 export type SourceFile = components['schemas']['SourceFile'];
 export type State = components['schemas']['State'];

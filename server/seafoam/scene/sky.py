@@ -1,0 +1,121 @@
+"""A sky worth mirroring: time of day, haze over the horizon, clouds, moon and stars. docs/formulae.md, section 9."""
+
+import math
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+from pydantic.config import JsonDict
+
+_RAD: JsonDict = {"unit": "rad"}
+TILT = math.radians(23.44)
+"""Of the earth's axis."""
+
+Direction = tuple[float, float, float]
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class Day(_Part):
+    """A time of day at a place on earth, which says where the sun stands."""
+
+    hour: float = Field(default=12.0, ge=0.0, le=24.0, description="Solar time, hours; at 12 the sun stands highest")
+    date: float = Field(default=172.0, ge=1.0, le=366.0, description="Day of the year; 172 is 21 June")
+    latitude: float = Field(
+        default=0.8, ge=-1.5708, le=1.5708, description="North of the equator, rad", json_schema_extra=_RAD
+    )
+    north: float = Field(
+        default=-1.5708,
+        ge=-6.2832,
+        le=6.2832,
+        description="Where north is, rad from +x toward +z",
+        json_schema_extra=_RAD,
+    )
+
+
+class Clouds(_Part):
+    """A layer of clouds, thin as paper: gradient noise that drifts with the wind and changes as it goes."""
+
+    cover: Annotated[float, Field(ge=0.0, le=1.0, description="Share of the sky that clouds cover")] = 0.4
+    thickness: float = Field(default=6.0, ge=0.0, le=50.0, description="Optical depth of the densest cloud")
+    softness: float = Field(
+        default=1.0, ge=0.05, le=3.0, description="From the edge of a cloud to its densest, in standard deviations"
+    )
+    size: float = Field(default=2500.0, ge=50.0, le=50000.0, description="Size of the largest clouds, m")
+    height: float = Field(default=1800.0, ge=200.0, le=15000.0, description="Height of the layer, m")
+    wind: float = Field(default=8.0, ge=0.0, le=100.0, description="Speed at which clouds drift, m/s")
+    wind_direction: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Heading of the wind up there, rad from +x toward +z",
+        json_schema_extra=_RAD,
+    )
+    change: float = Field(default=400.0, ge=10.0, le=1e6, description="Time in which a cloud becomes another, s")
+    seed: int = Field(default=1, ge=0, le=65535, description="Which clouds of their kind")
+
+
+class Moon(_Part):
+    """A moon; how much of it is lit follows from where the sun is. It lights the water once the sun is well down."""
+
+    azimuth: float = Field(
+        default=-1.2,
+        ge=-6.2832,
+        le=6.2832,
+        description="Where the moon stands, rad from +x toward +z",
+        json_schema_extra=_RAD,
+    )
+    elevation: float = Field(
+        default=0.35,
+        ge=-1.5708,
+        le=1.5708,
+        description="Height of the moon over the horizon, rad",
+        json_schema_extra=_RAD,
+    )
+    brightness: float = Field(
+        default=1.0, ge=0.0, le=10.0, description="1: a full moon gives 1 % of the sun's light (really 1/400 000)"
+    )
+    size: float = Field(default=1.0, ge=0.5, le=20.0, description="Diameter, in real ones (0.52°)")
+
+
+class Sky(_Part):
+    """A sky that light reaches through more air near the horizon; absent: the plain clear sky."""
+
+    haze: float = Field(default=0.5, ge=0.0, le=20.0, description="Optical depth of the haze along the horizon")
+    stars: float = Field(default=0.0, ge=0.0, le=10.0, description="Brightness of the stars at night; 0: none")
+    clouds: Clouds | None = Field(default=None, description="Absent: none")
+    moon: Moon | None = Field(default=None, description="Absent: none")
+
+
+class Gusts(_Part):
+    """Gusts run over the water: patches of rougher and of smoother ripples."""
+
+    strength: float = Field(default=0.6, ge=0.0, le=1.0, description="How far ripples rise and fall from their mean")
+    size: float = Field(default=25.0, ge=0.5, le=5000.0, description="Size of the largest patches, m")
+    speed: float = Field(default=3.0, ge=0.0, le=60.0, description="How fast they run with the wind, m/s")
+    change: float = Field(default=12.0, ge=0.5, le=1e5, description="Time in which a patch becomes another, s")
+    seed: int = Field(default=1, ge=0, le=65535, description="Which gusts of their kind")
+
+
+def direction(azimuth: float, elevation: float) -> Direction:
+    """Unit vector toward azimuth and elevation, rad."""
+    level = math.cos(elevation)
+    return level * math.cos(azimuth), math.sin(elevation), level * math.sin(azimuth)
+
+
+def sun_angles(day: Day) -> tuple[float, float]:
+    """Azimuth and elevation of the sun, rad (declination after Cooper 1969).
+
+    Where it stands overhead its azimuth is south or north, whichever the sum of roundings says.
+    """
+    declination = TILT * math.sin(2.0 * math.pi * (284.0 + day.date) / 365.0)
+    turn = math.pi * (day.hour - 12.0) / 12.0
+    up = math.sin(day.latitude) * math.sin(declination)
+    up += math.cos(day.latitude) * math.cos(declination) * math.cos(turn)
+    north = math.cos(day.latitude) * math.sin(declination)
+    north -= math.sin(day.latitude) * math.cos(declination) * math.cos(turn)
+    east = -math.cos(declination) * math.sin(turn)
+    # x runs east where z runs south: from north toward east is from +x toward +z.
+    azimuth = day.north + math.atan2(east, north)
+    return math.remainder(azimuth, 2.0 * math.pi), math.asin(min(max(up, -1.0), 1.0))

@@ -1,0 +1,12 @@
+// Light on land and air before it, for the pass that draws the cube map: as in shade/lit.glsl, without the water.
+uniform vec3 u_sky_irradiance;
+uniform float u_visibility; // m
+
+vec3 irradiance(vec3 n) {
+    return u_sun_irradiance * max(dot(n, u_sun_direction), 0.0) + u_sky_irradiance * (0.5 + 0.5 * n.y);
+}
+
+vec3 in_air(vec3 light, vec3 d, float distance_to_eye) {
+    vec2 level = d.xz / max(length(d.xz), 1e-6);
+    return mix(exposure() * sky_light(vec3(level.x, 0.0, level.y)), light, exp(-3.912 / u_visibility * distance_to_eye));
+}

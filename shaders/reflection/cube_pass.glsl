@@ -1,0 +1,12 @@
+// The six faces of the cube map.
+out vec4 o_light;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    ivec2 cell = texel / CUBE_SIZE;
+    vec2 at = 2.0 * vec2(texel - cell * CUBE_SIZE) / float(CUBE_SIZE - 1) - 1.0;
+    vec3 d = normalize(cube_direction(cell.x + 3 * cell.y, at));
+    // Water mirrors nothing from under the horizon: only the rim above it is looked for.
+    vec3 light = d.y < -0.1 ? mirrored_sky(d, d, d) : surroundings(d);
+    o_light = vec4(min(light, BRIGHTEST), 1.0);
+}

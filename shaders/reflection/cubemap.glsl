@@ -1,0 +1,12 @@
+// Water mirrors a cube map, bilinear inside a face. r: reflected direction; d: from the eye; n: normal; unit vectors.
+vec3 reflected_light(vec3 r, vec3 d, vec3 n) {
+    int face;
+    vec2 at = cube_place(r, face);
+    // By hand: a filter of the GPU would reach over the rim into the next face of the picture.
+    ivec2 base = min(ivec2(at), ivec2(CUBE_SIZE - 2));
+    vec2 t = at - vec2(base);
+    return mix(
+        mix(cube_texel(face, base), cube_texel(face, base + ivec2(1, 0)), t.x),
+        mix(cube_texel(face, base + ivec2(0, 1)), cube_texel(face, base + ivec2(1, 1)), t.x),
+        t.y);
+}
