@@ -11,6 +11,7 @@ from seafoam.plan import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.sky import Day, Moon
 
 PICTURES = Path(__file__).parent / "pictures"
 
@@ -72,6 +73,27 @@ def shores(executor: Executor) -> None:
     )
 
 
+def skies(executor: Executor) -> None:
+    """The presets of skies, and the sky of lake-sunset in early summer without land; four samples a pixel."""
+    scenes = [(load_preset(name).scene, 5.0) for name in ("lake-sunset", "moonlight", "cubemap-lake")]
+    lake = scenes[0][0]
+    assert lake.light is not None
+    assert lake.light.sky is not None
+    night = lake.light.sky.model_copy(update={"stars": 1.0, "moon": Moon(azimuth=-1.9, elevation=0.3, size=2.0)})
+    for hour, exposure in ((4.7, -1.8), (13.0, -2.0), (23.5, 3.6)):
+        day = Day(hour=hour, date=140.0, latitude=0.82, north=-2.6)
+        changed = {"day": day, "exposure": exposure, "sky": night, "reflection": "sky"}
+        light = lake.light.model_copy(update=changed)
+        camera = lake.camera.model_copy(update={"pitch": 0.08})
+        scenes.append((lake.model_copy(update={"light": light, "shore": None, "camera": camera}), 60.0 * hour))
+    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    drawn = [
+        executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270).pixels
+        for scene, time in scenes
+    ]
+    sheet([Image.fromarray(pixels[..., :3]) for pixels in drawn], 3).save(PICTURES / "skies.webp", quality=88)
+
+
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
     """Pictures of one size in rows."""
     width, height = pictures[0].size
@@ -97,6 +119,7 @@ def main() -> None:
     at_times(executor, ("open-ocean", "swell", "storm", "river")).save(PICTURES / "seas.webp", quality=90)
     at_times(executor, ("lake-calm", "lake-choppy", "explosion")).save(PICTURES / "lakes.webp", quality=90)
     shores(executor)
+    skies(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))
