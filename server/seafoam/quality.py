@@ -78,7 +78,7 @@ class Quality(Knobs):
         default="map", description="What stands around the water, from a cube map or found for each sample"
     )
     cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
-        default=256, description="Texels along a side of a face of the cube map"
+        default=128, description="Texels along a side of a face of the cube map"
     )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
@@ -95,7 +95,7 @@ TIERS: dict[Tier, Quality] = {
         age_step=0.7,
         shore_map=128,
         cloud_octaves=4,
-        cube_size=128,
+        cube_size=64,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -103,7 +103,7 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
-        cube_size=512,
+        cube_size=256,
         samples=4,
     ),
     "reference": Quality(

@@ -1920,7 +1920,7 @@ export interface components {
             /**
              * Cube Size
              * @description Texels along a side of a face of the cube map
-             * @default 256
+             * @default 128
              * @enum {integer}
              */
             cube_size: 32 | 64 | 128 | 256 | 512 | 1024;
