@@ -1,7 +1,8 @@
-"""The sun's glitter on the water, and its disc in the sky. docs/formulae.md, section 6."""
+"""The glitter of sun or moon on the water, and the sun's disc in the sky. docs/formulae.md, section 6."""
 
 import math
 
+from seafoam.effects import layered
 from seafoam.effects.contribution import (
     Bound,
     Contribution,
@@ -34,7 +35,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     sigma = scene.water.roughness
     brightest = max(sun_irradiance(light)) * 2.0**light.exposure
     return Contribution(
-        why="the sun is up",
+        why="the moon is up" if layered.moon_is_lamp(light) else "the sun is up",
         slots=(
             SlotFile("glitter", "glitter/beckmann.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl")),
             SlotFile("disc", "sky/sun_disc.glsl"),
