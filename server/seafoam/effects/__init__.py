@@ -3,6 +3,7 @@
 from seafoam.effects import (
     chop,
     crest,
+    drift,
     floor,
     foam_look,
     fold,
@@ -36,6 +37,7 @@ EFFECTS: tuple[Effect, ...] = (
     floor.EFFECT,
     shore.EFFECT,
     surf.EFFECT,
+    drift.EFFECT,
     crest.EFFECT,
 )
 """Every effect there is."""

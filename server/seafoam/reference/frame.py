@@ -9,11 +9,12 @@ from typing import Literal
 import numpy as np
 
 from seafoam.masks import custom_mask, load_mask
-from seafoam.scene.models import Camera, Foam, FoldSaturation, FrontSaturation, Scene
+from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
 from . import cells, light, looks, sampling, surface
+from .drift import drift_saturation
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -158,6 +159,7 @@ class _Shader:
         assets: Assets | None,
     ) -> None:
         self.scene = scene
+        self.time = time
         self.view = view
         self.filtering = mode == "same-samples"
         self.assets = assets
@@ -284,6 +286,7 @@ class _Shader:
                 if isinstance(source, FoldSaturation)
             ],
             surf=None if self.coast is None else self.coast.foam,
+            drift=self._drifting,
         )
         t = self._texture(foam, assets, x, z, foot_x, foot_y)
         if foam.look == "textured":
@@ -298,6 +301,9 @@ class _Shader:
                 free[own] *= 1.0 - self._amount(foam, assets, part, t[own], corner.u[own], corner.v[own], turned)
             return 1.0 - free
         return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet)
+
+    def _drifting(self, source: DriftSaturation, x: Floats, z: Floats) -> Floats:
+        return drift_saturation(self.scene, source, self.time, self.origin, x, z)
 
     def _amount(
         self, foam: Foam, assets: Assets, f: Floats, t: Floats, u: Floats, v: Floats, feet: tuple[Floats, Floats]
