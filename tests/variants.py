@@ -7,7 +7,9 @@ from typing import get_args
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
+from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.models import (
+    DriftSaturation,
     Foam,
     FoldSaturation,
     FrontSaturation,
@@ -49,6 +51,8 @@ def qualities() -> Iterator[Quality]:
         yield standard.model_copy(
             update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
         )
+    for drift, window in (("forward", 120.0), ("backward", 7.0), ("exact", 7.0)):
+        yield standard.model_copy(update={"drift": drift, "drift_window": window})
 
 
 def scenes() -> Iterator[Scene]:
@@ -98,6 +102,9 @@ def scenes() -> Iterator[Scene]:
         foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
         yield Scene(shore=shore, foam=foam, light=light)
     yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
+    for vortices, look in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone")):
+        foam = Foam(saturation=(DriftSaturation(),), look=look)  # type: ignore[arg-type]
+        yield sea.model_copy(update={"drift": Drift(vortices=vortices), "foam": foam})
 
 
 def every_plan() -> Iterator[FramePlan]:

@@ -11,7 +11,7 @@ void main() {
         q = drift_origin(q, j);
         // What the flow has wound finer than texels is their mean.
         float reach = max(length(dFdx(q)), length(dFdy(q))) * u_drift_scale;
-        found[j] = mix(drift_patch(drift_brood(j), q), u_drift_coverage, smoothstep(0.35, 1.2, reach));
+        found[j] = mix(drift_patch(drift_brood(j), q), u_drift_coverage, smoothstep(0.5, 2.0, reach));
     }
     o_drift = found;
 }

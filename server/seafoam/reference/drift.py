@@ -162,4 +162,5 @@ def _pcg(word: NDArray[np.int64] | Sequence[int]) -> NDArray[np.int64]:
     low = np.uint64(0xFFFFFFFF)
     state = (np.asarray(word).astype(np.uint64) * np.uint64(747796405) + np.uint64(2891336453)) & low
     mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & low
-    return ((mixed >> np.uint64(22)) ^ mixed).astype(np.int64)
+    result: NDArray[np.int64] = ((mixed >> np.uint64(22)) ^ mixed).astype(np.int64)
+    return result

@@ -339,6 +339,8 @@ class Scene(Part):
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
     shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
-    drift: Drift | None = Field(default=None, description="What carries the foam of a drift saturation; absent: nothing")
+    drift: Drift | None = Field(
+        default=None, description="What carries the foam of a drift saturation; absent: nothing"
+    )
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
     camera: Camera = Field(default_factory=Camera)

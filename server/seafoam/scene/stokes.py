@@ -33,7 +33,7 @@ def steady_drift(scene: Scene) -> tuple[float, float]:
 def first_harmonic(amplitude: float, exponent: float) -> float:
     """Amplitude of the first harmonic of A((sin θ + 1)/2)^K, in the unit of A."""
     log = math.lgamma(2.0 * exponent + 1.0) - math.lgamma(exponent + 2.0) - math.lgamma(exponent)
-    return amplitude * 2.0 ** (1.0 - 2.0 * exponent) * math.exp(log)
+    return amplitude * math.pow(2.0, 1.0 - 2.0 * exponent) * math.exp(log)
 
 
 def sea_drift(sea: Sea, depth: float | None) -> float:
@@ -55,5 +55,3 @@ def _shallow(k: float, depth: float | None) -> float:
         return 1.0
     sinh = math.sinh(max(k * depth, SHALLOW))
     return 1.0 + 0.5 / (sinh * sinh)
-
-
