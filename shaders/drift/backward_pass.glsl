@@ -9,9 +9,18 @@ void main() {
     vec4 found = vec4(0.0);
     for (int j = 0; j < DRIFT_BROODS; ++j) {
         q = drift_origin(q, j);
-        // What the flow has wound finer than texels is their mean.
-        float reach = max(length(dFdx(q)), length(dFdy(q))) * u_drift_scale;
-        found[j] = mix(drift_patch(drift_brood(j), q), u_drift_coverage, smoothstep(0.5, 2.0, reach));
+        // Four places of the texel, whose ways differ as their neighbours' do: filaments finer than texels would break into beads.
+        vec2 x = dFdx(q);
+        vec2 y = dFdy(q);
+        uint brood = drift_brood(j);
+        float sum = 0.0;
+        for (int i = 0; i < 4; ++i) {
+            vec2 part = 0.25 * vec2(float(2 * (i & 1) - 1), float(2 * (i >> 1) - 1));
+            sum += 0.25 * drift_patch(brood, q + part.x * x + part.y * y);
+        }
+        // What the flow has wound finer than these is its mean.
+        float reach = max(length(x), length(y)) * u_drift_scale;
+        found[j] = mix(sum, u_drift_coverage, smoothstep(0.5, 2.0, reach));
     }
     o_drift = found;
 }
