@@ -348,7 +348,7 @@ EFFECT = Effect(
                 foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
             ),
             guard="patches led to their mean where a texel holds more than a patch (drift/backward_pass.glsl)",
-            without="blobs a texel wide that boil: foam changes by 1.7 % in a sixtieth of a second instead of 0.3 %",
+            without="blobs a texel wide that boil: foam changes by 1.1 % in a sixtieth of a second instead of 0.2 %",
             times=(50.0,),
             camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
         ),

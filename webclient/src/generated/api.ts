@@ -732,6 +732,95 @@ export interface components {
             field?: string | null;
         };
         /**
+         * Drift
+         * @description A steady flow over a square, which carries the foam of a ``drift`` saturation.
+         */
+        Drift: {
+            /**
+             * Place
+             * @description Middle of the square (x, z), m
+             * @default [
+             *       0,
+             *       -30
+             *     ]
+             */
+            place: [
+                number,
+                number
+            ];
+            /**
+             * Size
+             * @description Side of the square, m; no such foam beyond it
+             * @default 60
+             */
+            size: number;
+            /**
+             * Current
+             * @description Current toward (x, z), m/s
+             * @default [
+             *       0.3,
+             *       0
+             *     ]
+             */
+            current: [
+                number,
+                number
+            ];
+            /**
+             * Waves
+             * @description How much of the waves' own drift carries foam (Stokes 1847)
+             * @default 1
+             */
+            waves: number;
+            /**
+             * Vortices
+             * @description Eddies that stay in place
+             * @default []
+             */
+            vortices: components["schemas"]["Vortex"][];
+        };
+        /**
+         * DriftSaturation
+         * @description Patches of foam that come up everywhere on the scene's ``drift`` square, are carried by its flow, and go.
+         */
+        DriftSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "drift";
+            /**
+             * Amount
+             * @description Saturation of a patch at the middle of its life
+             * @default 1
+             */
+            amount: number;
+            /**
+             * Patch
+             * @description Size of a patch when it comes up, m
+             * @default 2.5
+             */
+            patch: number;
+            /**
+             * Coverage
+             * @description Share of the water that patches of one age cover
+             * @default 0.3
+             */
+            coverage: number;
+            /**
+             * Life
+             * @description From coming up to going, s
+             * @default 24
+             */
+            life: number;
+            /**
+             * Seed
+             * @description Which patches of their kind
+             * @default 1
+             */
+            seed: number;
+        };
+        /**
          * EffectNote
          * @description Why an effect runs, or why it does not.
          */
@@ -821,7 +910,7 @@ export interface components {
              *       }
              *     ]
              */
-            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"])[];
+            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"] | components["schemas"]["DriftSaturation"])[];
             /**
              * Combine
              * @description How several saturations join
@@ -1724,6 +1813,32 @@ export interface components {
              */
             shore_profile: 32 | 64 | 128 | 256;
             /**
+             * Drift
+             * @description Drifting foam from a map that each texel finds by going back along the flow, from a map that points are moved over (gaps, piles and sticking: for comparison), or gone back for at each sample
+             * @default backward
+             * @enum {string}
+             */
+            drift: "backward" | "forward" | "exact";
+            /**
+             * Drift Size
+             * @description Texels along a side of the maps of drift
+             * @default 256
+             * @enum {integer}
+             */
+            drift_size: 64 | 128 | 256 | 512 | 1024;
+            /**
+             * Drift Window
+             * @description How far back foam is followed, s; older foam is not drawn
+             * @default 120
+             */
+            drift_window: number;
+            /**
+             * Drift Step
+             * @description Longest step along the flow, s
+             * @default 0.5
+             */
+            drift_step: number;
+            /**
              * Samples
              * @description Samples a pixel, on a square grid
              * @default 1
@@ -1923,6 +2038,8 @@ export interface components {
             water?: components["schemas"]["Water"];
             /** @description Sea floor, land and surf; absent: open sea */
             shore?: components["schemas"]["Shore"] | null;
+            /** @description What carries the foam of a drift saturation; absent: nothing */
+            drift?: components["schemas"]["Drift"] | null;
             /** @description null: unlit, foam white on black */
             light?: components["schemas"]["Light"] | null;
             camera?: components["schemas"]["Camera"];
@@ -2664,6 +2781,36 @@ export interface components {
             scale: number;
         };
         /**
+         * Vortex
+         * @description Water that turns around a place that stays: fastest at its radius, still at its centre and past six radii.
+         */
+        Vortex: {
+            /**
+             * Place
+             * @description Centre (x, z), m
+             * @default [
+             *       0,
+             *       -30
+             *     ]
+             */
+            place: [
+                number,
+                number
+            ];
+            /**
+             * Radius
+             * @description Where it turns fastest, m from its centre
+             * @default 2
+             */
+            radius: number;
+            /**
+             * Speed
+             * @description There, m/s; positive turns from +x toward +z, negative back
+             * @default 1
+             */
+            speed: number;
+        };
+        /**
          * Water
          * @description The body of the water, and the ripples on it.
          */
@@ -2864,6 +3011,8 @@ export type CameraRule = components['schemas']['CameraRule'];
 export type Causes = components['schemas']['Causes'];
 export type Chop = components['schemas']['Chop'];
 export type Constant = components['schemas']['Constant'];
+export type Drift = components['schemas']['Drift'];
+export type DriftSaturation = components['schemas']['DriftSaturation'];
 export type EffectNote = components['schemas']['EffectNote'];
 export type Errors = components['schemas']['Errors'];
 export type FixedSize = components['schemas']['FixedSize'];
@@ -2923,6 +3072,7 @@ export type TruthInfo = components['schemas']['TruthInfo'];
 export type Uniform = components['schemas']['Uniform'];
 export type Viewport = components['schemas']['Viewport'];
 export type ViewportSize = components['schemas']['ViewportSize'];
+export type Vortex = components['schemas']['Vortex'];
 export type Water = components['schemas']['Water'];
 export type Wrap = components['schemas']['Wrap'];
 export type SeafoamAccuracyModelPoints = components['schemas']['seafoam__accuracy__model__Points'];
