@@ -10,11 +10,14 @@ float drift_saturation(vec2 p, float height, Footprint fp) {
     }
     vec4 found = vec4(0.0);
     if (SURFACE_FILTER) {
-        // Four parts of the footprint, each from the map whose texels are nearer its size.
-        float texels = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y))) * float(DRIFT_SIZE) / (4.0 * u_drift_half);
-        float coarse = smoothstep(0.0, 2.0, log2(max(texels, 1e-3)));
+        // Four places along the footprint, each from the map whose texels are nearer its breadth or the way between them.
+        float first = dot(fp.x, fp.x);
+        float second = dot(fp.y, fp.y);
+        vec2 along = first > second ? fp.x : fp.y;
+        float reach = sqrt(max(min(first, second), 0.0625 * max(first, second)));
+        float coarse = smoothstep(0.0, 2.0, log2(max(reach * float(DRIFT_SIZE) / (2.0 * u_drift_half), 1e-3)));
         for (int i = 0; i < 4; ++i) {
-            vec2 uv = 0.5 + 0.5 * (q + (float(i & 1) - 0.5) * 0.5 * fp.x + (float(i >> 1) - 0.5) * 0.5 * fp.y) / u_drift_half;
+            vec2 uv = 0.5 + 0.5 * (q + (0.25 * float(i) - 0.375) * along) / u_drift_half;
             found += 0.25 * mix(textureLod(u_drift_map, uv, 0.0), textureLod(u_drift_coarse, uv, 0.0), coarse);
         }
     } else {

@@ -48,6 +48,8 @@ POINTS_SIDE = 512
 """Cells along a side that points are moved from at most."""
 MOVES = 64
 """Steps of forward mapping at most; each is a pass."""
+APART = (3.37, 5.61)
+"""Between the two copies of a mask that is carried, in tiles: no two places have the same threshold."""
 NOISE_DEVIATION = 0.138
 SOFTNESS = 0.1
 """Of the noise that patches are cut from: its standard deviation, and half the width of the cut."""
@@ -79,7 +81,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     bound = (
         Bound(0.0, "its foam has no amount", (f"/foam/saturation/{index}/amount",)) if source.amount == 0.0 else None
     )
-    given = _Given(scene, drift, source, quality, brood, broods, steps)
+    given = _Given(scene, scene.foam, drift, source, quality, brood, broods, steps)
     common: dict[str, Uniform] = {
         **given.square,
         **given.clock,
@@ -122,7 +124,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts=given.consts,
         uniforms=common,
-        inputs={"u_drift_map": TargetInput(target="drift"), "u_drift_coarse": TargetInput(target="drift_coarse")},
+        inputs={
+            "u_drift_map": TargetInput(target="drift"),
+            "u_drift_coarse": TargetInput(target="drift_coarse"),
+            **({} if given.forward else {"u_drift_way": TargetInput(target="drift_way")}),
+        },
         targets=given.targets(),
         passes=given.passes(),
         bound=bound,
@@ -135,6 +141,7 @@ class _Given:
     def __init__(
         self,
         scene: Scene,
+        foam: Foam,
         drift: Drift,
         source: DriftSaturation,
         quality: Quality,
@@ -158,7 +165,9 @@ class _Given:
             "DRIFT_SEED": source.seed,
             "DRIFT_CUT": quality.drift_window < source.life,
             "DRIFT_WINDOW": quality.drift_window,
-            "DRIFT_CAP": 1.0 if scene.foam is not None and scene.foam.look == "filtered" else SATURATION_CAP,
+            "DRIFT_APART_X": significant(APART[0] * foam.mask_tile),
+            "DRIFT_APART_Z": significant(APART[1] * foam.mask_tile),
+            "DRIFT_CAP": 1.0 if foam.look == "filtered" else SATURATION_CAP,
         }
         steady = steady_drift(scene)
         self.square = {"u_drift_half": number(0.5 * drift.size)}
@@ -194,7 +203,8 @@ class _Given:
             return Target(size=FixedSize(width=side, height=side), format="RGBA16F", filter="linear")
 
         made = {"drift_flow": square(self.size), "drift": square(self.size), "drift_coarse": square(self.size // 4)}
-        return made | {"drift_moved": square(self.size)} if self.forward else made
+        made["drift_moved" if self.forward else "drift_way"] = square(self.size)
+        return made
 
     def passes(self) -> tuple[PassSpec, ...]:
         flow = PassSpec(
@@ -214,7 +224,22 @@ class _Given:
         return (flow, *(self._forward() if self.forward else self._backward()), coarse)
 
     def _backward(self) -> tuple[PassSpec, ...]:
+        ways = PassSpec(
+            name="drift, ways of the youngest",
+            program="drift_way",
+            fragment=(
+                *_NUMBERS,
+                "drift/clock.glsl",
+                "drift/flow_map.glsl",
+                "drift/back.glsl",
+                "drift/way_pass.glsl",
+            ),
+            target="drift_way",
+            inputs={"u_drift_flow": TargetInput(target="drift_flow")},
+            uniforms={**self.square, **self.clock, **self.texel},
+        )
         return (
+            ways,
             PassSpec(
                 name="drift, followed back",
                 program="drift",
@@ -227,7 +252,10 @@ class _Given:
                     "drift/backward_pass.glsl",
                 ),
                 target="drift",
-                inputs={"u_drift_flow": TargetInput(target="drift_flow")},
+                inputs={
+                    "u_drift_flow": TargetInput(target="drift_flow"),
+                    "u_drift_way": TargetInput(target="drift_way"),
+                },
                 uniforms={**self.square, **self.clock, **self.patches, **self.texel, **self.coverage},
             ),
         )
@@ -261,6 +289,19 @@ class _Given:
             for i in range(self.moves)
         )
         return (start, *moves)
+
+
+def carries(scene: Scene, quality: Quality) -> bool:
+    """Whether the flow carries the mask too: with the filtered look, whose copies can be laid over one another."""
+    if scene.foam is None or scene.drift is None or scene.foam.look != "filtered" or quality.drift == "forward":
+        return False
+    return any(isinstance(one, DriftSaturation) and one.amount > 0.0 for one in scene.foam.saturation)
+
+
+def carried(look: str, quality: Quality) -> tuple[str, tuple[str, ...]]:
+    """The file that stands in for a look's where its mask is carried, and what it needs."""
+    ways = "drift/way_exact.glsl" if quality.drift == "exact" else "drift/way_map.glsl"
+    return "drift/carried.glsl", (ways, f"{look}?foam_amount=still_amount")
 
 
 def turning(vortex: Vortex) -> float:

@@ -2,6 +2,7 @@
 
 import math
 
+from seafoam.effects import drift
 from seafoam.effects.contribution import (
     Bound,
     Const,
@@ -143,11 +144,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if masked and foam.cells:
         needs += (f"{look}?foam_amount=cell_amount",)
         look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
+    if drift.carries(scene, quality):
+        look, own = drift.carried(look, quality)
+        needs += own
     over = "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"
     return Contribution(
         why=f"look {foam.look}"
         + (f", mask {foam.mask}" if masked else "")
-        + (", turned in each cell" if masked and foam.cells else ""),
+        + (", turned in each cell" if masked and foam.cells else "")
+        + (", carried by the drift" if drift.carries(scene, quality) else ""),
         slots=(
             SlotFile("look", look, needs=needs),
             SlotFile("over", over),

@@ -34,6 +34,10 @@ OCTAVES = ((0.55, 1.0, False), (0.3, 2.3, True), (0.15, 5.1, False))
 """Weight, frequency and whether turned, of each octave of a patch."""
 DEVIATION = 0.138
 HALF_CUT = 0.1
+APART = (3.37, 5.61)
+"""Between the two copies of a mask, in tiles."""
+BESIDE = 1e-3
+"""Ways are compared so far apart, m."""
 RIM = 0.8
 """Share of the half side from which foam fades out."""
 
@@ -113,7 +117,7 @@ def drift_saturation(
     flow = flow_of(scene)
     q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
     q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
-    rim = (1.0 - smoothstep(RIM, 1.0, np.abs(q_x) / flow.half)) * (1.0 - smoothstep(RIM, 1.0, np.abs(q_z) / flow.half))
+    rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
     result = np.zeros_like(x)
     inside = np.flatnonzero(rim > 0.0)
     brood = Fraction(source.life) / BROODS
@@ -126,6 +130,67 @@ def drift_saturation(
         share = math.sin(math.pi * age / source.life) ** 2
         result[inside] += share * patch(source, (number - j) % COUNTED, at_x, at_z)
     return source.amount * rim * result
+
+
+@dataclass(frozen=True, eq=False)
+class Copy:
+    """One of the two copies of a mask that the flow carries, at r places."""
+
+    weight: Floats
+    """(r,), the weights of the two add up to 1."""
+    x: Floats
+    z: Floats
+    """Where it is looked at, m from the origin; (r,) each."""
+    turn: Floats
+    """(r, 2, 2): what becomes of a way (x, z) there."""
+
+    def turned(self, foot: Floats) -> Floats:
+        """Footprints (r, 2) m as the copy sees them; (r, 2)."""
+        result: Floats = np.einsum("rij,rj->ri", self.turn, foot)
+        return result
+
+
+def copies(
+    scene: Scene, source: DriftSaturation, tile: float, time: float, origin: tuple[float, float], x: Floats, z: Floats
+) -> list[Copy]:
+    """The two copies of a mask with tiles of a side ``tile`` (m) at (x, z), m from the origin, at a time (s)."""
+    drift = scene.drift
+    assert drift is not None
+    flow = flow_of(scene)
+    q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
+    q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
+    rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
+    brood = Fraction(source.life) / BROODS
+    number = math.floor(Fraction(time) / brood)
+    youngest = float(Fraction(time) - number * brood)
+    inside = np.flatnonzero(rim > 0.0)
+    grown = math.sin(0.5 * math.pi * youngest / float(brood)) ** 2
+    # Of the copy of the odd brood; beyond the square the other is left alone.
+    share = rim * (grown if number % 2 == 1 else 1.0 - grown)
+    made = []
+    for i, seconds in enumerate((youngest, youngest + float(brood))):
+        odd = (number - i) % 2 == 1
+        apart = tuple(share * tile if odd else 0.0 for share in APART)
+        away, turn = np.zeros((x.size, 2)), np.tile(np.eye(2), (x.size, 1, 1))
+        if inside.size:
+            at = q_x[inside], q_z[inside]
+            here = _way(flow, *at, seconds)
+            away[inside] = rim[inside, None] * here
+            for axis, (d_x, d_z) in enumerate(((BESIDE, 0.0), (0.0, BESIDE))):
+                change = (_way(flow, at[0] + d_x, at[1] + d_z, seconds) - here) / BESIDE
+                turn[inside, :, axis] += rim[inside, None] * change
+        made.append(Copy(share if odd else 1.0 - share, x + away[:, 0] + apart[0], z + away[:, 1] + apart[1], turn))
+    return made
+
+
+def _way(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
+    """From places to where their water was, (r, 2) m."""
+    back = flow.back(x, z, seconds)
+    return np.column_stack((back[0] - x, back[1] - z))
+
+
+def _rim(share: Floats) -> Floats:
+    return 1.0 - smoothstep(RIM, 1.0, np.abs(share))
 
 
 def patch(source: DriftSaturation, brood: int, x: Floats, z: Floats) -> Floats:
