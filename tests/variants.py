@@ -51,8 +51,6 @@ def qualities() -> Iterator[Quality]:
         yield standard.model_copy(
             update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
         )
-    for drift, window in (("forward", 120.0), ("backward", 7.0), ("exact", 7.0)):
-        yield standard.model_copy(update={"drift": drift, "drift_window": window})
 
 
 def scenes() -> Iterator[Scene]:
@@ -102,8 +100,13 @@ def scenes() -> Iterator[Scene]:
         foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
         yield Scene(shore=shore, foam=foam, light=light)
     yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
-    for vortices, look in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone")):
-        foam = Foam(saturation=(DriftSaturation(),), look=look)  # type: ignore[arg-type]
+    yield from drifting(sea)
+
+
+def drifting(sea: Scene) -> Iterator[Scene]:
+    """Foam that drifts, its mask carried or not, in cells or not."""
+    for vortices, look, cells in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone"), (False, True)):
+        foam = Foam(saturation=(DriftSaturation(),), look=look, cells=cells)  # type: ignore[arg-type]
         yield sea.model_copy(update={"drift": Drift(vortices=vortices), "foam": foam})
 
 
@@ -115,6 +118,9 @@ def every_plan() -> Iterator[FramePlan]:
     for scene in scenes():
         for quality in TIERS.values():
             yield make_plan(scene, quality)
+    for scene in drifting(load_preset("default").scene):
+        for ways, window in (("forward", 120.0), ("backward", 7.0), ("exact", 7.0)):
+            yield make_plan(scene, TIERS["standard"].model_copy(update={"drift": ways, "drift_window": window}))
     # What a bound leaves out is drawn where that bound is tested.
     yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
 
