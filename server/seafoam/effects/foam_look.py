@@ -25,6 +25,7 @@ from seafoam.masks.catalogue import Mask
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
+    DriftSaturation,
     Foam,
     FrontSaturation,
     HeightSaturation,
@@ -172,7 +173,13 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
     fields = tuple(
         f"/foam/saturation/{i}/{name}"
         for i, source in enumerate(foam.saturation)
-        for name in (("base", "full") if isinstance(source, HeightSaturation) else ("base", "gain"))
+        for name in (
+            ("base", "full")
+            if isinstance(source, HeightSaturation)
+            else ("amount",)
+            if isinstance(source, DriftSaturation)
+            else ("base", "gain")
+        )
         if not isinstance(source, FrontSaturation)
     )
     if most == 0.0:
