@@ -4,8 +4,9 @@ out vec4 o_drift;
 
 void main() {
     vec2 q = gl_FragCoord.xy * u_drift_texel - u_drift_half;
-    o_drift = vec4(0.0);
+    vec4 found = vec4(0.0);
     for (int j = 0; j < DRIFT_BROODS; ++j) {
-        o_drift[j] = drift_patch(drift_brood(j), q);
+        found[j] = drift_patch(drift_brood(j), q);
     }
+    o_drift = found;
 }

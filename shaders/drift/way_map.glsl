@@ -1,13 +1,17 @@
-// The ways back read from their map, and how they change along x and z, a unit, over a texel to each side.
+// The ways back read from their map, bilinear, and how they change along x and z, a unit. By hand: a sampler's 256 steps between
+// texels would show as steps of the mask.
 uniform sampler2D u_drift_way;
 
-vec4 drift_way(vec2 q) {
-    return textureLod(u_drift_way, 0.5 + 0.5 * q / u_drift_half, 0.0);
-}
-
 void drift_ways(vec2 q, out vec4 way, out vec4 along_x, out vec4 along_z) {
-    float texel = 2.0 * u_drift_half / float(DRIFT_SIZE);
-    way = drift_way(q);
-    along_x = (drift_way(q + vec2(texel, 0.0)) - drift_way(q - vec2(texel, 0.0))) / (2.0 * texel);
-    along_z = (drift_way(q + vec2(0.0, texel)) - drift_way(q - vec2(0.0, texel))) / (2.0 * texel);
+    float texels = float(DRIFT_SIZE) / (2.0 * u_drift_half);
+    vec2 at = clamp((q + u_drift_half) * texels - 0.5, 0.0, float(DRIFT_SIZE - 1));
+    ivec2 low = min(ivec2(at), DRIFT_SIZE - 2);
+    vec2 t = at - vec2(low);
+    vec4 a = texelFetch(u_drift_way, low, 0);
+    vec4 b = texelFetch(u_drift_way, low + ivec2(1, 0), 0);
+    vec4 c = texelFetch(u_drift_way, low + ivec2(0, 1), 0);
+    vec4 d = texelFetch(u_drift_way, low + ivec2(1, 1), 0);
+    way = mix(mix(a, b, t.x), mix(c, d, t.x), t.y);
+    along_x = mix(b - a, d - c, t.y) * texels;
+    along_z = mix(c - a, d - b, t.x) * texels;
 }

@@ -1,4 +1,4 @@
-// The ways back to where the two youngest broods came up, m: r, g the youngest's, b, a the next. Half floats: to some millimetres.
+// The ways back to where the two youngest broods came up, m: r, g the youngest's, b, a the next.
 uniform float u_drift_texel; // m
 out vec4 o_way;
 

@@ -199,11 +199,13 @@ class _Given:
         self.coverage = {"u_drift_coverage": number(source.coverage)}
 
     def targets(self) -> dict[str, Target]:
-        def square(side: int) -> Target:
+        def read(side: int) -> Target:
             return Target(size=FixedSize(width=side, height=side), format="RGBA16F", filter="linear")
 
-        made = {"drift_flow": square(self.size), "drift": square(self.size), "drift_coarse": square(self.size // 4)}
-        made["drift_moved" if self.forward else "drift_way"] = square(self.size)
+        # What ways are added up from is fetched texel by texel, in all its digits.
+        exact = Target(size=FixedSize(width=self.size, height=self.size), format="RGBA32F")
+        made = {"drift_flow": exact, "drift": read(self.size), "drift_coarse": read(self.size // 4)}
+        made |= {"drift_moved": read(self.size)} if self.forward else {"drift_way": exact}
         return made
 
     def passes(self) -> tuple[PassSpec, ...]:
