@@ -19,6 +19,7 @@ from seafoam.effects.contribution import (
     Points,
     SlotFile,
     Target,
+    TargetFormat,
     TargetInput,
     Uniform,
     array,
@@ -199,13 +200,19 @@ class _Given:
         self.coverage = {"u_drift_coverage": number(source.coverage)}
 
     def targets(self) -> dict[str, Target]:
-        def read(side: int) -> Target:
-            return Target(size=FixedSize(width=side, height=side), format="RGBA16F", filter="linear")
+        # Every map is read texel by texel: samplers of some GPUs weigh texels in 256 steps.
+        def square(side: int, kind: TargetFormat) -> Target:
+            return Target(size=FixedSize(width=side, height=side), format=kind)
 
-        # What ways are added up from is fetched texel by texel, in all its digits.
-        exact = Target(size=FixedSize(width=self.size, height=self.size), format="RGBA32F")
-        made = {"drift_flow": exact, "drift": read(self.size), "drift_coarse": read(self.size // 4)}
-        made |= {"drift_moved": read(self.size)} if self.forward else {"drift_way": exact}
+        made = {
+            "drift_flow": square(self.size, "RGBA32F"),
+            "drift": square(self.size, "RGBA16F"),
+            "drift_coarse": square(self.size // 4, "RGBA16F"),
+        }
+        if self.forward:
+            made["drift_moved"] = square(self.size, "RGBA16F")
+        else:
+            made["drift_way"] = square(self.size, "RGBA32F")
         return made
 
     def passes(self) -> tuple[PassSpec, ...]:
