@@ -10,12 +10,12 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from bench import budget, economy, frames, http, machine, page, server
+from bench import budget, economy, effects, frames, http, machine, page, server
 from bench.report import Table
 from bench.watch import Watch
 from seafoam.render.executor import Executor
 
-SECTIONS = ("frames", "economy", "budget", "http", "page")
+SECTIONS = ("frames", "economy", "effects", "budget", "http", "page")
 QUICK = 0.2
 
 
@@ -35,7 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         watch = Watch(progress, QUICK if asked.quick else 1.0)
         try:
-            if {"frames", "economy", "budget"} & set(asked.only):
+            if {"frames", "economy", "effects", "budget"} & set(asked.only):
                 executor = Executor()
                 try:
                     about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
@@ -43,6 +43,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         tables += frames.measure(executor, watch)
                     if "economy" in asked.only:
                         tables += economy.measure(executor, watch)
+                    if "effects" in asked.only:
+                        tables += effects.measure(executor, watch)
                     if "budget" in asked.only:
                         tables += budget.measure(executor, watch)
                 finally:

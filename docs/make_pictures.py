@@ -1,5 +1,6 @@
 """Makes the pictures of the docs again: ``make docs``."""
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -92,6 +93,20 @@ def skies(executor: Executor) -> None:
         for scene, time in scenes
     ]
     sheet([Image.fromarray(pixels[..., :3]) for pixels in drawn], 3).save(PICTURES / "skies.webp", quality=88)
+def drift(executor: Executor) -> Image.Image:
+    """Vortices at three times; from above followed back on maps of two sizes, and moved forward."""
+    scene = load_preset("drift-vortices").scene
+    place = scene.drift.place if scene.drift is not None else (0.0, 0.0)
+    above = scene.camera.model_copy(update={"position": (place[0], 30.0, place[1]), "yaw": 0.0, "pitch": -math.pi / 2})
+    back = TIERS["standard"].model_copy(update={"samples": 4})
+    fine, forward = (back.model_copy(update=knobs) for knobs in ({"drift_size": 1024}, {"drift": "forward"}))
+    shots = [(back, time, scene.camera) for time in (0.0, 5.0, 20.0)]
+    shots += [(quality, 33.0, above) for quality in (fine, back, forward)]
+    made = []
+    for quality, time, camera in shots:
+        drawn = executor.render(make_plan(scene, quality), time=time, camera=camera, width=480, height=270)
+        made.append(Image.fromarray(drawn.pixels[..., :3]))
+    return sheet(made, 3)
 
 
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
@@ -120,6 +135,7 @@ def main() -> None:
     at_times(executor, ("lake-calm", "lake-choppy", "explosion")).save(PICTURES / "lakes.webp", quality=90)
     shores(executor)
     skies(executor)
+    drift(executor).save(PICTURES / "drift.webp", quality=76)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

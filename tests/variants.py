@@ -7,8 +7,10 @@ from typing import get_args
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
+from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.models import (
     Chop,
+    DriftSaturation,
     Foam,
     FoldSaturation,
     FrontSaturation,
@@ -107,6 +109,14 @@ def scenes() -> Iterator[Scene]:
             light = Light(sun_elevation=low, sky=sky, reflection=reflection)  # type: ignore[arg-type]
             yield Scene(light=light, shore=around)
     yield sea.model_copy(update={"water": Water(chop=Chop(gusts=Gusts()))})
+    yield from drifting(sea)
+
+
+def drifting(sea: Scene) -> Iterator[Scene]:
+    """Foam that drifts, its mask carried or not, in cells or not."""
+    for vortices, look, cells in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone"), (False, True)):
+        foam = Foam(saturation=(DriftSaturation(),), look=look, cells=cells)  # type: ignore[arg-type]
+        yield sea.model_copy(update={"drift": Drift(vortices=vortices), "foam": foam})
 
 
 def every_plan() -> Iterator[FramePlan]:
@@ -117,6 +127,9 @@ def every_plan() -> Iterator[FramePlan]:
     for scene in scenes():
         for quality in TIERS.values():
             yield make_plan(scene, quality)
+    for scene in drifting(load_preset("default").scene):
+        for ways, window in (("forward", 120.0), ("backward", 7.0), ("exact", 7.0)):
+            yield make_plan(scene, TIERS["standard"].model_copy(update={"drift": ways, "drift_window": window}))
     # What a bound leaves out is drawn where that bound is tested.
     yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
 

@@ -80,6 +80,18 @@ class Quality(Knobs):
     cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
         default=128, description="Texels along a side of a face of the cube map"
     )
+    drift: Literal["backward", "forward", "exact"] = Field(
+        default="backward",
+        description="Drifting foam from a map that each texel finds by going back along the flow, from a map that "
+        "points are moved over (gaps, piles and sticking: for comparison), or gone back for at each sample",
+    )
+    drift_size: Literal[64, 128, 256, 512, 1024] = Field(
+        default=256, description="Texels along a side of the maps of drift"
+    )
+    drift_window: float = Field(
+        default=120.0, ge=1.0, le=120.0, description="How far back foam is followed, s; older foam is not drawn"
+    )
+    drift_step: float = Field(default=0.5, ge=0.05, le=10.0, description="Longest step along the flow, s")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -96,6 +108,8 @@ TIERS: dict[Tier, Quality] = {
         shore_map=128,
         cloud_octaves=4,
         cube_size=64,
+        drift_size=128,
+        drift_step=1.0,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -104,6 +118,8 @@ TIERS: dict[Tier, Quality] = {
         rings_size=2048,
         sea_digits="float",
         cube_size=256,
+        drift_size=512,
+        drift_step=0.25,
         samples=4,
     ),
     "reference": Quality(
@@ -116,6 +132,8 @@ TIERS: dict[Tier, Quality] = {
         shore_profile=256,
         cube="exact",
         cube_size=512,
+        drift="exact",
+        drift_step=0.2,
         samples=16,
         target="RGBA32F",
     ),

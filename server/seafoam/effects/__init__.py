@@ -5,6 +5,7 @@ from seafoam.effects import (
     clouds,
     crest,
     cubemap,
+    drift,
     floor,
     foam_look,
     fold,
@@ -43,6 +44,7 @@ EFFECTS: tuple[Effect, ...] = (
     shore.EFFECT,
     surf.EFFECT,
     cubemap.EFFECT,
+    drift.EFFECT,
     crest.EFFECT,
 )
 """Every effect there is."""

@@ -4,6 +4,7 @@ import math
 
 from seafoam.effects.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.scene.models import (
+    DriftSaturation,
     Foam,
     FoldSaturation,
     FrontSaturation,
@@ -51,6 +52,11 @@ def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
     return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
 
 
+def drift_limit(drift: DriftSaturation, scene: Scene) -> float:
+    """Greatest drift saturation: the ages that are alive together weigh 2."""
+    return min(2.0 * drift.amount, SATURATION_CAP) if scene.drift is not None else 0.0
+
+
 def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
     """Greatest slope saturation: that of a wall; none where nothing raises the surface."""
     return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if surface_top(scene) > 0.0 else 0.0
@@ -69,6 +75,8 @@ def source_limit(source: Saturation, scene: Scene) -> float:
             return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
         case SurfSaturation():
             return surf_limit(source, scene)
+        case DriftSaturation():
+            return drift_limit(source, scene)
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:

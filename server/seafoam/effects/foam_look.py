@@ -2,6 +2,7 @@
 
 import math
 
+from seafoam.effects import drift
 from seafoam.effects.contribution import (
     Bound,
     Const,
@@ -24,6 +25,7 @@ from seafoam.masks.catalogue import Mask
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
+    DriftSaturation,
     Foam,
     FrontSaturation,
     HeightSaturation,
@@ -143,11 +145,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if masked and foam.cells:
         needs += (f"{look}?foam_amount=cell_amount",)
         look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
+    if drift.carries(scene, quality):
+        look, own = drift.carried(look, quality)
+        needs += own
     over = "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"
     return Contribution(
         why=f"look {foam.look}"
         + (f", mask {foam.mask}" if masked else "")
-        + (", turned in each cell" if masked and foam.cells else ""),
+        + (", turned in each cell" if masked and foam.cells else "")
+        + (", carried by the drift" if drift.carries(scene, quality) else ""),
         slots=(
             SlotFile("look", look, needs=needs),
             SlotFile("over", over),
@@ -167,7 +173,13 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
     fields = tuple(
         f"/foam/saturation/{i}/{name}"
         for i, source in enumerate(foam.saturation)
-        for name in (("base", "full") if isinstance(source, HeightSaturation) else ("base", "gain"))
+        for name in (
+            ("base", "full")
+            if isinstance(source, HeightSaturation)
+            else ("amount",)
+            if isinstance(source, DriftSaturation)
+            else ("base", "gain")
+        )
         if not isinstance(source, FrontSaturation)
     )
     if most == 0.0:

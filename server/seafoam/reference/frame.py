@@ -9,12 +9,13 @@ from typing import Literal
 import numpy as np
 
 from seafoam.masks import custom_mask, load_mask
-from seafoam.scene.models import Camera, Foam, FoldSaturation, FrontSaturation, Scene
+from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
 from . import cells, light, looks, sampling, surface
 from .gusts import GustField
+from .drift import Copy, copies, drift_saturation
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -162,6 +163,7 @@ class _Shader:
         assets: Assets | None,
     ) -> None:
         self.scene = scene
+        self.time = time
         self.view = view
         self.filtering = mode == "same-samples"
         self.assets = assets
@@ -322,7 +324,23 @@ class _Shader:
                 if isinstance(source, FoldSaturation)
             ],
             surf=None if self.coast is None else self.coast.foam,
+            drift=self._drifting,
         )
+        carried = self._carried(foam, x, z)
+        if not carried:
+            return self._look(foam, assets, f, x, z, foot_x, foot_y)
+        free = np.ones_like(x)
+        for copy in carried:
+            part = cells.part(f, copy.weight)
+            amount = self._look(foam, assets, part, copy.x, copy.z, copy.turned(foot_x), copy.turned(foot_y))
+            free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
+        return 1.0 - free
+
+    def _look(
+        self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+    ) -> Floats:
+        """The look's foam amount at r places of its mask and texture under footprints (r, 2) m; (r,)."""
+        filtered = foam.look == "filtered"
         t = self._texture(foam, assets, x, z, foot_x, foot_y)
         if foam.look == "textured":
             return looks.textured(f, t)
@@ -336,6 +354,16 @@ class _Shader:
                 free[own] *= 1.0 - self._amount(foam, assets, part, t[own], corner.u[own], corner.v[own], turned)
             return 1.0 - free
         return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet)
+
+    def _carried(self, foam: Foam, x: Floats, z: Floats) -> list[Copy]:
+        """The copies of the mask that a flow carries; none where it lies still."""
+        sources = [one for one in foam.saturation if isinstance(one, DriftSaturation) and one.amount > 0.0]
+        if not sources or self.scene.drift is None or foam.look != "filtered":
+            return []
+        return copies(self.scene, sources[0], foam.mask_tile, self.time, self.origin, x, z)
+
+    def _drifting(self, source: DriftSaturation, x: Floats, z: Floats) -> Floats:
+        return drift_saturation(self.scene, source, self.time, self.origin, x, z)
 
     def _amount(
         self, foam: Foam, assets: Assets, f: Floats, t: Floats, u: Floats, v: Floats, feet: tuple[Floats, Floats]

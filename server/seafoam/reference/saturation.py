@@ -8,7 +8,14 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import FoldSaturation, HeightSaturation, Saturation, SlopeSaturation, SurfSaturation
+from seafoam.scene.models import (
+    DriftSaturation,
+    FoldSaturation,
+    HeightSaturation,
+    Saturation,
+    SlopeSaturation,
+    SurfSaturation,
+)
 
 from .relief import Part
 from .types import Floats, smoothstep
@@ -198,12 +205,13 @@ def saturation(
     footprints: tuple[Floats, Floats] | None,
     folds: list[Floats],
     surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
+    drift: Callable[[DriftSaturation, Floats, Floats], Floats] | None = None,
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
     ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface. With footprints
     (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf`` gives the
-    foam of a shore's surf; without a shore there is none.
+    foam of a shore's surf; without a shore there is none. ``drift`` gives the foam that a flow carries.
     """
     parts = []
     given = iter(folds)
@@ -219,6 +227,9 @@ def saturation(
             continue
         if isinstance(source, SurfSaturation):
             parts.append(np.zeros_like(x) if surf is None else surf(source, x, z, H))
+            continue
+        if isinstance(source, DriftSaturation):
+            parts.append(np.zeros_like(x) if drift is None else drift(source, x, z))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

@@ -19,7 +19,7 @@ from .frame import Frame, Mode
 from .types import Bools, Floats
 
 _LATER: dict[str, dict[str, Any]] = {
-    "": {"rings": [], "sea": None, "shore": None},
+    "": {"rings": [], "sea": None, "shore": None, "drift": None},
     "shore": {"image": None},
     "water/chop": {"gusts": None},
     "light": {"day": None, "sky": None, "reflection": "sky"},

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from seafoam.scene.drift import Drift
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
@@ -161,8 +162,21 @@ class SurfSaturation(Part):
     veil: float = Field(default=0.1, ge=0.0, le=1.0, description="Saturation that stays in the surf between waves")
 
 
+class DriftSaturation(Part):
+    """Patches of foam that come up everywhere on the scene's ``drift`` square, are carried by its flow, and go."""
+
+    source: Literal["drift"] = "drift"
+    amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation of a patch at the middle of its life")
+    patch: float = Field(default=2.5, ge=0.05, le=500.0, description="Size of a patch when it comes up, m")
+    coverage: float = Field(
+        default=0.3, ge=0.01, le=0.95, description="Share of the water that patches of one age cover"
+    )
+    life: float = Field(default=24.0, ge=1.0, le=120.0, description="From coming up to going, s")
+    seed: int = Field(default=1, ge=0, le=65535, description="Which patches of their kind")
+
+
 Saturation = Annotated[
-    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation,
+    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation | DriftSaturation,
     Field(discriminator="source"),
 ]
 
@@ -340,5 +354,8 @@ class Scene(Part):
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
     shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
+    drift: Drift | None = Field(
+        default=None, description="What carries the foam of a drift saturation; absent: nothing"
+    )
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
     camera: Camera = Field(default_factory=Camera)

@@ -1,0 +1,34 @@
+// The look's mask carried by the flow: two copies, each let go every second brood and carried until the next of its kind is there.
+// Each thins its foam, and what neither covers stays free, as where cells meet (foam/cells_blended.glsl).
+float foam_amount(float f, vec2 p, Footprint fp) {
+    vec2 q = p + u_drift_place;
+    float rim = drift_rim(q);
+    if (rim == 0.0) {
+        return still_amount(f, p, fp);
+    }
+    vec4 way;
+    vec4 along_x;
+    vec4 along_z;
+    drift_ways(q, way, along_x, along_z);
+    float grown = sin(0.5 * PI / DRIFT_BROOD * drift_age(0));
+    bool odd = (drift_brood(0) & 1u) == 1u;
+    // Beyond the square the even copy alone is left, where it would be without any flow.
+    float share = rim * (odd ? grown * grown : 1.0 - grown * grown);
+    float left = 1.0 - clamp(f, 0.0, 1.0);
+    float held = max(left, 1.0 / 256.0);
+    float last = smoothstep(0.0, 1.0 / 256.0, left);
+    float free = 1.0;
+    for (int i = 0; i < 2; ++i) {
+        bool shifted = odd == (i == 0);
+        float weight = shifted ? share : 1.0 - share;
+        if (weight > 0.0) {
+            vec2 back = rim * (i == 0 ? way.xy : way.zw);
+            vec2 turn_x = rim * (i == 0 ? along_x.xy : along_x.zw);
+            vec2 turn_z = rim * (i == 0 ? along_z.xy : along_z.zw);
+            Footprint own = Footprint(fp.x + turn_x * fp.x.x + turn_z * fp.x.y, fp.y + turn_x * fp.y.x + turn_z * fp.y.y);
+            vec2 apart = shifted ? vec2(DRIFT_APART_X, DRIFT_APART_Z) : vec2(0.0);
+            free *= 1.0 - still_amount(1.0 - pow(held, weight) * last, p + back + apart, own);
+        }
+    }
+    return 1.0 - free;
+}

@@ -1,0 +1,38 @@
+// Foam that drifts, read from its map: f = amount * sum of the broods' patches, in [0, DRIFT_CAP].
+uniform sampler2D u_drift_map;
+uniform sampler2D u_drift_coarse;
+
+// Bilinear by hand: thresholds tell a sampler's 256 steps between texels apart. uv in [0, 1], held at the rim.
+vec4 drift_read(sampler2D map, vec2 uv, int size) {
+    vec2 at = clamp(uv * float(size) - 0.5, 0.0, float(size - 1));
+    ivec2 low = min(ivec2(at), size - 2);
+    vec2 t = at - vec2(low);
+    return mix(
+        mix(texelFetch(map, low, 0), texelFetch(map, low + ivec2(1, 0), 0), t.x),
+        mix(texelFetch(map, low + ivec2(0, 1), 0), texelFetch(map, low + ivec2(1, 1), 0), t.x), t.y);
+}
+
+float drift_saturation(vec2 p, float height, Footprint fp) {
+    vec2 q = p + u_drift_place;
+    float rim = drift_rim(q);
+    if (rim == 0.0) {
+        return 0.0;
+    }
+    vec4 found = vec4(0.0);
+    if (SURFACE_FILTER) {
+        // Four places along the footprint, each from the map whose texels are nearer its breadth or the way between them.
+        float first = dot(fp.x, fp.x);
+        float second = dot(fp.y, fp.y);
+        vec2 along = first > second ? fp.x : fp.y;
+        float reach = sqrt(max(min(first, second), 0.0625 * max(first, second)));
+        float coarse = smoothstep(0.0, 2.0, log2(max(reach * float(DRIFT_SIZE) / (2.0 * u_drift_half), 1e-3)));
+        for (int i = 0; i < 4; ++i) {
+            vec2 uv = 0.5 + 0.5 * (q + (0.25 * float(i) - 0.375) * along) / u_drift_half;
+            vec4 fine = drift_read(u_drift_map, uv, DRIFT_SIZE);
+            found += 0.25 * (coarse > 0.0 ? mix(fine, drift_read(u_drift_coarse, uv, DRIFT_SIZE / 4), coarse) : fine);
+        }
+    } else {
+        found = drift_read(u_drift_map, 0.5 + 0.5 * q / u_drift_half, DRIFT_SIZE);
+    }
+    return min(u_drift_foam * rim * dot(found, drift_shares()), DRIFT_CAP);
+}
