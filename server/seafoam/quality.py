@@ -73,6 +73,9 @@ class Quality(Knobs):
     shore_profile: Literal[32, 64, 128, 256] = Field(
         default=128, description="Nodes of a row of the table of shore-wave profiles"
     )
+    sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = Field(
+        default=4, description="Cells that a sample asks for sparkles: its own, or all that may reach it"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -87,6 +90,7 @@ TIERS: dict[Tier, Quality] = {
         age_steps=4,
         age_step=0.7,
         shore_map=128,
+        sparkle_cells=1,
     ),
     "standard": Quality(),
     "high": Quality(

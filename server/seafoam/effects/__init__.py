@@ -15,6 +15,7 @@ from seafoam.effects import (
     sea,
     shore,
     slope,
+    sparkles,
     surf,
     water,
 )
@@ -32,6 +33,7 @@ EFFECTS: tuple[Effect, ...] = (
     foam_look.EFFECT,
     light.EFFECT,
     glitter.EFFECT,
+    sparkles.EFFECT,
     water.EFFECT,
     floor.EFFECT,
     shore.EFFECT,

@@ -13,7 +13,7 @@ from seafoam.scene.models import Camera, Foam, FoldSaturation, FrontSaturation, 
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
-from . import cells, light, looks, sampling, surface
+from . import cells, light, looks, sampling, sparkles, surface
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -164,6 +164,10 @@ class _Shader:
         self.delta_x = 2.0 * view.ray_x / (samples * width)
         self.delta_y = 2.0 * view.ray_y / (samples * height)
         self.air = None if scene.light is None else light.air(scene.light)
+        self.sun: light.Glint | None = None
+        if scene.light is not None and self.air is not None:
+            step = max(math.sqrt(float(side @ side)) for side in (self.delta_x, self.delta_y))
+            self.sun = sparkles.sun(scene.light, self.air, time, step if self.filtering else 0.0)
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         self.waves = wave_set(scene, time, self.origin)
@@ -249,7 +253,7 @@ class _Shader:
                 tau = distance / np.sqrt(dot(D, D))
                 feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
                 bed = self.coast.bed(x, z, H, d, n, *feet)
-            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed)
+            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, self.sun)
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)

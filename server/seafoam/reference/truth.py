@@ -20,6 +20,7 @@ from .types import Bools, Floats
 
 _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None},
+    "light": {"specular": "glint", "specular_power": 364.0, "specular_perturb": 0.4, "sparkles": None},
     "shore": {"image": None},
     "foam": {"texture_second": None, "cells": False},
 }
