@@ -16,6 +16,7 @@ from seafoam.effects import (
     shore,
     slope,
     sparkles,
+    spray,
     surf,
     water,
 )
@@ -39,6 +40,7 @@ EFFECTS: tuple[Effect, ...] = (
     shore.EFFECT,
     surf.EFFECT,
     crest.EFFECT,
+    spray.EFFECT,
 )
 """Every effect there is."""
 

@@ -1,6 +1,8 @@
 """The planner: a scene and a quality become a frame plan, here and nowhere else."""
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 from seafoam.effects import EFFECTS
@@ -25,7 +27,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Texture
-from seafoam.plan.slots import DISC, SKY, TONE, WAVES, surface_slots
+from seafoam.plan.slots import DISC, OPEN_WAVES, SHORE, SKY, TONE, WAVES, Slot, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -144,9 +146,14 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
         ),
     }
+    parts = {"@waves": (OPEN_WAVES, SHORE) if shore else (WAVES,), "@sky": (SKY,)}
     for spec in draft.passes:
+        texts = [
+            [piece for name in files for piece in (_pieces(parts[name], chosen) if name in parts else (name,))]
+            for files in (spec.vertex, spec.fragment)
+        ]
         programs[spec.program] = Program(
-            vertex=assemble(spec.vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(spec.fragment, consts)
+            vertex=assemble(texts[0], {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(texts[1], consts)
         )
     targets = {
         **draft.targets,
@@ -154,7 +161,9 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     }
     drawn = "samples"
     compose: list[Pass] = []
-    after = [_pass(spec) for spec in draft.passes if spec.stage == "after"]
+    after = [
+        _pass(replace(spec, inputs={**draft.inputs, **spec.inputs})) for spec in draft.passes if spec.stage == "after"
+    ]
     if after:
         drawn = BENEATH
         targets[BENEATH] = targets["samples"]
@@ -253,6 +262,10 @@ def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
         "u_surface_top": number(top),
         "u_surface_steepest": number(steepest),
     }
+
+
+def _pieces(slots: Sequence[Slot], chosen: Sequence[SlotFile]) -> list[str]:
+    return [piece for slot in slots for piece in slot_pieces(slot, chosen)]
 
 
 def _pass(spec: PassSpec) -> Pass:

@@ -13,7 +13,7 @@ from seafoam.scene.models import Camera, Foam, FoldSaturation, FrontSaturation, 
 from seafoam.textures import foam_texture
 
 from . import camera as cameras
-from . import cells, light, looks, sampling, sparkles, surface
+from . import cells, light, looks, sampling, sparkles, spray, surface
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -114,6 +114,8 @@ def render(
     alpha = np.empty(pixels)
     amount = np.empty((height, samples, width, samples))
     hit = np.empty((height, samples, width, samples), np.bool_)
+    kept = (height, samples, width, samples) if shader.spray is not None else (0, 0, 0, 0)
+    picture, clip_x, clip_y = np.empty((*kept, 3)), np.empty(kept), np.empty(kept)
     cell = np.arange(samples)
     jitter = np.random.default_rng(JITTER_SEED)
     step = max(1, CHUNK // samples**2)
@@ -127,12 +129,18 @@ def render(
         X = 2.0 * along / (samples * width) - 1.0
         Y = 1.0 - 2.0 * down / (samples * height)
         colour, a, met = shader.shade(X.ravel(), Y.ravel())
+        where = (row, cell[:, None], column, cell)
+        if shader.spray is not None:
+            picture[where], clip_x[where], clip_y[where] = colour.reshape(*places, 3), X, Y
         rgb[index] = colour.reshape(index.size, samples**2, 3).mean(axis=1)
         alpha[index] = a.reshape(index.size, samples**2).mean(axis=1)
-        where = (row, cell[:, None], column, cell)
         amount[where] = a.reshape(places)
         hit[where] = met.reshape(places)
     grid = (height * samples, width * samples)
+    if shader.spray is not None:
+        laid = picture.reshape(*grid, 3)
+        spray.lay_over(laid, clip_x.reshape(grid), clip_y.reshape(grid), shader.spray)
+        rgb[:] = laid.reshape(height, samples, width, samples, 3).mean(axis=(1, 3)).reshape(pixels, 3)
     return Frame(
         rgb=rgb.reshape(height, width, 3),
         alpha=alpha.reshape(height, width),
@@ -183,6 +191,20 @@ class _Shader:
             for source in sources
             if isinstance(source, FrontSaturation)
         }
+
+        self.spray = self._spray(time, height * samples)
+
+    def _spray(self, time: float, rows: int) -> spray.Discs | None:
+        of, coast = self.scene.spray, self.coast
+        if of is None:
+            return None
+        if coast is None:
+            drops, life = spray.from_waves(of, self.scene, self.waves, time, self.origin), of.life
+        else:
+            drops, life = spray.from_rocks(of, coast, time), spray.life_on_rocks(of, coast)
+        lit = self.scene.light
+        shown = spray.Shown(self.air, 1.0 if lit is None else lit.visibility, self._exposure)
+        return spray.discs(of, drops, life, self.view, rows, self.relief, coast, shown)
 
     def shade(self, X: Floats, Y: Floats) -> tuple[Floats, Floats, Bools]:
         """Colour (r, 3), foam amount (r,) and hit (r,) of samples at clip positions (r,)."""

@@ -19,7 +19,7 @@ from .frame import Frame, Mode
 from .types import Bools, Floats
 
 _LATER: dict[str, dict[str, Any]] = {
-    "": {"rings": [], "sea": None, "shore": None},
+    "": {"rings": [], "sea": None, "shore": None, "spray": None},
     "light": {"specular": "glint", "specular_power": 364.0, "specular_perturb": 0.4, "sparkles": None},
     "shore": {"image": None},
     "foam": {"texture_second": None, "cells": False},

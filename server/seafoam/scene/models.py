@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
+from seafoam.scene.spray import Spray
 
 GRAVITY = 9.81
 """Gravitational acceleration, m/s²."""
@@ -358,5 +359,6 @@ class Scene(Part):
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
     shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
+    spray: Spray | None = Field(default=None, description="Drops that the water throws up; absent: none")
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
     camera: Camera = Field(default_factory=Camera)
