@@ -76,8 +76,8 @@ class Quality(Knobs):
     sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = Field(
         default=4, description="Cells that a sample asks for sparkles: its own, or all that may reach it"
     )
-    spray_count: Literal[1024, 2048, 4096, 8192] = Field(
-        default=4096, description="Drops of the spray; fewer are larger, and cover as much"
+    spray_count: Literal[2048, 4096, 8192, 16384] = Field(
+        default=8192, description="Drops of the spray; fewer are larger, and cover as much"
     )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
@@ -94,7 +94,7 @@ TIERS: dict[Tier, Quality] = {
         age_step=0.7,
         shore_map=128,
         sparkle_cells=1,
-        spray_count=1024,
+        spray_count=2048,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -102,7 +102,7 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
-        spray_count=8192,
+        spray_count=16384,
         samples=4,
     ),
     "reference": Quality(
@@ -113,7 +113,7 @@ TIERS: dict[Tier, Quality] = {
         sea_digits="float",
         shore_floor=512,
         shore_profile=256,
-        spray_count=8192,
+        spray_count=16384,
         samples=16,
         target="RGBA32F",
     ),

@@ -142,6 +142,6 @@ EFFECT = Effect(
     "spray",
     contribute,
     invisible=(),
-    knobs=(Knob("/spray_count", "drops of the spray", (1024, 2048, 4096, 8192), "geometry"),),
+    knobs=(Knob("/spray_count", "drops of the spray", (2048, 4096, 8192, 16384), "geometry"),),
     hard_cases=(),
 )

@@ -87,8 +87,8 @@ class Shown:
             return np.ones_like(away)
         d = unit(away)
         onward = np.maximum(dot(d, self.air.sun), 0.0) ** 6
-        sun = self.air.sun_irradiance * (0.35 + 0.9 * onward)[:, None]
-        scattered = (sun + 0.65 * self.air.sky_irradiance) / math.pi
+        sun = self.air.sun_irradiance * (0.6 + 0.9 * onward)[:, None]
+        scattered = (sun + 0.8 * self.air.sky_irradiance) / math.pi
         distance = np.sqrt(dot(away, away))
         result: Floats = np.minimum(
             light.haze(self.air, self.visibility, scattered, d, distance) * self.exposure, 65504.0
@@ -203,8 +203,8 @@ def discs(
     X, Y = (away @ axis / float(axis @ axis) / np.maximum(depth, 0.1) for axis in (view.ray_x, view.ray_y))
     seen = (depth >= NEAREST) & (np.abs(X) <= 1.0) & (np.abs(Y) <= 1.0)
     seen[seen] = ~_hidden(place[seen], away[seen], float(view.eye[1]), relief, coast)
-    grown = np.where(mist, 5.0 * (0.3 + vary) * (0.3 + 1.2 * drops.age), 0.4 + 1.2 * vary * vary)
-    opacity = np.where(mist, 0.2, 0.9) * smoothstep(0.0, 0.05, drops.age) * smoothstep(NEAREST, 1.0, depth)
+    grown = np.where(mist, 5.0 * (0.3 + vary) * (0.25 + drops.age), 0.3 + 1.2 * vary * vary * vary)
+    opacity = np.where(mist, 0.13, 0.95) * smoothstep(0.0, 0.05, drops.age) * smoothstep(NEAREST, 1.0, depth)
     opacity *= 1.0 - smoothstep(0.4, 1.0, drops.age / life)
     q = math.sqrt(float(view.ray_y @ view.ray_y))
     radius = spray.size * grown[seen] * 0.5 * rows / (q * depth[seen])

@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from seafoam.scene.shore import Shore, floor_grid
 
-DROPS = 8192
+DROPS = 16384
 """Drops of the whole spray; a quality that draws fewer makes each larger."""
 ROCKS = 1024
 """Places on the rocks that drops start from."""

@@ -1232,6 +1232,27 @@ export interface components {
              * @default 0
              */
             exposure: number;
+            /**
+             * Specular
+             * @description The sun on the water. glint: facets with the slopes that the picture cannot show (Beckmann); blinn_phong: the lake shader's highlight, its half vector pushed aside by the ripples
+             * @default glint
+             * @enum {string}
+             */
+            specular: "glint" | "blinn_phong";
+            /**
+             * Specular Power
+             * @description Exponent of blinn_phong; the greater, the smaller the highlight
+             * @default 364
+             */
+            specular_power: number;
+            /**
+             * Specular Perturb
+             * @description How far blinn_phong's half vector follows the normal's tilt
+             * @default 0.4
+             */
+            specular_perturb: number;
+            /** @description Sparks in the sun's reflection; absent: none */
+            sparkles?: components["schemas"]["Sparkles"] | null;
         };
         /**
          * Loop
@@ -1724,6 +1745,20 @@ export interface components {
              */
             shore_profile: 32 | 64 | 128 | 256;
             /**
+             * Sparkle Cells
+             * @description Cells that a sample asks for sparkles: its own, or all that may reach it
+             * @default 4
+             * @enum {integer}
+             */
+            sparkle_cells: 1 | 4;
+            /**
+             * Spray Count
+             * @description Drops of the spray; fewer are larger, and cover as much
+             * @default 8192
+             * @enum {integer}
+             */
+            spray_count: 2048 | 4096 | 8192 | 16384;
+            /**
              * Samples
              * @description Samples a pixel, on a square grid
              * @default 1
@@ -1923,6 +1958,8 @@ export interface components {
             water?: components["schemas"]["Water"];
             /** @description Sea floor, land and surf; absent: open sea */
             shore?: components["schemas"]["Shore"] | null;
+            /** @description Drops that the water throws up; absent: none */
+            spray?: components["schemas"]["Spray"] | null;
             /** @description null: unlit, foam white on black */
             light?: components["schemas"]["Light"] | null;
             camera?: components["schemas"]["Camera"];
@@ -2183,6 +2220,102 @@ export interface components {
             path: string;
             /** Line */
             line: number;
+        };
+        /**
+         * Sparkles
+         * @description Small sparks in the sun's reflection (GPU ocean, 2007); their mean light is that of the smooth glint.
+         */
+        Sparkles: {
+            /**
+             * Size
+             * @description Angle that a sparkle takes up, whatever the picture's size, rad
+             * @default 0.0016
+             */
+            size: number;
+            /**
+             * Rate
+             * @description Sparkles a second in a square degree of glint that is as bright as white paper in the sun; the fewer, the brighter each
+             * @default 1
+             */
+            rate: number;
+            /**
+             * Life
+             * @description How long a sparkle lasts, s
+             * @default 0.3
+             */
+            life: number;
+            /**
+             * Share
+             * @description Share of the glint that sparkles; the rest is smooth
+             * @default 0.9
+             */
+            share: number;
+        };
+        /**
+         * Spray
+         * @description Drops thrown up where waves rise fast or, where there is a shore, where surf breaks on rocks.
+         */
+        Spray: {
+            /**
+             * Threshold
+             * @description Water that rises slower throws no drops, and surf whose drops would start slower neither, m/s
+             * @default 1.5
+             */
+            threshold: number;
+            /**
+             * Speed
+             * @description How fast drops start: in speeds at which the water rises; on rocks in √(gH), H the surf's height
+             * @default 3
+             */
+            speed: number;
+            /**
+             * Steep
+             * @description Slope of the ground from which a coast is rock
+             * @default 0.3
+             */
+            steep: number;
+            /**
+             * Size
+             * @description Radius of a drop, a clot of many, m
+             * @default 0.04
+             */
+            size: number;
+            /**
+             * Mist
+             * @description Share of the drops that are puffs of mist
+             * @default 0.3
+             */
+            mist: number;
+            /**
+             * Drag
+             * @description Time in which the air takes a drop's speed to 1/e of the wind's, s
+             * @default 0.8
+             */
+            drag: number;
+            /**
+             * Life
+             * @description Time after which nothing of a drop is left, s
+             * @default 2.5
+             */
+            life: number;
+            /**
+             * Wind
+             * @description Wind that carries drops along, m/s
+             * @default 3
+             */
+            wind: number;
+            /**
+             * Wind Direction
+             * @description Heading of the wind, rad from +x toward +z
+             * @default 0
+             */
+            wind_direction: number;
+            /**
+             * Reach
+             * @description How far from the eye waves throw up drops, m; rocks do anywhere
+             * @default 60
+             */
+            reach: number;
         };
         /**
          * State
@@ -2906,6 +3039,8 @@ export type Shader = components['schemas']['Shader'];
 export type Shore = components['schemas']['Shore'];
 export type SlopeSaturation = components['schemas']['SlopeSaturation'];
 export type SourceFile = components['schemas']['SourceFile'];
+export type Sparkles = components['schemas']['Sparkles'];
+export type Spray = components['schemas']['Spray'];
 export type State = components['schemas']['State'];
 export type Step = components['schemas']['Step'];
 export type Surf = components['schemas']['Surf'];
