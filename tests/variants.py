@@ -19,12 +19,14 @@ from seafoam.scene.models import (
     Scene,
     Sea,
     SlopeSaturation,
+    Sparkles,
     SurfSaturation,
     Water,
 )
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.spray import Spray
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),
@@ -98,6 +100,12 @@ def scenes() -> Iterator[Scene]:
         foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
         yield Scene(shore=shore, foam=foam, light=light)
     yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
+    for specular, sparkles in product(("glint", "blinn_phong"), (None, Sparkles())):
+        yield Scene(light=Light(specular=specular, sparkles=sparkles))  # type: ignore[arg-type]
+    rocky = shore.model_copy(update={"slope": 0.9})
+    for light in (Light(), None):
+        yield Scene(waves=sea.waves, spray=Spray(), light=light)
+        yield Scene(shore=rocky, waves=sea.waves, spray=Spray(), light=light)
 
 
 def every_plan() -> Iterator[FramePlan]:
@@ -110,6 +118,7 @@ def every_plan() -> Iterator[FramePlan]:
             yield make_plan(scene, quality)
     # What a bound leaves out is drawn where that bound is tested.
     yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
+    yield make_plan(Scene(spray=Spray()), TIERS["standard"], economy=False)
 
 
 def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:

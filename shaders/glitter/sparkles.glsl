@@ -41,10 +41,12 @@ float sparkle_light(vec3 d, float w, float radius, float side) {
         vec3 away = q - c * nearness;
         float edge = max(1.0 - dot(away, away) / (radius * radius), 0.0);
         float solid = side * side * nearness * nearness * nearness;
-        if (edge > 0.0 && sparkle_part(word) < u_sparkle_density * w * solid) {
-            float swell = 30.0 * age * age * (1.0 - age) * (1.0 - age);
-            sum += swell * edge * edge * max(w * solid, 1.0 / u_sparkle_density) / disc;
-        }
+        float chance = min(u_sparkle_density * w * solid, 1.0);
+        // Not lit all at once: a ramp about the chance, as wide on both sides, has the same mean and forgives rounding.
+        float soft = max(min(0.25 * chance, 1.0 - chance), 1e-3 * chance);
+        float lit = clamp(0.5 + 0.5 * (chance - sparkle_part(word)) / soft, 0.0, 1.0);
+        float swell = 30.0 * age * age * (1.0 - age) * (1.0 - age);
+        sum += lit * swell * edge * edge * max(w * solid, 1.0 / u_sparkle_density) / disc;
     }
     return sum;
 }

@@ -7,5 +7,5 @@ void main() {
     vec2 away = (gl_FragCoord.xy - v_disc.xy) / v_disc.z;
     float within = max(1.0 - dot(away, away), 0.0);
     float cover = v_light.a * within * within;
-    o_color = vec4(min(v_light.rgb, BRIGHTEST) * cover, cover);
+    o_color = vec4(v_light.rgb * cover, cover);
 }

@@ -44,7 +44,7 @@ def brightest_glint(scene: Scene) -> float:
     # The peak of the mirror's lobe: all facets alike, seen at grazing, where cv is the roughness itself; the factor 4
     # covers the lobe of a surface made rough by its filtered waves.
     sigma = scene.water.roughness
-    brightest = max(sun_irradiance(scene.light)) * 2.0**scene.light.exposure
+    brightest: float = max(sun_irradiance(scene.light)) * math.exp2(scene.light.exposure)
     return brightest * max(1.0 / (math.pi * sigma**3), 1.0 / 6.8e-5)
 
 
@@ -98,12 +98,18 @@ EFFECT = Effect(
         HardCase(
             name="the lake's highlight at its sharpest",
             scene=Scene(
-                light=Light(sun_elevation=0.0, specular="blinn_phong", specular_power=2000.0, specular_perturb=10.0),
+                light=Light(
+                    sun_elevation=0.1,
+                    sun_azimuth=math.pi,
+                    specular="blinn_phong",
+                    specular_power=2000.0,
+                    specular_perturb=0.0,
+                ),
                 water=Water(chop=Chop(slope=0.6)),
             ),
             guard="n.h held in [0, 1] before the power (glitter/blinn_phong.glsl)",
-            without="MEASURE",
-            camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.2),
+            without="powers of negative numbers: 65504 in a fifth of the samples, off by 28 levels in the mean",
+            camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.1),
         ),
     ),
 )

@@ -4,8 +4,8 @@ Colours are linear RGB along the last axis, directions unit vectors (x, y, z) al
 """
 
 import math
-from dataclasses import dataclass
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import lru_cache, partial
 
 import numpy as np
@@ -151,7 +151,11 @@ def water(
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
     inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed) + _crest(of, body, top, d, H))
-    return inner + mirror * of.sky(_reflected(d, n, sigma2)) + (partial(glint, of) if sun is None else sun)(d, n, cv, sigma2)
+    return (
+        inner
+        + mirror * of.sky(_reflected(d, n, sigma2))
+        + (partial(glint, of) if sun is None else sun)(d, n, cv, sigma2)
+    )
 
 
 def foam(of: Air, albedo: float, N: Floats) -> Floats:

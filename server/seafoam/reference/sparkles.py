@@ -19,6 +19,9 @@ MOST = 0.25
 PIXELS = 0.75
 """Least radius, in steps from sample to sample in the middle of the picture."""
 LIGHT_LEAST = 1e-20
+SOFT = 0.25
+SOFT_LEAST = 1e-3
+"""Half the width of the ramp about a chance, over the chance."""
 _Words = NDArray[np.uint64]
 _LOW = np.uint64(0xFFFFFFFF)
 
@@ -90,11 +93,13 @@ class Field:
         shape = np.maximum(1.0 - dot(away, away) / self.radius**2, 0.0) ** 2
         solid = self.side**2 / length**3
         mean = math.pi * self.radius**2 / 3.0
-        alight = part(word) < self.density * w * solid
+        chance = np.minimum(self.density * w * solid, 1.0)
+        soft = np.maximum(np.minimum(SOFT * chance, 1.0 - chance), SOFT_LEAST * chance)
+        lit = np.clip(0.5 + 0.5 * (chance - part(word)) / soft, 0.0, 1.0)
         swell = 30.0 * (s * (1.0 - s)) ** 2
         # Each is as bright as it must be for its mean to be w: w over the chance that it is alight.
         bright = np.maximum(w, 1.0 / (self.density * solid))
-        result: Floats = np.where(alight, swell * shape * bright * solid / mean, 0.0)
+        result: Floats = lit * swell * shape * bright * solid / mean
         return result
 
     def broken(self, air: Air, d: Floats, smooth: Floats) -> Floats:

@@ -90,9 +90,7 @@ class Shown:
         sun = self.air.sun_irradiance * (0.6 + 0.9 * onward)[:, None]
         scattered = (sun + 0.8 * self.air.sky_irradiance) / math.pi
         distance = np.sqrt(dot(away, away))
-        result: Floats = np.minimum(
-            light.haze(self.air, self.visibility, scattered, d, distance) * self.exposure, 65504.0
-        )
+        result: Floats = light.haze(self.air, self.visibility, scattered, d, distance) * self.exposure
         return result
 
 
@@ -103,7 +101,9 @@ def _cycles(time: float, period: float) -> tuple[int, float]:
     return whole, float(passed - whole)
 
 
-def flight(birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
+def flight(
+    birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]
+) -> Floats:
     """Places (n, 3) of drops, ``age`` s after their birth: ballistics with linear drag, τ and weight (n,) each."""
     last = np.stack((np.full_like(age, wind[0]), -weight * tau, np.full_like(age, wind[1])), axis=-1)
     result: Floats = birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
@@ -216,7 +216,7 @@ def discs(
 def _hidden(place: Floats, away: Floats, eye_y: float, relief: Part, coast: Coast | None) -> Bools:
     """Whether drops (n, 3) are under water or ground, or behind them; (n,)."""
     x, y, z = place.T
-    under = y < relief.height(x, z)
+    under: Bools = y < relief.height(x, z)
     if coast is not None:
         under |= y < coast.ground(*coast.place(x, z))[0]
     above = np.flatnonzero(~under)

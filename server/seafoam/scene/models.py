@@ -281,7 +281,9 @@ class Sparkles(Part):
         "fewer, the brighter each",
     )
     life: float = Field(default=0.3, ge=0.02, le=10.0, description="How long a sparkle lasts, s")
-    share: float = Field(default=0.9, ge=0.05, le=1.0, description="Share of the glint that sparkles; the rest is smooth")
+    share: float = Field(
+        default=0.9, ge=0.05, le=1.0, description="Share of the glint that sparkles; the rest is smooth"
+    )
 
 
 class Light(Part):

@@ -65,7 +65,7 @@ def rocks(ground: str, steep: float) -> NDArray[np.float64]:
     height = floor_grid(shore, _TEXELS)[..., 0]
     texel = shore.size / _TEXELS
     # Heights are level where the square ends: no coast is lost with the last row and column.
-    along_z, along_x = (part / texel for part in np.gradient(height))
+    along_z, along_x = (np.asarray(np.gradient(height, texel, axis=axis), np.float64) for axis in (0, 1))
     found = []
     for axis in (0, 1):
         a, b = (height[:-1], height[1:]) if axis == 0 else (height[:, :-1], height[:, 1:])
@@ -77,10 +77,11 @@ def rocks(ground: str, steep: float) -> NDArray[np.float64]:
         else:
             x = x + share
         uphill = np.stack((along_x[row, column], along_z[row, column]), axis=-1)
-        slope = np.sqrt((uphill**2).sum(axis=1))
+        slope: NDArray[np.float64] = np.hypot(uphill[:, 0], uphill[:, 1])
         out = -uphill / np.maximum(slope, 1e-6)[:, None]
         places = np.stack((x, z), axis=-1) * texel - 0.5 * shore.size
-        found.append(np.concatenate((places, out), axis=1)[slope >= steep])
+        both: NDArray[np.float64] = np.concatenate((places, out), axis=1)
+        found.append(both[slope >= steep])
     every = np.concatenate(found)
     if len(every) == 0:
         return np.zeros((0, 4))
