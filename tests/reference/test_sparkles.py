@@ -88,7 +88,7 @@ def test_they_swell_and_fade_without_a_jump() -> None:
 WATER = Water(chop=Chop(slope=0.15), roughness=0.17)
 SUNSET = Light(sun_elevation=0.15, sun_azimuth=-math.pi / 2, visibility=1e6)
 VIEW = Camera(position=(0.0, 6.0, 0.0), pitch=-0.1, fov=0.12)
-FEW = Sparkles(size=0.001, rate=2.0, life=0.3, share=1.0)
+FEW = Sparkles(size=0.001, rate=6.0, life=0.3, share=1.0)
 
 
 def water_light(

@@ -104,7 +104,12 @@ def test_births_on_waves_equal_their_float64_form(
             ["common/numbers.glsl", "waves/parametric.glsl", "spray/flight.glsl", "spray/waves.glsl"],
             f"{call} y = vec4({part}, born ? 1.0 : 0.0);",
             np.arange(DROPS)[:, None],
-            consts={"PARAMETRIC_COUNT": 2, "PARAMETRIC_TWICE": (4, 0), "SURFACE_FILTER": False},
+            consts={
+                "PARAMETRIC_COUNT": 2,
+                "PARAMETRIC_KIND": (4, 0),
+                "PARAMETRIC_ALIKE": False,
+                "SURFACE_FILTER": False,
+            },
             uniforms={
                 name: evaluate(uniform, state)
                 for name, uniform in plan.uniforms.items()
