@@ -107,6 +107,22 @@ def drift(executor: Executor) -> Image.Image:
         drawn = executor.render(make_plan(scene, quality), time=time, camera=camera, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
     return sheet(made, 3)
+def sparkles(executor: Executor) -> None:
+    """The sun's path smooth, in sparkles, and as the lake's highlight; a burst on a rock at three times."""
+    sunset, rocks = load_preset("sunset-sparkles"), load_preset("spray-on-rocks")
+    assert sunset.scene.light is not None
+    lights = ({"sparkles": None}, {}, {"sparkles": None, "specular": "blinn_phong"})
+    scenes = [
+        (sunset.scene.model_copy(update={"light": sunset.scene.light.model_copy(update=update)}), sunset.time)
+        for update in lights
+    ]
+    scenes += [(rocks.scene, time) for time in (0.8, 1.6, 2.6)]
+    quality = TIERS["standard"].model_copy(update={"samples": 4, "spray_count": 16384})
+    made = []
+    for scene, time in scenes:
+        drawn = executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270)
+        made.append(Image.fromarray(drawn.pixels[..., :3]))
+    sheet(made, 3).save(PICTURES / "sparkles.webp", quality=88)
 
 
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
@@ -136,6 +152,7 @@ def main() -> None:
     shores(executor)
     skies(executor)
     drift(executor).save(PICTURES / "drift.webp", quality=76)
+    sparkles(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

@@ -22,6 +22,7 @@ from seafoam.scene.models import (
     Scene,
     Sea,
     SlopeSaturation,
+    Sparkles,
     SurfSaturation,
     Water,
 )
@@ -29,6 +30,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
+from seafoam.scene.spray import Spray
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),
@@ -117,6 +119,12 @@ def drifting(sea: Scene) -> Iterator[Scene]:
     for vortices, look, cells in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone"), (False, True)):
         foam = Foam(saturation=(DriftSaturation(),), look=look, cells=cells)  # type: ignore[arg-type]
         yield sea.model_copy(update={"drift": Drift(vortices=vortices), "foam": foam})
+    for specular, sparkles in product(("glint", "blinn_phong"), (None, Sparkles())):
+        yield Scene(light=Light(specular=specular, sparkles=sparkles))  # type: ignore[arg-type]
+    rocky = shore.model_copy(update={"slope": 0.9})
+    for light in (Light(), None):
+        yield Scene(waves=sea.waves, spray=Spray(), light=light)
+        yield Scene(shore=rocky, waves=sea.waves, spray=Spray(), light=light)
 
 
 def every_plan() -> Iterator[FramePlan]:
@@ -132,6 +140,7 @@ def every_plan() -> Iterator[FramePlan]:
             yield make_plan(scene, TIERS["standard"].model_copy(update={"drift": ways, "drift_window": window}))
     # What a bound leaves out is drawn where that bound is tested.
     yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
+    yield make_plan(Scene(spray=Spray()), TIERS["standard"], economy=False)
 
 
 def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:

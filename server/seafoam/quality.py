@@ -92,6 +92,12 @@ class Quality(Knobs):
         default=120.0, ge=1.0, le=120.0, description="How far back foam is followed, s; older foam is not drawn"
     )
     drift_step: float = Field(default=0.5, ge=0.05, le=10.0, description="Longest step along the flow, s")
+    sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = Field(
+        default=4, description="Cells that a sample asks for sparkles: its own, or all that may reach it"
+    )
+    spray_count: Literal[2048, 4096, 8192, 16384] = Field(
+        default=8192, description="Drops of the spray; fewer are larger, and cover as much"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -110,6 +116,8 @@ TIERS: dict[Tier, Quality] = {
         cube_size=64,
         drift_size=128,
         drift_step=1.0,
+        sparkle_cells=1,
+        spray_count=2048,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -120,6 +128,7 @@ TIERS: dict[Tier, Quality] = {
         cube_size=256,
         drift_size=512,
         drift_step=0.25,
+        spray_count=16384,
         samples=4,
     ),
     "reference": Quality(
@@ -134,6 +143,7 @@ TIERS: dict[Tier, Quality] = {
         cube_size=512,
         drift="exact",
         drift_step=0.2,
+        spray_count=16384,
         samples=16,
         target="RGBA32F",
     ),

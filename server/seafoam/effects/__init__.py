@@ -19,6 +19,8 @@ from seafoam.effects import (
     sea,
     shore,
     slope,
+    sparkles,
+    spray,
     surf,
     water,
 )
@@ -39,6 +41,7 @@ EFFECTS: tuple[Effect, ...] = (
     night.MOON,
     night.STARS,
     glitter.EFFECT,
+    sparkles.EFFECT,
     water.EFFECT,
     floor.EFFECT,
     shore.EFFECT,
@@ -46,6 +49,7 @@ EFFECTS: tuple[Effect, ...] = (
     cubemap.EFFECT,
     drift.EFFECT,
     crest.EFFECT,
+    spray.EFFECT,
 )
 """Every effect there is."""
 

@@ -204,7 +204,8 @@ class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
 
     It covers its whole target unless told otherwise. ``stage``: before the surface is drawn, or after surface and sky
-    into :data:`ABOVE`, which is cleared for the first of them.
+    into :data:`ABOVE`, which is cleared for the first of them and may read all that the surface reads. Among the files,
+    ``@waves`` stands for what the scene fills the waves (and the shore) with, ``@sky`` for its sky.
     """
 
     name: str

@@ -41,7 +41,7 @@ def _profile_slope(exponent: float, s: float, c: float) -> float:
     return exponent * math.pow(held, 2.0 * exponent - 1.0) * c
 
 
-def _steepest(exponent: float) -> float:
+def steepest_profile(exponent: float) -> float:
     """Greatest |d(u^K)/dθ|: at u = (K − ½)/K for K > ½, else at the trough, where it is held."""
     if exponent <= 0.5:
         return _profile_slope(exponent, _HELD, 1.0)
@@ -84,7 +84,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         means.append(
             Constant(value=(significant((k * wave.amplitude) ** 2 * square), significant(wave.amplitude * level)))
         )
-        steepest += k * wave.amplitude * _steepest(wave.exponent)
+        steepest += k * wave.amplitude * steepest_profile(wave.exponent)
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
         slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"),),
@@ -107,7 +107,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _bound(scene: Scene, steepest: float) -> Bound | None:
     """Waves that nothing lies on (foam, ripples) show by their slopes and, over a floor, by their height alone."""
     ripples = scene.water.chop is not None and scene.light is not None
-    if scene.foam is not None or ripples or scene.water.depth is not None or scene.shore is not None:
+    lying = scene.foam is not None or ripples or scene.spray is not None
+    if lying or scene.water.depth is not None or scene.shore is not None:
         return None
     # A crest also moves the haze before it, by its share of the eye's height: a tenth for any camera above 10 m/m.
     if scene.light is None:

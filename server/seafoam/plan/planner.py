@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 from seafoam.effects import EFFECTS
@@ -28,6 +29,7 @@ from seafoam.effects.contribution import (
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Texture
 from seafoam.plan.slots import SKY_PASS_SLOTS, SKY_SLOTS, TONE, WAVES, surface_slots
+from seafoam.plan.slots import DISC, OPEN_WAVES, SHORE, SKY, TONE, WAVES, Slot, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -146,10 +148,16 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
         ),
     }
+    parts = {"@waves": (OPEN_WAVES, SHORE) if shore else (WAVES,), "@sky": (SKY,)}
     for spec in draft.passes:
+        texts = [
+            [piece for name in files for piece in (_pieces(parts[name], chosen) if name in parts else (name,))]
+            for files in (spec.vertex, spec.fragment)
+        ]
         programs[spec.program] = Program(
             vertex=assemble(spec.vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(_with_sky(spec.fragment, chosen), consts),
+            vertex=assemble(texts[0], {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(texts[1], consts)
         )
     targets = {
         **draft.targets,
@@ -157,7 +165,9 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     }
     drawn = "samples"
     compose: list[Pass] = []
-    after = [_pass(spec) for spec in draft.passes if spec.stage == "after"]
+    after = [
+        _pass(replace(spec, inputs={**draft.inputs, **spec.inputs})) for spec in draft.passes if spec.stage == "after"
+    ]
     if after:
         drawn = BENEATH
         targets[BENEATH] = targets["samples"]
@@ -262,6 +272,8 @@ def _with_sky(files: Sequence[str], chosen: Sequence[SlotFile]) -> list[str]:
     """The files of a pass, with those that make the sky in the place of :data:`SKY_FILES`."""
     sky = [piece for slot in SKY_SLOTS for piece in slot_pieces(slot, chosen)]
     return [piece for file in files for piece in (sky if file == SKY_FILES else [file])]
+def _pieces(slots: Sequence[Slot], chosen: Sequence[SlotFile]) -> list[str]:
+    return [piece for slot in slots for piece in slot_pieces(slot, chosen)]
 
 
 def _pass(spec: PassSpec) -> Pass:

@@ -16,6 +16,7 @@ from . import camera as cameras
 from . import cells, light, looks, sampling, surface
 from .gusts import GustField
 from .drift import Copy, copies, drift_saturation
+from . import cells, light, looks, sampling, sparkles, spray, surface
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -119,6 +120,8 @@ def render(
     alpha = np.empty(pixels)
     amount = np.empty((height, samples, width, samples))
     hit = np.empty((height, samples, width, samples), np.bool_)
+    kept = (height, samples, width, samples) if shader.spray is not None else (0, 0, 0, 0)
+    picture, clip_x, clip_y = np.empty((*kept, 3)), np.empty(kept), np.empty(kept)
     cell = np.arange(samples)
     jitter = np.random.default_rng(JITTER_SEED)
     step = max(1, CHUNK // samples**2)
@@ -132,12 +135,18 @@ def render(
         X = 2.0 * along / (samples * width) - 1.0
         Y = 1.0 - 2.0 * down / (samples * height)
         colour, a, met = shader.shade(X.ravel(), Y.ravel())
+        where = (row, cell[:, None], column, cell)
+        if shader.spray is not None:
+            picture[where], clip_x[where], clip_y[where] = colour.reshape(*places, 3), X, Y
         rgb[index] = colour.reshape(index.size, samples**2, 3).mean(axis=1)
         alpha[index] = a.reshape(index.size, samples**2).mean(axis=1)
-        where = (row, cell[:, None], column, cell)
         amount[where] = a.reshape(places)
         hit[where] = met.reshape(places)
     grid = (height * samples, width * samples)
+    if shader.spray is not None:
+        laid = picture.reshape(*grid, 3)
+        spray.lay_over(laid, clip_x.reshape(grid), clip_y.reshape(grid), shader.spray)
+        rgb[:] = laid.reshape(height, samples, width, samples, 3).mean(axis=(1, 3)).reshape(pixels, 3)
     return Frame(
         rgb=rgb.reshape(height, width, 3),
         alpha=alpha.reshape(height, width),
@@ -169,6 +178,11 @@ class _Shader:
         self.assets = assets
         self.delta_x = 2.0 * view.ray_x / (samples * width)
         self.delta_y = 2.0 * view.ray_y / (samples * height)
+        self.air = None if scene.light is None else light.air(scene.light)
+        self.sun: light.Glint | None = None
+        if scene.light is not None and self.air is not None:
+            step = max(math.sqrt(float(side @ side)) for side in (self.delta_x, self.delta_y))
+            self.sun = sparkles.sun(scene.light, self.air, time, step if self.filtering else 0.0)
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         eye = (self.origin[0], self.eye_y, self.origin[1])
@@ -187,6 +201,20 @@ class _Shader:
             for source in sources
             if isinstance(source, FrontSaturation)
         }
+
+        self.spray = self._spray(time, height * samples)
+
+    def _spray(self, time: float, rows: int) -> spray.Discs | None:
+        of, coast = self.scene.spray, self.coast
+        if of is None:
+            return None
+        if coast is None:
+            drops, life = spray.from_waves(of, self.scene, self.waves, time, self.origin), of.life
+        else:
+            drops, life = spray.from_rocks(of, coast, time), spray.life_on_rocks(of, coast)
+        lit = self.scene.light
+        shown = spray.Shown(self.air, 1.0 if lit is None else lit.visibility, self._exposure)
+        return spray.discs(of, drops, life, self.view, rows, self.relief, coast, shown)
 
     def shade(self, X: Floats, Y: Floats) -> tuple[Floats, Floats, Bools]:
         """Colour (r, 3), foam amount (r,) and hit (r,) of samples at clip positions (r,)."""
@@ -290,6 +318,7 @@ class _Shader:
                 bed = self.coast.bed(x, z, H, d, n, *feet)
             around = self._around if scene.light.reflection == "cubemap" and self.coast is not None else None
             colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, around)
+            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, self.sun)
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)

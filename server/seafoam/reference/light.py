@@ -7,6 +7,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from dataclasses import dataclass
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -35,6 +37,8 @@ ENTERS = 0.95
 """Share of the light from above that gets into the water."""
 BACKSCATTER = 0.4
 CREST_PATH = 6.0
+LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
+LAKE_STRENGTH = 0.6
 GLITTER_MOST = 1e4
 CONTRAST = 3.912
 WET_ROUGHNESS2 = 0.02
@@ -140,6 +144,10 @@ def sky_light(of: Air, up: Floats) -> Floats:
     return result
 
 
+Glint = Callable[[Floats, Floats, Floats, float], Floats]
+"""The sun on the water (r, 3) from d, n, cv and σ² as :func:`glint` takes them."""
+
+
 def water(
     of: Air,
     body: Water,
@@ -149,12 +157,15 @@ def water(
     H: Floats,
     bed: tuple[Floats, Floats] | None = None,
     mirrored: Callable[[Floats], Floats] | None = None,
+    sun: Glint | None = None,
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
     d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
     way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light
     that comes from directions (r, 3) over the water; absent: the sky's.
+    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``sun``: in place of
+    the smooth glint.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
@@ -163,6 +174,11 @@ def water(
     inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed) + _crest(of, body, top, d, H))
     seen = of.mirrored if mirrored is None else mirrored
     return inner + mirror * seen(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
+    return (
+        inner
+        + mirror * of.sky(_reflected(d, n, sigma2))
+        + (partial(glint, of) if sun is None else sun)(d, n, cv, sigma2)
+    )
 
 
 def foam(of: Air, albedo: float, N: Floats) -> Floats:
@@ -275,7 +291,7 @@ def _reflected(d: Floats, n: Floats, sigma2: float) -> Floats:
     return unit(r)
 
 
-def _glitter(of: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
+def glint(of: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
     """L_s: the sun mirrored by what is rougher than a ripple (Beckmann slopes); (r, 3)."""
     h = unit(of.sun - d)
     nh2 = np.maximum(dot(n, h), 1e-3) ** 2
@@ -284,4 +300,12 @@ def _glitter(of: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats
     # S = d leaves h zero: no facet mirrors the sun straight on.
     mirrored = np.where((h == 0.0).all(axis=-1), 0.0, mirrored)
     result: Floats = np.minimum(of.sun_irradiance * mirrored[:, None], GLITTER_MOST)
+    return result
+
+
+def blinn_phong(of: Air, power: float, perturb: float, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
+    """The lake's highlight: about a half vector moved by the normal's tilt; (r, 3). Roughness counts for nothing."""
+    h = unit(of.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
+    nh = np.clip(dot(n, h), 0.0, 1.0)
+    result: Floats = of.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]
     return result

@@ -20,6 +20,8 @@ from .types import Bools, Floats
 
 _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None, "drift": None},
+    "": {"rings": [], "sea": None, "shore": None, "spray": None},
+    "light": {"specular": "glint", "specular_power": 364.0, "specular_perturb": 0.4, "sparkles": None},
     "shore": {"image": None},
     "water/chop": {"gusts": None},
     "light": {"day": None, "sky": None, "reflection": "sky"},

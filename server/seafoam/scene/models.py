@@ -12,6 +12,7 @@ from seafoam.scene.drift import Drift
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
+from seafoam.scene.spray import Spray
 
 GRAVITY = 9.81
 """Gravitational acceleration, m/s²."""
@@ -278,6 +279,29 @@ class Water(Part):
     chop: Chop | None = Field(default=None, description="Wind ripples; absent: none")
 
 
+class Sparkles(Part):
+    """Small sparks in the sun's reflection (GPU ocean, 2007); their mean light is that of the smooth glint."""
+
+    size: float = Field(
+        default=0.0016,
+        ge=2e-4,
+        le=0.02,
+        description="Angle that a sparkle takes up, whatever the picture's size, rad",
+        json_schema_extra={"unit": "rad"},
+    )
+    rate: float = Field(
+        default=1.0,
+        ge=0.1,
+        le=10000.0,
+        description="Sparkles a second in a square degree of glint that is as bright as white paper in the sun; the "
+        "fewer, the brighter each",
+    )
+    life: float = Field(default=0.3, ge=0.02, le=10.0, description="How long a sparkle lasts, s")
+    share: float = Field(
+        default=0.9, ge=0.05, le=1.0, description="Share of the glint that sparkles; the rest is smooth"
+    )
+
+
 class Light(Part):
     """Sun, sky and haze. Absent: no light at all, foam white on black as the paper's equations have it."""
 
@@ -313,6 +337,18 @@ class Light(Part):
     def sun(self) -> tuple[float, float]:
         """Azimuth and elevation of the sun, rad."""
         return (self.sun_azimuth, self.sun_elevation) if self.day is None else sun_angles(self.day)
+    specular: Literal["glint", "blinn_phong"] = Field(
+        default="glint",
+        description="The sun on the water. glint: facets with the slopes that the picture cannot show (Beckmann); "
+        "blinn_phong: the lake shader's highlight, its half vector pushed aside by the ripples",
+    )
+    specular_power: float = Field(
+        default=364.0, ge=1.0, le=2000.0, description="Exponent of blinn_phong; the greater, the smaller the highlight"
+    )
+    specular_perturb: float = Field(
+        default=0.4, ge=0.0, le=10.0, description="How far blinn_phong's half vector follows the normal's tilt"
+    )
+    sparkles: Sparkles | None = Field(default=None, description="Sparks in the sun's reflection; absent: none")
 
 
 class Camera(Part):
@@ -357,5 +393,6 @@ class Scene(Part):
     drift: Drift | None = Field(
         default=None, description="What carries the foam of a drift saturation; absent: nothing"
     )
+    spray: Spray | None = Field(default=None, description="Drops that the water throws up; absent: none")
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
     camera: Camera = Field(default_factory=Camera)

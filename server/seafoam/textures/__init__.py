@@ -4,6 +4,7 @@ from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_integral_name
 from seafoam.textures.sea import sea_spectrum_name
 from seafoam.textures.shore import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
+from seafoam.textures.spray import spray_rocks_name
 from seafoam.textures.store import TextureData, UnknownTextureError, mask_by_name, texture
 
 __all__ = [
@@ -20,5 +21,6 @@ __all__ = [
     "shore_floor_name",
     "shore_profiles",
     "shore_profiles_name",
+    "spray_rocks_name",
     "texture",
 ]

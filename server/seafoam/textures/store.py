@@ -16,6 +16,7 @@ from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import front_integral
 from seafoam.textures.sea import UnknownSeaError, fft_twiddles, sea_spectrum
 from seafoam.textures.shore import shore_floor, shore_profiles
+from seafoam.textures.spray import spray_rocks
 
 Format = Literal["R8UI", "R16UI", "R16F", "RG16F", "R32F", "RG32F", "RGBA32F"]
 
@@ -56,7 +57,8 @@ def texture(name: str) -> TextureData:
     ``-float`` (mean of m and m², all levels),
     ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
     ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
-    ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F).
+    ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F),
+    ``spray-rocks/STEEP/GROUND`` (RGBA32F, a row).
     Raises :class:`UnknownTextureError`.
     """
     match name.split("/"):
@@ -79,6 +81,8 @@ def texture(name: str) -> TextureData:
                 "R32F",
                 [_shore(name, lambda: shore_profiles(int(nodes), float(skew), float(sharpness)))[..., None]],
             )
+        case ["spray-rocks", steep, ground]:
+            return _pack(name, "RGBA32F", [_shore(name, lambda: spray_rocks(steep, ground))])
         case ["mask", mask_name, kind]:
             return _mask_texture(name, mask_name, kind)
         case _:

@@ -1,0 +1,25 @@
+"""Where spray starts from on a shore's rocks. docs/formulae.md, section 13."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.scene.shore import Shore
+from seafoam.scene.spray import rocks
+
+
+def spray_rocks_name(shore: Shore, steep: float) -> str:
+    """Name in the texture store of the places on a shore's rocks."""
+    return f"spray-rocks/{steep!r}/{shore.ground}"
+
+
+def spray_rocks(steep: str, ground: str) -> NDArray[np.float32]:
+    """(1, ROCKS, 4) float32, see :func:`seafoam.scene.spray.rocks`. Raises ``ValueError`` where there are none."""
+    least = float(steep)
+    if not (math.isfinite(least) and 0.0 <= least <= 2.0):
+        raise ValueError(steep)
+    found = rocks(ground, least)
+    if len(found) == 0:
+        raise ValueError(ground)
+    return found.astype(np.float32)[None]

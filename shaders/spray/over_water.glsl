@@ -1,0 +1,9 @@
+// Whether a drop is under the water or behind it. drop: from the eye, m; depth: of it along the view.
+bool spray_hidden(vec3 drop, float depth) {
+    if (drop.y + u_eye_height < waves(drop.xz).x) {
+        return true;
+    }
+    float tau;
+    vec3 wave;
+    return find_surface(drop / depth, tau, wave) && tau < 0.999 * depth;
+}
