@@ -73,6 +73,18 @@ class Quality(Knobs):
     shore_profile: Literal[32, 64, 128, 256] = Field(
         default=128, description="Nodes of a row of the table of shore-wave profiles"
     )
+    caustics: Literal["grid", "photons"] = Field(
+        default="grid", description="Caustics from a refracted grid's cells, or from photons counted where they land"
+    )
+    caustics_size: Literal[128, 256, 512, 1024] = Field(
+        default=512, description="Texels along a side of the caustic map"
+    )
+    caustics_cells: Literal[64, 128, 256, 512] = Field(
+        default=256, description="Cells along a side of the refracted grid"
+    )
+    caustics_photons: Literal[128, 256, 512, 1024] = Field(
+        default=512, description="Photons along a side of the tile"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -87,6 +99,8 @@ TIERS: dict[Tier, Quality] = {
         age_steps=4,
         age_step=0.7,
         shore_map=128,
+        caustics_size=256,
+        caustics_cells=128,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -94,6 +108,7 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
+        caustics_cells=512,
         samples=4,
     ),
     "reference": Quality(
@@ -104,6 +119,8 @@ TIERS: dict[Tier, Quality] = {
         sea_digits="float",
         shore_floor=512,
         shore_profile=256,
+        caustics="photons",
+        caustics_photons=1024,
         samples=16,
         target="RGBA32F",
     ),

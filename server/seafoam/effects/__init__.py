@@ -1,6 +1,8 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
 from seafoam.effects import (
+    below,
+    caustics,
     chop,
     crest,
     floor,
@@ -34,6 +36,8 @@ EFFECTS: tuple[Effect, ...] = (
     glitter.EFFECT,
     water.EFFECT,
     floor.EFFECT,
+    caustics.EFFECT,
+    below.EFFECT,
     shore.EFFECT,
     surf.EFFECT,
     crest.EFFECT,

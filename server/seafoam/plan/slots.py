@@ -105,7 +105,13 @@ GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
 REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 """What the water mirrors."""
 SHADE = Slot("shade", default="shade/flat.glsl")
+CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
+"""How the sun's light lies on a level floor."""
+BED = Slot("bed", default="bed/none.glsl", under="below")
+"""A level floor as it is lit, for eyes over and under the surface."""
 MAIN = Slot("main", default="surface/main.glsl")
+BELOW = Slot("below")
+"""What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
 TONE = Slot("tone", default="tone/clamp.glsl")
 
 
@@ -113,4 +119,5 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)
+    lit = (SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, MAIN, BELOW)

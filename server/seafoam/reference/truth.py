@@ -22,6 +22,8 @@ _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None},
     "shore": {"image": None},
     "foam": {"texture_second": None, "cells": False},
+    "light": {"caustics": None},
+    "water": {"floor_tile": None, "view_below": False},
 }
 """Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults."""
 BRIGHTEST = 4.0
