@@ -82,9 +82,7 @@ class Quality(Knobs):
     caustics_cells: Literal[64, 128, 256, 512] = Field(
         default=256, description="Cells along a side of the refracted grid"
     )
-    caustics_photons: Literal[128, 256, 512, 1024] = Field(
-        default=512, description="Photons along a side of the tile"
-    )
+    caustics_photons: Literal[128, 256, 512, 1024] = Field(default=512, description="Photons along a side of the tile")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -108,7 +106,7 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
-        caustics_cells=512,
+        caustics="photons",
         samples=4,
     ),
     "reference": Quality(

@@ -2,7 +2,7 @@
 in vec3 v_light;
 out vec4 o_light;
 
-const float CAUSTIC_MOST = 64.0; // a triangle folded to nothing would be infinitely bright
+const float CAUSTIC_MOST = 12.0; // a triangle folded to nothing would be infinitely bright
 
 void main() {
     vec2 x = dFdx(v_light.xy);

@@ -1,4 +1,4 @@
-"""What an eye under the surface sees: Snell's window, total reflection, floor and water. docs/formulae.md, section 11."""
+"""What an eye under the surface sees: Snell's window, what the ceiling mirrors, floor, water. docs/formulae.md, section 11."""
 
 import math
 
@@ -14,7 +14,6 @@ from seafoam.quality import Quality
 from seafoam.scene.level import mean_level
 from seafoam.scene.models import (
     Camera,
-    Caustics,
     Chop,
     Foam,
     Light,
@@ -36,25 +35,65 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 _POOL = Water(depth=2.0, floor_tile=0.3, view_below=True, chop=Chop(slope=0.08))
-_LIGHT = Light(exposure=-1.5, caustics=Caustics(dispersion=0.0))
 
 
 def _case(
-    name: str, guard: str, without: str, camera: Camera, water: Water = _POOL, light: Light = _LIGHT, wavy: bool = False
+    name: str,
+    guard: str,
+    without: str,
+    camera: Camera,
+    water: Water = _POOL,
+    waves: tuple[ParametricWave, ...] = (),
+    foam: Foam | None = None,
 ) -> HardCase:
-    waves = (ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),) if wavy else ()
-    return HardCase(
-        name=name,
-        scene=Scene(waves=waves, water=water, light=light, foam=Foam(look="halftone") if wavy else None),
-        guard=guard,
-        without=without,
-        camera=camera,
-    )
+    scene = Scene(waves=waves, water=water, light=Light(exposure=-1.5), foam=foam)
+    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera)
 
 
 EFFECT = Effect(
     "view from below",
     contribute,
-    always_visible="an eye under the surface sees nothing else; the plan does not know where the eye will be",
-    hard_cases=(),
+    always_visible="an eye under the surface sees nothing else, and a plan does not know where the eye will be",
+    hard_cases=(
+        _case(
+            "past the critical angle",
+            "nothing under the root of the ray's cosine in the air (below/main.glsl)",
+            "?",
+            Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
+        ),
+        _case(
+            "straight up, where light and sight fade alike",
+            "1 + fall held at 1e-3 (below/main.glsl)",
+            "?",
+            Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
+            water=_POOL.model_copy(update={"chop": None}),
+        ),
+        _case(
+            "a hair under the surface",
+            "the way so far held at 1 mm (below/main.glsl)",
+            "?",
+            Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
+        ),
+        _case(
+            "an eye under the floor",
+            "the way to the floor held at 0 (below/main.glsl)",
+            "?",
+            Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
+        ),
+        _case(
+            "an eye in a crest, below",
+            "no way leads behind the eye (below/find.glsl)",
+            "?",
+            Camera(position=(0.0, 0.35, 0.0), pitch=0.1),
+            waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
+            foam=Foam(look="halftone"),
+        ),
+        _case(
+            "no floor to mirror, a kilometre down",
+            "ways held at 1000 km, depths at 0 (below/main.glsl, bed/none.glsl)",
+            "?",
+            Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
+            water=Water(view_below=True, chop=Chop()),
+        ),
+    ),
 )

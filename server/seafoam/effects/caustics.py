@@ -25,11 +25,11 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
-from seafoam.effects.light import sky_irradiance, sun_direction, sun_irradiance
+from seafoam.effects.light import sun_direction, sun_irradiance
 from seafoam.quality import Quality
 from seafoam.scene.chop import Ripple, ripples, tiles
 from seafoam.scene.level import mean_level
-from seafoam.scene.models import Camera, Caustics, Chop, Light, ParametricWave, Scene, Water
+from seafoam.scene.models import Camera, Caustics, Chop, Light, Scene, Water
 
 INDEX = 1.34
 COLOURS = ("red", "green", "blue")
@@ -195,8 +195,78 @@ def _bound(scene: Scene, light: Light, depth: float, waves: list[Ripple]) -> Bou
 
 _BRIGHTEST = 64.0
 """Light of a texel over that under level water: no figure that the tests draw is brighter."""
+_PLAIN = Caustics(dispersion=0.0)
+_DEEP = Water(depth=400.0, chop=Chop())
+_DOWN = Camera(position=(0.0, 2.0, 0.0), pitch=-1.2)
+
+
+def _case(
+    name: str,
+    guard: str,
+    without: str,
+    water: Water,
+    light: Light | None = None,
+    camera: Camera = _DOWN,
+    times: tuple[float, ...] = (2.0,),
+) -> HardCase:
+    scene = Scene(water=water, light=light or Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN))
+    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=times)
+
+
 EFFECT = Effect(
     "caustics",
     contribute,
-    hard_cases=(),
+    invisible=(
+        Scene(water=_DEEP, light=Light(caustics=Caustics())),
+        Scene(water=Water(depth=2.0, chop=Chop()), light=Light(sun_elevation=-0.3, caustics=Caustics())),
+    ),
+    knobs=(
+        Knob("/caustics", "caustics", ("grid", "photons"), "geometry"),
+        Knob("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
+        Knob("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
+        Knob("/caustics_photons", "photons along a side", (128, 256, 512, 1024), "geometry"),
+    ),
+    hard_cases=(
+        _case(
+            "the floor in the focus",
+            "a triangle at most 12 times as bright (caustics/grid_pass.glsl)",
+            "?",
+            Water(depth=4.0, scattering=0.0, chop=Chop(slope=0.08)),
+        ),
+        _case(
+            "a floor at the surface",
+            "?",
+            "?",
+            Water(depth=0.05, floor_tile=0.1, chop=Chop(slope=0.3)),
+        ),
+        _case(
+            "caustics of a sun on the horizon",
+            "the sun's height held at 0.05 (caustics/landing.glsl)",
+            "?",
+            Water(depth=1.0, chop=Chop(slope=0.1)),
+            Light(sun_elevation=0.0, caustics=_PLAIN),
+        ),
+        _case(
+            "caustics of the steepest ripples",
+            "a ray falls by at least a quarter (caustics/landing.glsl)",
+            "?",
+            Water(depth=3.0, chop=Chop(slope=0.6)),
+            Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),
+        ),
+        _case(
+            "caustics after thirty years, ten thousand kilometres away",
+            "phases and the eye's place in the tile reduced in float64 (plan/rules.py)",
+            "?",
+            Water(depth=2.0, floor_tile=0.3, chop=Chop(slope=0.06)),
+            camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
+            times=(1e9,),
+        ),
+        _case(
+            "colours as far apart as they go",
+            "the grid reaches past the tile as far as any colour lands (effects/caustics.py)",
+            "?",
+            Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), chop=Chop(slope=0.06)),
+            Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
+        ),
+    ),
 )

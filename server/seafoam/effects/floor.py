@@ -32,8 +32,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     water, light = scene.water, scene.light
     if water.depth is None or light is None or scene.shore is not None:
         return None
-    # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and deep
-    # water differ by less than the floor at reflectance 1.
+    # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and
+    # deep water differ by less than the floor at reflectance 1.
     ways = 1.0 if water.view_below else 2.0
     most = 0.0
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):

@@ -11,6 +11,7 @@ import math
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seafoam.scene.chop import ripples, tiles
 from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
@@ -75,10 +76,15 @@ def tile_slopes(chop: Chop, time: float, count: int) -> tuple[Floats, Floats]:
 
 
 def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOTONS) -> Floats:
-    """Light on the floor over that under level water, (texels, texels, 3), rows along z; texel (0, 0) lies at the tile's
-    corner, moved by the way of green light under level water. ``scene`` has light, caustics, ripples and a depth."""
+    """Light on the floor over that under level water, (texels, texels, 3), rows along z.
+
+    Texel (0, 0) lies at the tile's corner, moved by the way of green light under level water. ``scene`` has light,
+    caustics, ripples and a depth.
+    """
     light, water = scene.light, scene.water
-    assert light is not None and light.caustics is not None and water.chop is not None
+    assert light is not None
+    assert light.caustics is not None
+    assert water.chop is not None
     depth = mean_level(scene) + (water.depth or 0.0)
     return _photon_map(light, light.caustics, water.chop, depth, time, texels, photons)
 
@@ -129,8 +135,10 @@ def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
 
 def mean_level(scene: Scene) -> float:
     """Mean height of waves, rings at rest and open sea over y = 0, m."""
-    theta = (np.arange(1 << 16) + 0.5) * (2.0 * math.pi / (1 << 16))
-    level = calm_level(scene) + sum(float(wave_height(theta, w.amplitude, w.exponent).mean()) for w in scene.waves)
+    theta = np.linspace(0.0, 2.0 * math.pi, 1 << 16, endpoint=False)
+    level: float = calm_level(scene) + sum(
+        float(wave_height(theta, w.amplitude, w.exponent).mean()) for w in scene.waves
+    )
     if scene.sea is not None and scene.sea.wind > 0.0:
         level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
     return level
@@ -157,8 +165,10 @@ class Bed:
     def seen(
         self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, feet: tuple[Floats, Floats]
     ) -> tuple[Floats, Floats, Floats]:
-        """What rays d (r, 3) see of the floor through a surface of height H and normals n at (x, z): its radiance (r, 3),
-        the way up from it and straight down to it, (r,) m."""
+        """What rays d (r, 3) see of the floor through a surface of height H and normals n at (x, z).
+
+        Its radiance (r, 3), the way up from it and straight down to it, (r,) m.
+        """
         ray = refracted(d, n)
         down = self.depth + H
         way = down / np.maximum(-ray[:, 1], LEAST_FALL)
@@ -271,7 +281,7 @@ def _joints(x: Floats) -> Floats:
     return result
 
 
-def _hash(x: Floats, z: Floats) -> Floats:
+def _hash(x: NDArray[np.int64], z: NDArray[np.int64]) -> Floats:
     """A number in [0, 1) of whole coordinates (O'Neill 2014)."""
     word = np.full(x.shape, 0x9E3779B9, np.uint64)
     low = np.uint64(0xFFFFFFFF)

@@ -9,7 +9,11 @@ from seafoam.scene.sea import RAISED, cascades
 
 def wave_level(wave: ParametricWave) -> float:
     """Mean of A((sin θ + 1)/2)^K over a period, m: A Γ(K + ½)/(√π Γ(K + 1))."""
-    return wave.amplitude / math.sqrt(math.pi) * math.exp(math.lgamma(wave.exponent + 0.5) - math.lgamma(wave.exponent + 1.0))
+    return (
+        wave.amplitude
+        / math.sqrt(math.pi)
+        * math.exp(math.lgamma(wave.exponent + 0.5) - math.lgamma(wave.exponent + 1.0))
+    )
 
 
 def mean_level(scene: Scene) -> float:
