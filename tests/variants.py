@@ -8,6 +8,8 @@ from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import (
+    Caustics,
+    Chop,
     Foam,
     FoldSaturation,
     FrontSaturation,
@@ -49,6 +51,9 @@ def qualities() -> Iterator[Quality]:
         yield standard.model_copy(
             update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
         )
+    for caustics, filtered in (("photons", True), ("grid", False)):
+        surface = standard.surface.model_copy(update={"filter": filtered})
+        yield standard.model_copy(update={"caustics": caustics, "surface": surface})
 
 
 def scenes() -> Iterator[Scene]:
@@ -98,6 +103,12 @@ def scenes() -> Iterator[Scene]:
         foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
         yield Scene(shore=shore, foam=foam, light=light)
     yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
+    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True)):
+        pool = Water(depth=2.0, floor_tile=tile, view_below=below, chop=Chop())
+        yield Scene(water=pool, light=Light(caustics=Caustics(dispersion=dispersion)))
+    for light in (Light(), Light(sun_elevation=-0.3), None):
+        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, chop=Chop()), light=light)
+        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)
 
 
 def every_plan() -> Iterator[FramePlan]:
