@@ -106,7 +106,7 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
-        caustics="photons",
+        caustics_cells=512,
         samples=4,
     ),
     "reference": Quality(

@@ -687,6 +687,20 @@ export interface components {
             rest: number;
         };
         /**
+         * Caustics
+         * @description Sunlight that the ripples focus on a level floor.
+         *
+         *     With it the ripples repeat: every 9.3 m instead of never, and so does their light.
+         */
+        Caustics: {
+            /**
+             * Dispersion
+             * @description Spread of the index between red and blue, in that of water (0.0075); 0: all colours alike
+             * @default 1
+             */
+            dispersion: number;
+        };
+        /**
          * Chop
          * @description Wind ripples, too small for the mesh: they tilt the surface and leave its height alone.
          */
@@ -1232,6 +1246,8 @@ export interface components {
              * @default 0
              */
             exposure: number;
+            /** @description Sunlight focused by the ripples on the floor; absent: evenly lit */
+            caustics?: components["schemas"]["Caustics"] | null;
         };
         /**
          * Loop
@@ -1723,6 +1739,34 @@ export interface components {
              * @enum {integer}
              */
             shore_profile: 32 | 64 | 128 | 256;
+            /**
+             * Caustics
+             * @description Caustics from a refracted grid's cells, or from photons counted where they land
+             * @default grid
+             * @enum {string}
+             */
+            caustics: "grid" | "photons";
+            /**
+             * Caustics Size
+             * @description Texels along a side of the caustic map
+             * @default 512
+             * @enum {integer}
+             */
+            caustics_size: 128 | 256 | 512 | 1024;
+            /**
+             * Caustics Cells
+             * @description Cells along a side of the refracted grid
+             * @default 256
+             * @enum {integer}
+             */
+            caustics_cells: 64 | 128 | 256 | 512;
+            /**
+             * Caustics Photons
+             * @description Photons along a side of the tile
+             * @default 512
+             * @enum {integer}
+             */
+            caustics_photons: 128 | 256 | 512 | 1024;
             /**
              * Samples
              * @description Samples a pixel, on a square grid
@@ -2708,6 +2752,17 @@ export interface components {
                 number
             ];
             /**
+             * Floor Tile
+             * @description Side of the tiles that the floor is laid with, m; absent: bare
+             */
+            floor_tile?: number | null;
+            /**
+             * View Below
+             * @description Light for an eye under the surface: Snell's window, total reflection, floor and water; not drawn where there is a shore
+             * @default false
+             */
+            view_below: boolean;
+            /**
              * Translucency
              * @description How strongly a thin crest lets the sun through
              * @default 0.25
@@ -2862,6 +2917,7 @@ export type Alive = components['schemas']['Alive'];
 export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];
 export type Causes = components['schemas']['Causes'];
+export type Caustics = components['schemas']['Caustics'];
 export type Chop = components['schemas']['Chop'];
 export type Constant = components['schemas']['Constant'];
 export type EffectNote = components['schemas']['EffectNote'];
