@@ -229,7 +229,7 @@ EFFECT = Effect(
     hard_cases=(
         _case(
             "the floor in the focus",
-            "a triangle at most 12 times as bright (caustics/grid_pass.glsl)",
+            "a triangle at most 12 times as bright (caustics/grid_vertex.glsl)",
             "single texels of 508 instead of 29 times the light: 3.9 % of samples off by more than 2 levels",
             Water(depth=4.0, scattering=0.0, chop=Chop(slope=0.08)),
         ),
