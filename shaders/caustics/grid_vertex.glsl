@@ -1,4 +1,5 @@
-// A corner of the refracted grid, drawn where its light lands. The grid reaches past the tile by CAUSTIC_MARGIN cells.
+// A corner of the refracted grid, drawn where its light lands, at half texels. The grid reaches past the tile by
+// CAUSTIC_MARGIN cells.
 // A corner is the last of two triangles, the provoking one: it brings them their areas, for derivatives of a varying would
 // hang on how finely a driver places corners.
 in vec2 a_grid;
@@ -24,6 +25,6 @@ void main() {
     vec2 left = landing_of(corner - ivec2(1, 0)).xy;
     v_entered = vec2(float(corner.x), here.z);
     v_triangles = vec3(spread(before - here.xy, after - here.xy), spread(before - here.xy, left - here.xy), float(corner.x));
-    vec2 texel = here.xy * (float(CAUSTIC_TEXELS) / float(CAUSTIC_CELLS)) + float(CAUSTIC_RIM);
-    gl_Position = vec4(2.0 * texel / float(CAUSTIC_TEXELS + 2 * CAUSTIC_RIM) - 1.0, 0.0, 1.0);
+    vec2 place = here.xy * (float(2 * CAUSTIC_TEXELS) / float(CAUSTIC_CELLS)) + float(CAUSTIC_RIM);
+    gl_Position = vec4(place / float(CAUSTIC_TEXELS + CAUSTIC_RIM) - 1.0, 0.0, 1.0);
 }

@@ -99,7 +99,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     spread = light.caustics.dispersion
     colours = dict(zip(COLOURS, COLOUR_INDEX, strict=True)) if spread > 0.0 else {"white": 0.0}
     read = {f"u_caustic_{name}": f"caustic_{name if spread > 0.0 else 'white'}" for name in COLOURS}
-    rough = texels + 2 * RIM
+    # A grid is drawn at half texels: its triangles light what centres they cover.
+    rough = (texels if photons else 2 * texels) + 2 * RIM
     return Contribution(
         why=f"{rays}² {'photons' if photons else 'cells'} on a tile of {tile:g} m, {len(colours)} "
         + ("colours" if len(colours) > 1 else "colour for all"),
