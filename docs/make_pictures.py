@@ -74,8 +74,8 @@ def shores(executor: Executor) -> None:
 
 
 def pool(executor: Executor) -> None:
-    """The pool as it comes; without caustics; colours five times as far apart; the sky through Snell's window; along the
-    floor; the open ocean from 4 m under it."""
+    """The pool as it comes; without caustics; colours five times as far apart; Snell's window; along the floor; the open
+    ocean from 4 m under it."""
     scene = load_preset("pool-caustics").scene
     assert scene.light is not None
     plain = scene.model_copy(update={"light": scene.light.model_copy(update={"caustics": None})})

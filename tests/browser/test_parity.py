@@ -28,7 +28,7 @@ Its sine is good to 2e-4 only (WebGL asks no more), so phases shift by that much
 less than a level; a hard threshold flips the pixels whose saturation lies that close to the mask, and glitter, which
 magnifies slopes a hundredfold, changes level here and there."""
 FOCUSED = {"mean": 0.6, "share_over_2": 0.02}
-"""Of caustics: SwiftShader places corners to a sixteenth of a texel, and where light is focused triangles are as thin."""
+"""Of caustics: SwiftShader places corners to 1/16 of a texel, and where light is focused triangles are as thin."""
 
 
 def drawn(page: Page, preset: str, time: float, **options: Any) -> tuple[NDArray[np.uint8], dict[str, Any]]:
