@@ -74,7 +74,7 @@ def shores(executor: Executor) -> None:
 
 
 def pool(executor: Executor) -> None:
-    """The pool as it comes; without caustics; colours five times as far apart; Snell's window; along the floor; the open
+    """The pool; without caustics; colours five times as far apart; Snell's window; along the floor; the open
     ocean from 4 m under it."""
     scene = load_preset("pool-caustics").scene
     assert scene.light is not None
