@@ -199,6 +199,9 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
             continue
         if slot.name == "main":
             continue
+        filled = {file.slot for file in parts.files.values()}
+        if not files and not slot.joins and (not slot.default or (slot.under and slot.under not in filled)):
+            continue
         if not slot.joins and slot.default not in {file.path for file in files}:
             files.insert(0, SlotFile(slot.name, slot.default))
         own = {name for file in files for name in _functions(read_file(file.path))}

@@ -11,6 +11,7 @@ from seafoam.masks.plots import contact_sheet, magnified_sheet
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Caustics
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.sky import Day, Moon
 
@@ -123,6 +124,30 @@ def sparkles(executor: Executor) -> None:
         drawn = executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
     sheet(made, 3).save(PICTURES / "sparkles.webp", quality=88)
+def pool(executor: Executor) -> None:
+    """The pool; without caustics; colours five times as far apart; Snell's window; along the floor; the open
+    ocean from 4 m under it."""
+    scene = load_preset("pool-caustics").scene
+    assert scene.light is not None
+    plain = scene.model_copy(update={"light": scene.light.model_copy(update={"caustics": None})})
+    apart = scene.model_copy(update={"light": scene.light.model_copy(update={"caustics": Caustics(dispersion=5.0)})})
+    ocean = load_preset("open-ocean").scene
+    ocean = ocean.model_copy(update={"water": ocean.water.model_copy(update={"view_below": True})})
+    close = scene.camera.model_copy(update={"position": (0.0, 0.5, 0.0), "pitch": -1.0})
+    views = (
+        (scene, scene.camera),
+        (plain, scene.camera),
+        (apart, close),
+        (scene, Camera(position=(0.0, -1.2, 0.0), yaw=-2.6, pitch=1.15, fov=1.7)),
+        (scene, Camera(position=(0.0, -1.1, 0.0), pitch=0.12, fov=1.1)),
+        (ocean, Camera(position=(0.0, -4.0, 0.0), yaw=-1.2, pitch=0.75, fov=1.5)),
+    )
+    quality = TIERS["high"].model_copy(update={"caustics_size": 1024})
+    made = []
+    for one, camera in views:
+        drawn = executor.render(make_plan(one, quality), time=3.0, camera=camera, width=480, height=270)
+        made.append(Image.fromarray(drawn.pixels[..., :3]))
+    sheet(made, 3).save(PICTURES / "caustics.webp", quality=82)
 
 
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
@@ -153,6 +178,7 @@ def main() -> None:
     skies(executor)
     drift(executor).save(PICTURES / "drift.webp", quality=76)
     sparkles(executor)
+    pool(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

@@ -11,6 +11,7 @@ from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.models import (
     Chop,
     DriftSaturation,
+    Caustics,
     Foam,
     FoldSaturation,
     FrontSaturation,
@@ -56,6 +57,9 @@ def qualities() -> Iterator[Quality]:
         yield standard.model_copy(
             update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
         )
+    for caustics, filtered in (("photons", True), ("grid", False)):
+        surface = standard.surface.model_copy(update={"filter": filtered})
+        yield standard.model_copy(update={"caustics": caustics, "surface": surface})
 
 
 def scenes() -> Iterator[Scene]:
@@ -125,6 +129,12 @@ def drifting(sea: Scene) -> Iterator[Scene]:
     for light in (Light(), None):
         yield Scene(waves=sea.waves, spray=Spray(), light=light)
         yield Scene(shore=rocky, waves=sea.waves, spray=Spray(), light=light)
+    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True)):
+        pool = Water(depth=2.0, floor_tile=tile, view_below=below, chop=Chop())
+        yield Scene(water=pool, light=Light(caustics=Caustics(dispersion=dispersion)))
+    for light in (Light(), Light(sun_elevation=-0.3), None):
+        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, chop=Chop()), light=light)
+        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)
 
 
 def every_plan() -> Iterator[FramePlan]:

@@ -98,6 +98,16 @@ class Quality(Knobs):
     spray_count: Literal[2048, 4096, 8192, 16384] = Field(
         default=8192, description="Drops of the spray; fewer are larger, and cover as much"
     )
+    caustics: Literal["grid", "photons"] = Field(
+        default="grid", description="Caustics from a refracted grid's cells, or from photons counted where they land"
+    )
+    caustics_size: Literal[128, 256, 512, 1024] = Field(
+        default=512, description="Texels along a side of the caustic map"
+    )
+    caustics_cells: Literal[64, 128, 256, 512] = Field(
+        default=256, description="Cells along a side of the refracted grid"
+    )
+    caustics_photons: Literal[128, 256, 512, 1024] = Field(default=512, description="Photons along a side of the tile")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -118,6 +128,8 @@ TIERS: dict[Tier, Quality] = {
         drift_step=1.0,
         sparkle_cells=1,
         spray_count=2048,
+        caustics_size=256,
+        caustics_cells=128,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -129,6 +141,7 @@ TIERS: dict[Tier, Quality] = {
         drift_size=512,
         drift_step=0.25,
         spray_count=16384,
+        caustics_cells=512,
         samples=4,
     ),
     "reference": Quality(
@@ -144,6 +157,8 @@ TIERS: dict[Tier, Quality] = {
         drift="exact",
         drift_step=0.2,
         spray_count=16384,
+        caustics="photons",
+        caustics_photons=1024,
         samples=16,
         target="RGBA32F",
     ),

@@ -1,6 +1,8 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
 from seafoam.effects import (
+    below,
+    caustics,
     chop,
     clouds,
     crest,
@@ -44,6 +46,8 @@ EFFECTS: tuple[Effect, ...] = (
     sparkles.EFFECT,
     water.EFFECT,
     floor.EFFECT,
+    caustics.EFFECT,
+    below.EFFECT,
     shore.EFFECT,
     surf.EFFECT,
     cubemap.EFFECT,

@@ -26,7 +26,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.effects.extremes import slope_sensitivity
 from seafoam.quality import Quality
-from seafoam.scene.chop import BANDS, TILES, WAVES_PER_TILE, Ripple, ripples
+from seafoam.scene.chop import BANDS, WAVES_PER_TILE, Ripple, ripples, tiles
 from seafoam.scene.models import (
     Camera,
     Chop,
@@ -76,6 +76,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     bound = _bound(scene, chop)
     cascades = ripples(chop)
     gusts = _gusts(chop)
+    repeats = scene.light is not None and scene.light.caustics is not None
+    sides = tiles(repeats)
+    cascades = ripples(chop, repeats)
     consts: dict[str, Const] = {"CHOP_WAVES": WAVES_PER_TILE}
     uniforms = {"u_chop_band": _bands(cascades)}
     if quality.chop == "exact":
@@ -94,7 +97,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             },
             bound=bound,
         )
-    offsets = [Wrap(k=k) for tile in TILES for k in ((1.0 / tile, 0.0), (0.0, 1.0 / tile))]
+    offsets = [Wrap(k=k) for tile in sides for k in ((1.0 / tile, 0.0), (0.0, 1.0 / tile))]
     return Contribution(
         why=f"{WAVES_PER_TILE * len(TILES)} ripples, drawn into {len(TILES)} tiles each frame",
         slots=(_detail("chop/tile.glsl", gusts),),
@@ -104,8 +107,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **gusts.uniforms,
             "u_chop_offset": array("vec2", offsets, len(TILES)),
             "u_chop_size": array("float", [Constant(value=(tile,)) for tile in TILES], len(TILES)),
+        why=f"{WAVES_PER_TILE * len(sides)} ripples, drawn into {len(sides)} tiles each frame",
+        slots=(SlotFile("detail", "chop/tile.glsl", prefix="chop", needs=("chop/bands.glsl",)),),
+        consts=consts,
+        uniforms={
+            **uniforms,
+            "u_chop_offset": array("vec2", offsets, len(sides)),
+            "u_chop_size": array("float", [Constant(value=(tile,)) for tile in sides], len(sides)),
         },
-        inputs={f"u_chop_{i}": TargetInput(target=f"chop_{i}") for i in range(len(TILES))},
+        inputs={f"u_chop_{i}": TargetInput(target=f"chop_{i}") for i in range(len(sides))},
         targets={
             f"chop_{i}": Target(
                 size=FixedSize(width=quality.chop_size, height=quality.chop_size),
@@ -113,7 +123,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 filter="linear",
                 wrap="repeat",
             )
-            for i in range(len(TILES))
+            for i in range(len(sides))
         },
         passes=tuple(
             PassSpec(
@@ -129,7 +139,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "u_chop_tile": number(tile),
                 },
             )
-            for i, (tile, waves) in enumerate(zip(TILES, cascades, strict=True))
+            for i, (tile, waves) in enumerate(zip(sides, cascades, strict=True))
         ),
         bound=bound,
     )

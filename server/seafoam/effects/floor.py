@@ -8,7 +8,11 @@ from seafoam.effects.contribution import (
     Effect,
     HardCase,
     SlotFile,
+    Uniform,
+    Wrap,
+    array,
     number,
+    significant,
     vector,
 )
 from seafoam.effects.light import sky_irradiance, sun_irradiance
@@ -16,6 +20,7 @@ from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
     Chop,
+    Light,
     ParametricWave,
     Scene,
     Water,
@@ -27,18 +32,21 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     water, light = scene.water, scene.light
     if water.depth is None or light is None or scene.shore is not None:
         return None
-    # The shortest way down and back is straight, under a trough. Floor and deep water differ by less than the floor at
-    # reflectance 1.
+    # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and
+    # deep water differ by less than the floor at reflectance 1.
+    ways = 1.0 if water.view_below else 2.0
     most = 0.0
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        passed = math.exp(-2.0 * water.depth * (1.0 / length + water.scattering))
+        passed = math.exp(-ways * water.depth * (1.0 / length + water.scattering))
         most = max(most, passed * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
+    looked_at = light.caustics is not None or water.floor_tile is not None or water.view_below
     return Contribution(
-        why=f"a floor {water.depth:g} m under the troughs",
-        slots=(SlotFile("body", "body/floor.glsl"),),
+        why=f"a floor {water.depth:g} m under the troughs" + (", by the refracted ray" if looked_at else ""),
+        slots=_bed(water) if looked_at else (SlotFile("body", "body/floor.glsl"),),
         uniforms={
             "u_floor_albedo": vector(water.floor_albedo, "/water/floor_albedo"),
             "u_floor_depth": number(water.depth),
+            **(_bed_uniforms(light, water) if looked_at else {}),
         },
         bound=Bound(
             most,
@@ -46,6 +54,26 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             ("/light/exposure", "/water/absorption_length", "/water/scattering"),
         ),
     )
+
+
+def _bed(water: Water) -> tuple[SlotFile, ...]:
+    """A floor whose places tell apart: the ray refracted at the surface finds the one that is seen."""
+    laid = "bed/plain.glsl" if water.floor_tile is None else "bed/tiles.glsl"
+    return (
+        SlotFile("body", "bed/body.glsl"),
+        SlotFile("bed", "bed/floor.glsl", needs=(laid,)),
+        SlotFile("main", "bed/main.glsl"),
+    )
+
+
+def _bed_uniforms(light: Light, water: Water) -> dict[str, Uniform]:
+    upright = math.sin(light.sun_elevation)
+    uniforms = {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - upright * upright) / 1.34**2)))}
+    if water.floor_tile is not None:
+        side = water.floor_tile
+        place = [Wrap(k=k, period=256.0) for k in ((1.0 / side, 0.0), (0.0, 1.0 / side))]
+        uniforms |= {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", place, 1)}
+    return uniforms
 
 
 EFFECT = Effect(

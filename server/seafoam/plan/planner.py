@@ -30,6 +30,7 @@ from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Texture
 from seafoam.plan.slots import SKY_PASS_SLOTS, SKY_SLOTS, TONE, WAVES, surface_slots
 from seafoam.plan.slots import DISC, OPEN_WAVES, SHORE, SKY, TONE, WAVES, Slot, surface_slots
+from seafoam.plan.slots import DISC, MAIN, SKY, TONE, WAVES, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -111,8 +112,9 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     side = math.isqrt(quality.samples)
     level = draft.top == 0.0
     shore = any(file.slot == "shore" for file in draft.slots)
-    # Land stands above the horizon, where no mesh of the sea reaches.
-    mesh = quality.surface.method == "mesh" and not level and not shore
+    below = any(file.slot == "below" for file in draft.slots)
+    # Land stands above the horizon, and water over an eye under it, where no mesh of the sea reaches.
+    mesh = quality.surface.method == "mesh" and not level and not shore and not below
 
     consts: dict[str, Const] = {
         **draft.consts,
@@ -127,7 +129,10 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     combine = scene.foam.combine if scene.foam else "max"
     surface_fragment = [*_COMMON]
     for slot in surface_slots(combine, shore):
-        surface_fragment += slot_pieces(slot, chosen)
+        pieces = slot_pieces(slot, chosen)
+        if slot is MAIN and below:
+            pieces[-1] += "?main=seen_from_above"
+        surface_fragment += pieces
     if mesh:
         surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]
     else:
@@ -265,6 +270,7 @@ def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
         "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
         "u_surface_top": number(top),
         "u_surface_steepest": number(steepest),
+        "u_ceiling_steepest": number(steepest),
     }
 
 

@@ -112,7 +112,13 @@ GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
 REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 """What the water mirrors."""
 SHADE = Slot("shade", default="shade/flat.glsl")
+CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
+"""How the sun's light lies on a level floor."""
+BED = Slot("bed", default="bed/none.glsl", under="below")
+"""A level floor as it is lit, for eyes over and under the surface."""
 MAIN = Slot("main", default="surface/main.glsl")
+BELOW = Slot("below")
+"""What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
 TONE = Slot("tone", default="tone/clamp.glsl")
 
 
@@ -128,3 +134,5 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
     shading = (BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)
     return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *SKY_SLOTS, *shading)
+    lit = (SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, MAIN, BELOW)

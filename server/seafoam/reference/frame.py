@@ -17,6 +17,7 @@ from . import cells, light, looks, sampling, surface
 from .gusts import GustField
 from .drift import Copy, copies, drift_saturation
 from . import cells, light, looks, sampling, sparkles, spray, surface
+from .bed import FOAM_THROUGH, Bed, bed_of
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -195,6 +196,11 @@ class _Shader:
         self.relief: Part = open_sea if self.coast is None else self.coast
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         self.gusts = GustField(scene.water.chop, time, self.origin)
+        repeats = scene.light is not None and scene.light.caustics is not None
+        self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin, repeats)
+        self.bed = bed_of(scene, self.air, time, self.origin)
+        at_eye = float(self.relief.height(np.zeros(1), np.zeros(1))[0])
+        self.under = self.bed if scene.water.view_below and self.eye_y < at_eye else None
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
             source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
@@ -220,6 +226,8 @@ class _Shader:
         """Colour (r, 3), foam amount (r,) and hit (r,) of samples at clip positions (r,)."""
         D = cameras.rays(self.view, X, Y)
         d = unit(D)
+        if self.under is not None:
+            return self._below(self.under, D, d)
         distance = surface.first_crossing(self.relief, self.eye_y, d)
         met = np.isfinite(distance)
         colour = np.zeros_like(D)
@@ -243,6 +251,67 @@ class _Shader:
         if met.any():
             colour[met], amount[met] = self._surface(D[met], d[met], distance[met])
         return np.minimum(colour, BRIGHTEST), amount, met | dry
+
+    def _below(self, bed: Bed, D: Floats, d: Floats) -> tuple[Floats, Floats, Bools]:
+        """What rays D of an eye under the surface see: colour (r, 3), foam amount (r,); every ray ends in water."""
+        scene = self.scene
+        distance = surface.first_crossing(self.relief, self.eye_y, d)
+        to_floor = max(bed.depth + self.eye_y, 0.0) / np.maximum(-d[:, 1], 1e-6)
+        amount = np.zeros(d.shape[0])
+        colour = np.zeros_like(d)
+        length = np.sqrt(dot(D, D))
+        floor = ~np.isfinite(distance) | ((d[:, 1] < 0.0) & (to_floor < distance))
+        if floor.any():
+            tau = np.minimum(to_floor[floor] / length[floor], 1e6)
+            N = np.tile((0.0, 1.0, 0.0), (tau.size, 1))
+            feet = (
+                surface.footprint(tau, D[floor], N, self.delta_x),
+                surface.footprint(tau, D[floor], N, self.delta_y),
+            )
+            here = np.zeros(tau.size)
+            colour[floor] = bed.below(here, here, here + self.eye_y, d[floor], feet)
+        up = ~floor
+        if up.any():
+            s = distance[up]
+            x, z = d[up, 0] * s, d[up, 2] * s
+            H = self.relief.height(x, z)
+            (met_x, met_z), (h_x, h_z), (c_x, c_z) = self._slopes(x, z)
+            feet = (
+                surface.footprint(s / length[up], D[up], -surface.normal(met_x, met_z), self.delta_x),
+                surface.footprint(s / length[up], D[up], -surface.normal(met_x, met_z), self.delta_y),
+            )
+            n = unit(surface.normal(h_x + c_x, h_z + c_z))
+            light_up = bed.ceiling(x, z, H, d[up], n, s, feet)
+            if scene.foam is not None and self.assets is not None and scene.light is not None:
+                N = -surface.normal(met_x, met_z)
+                a = self._foam(scene.foam, self.assets, x, z, H, s / length[up], D[up], N)
+                stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
+                white = FOAM_THROUGH * light.foam(bed.air, scene.foam.albedo, stiff)
+                light_up = self._laid(light_up, white, a)
+                amount[up] = np.minimum(a, 1.0)
+            glow = bed.glow(np.full(s.shape, bed.level - self.eye_y), -d[up, 1], s)
+            colour[up] = light_up * np.exp(-bed.extinction * s[:, None]) + glow
+        return np.minimum(colour * self._exposure, BRIGHTEST), amount, np.ones(d.shape[0], np.bool_)
+
+    def _laid(self, colour: Floats, white: Floats, a: Floats) -> Floats:
+        """Foam (r, 3) laid over water (r, 3) by its amount (r,)."""
+        if self.scene.foam is not None and self.scene.foam.look == "listing":
+            return np.clip(self._exposure * (colour + white * a[:, None]), 0.0, 1.0) / self._exposure
+        return colour * (1.0 - a[:, None]) + white * a[:, None]
+
+    def _slopes(self, x: Floats, z: Floats) -> tuple[tuple[Floats, Floats], ...]:
+        """Slopes at (x, z) that rays meet, that light sees, and of what has no height; (r,) each."""
+        met_x, met_z = self.relief.gradient(x, z)
+        c_x, c_z = self.ripples.gradient(x, z)
+        if self.sea is None:
+            return (met_x, met_z), (met_x, met_z), (c_x, c_z)
+        # Rays meet the bilinear sea; light sees its spline.
+        (seen_x, seen_z), (own_x, own_z), (s_x, s_z) = (
+            self.sea.shading(x, z),
+            self.sea.gradient(x, z),
+            self.sea.detail(x, z),
+        )
+        return (met_x, met_z), (met_x + (seen_x - own_x), met_z + (seen_z - own_z)), (c_x + s_x, c_z + s_z)
 
     def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Floats:
         """Colour (r, 3) where rays D meet land, ``distance`` metres away."""
@@ -302,11 +371,12 @@ class _Shader:
             )
             h_x, h_z = h_x + (seen_x - met_x), h_z + (seen_z - met_z)
             c_x, c_z = c_x + s_x, c_z + s_z
+        met, (h_x, h_z), (c_x, c_z) = self._slopes(x, z)
+        N = surface.normal(*met)
         a = np.zeros_like(x)
         if scene.foam is not None and self.assets is not None:
             tau = distance / np.sqrt(dot(D, D))
             a = self._foam(scene.foam, self.assets, x, z, H, tau, D, N)
-        adds = scene.foam is not None and scene.foam.look == "listing"
         if air is None or scene.light is None:
             colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
@@ -319,14 +389,16 @@ class _Shader:
             around = self._around if scene.light.reflection == "cubemap" and self.coast is not None else None
             colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, around)
             colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, self.sun)
+            lit = None
+            if self.bed is not None and scene.water.depth is not None:
+                tau = distance / np.sqrt(dot(D, D))
+                feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
+                lit = self.bed.seen(x, z, H, d, n, feet)
+            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, lit)
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)
-                if adds:
-                    total = self._exposure * (colour + white * a[:, None])
-                    colour = np.clip(total, 0.0, 1.0) / self._exposure
-                else:
-                    colour = colour * (1.0 - a[:, None]) + white * a[:, None]
+                colour = self._laid(colour, white, a)
             colour = light.haze(air, scene.light.visibility, colour, d, distance) * self._exposure
         return colour, np.minimum(a, 1.0)
 

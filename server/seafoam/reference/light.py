@@ -158,6 +158,7 @@ def water(
     bed: tuple[Floats, Floats] | None = None,
     mirrored: Callable[[Floats], Floats] | None = None,
     sun: Glint | None = None,
+    lit: tuple[Floats, Floats, Floats] | None = None,
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
@@ -166,6 +167,8 @@ def water(
     that comes from directions (r, 3) over the water; absent: the sky's.
     way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``sun``: in place of
     the smooth glint.
+    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``lit``: a level floor
+    that is lit by itself: its radiance (r, 3), the way from it up, and straight down to it, (r,) m.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
@@ -179,6 +182,8 @@ def water(
         + mirror * of.sky(_reflected(d, n, sigma2))
         + (partial(glint, of) if sun is None else sun)(d, n, cv, sigma2)
     )
+    inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed, lit) + _crest(of, body, top, d, H))
+    return inner + mirror * of.sky(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
 
 
 def foam(of: Air, albedo: float, N: Floats) -> Floats:
@@ -255,12 +260,25 @@ def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
     return result
 
 
-def _body(of: Air, body: Water, n: Floats, H: Floats, cv: Floats, bed: tuple[Floats, Floats] | None) -> Floats:
+def _body(
+    of: Air,
+    body: Water,
+    n: Floats,
+    H: Floats,
+    cv: Floats,
+    bed: tuple[Floats, Floats] | None,
+    lit: tuple[Floats, Floats, Floats] | None,
+) -> Floats:
     """L_body: light scattered back by the water, and by its floor; (r, 3)."""
     absorption = 1.0 / np.array(body.absorption_length)
     extinction = absorption + body.scattering
     down = ENTERS * (of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None] + sky_light(of, n[:, 1]))
     deep = BACKSCATTER * body.scattering / extinction * down / math.pi
+    if lit is not None:
+        radiance, way, straight = lit
+        return deep * (1.0 - np.exp(-extinction * (way + straight)[:, None])) + radiance * np.exp(
+            -extinction * way[:, None]
+        )
     if bed is not None:
         left = np.exp(-extinction * bed[0][:, None])
         seen: Floats = deep * (1.0 - left) + bed[1] * down / math.pi * left

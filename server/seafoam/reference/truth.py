@@ -26,6 +26,8 @@ _LATER: dict[str, dict[str, Any]] = {
     "water/chop": {"gusts": None},
     "light": {"day": None, "sky": None, "reflection": "sky"},
     "foam": {"texture_second": None, "cells": False},
+    "light": {"caustics": None},
+    "water": {"floor_tile": None, "view_below": False},
 }
 """Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults."""
 BRIGHTEST = 4.0

@@ -192,9 +192,9 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
     )
 
 
-def ripple_set(chop: Chop | None, time: float, origin: tuple[float, float]) -> RippleSet:
+def ripple_set(chop: Chop | None, time: float, origin: tuple[float, float], repeats: bool = False) -> RippleSet:
     """The ripples of a chop at a time (s) around an origin (x, z) in m; empty without one."""
-    drawn = [] if chop is None else [ripple for cascade in ripples(chop) for ripple in cascade]
+    drawn = [] if chop is None else [ripple for cascade in ripples(chop, repeats) for ripple in cascade]
     phase = [
         reduced((ripple.omega, time), (-ripple.kx, origin[0]), (-ripple.kz, origin[1]), plus=ripple.phase)
         for ripple in drawn

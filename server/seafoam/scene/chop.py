@@ -7,7 +7,9 @@ from functools import lru_cache
 from seafoam.scene.models import GRAVITY, Chop
 
 TILES = (18.9, 4.1)
-"""Sides of the two tiles, m."""
+"""Sides of the two tiles, m: without a common measure, so that ripples never repeat."""
+REPEATING_TILES = (9.3, 3.1)
+"""Sides of the two tiles of ripples that repeat, as the light under them must to be drawn as a tile."""
 WAVES_PER_TILE = 14
 BANDS = 2
 """Ripples of a tile are split by wavenumber into so many bands of equal count; a band is filtered as one."""
@@ -45,12 +47,17 @@ def _uniform(seed: int, cascade: int, index: int, draw: int) -> float:
     return (word + 0.5) / 2**32
 
 
+def tiles(repeats: bool) -> tuple[float, float]:
+    """Sides of the two tiles, m."""
+    return REPEATING_TILES if repeats else TILES
+
+
 @lru_cache(maxsize=64)
-def ripples(chop: Chop) -> tuple[tuple[Ripple, ...], ...]:
+def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]:
     """The ripples of each cascade, by rising wavenumber. Their slopes' mean square adds up to ``chop.slope``²."""
     cascades = []
     weights = []
-    for cascade, tile in enumerate(TILES):
+    for cascade, tile in enumerate(tiles(repeats)):
         longest, shortest = _RANGES[cascade][1], _RANGES[cascade][0]
         drawn: list[tuple[float, float, float, float]] = []
         taken: set[tuple[int, int]] = set()

@@ -270,6 +270,14 @@ class Water(Part):
         default=None, ge=0.05, le=11000.0, description="Depth of the floor under the troughs, m; absent: deep water"
     )
     floor_albedo: Rgb = Field(default=(0.62, 0.54, 0.40), description="Reflectance of the floor")
+    floor_tile: float | None = Field(
+        default=None, ge=0.05, le=100.0, description="Side of the tiles that the floor is laid with, m; absent: bare"
+    )
+    view_below: bool = Field(
+        default=False,
+        description="Light for an eye under the surface: Snell's window, total reflection, floor and water; not drawn "
+        "where there is a shore",
+    )
     translucency: float = Field(
         default=0.25, ge=0.0, le=2.0, description="How strongly a thin crest lets the sun through"
     )
@@ -299,6 +307,17 @@ class Sparkles(Part):
     life: float = Field(default=0.3, ge=0.02, le=10.0, description="How long a sparkle lasts, s")
     share: float = Field(
         default=0.9, ge=0.05, le=1.0, description="Share of the glint that sparkles; the rest is smooth"
+class Caustics(Part):
+    """Sunlight that the ripples focus on a level floor.
+
+    With it the ripples repeat: every 9.3 m instead of never, and so does their light.
+    """
+
+    dispersion: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=10.0,
+        description="Spread of the index between red and blue, in that of water (0.0075); 0: all colours alike",
     )
 
 
@@ -349,6 +368,9 @@ class Light(Part):
         default=0.4, ge=0.0, le=10.0, description="How far blinn_phong's half vector follows the normal's tilt"
     )
     sparkles: Sparkles | None = Field(default=None, description="Sparks in the sun's reflection; absent: none")
+    caustics: Caustics | None = Field(
+        default=None, description="Sunlight focused by the ripples on the floor; absent: evenly lit"
+    )
 
 
 class Camera(Part):

@@ -1,0 +1,99 @@
+"""What an eye under the surface sees: Snell's window, total reflection, the floor. docs/formulae.md, section 11."""
+
+import math
+
+from seafoam.effects.contribution import (
+    Contribution,
+    Effect,
+    HardCase,
+    SlotFile,
+    number,
+    significant,
+)
+from seafoam.quality import Quality
+from seafoam.scene.level import mean_level
+from seafoam.scene.models import (
+    Camera,
+    Chop,
+    Foam,
+    Light,
+    ParametricWave,
+    Scene,
+    Water,
+)
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by ``water.view_below`` under a light; a shore has a floor of its own."""
+    if not scene.water.view_below or scene.light is None or scene.shore is not None:
+        return None
+    return Contribution(
+        why="an eye under the surface sees through it, and what it mirrors",
+        slots=(SlotFile("below", "below/main.glsl", needs=("below/find.glsl",)),),
+        uniforms={"u_below_level": number(significant(mean_level(scene)))},
+    )
+
+
+_POOL = Water(depth=2.0, floor_tile=0.3, view_below=True, chop=Chop(slope=0.08))
+
+
+def _case(
+    name: str,
+    guard: str,
+    without: str,
+    camera: Camera,
+    water: Water = _POOL,
+    waves: tuple[ParametricWave, ...] = (),
+    foam: Foam | None = None,
+) -> HardCase:
+    scene = Scene(waves=waves, water=water, light=Light(exposure=-1.5), foam=foam)
+    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera)
+
+
+EFFECT = Effect(
+    "view from below",
+    contribute,
+    always_visible="an eye under the surface sees nothing else, and a plan does not know where the eye will be",
+    hard_cases=(
+        _case(
+            "past the critical angle",
+            "nothing under the root of the ray's cosine in the air (below/main.glsl)",
+            "NaN in 83 % of samples, 65504 after the frame's cap: all of the ceiling past the angle",
+            Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
+        ),
+        _case(
+            "straight up, where light and sight fade alike",
+            "1 + fall held at 1e-3 (below/main.glsl)",
+            "0/0 in 0.2 % of samples, 65504 after the frame's cap; where 1 + fall is rounding, off by up to 236 levels",
+            Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
+            water=_POOL.model_copy(update={"chop": None}),
+        ),
+        _case(
+            "a hair under the surface",
+            "the way so far held at 1 mm (below/main.glsl)",
+            "off by up to 73 levels, 8.9 in the mean: footprints a thousand times too wide",
+            Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
+        ),
+        _case(
+            "an eye under the floor",
+            "the way to the floor held at 0 (below/main.glsl)",
+            "light grows along ways of negative length: 65504 after the frame's cap, 80 levels off in the mean",
+            Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
+        ),
+        _case(
+            "an eye in a crest, below",
+            "no way leads behind the eye (below/find.glsl)",
+            "nothing on llvmpipe: no Newton step went so far back",
+            Camera(position=(0.0, 0.35, 0.0), pitch=0.1),
+            waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
+            foam=Foam(look="halftone"),
+        ),
+        _case(
+            "no floor to mirror, a kilometre down",
+            "ways held at 1000 km, depths at 0 (below/main.glsl, bed/none.glsl)",
+            "nothing: light is 3e-9 there, and 1e38 m of water let none of it through",
+            Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
+            water=Water(view_below=True, chop=Chop()),
+        ),
+    ),
+)

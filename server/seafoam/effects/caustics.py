@@ -1,0 +1,273 @@
+"""Caustics: sunlight that ripples focus on a level floor, drawn into a map each frame. docs/formulae.md, section 11."""
+
+import math
+
+from seafoam.effects.contribution import (
+    Bound,
+    Const,
+    Constant,
+    Contribution,
+    Effect,
+    FixedSize,
+    Grid,
+    HardCase,
+    Knob,
+    PassSpec,
+    Phase,
+    Points,
+    SlotFile,
+    Target,
+    TargetInput,
+    Uniform,
+    Wrap,
+    array,
+    number,
+    significant,
+    vector,
+)
+from seafoam.effects.light import sun_direction, sun_irradiance
+from seafoam.quality import Quality
+from seafoam.scene.chop import Ripple, ripples, tiles
+from seafoam.scene.level import mean_level
+from seafoam.scene.models import Camera, Caustics, Chop, Light, Scene, Water
+
+INDEX = 1.34
+COLOURS = ("red", "green", "blue")
+COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
+"""Index of water for red, green and blue, less that for green (Daimon and Masumura 2007: 650, 550 and 450 nm)."""
+RIM = 4
+"""Texels around the map that a photon on its edge, or the smoothing there, can reach."""
+_LEVEL = 0.25
+"""No ray falls by less: its cosine to the vertical."""
+_TALLEST = 4.0
+"""Slopes are taken to stay below so many standard deviations, beyond the tile's end too."""
+
+
+def landing(light: Light, depth: float, slope: tuple[float, float], index: float = INDEX) -> tuple[float, float]:
+    """How far beside the place where the sun's light enters at a slope it lands on the floor, m."""
+    sun = sun_direction(light)
+    size = math.sqrt(1.0 + slope[0] ** 2 + slope[1] ** 2)
+    n = (-slope[0] / size, 1.0 / size, -slope[1] / size)
+    c = max(sum(a * b for a, b in zip(n, sun, strict=True)), 0.0)
+    turn = c / index - math.sqrt(1.0 - (1.0 - c * c) / index**2)
+    ray = tuple(turn * a - b / index for a, b in zip(n, sun, strict=True))
+    way = depth / max(-ray[1], _LEVEL)
+    return ray[0] * way, ray[2] * way
+
+
+def _margin(light: Light, depth: float, chop: Chop, tile: float, cells: int) -> int:
+    """Cells beyond the tile from which light may land in it; at most a tile's."""
+    flat = landing(light, depth, (0.0, 0.0))
+    tall = _TALLEST * chop.slope
+    reach = 0.0
+    for i in range(64):
+        angle = 2.0 * math.pi * i / 64
+        for share in (0.25, 0.5, 0.75, 1.0):
+            x, z = landing(light, depth, (share * tall * math.cos(angle), share * tall * math.sin(angle)))
+            reach = max(reach, abs(x - flat[0]), abs(z - flat[1]))
+    # Colours part by their share of the whole way, which is below a thirtieth at the greatest dispersion.
+    reach += abs(flat[0]) / 30.0 + abs(flat[1]) / 30.0
+    return min(math.ceil(1.05 * reach / tile * cells) + 2, cells)
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by ``light.caustics`` on ripples over a level floor."""
+    light, water = scene.light, scene.water
+    if light is None or light.caustics is None or water.depth is None or water.chop is None or scene.shore is not None:
+        return None
+    tile = tiles(True)[0]
+    depth = water.depth + mean_level(scene)
+    waves = [wave for cascade in ripples(water.chop, True) for wave in cascade]
+    flat = landing(light, depth, (0.0, 0.0))
+    photons = quality.caustics == "photons"
+    rays = quality.caustics_photons if photons else quality.caustics_cells
+    texels = quality.caustics_size
+    consts: dict[str, Const] = {
+        "CAUSTIC_WAVES": len(waves),
+        "CAUSTIC_TEXELS": texels,
+        "CAUSTIC_RIM": RIM,
+    }
+    if photons:
+        mesh: Grid | Points = Points(count=rays * rays)
+        vertex, fragment, joined = "caustics/photon_vertex.glsl", "caustics/photon_pass.glsl", "caustics/fold_pass.glsl"
+        consts |= {"CAUSTIC_PHOTONS": rays}
+    else:
+        margin = _margin(light, depth, water.chop, tile, rays)
+        mesh = Grid(rows=rays + 2 * margin, columns=rays + 2 * margin)
+        vertex, fragment, joined = "caustics/grid_vertex.glsl", "caustics/grid_pass.glsl", "caustics/smooth_pass.glsl"
+        consts |= {"CAUSTIC_CELLS": rays, "CAUSTIC_MARGIN": margin}
+    spread = light.caustics.dispersion
+    colours = dict(zip(COLOURS, COLOUR_INDEX, strict=True)) if spread > 0.0 else {"white": 0.0}
+    read = {f"u_caustic_{name}": f"caustic_{name if spread > 0.0 else 'white'}" for name in COLOURS}
+    # A grid is drawn at half texels: its triangles light what centres they cover.
+    rough = (texels if photons else 2 * texels) + 2 * RIM
+    return Contribution(
+        why=f"{rays}² {'photons' if photons else 'cells'} on a tile of {tile:g} m, {len(colours)} "
+        + ("colours" if len(colours) > 1 else "colour for all"),
+        slots=(SlotFile("caustics", "bed/caustics.glsl"),),
+        consts=consts,
+        uniforms={
+            "u_caustic_tile": number(tile),
+            "u_caustic_place": array(
+                "vec2",
+                [
+                    Wrap(k=(1.0 / tile, 0.0), offset=significant(-flat[0] / tile)),
+                    Wrap(k=(0.0, 1.0 / tile), offset=significant(-flat[1] / tile)),
+                ],
+                1,
+            ),
+        },
+        inputs={"u_caustics": TargetInput(target="caustics")},
+        targets={
+            "caustic_slopes": Target(size=FixedSize(width=rays, height=rays), format="RGBA32F"),
+            **{
+                f"caustic_{name}": Target(size=FixedSize(width=rough, height=rough), format="RGBA16F")
+                for name in colours
+            },
+            "caustics": Target(
+                size=FixedSize(width=texels, height=texels), format="RGBA16F", filter="linear", wrap="repeat"
+            ),
+        },
+        passes=(
+            PassSpec(
+                name="caustics: slopes",
+                program="caustic_slopes",
+                fragment=("common/numbers.glsl", "caustics/slopes_pass.glsl"),
+                target="caustic_slopes",
+                uniforms=_slopes(waves, tile),
+            ),
+            *(
+                PassSpec(
+                    name=f"caustics: {name} light",
+                    program="caustic_light",
+                    vertex=("caustics/landing.glsl", vertex),
+                    fragment=(fragment,),
+                    target=f"caustic_{name}",
+                    mesh=mesh,
+                    inputs={"u_caustic_slopes": TargetInput(target="caustic_slopes")},
+                    uniforms={
+                        "u_caustic_depth": number(significant(depth)),
+                        "u_caustic_flat": vector((significant(flat[0]), significant(flat[1]))),
+                        "u_caustic_index": number(significant(INDEX + spread * bent)),
+                        "u_caustic_tile": number(tile),
+                    },
+                    blend="add",
+                    clear=True,
+                )
+                for name, bent in colours.items()
+            ),
+            PassSpec(
+                name="caustics: map",
+                program="caustic_map",
+                fragment=(joined,),
+                target="caustics",
+                inputs={sampler: TargetInput(target=target) for sampler, target in read.items()},
+            ),
+        ),
+        bound=_bound(scene, light, water.depth, waves),
+    )
+
+
+def _slopes(waves: list[Ripple], tile: float) -> dict[str, Uniform]:
+    return {
+        "u_caustic_wave": array(
+            "vec4", [Constant(value=(w.kx, w.kz, significant(w.slope), 0.0)) for w in waves], len(waves)
+        ),
+        "u_caustic_phase": array(
+            "float", [Phase(offset=w.phase, rate=w.omega, k=(0.0, 0.0)) for w in waves], len(waves)
+        ),
+        "u_caustic_tile": number(tile),
+    }
+
+
+def _bound(scene: Scene, light: Light, depth: float, waves: list[Ripple]) -> Bound:
+    """The sun's light that comes back from the floor, as many times as a texel can hold of it."""
+    ways = 1.0 if scene.water.view_below else 2.0
+    shown = 0.0
+    for sun, length in zip(sun_irradiance(light), scene.water.absorption_length, strict=True):
+        passed = math.exp(-ways * depth * (1.0 / length + scene.water.scattering))
+        shown = max(shown, passed * 0.95 * sun / math.pi * 2.0**light.exposure)
+    return Bound(
+        _BRIGHTEST * shown,
+        f"no sunlight comes back from {depth:g} m",
+        ("/light/exposure", "/water/absorption_length", "/water/scattering"),
+    )
+
+
+_BRIGHTEST = 64.0
+"""Light of a texel over that under level water: no figure that the tests draw is brighter."""
+_PLAIN = Caustics(dispersion=0.0)
+_DEEP = Water(depth=400.0, chop=Chop())
+_DOWN = Camera(position=(0.0, 2.0, 0.0), pitch=-1.2)
+
+
+def _case(
+    name: str,
+    guard: str,
+    without: str,
+    water: Water,
+    light: Light | None = None,
+    camera: Camera = _DOWN,
+    times: tuple[float, ...] = (2.0,),
+) -> HardCase:
+    scene = Scene(water=water, light=light or Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN))
+    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=times)
+
+
+EFFECT = Effect(
+    "caustics",
+    contribute,
+    invisible=(
+        Scene(water=_DEEP, light=Light(caustics=Caustics())),
+        Scene(water=Water(depth=2.0, chop=Chop()), light=Light(sun_elevation=-0.3, caustics=Caustics())),
+    ),
+    knobs=(
+        Knob("/caustics", "caustics", ("grid", "photons"), "geometry"),
+        Knob("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
+        Knob("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
+        Knob("/caustics_photons", "photons along a side", (128, 256, 512, 1024), "geometry"),
+    ),
+    hard_cases=(
+        _case(
+            "the floor in the focus",
+            "a triangle at most 12 times as bright (caustics/grid_vertex.glsl)",
+            "single texels of 508 instead of 29 times the light: 3.9 % of samples off by more than 2 levels",
+            Water(depth=4.0, scattering=0.0, chop=Chop(slope=0.08)),
+        ),
+        _case(
+            "a floor at the surface",
+            "none needed: the light has no way to part in (caustics/landing.glsl)",
+            "nothing to leave out",
+            Water(depth=0.05, floor_tile=0.1, chop=Chop(slope=0.3)),
+        ),
+        _case(
+            "caustics of a sun on the horizon",
+            "the sun's height held at 0.05 (caustics/landing.glsl)",
+            "light divided by 0: every sample 65504 after the frame's cap",
+            Water(depth=1.0, chop=Chop(slope=0.1)),
+            Light(sun_elevation=0.0, caustics=_PLAIN),
+        ),
+        _case(
+            "caustics of the steepest ripples",
+            "a ray falls by at least a quarter (caustics/landing.glsl)",
+            "off by up to 24 levels, 2 % of samples by more than 2",
+            Water(depth=3.0, chop=Chop(slope=0.6)),
+            Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),
+        ),
+        _case(
+            "caustics after thirty years, ten thousand kilometres away",
+            "phases and the eye's place in the tile reduced in float64 (plan/rules.py)",
+            "in float32: 98 % of samples off by more than 2 levels, 57 in the mean",
+            Water(depth=2.0, floor_tile=0.3, chop=Chop(slope=0.06)),
+            camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
+            times=(1e9,),
+        ),
+        _case(
+            "colours as far apart as they go",
+            "the grid reaches past the tile as far as any colour lands (effects/caustics.py)",
+            "a grid that ends with the tile leaves its rim dark: 18 % of samples off by more than 2 levels",
+            Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), chop=Chop(slope=0.06)),
+            Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
+        ),
+    ),
+)

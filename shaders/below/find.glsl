@@ -1,0 +1,43 @@
+// First hit with the surface of a ray from under it: steps that cannot pass it, then Newton. Heights in metres from y = 0, which
+// no trough is under. ray: not normalised; returns tau, hit = eye + tau * ray.
+uniform float u_ceiling_steepest; // slope of the waves at most
+
+const float CEILING_FARTHEST = 1e5;
+
+bool find_ceiling(vec3 ray, out float tau, out vec3 wave) {
+    float size = length(ray);
+    float leave = CEILING_FARTHEST / max(length(ray.xz), 1e-6 * size);
+    wave = vec3(0.0);
+    tau = u_eye_height < 0.0 ? -u_eye_height / max(ray.y, 1e-6 * size) : 0.0;
+    if (ray.y <= 0.0) {
+        // Under a crest, and out of the slab that holds the waves at its bottom.
+        leave = min(leave, max(u_eye_height, 0.0) / max(-ray.y, 1e-6 * size));
+    }
+    if (tau >= leave) {
+        return false;
+    }
+    float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
+    float fastest = max(u_ceiling_steepest * length(ray.xz) + ray.y, 1e-6 * size);
+    float gap = 0.0;
+    for (int i = 0; i < MARCH_STEPS; ++i) {
+        wave = waves(tau * ray.xz);
+        gap = wave.x - u_eye_height - tau * ray.y;
+        if (tau >= leave || gap < fine * tau) {
+            break;
+        }
+        tau += max(gap, 0.5 * fine * tau) / fastest;
+    }
+    if (ray.y <= 0.0 && gap >= fine * tau) {
+        return false;
+    }
+    float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * size);
+    for (int i = 0; i < REFINE; ++i) {
+        float rate = dot(wave.yz, ray.xz) - ray.y;
+        if (rate < -1e-3 * size) {
+            tau = max(tau - clamp(gap / rate, -limit, limit), 0.0);
+            wave = waves(tau * ray.xz);
+            gap = wave.x - u_eye_height - tau * ray.y;
+        }
+    }
+    return true;
+}
