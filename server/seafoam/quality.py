@@ -73,6 +73,14 @@ class Quality(Knobs):
     shore_profile: Literal[32, 64, 128, 256] = Field(
         default=128, description="Nodes of a row of the table of shore-wave profiles"
     )
+    wake: Literal["map", "exact"] = Field(
+        default="map", description="Wakes from a map drawn each frame, or worked out per pixel"
+    )
+    wake_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Texels along a map of a wake")
+    reflection_size: int = Field(default=512, ge=32, le=2048, description="Texels along a side of the planar mirror")
+    boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = Field(
+        default=7, description="Heights read round each hull point of a boat"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -87,6 +95,8 @@ TIERS: dict[Tier, Quality] = {
         age_steps=4,
         age_step=0.7,
         shore_map=128,
+        wake_size=256,
+        reflection_size=256,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -94,6 +104,8 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
+        wake_size=1024,
+        reflection_size=1024,
         samples=4,
     ),
     "reference": Quality(
@@ -104,6 +116,8 @@ TIERS: dict[Tier, Quality] = {
         sea_digits="float",
         shore_floor=512,
         shore_profile=256,
+        wake="exact",
+        reflection_size=2048,
         samples=16,
         target="RGBA32F",
     ),

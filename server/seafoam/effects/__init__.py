@@ -1,6 +1,7 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
 from seafoam.effects import (
+    boat,
     chop,
     crest,
     floor,
@@ -11,11 +12,14 @@ from seafoam.effects import (
     height,
     light,
     parametric,
+    planar,
     rings,
     sea,
     shore,
     slope,
     surf,
+    wake,
+    wake_foam,
     water,
 )
 from seafoam.effects.contribution import Effect
@@ -24,6 +28,7 @@ EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
     sea.EFFECT,
     rings.EFFECT,
+    wake.EFFECT,
     chop.EFFECT,
     front.EFFECT,
     height.EFFECT,
@@ -36,7 +41,10 @@ EFFECTS: tuple[Effect, ...] = (
     floor.EFFECT,
     shore.EFFECT,
     surf.EFFECT,
+    wake_foam.EFFECT,
     crest.EFFECT,
+    boat.EFFECT,
+    planar.EFFECT,
 )
 """Every effect there is."""
 

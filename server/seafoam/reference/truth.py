@@ -19,7 +19,8 @@ from .frame import Frame, Mode
 from .types import Bools, Floats
 
 _LATER: dict[str, dict[str, Any]] = {
-    "": {"rings": [], "sea": None, "shore": None},
+    "": {"rings": [], "sea": None, "shore": None, "boats": []},
+    "light": {"reflection": "sky"},
     "shore": {"image": None},
     "foam": {"texture_second": None, "cells": False},
 }

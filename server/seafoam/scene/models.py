@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 
@@ -160,8 +161,17 @@ class SurfSaturation(Part):
     veil: float = Field(default=0.1, ge=0.0, le=1.0, description="Saturation that stays in the surf between waves")
 
 
+class WakeSaturation(Part):
+    """Foam of boats: the churned band that each leaves behind it, and what its bow throws aside."""
+
+    source: Literal["wake"] = "wake"
+    amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation right behind the boat")
+    life: float = Field(default=8.0, ge=0.1, le=60.0, description="Time to 1/e behind it, s")
+    bow: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation of the bow's wave, at hull speed")
+
+
 Saturation = Annotated[
-    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation,
+    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation | WakeSaturation,
     Field(discriminator="source"),
 ]
 
@@ -284,6 +294,9 @@ class Light(Part):
         default=20000.0, ge=50.0, le=1e6, description="Distance at which contrast has fallen to 2 %, m"
     )
     exposure: float = Field(default=0.0, ge=-10.0, le=10.0, description="Exposure, stops")
+    reflection: Literal["sky", "planar"] = Field(
+        default="sky", description="What the water mirrors. sky: the sky alone; planar: boats and land too"
+    )
 
 
 class Camera(Part):
@@ -325,5 +338,6 @@ class Scene(Part):
     foam: Foam | None = Field(default=None, description="Absent: no foam")
     water: Water = Field(default_factory=Water)
     shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
+    boats: tuple[Boat, ...] = Field(default=(), max_length=BOATS_MOST, description="Boats on the water")
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
     camera: Camera = Field(default_factory=Camera)
