@@ -77,6 +77,9 @@ class Quality(Knobs):
         default="map", description="Wakes from a map drawn each frame, or worked out per pixel"
     )
     wake_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Texels along a map of a wake")
+    reflection: Literal["map", "traced"] = Field(
+        default="map", description="Boats mirrored from a planar mirror drawn each frame, or by rays from the water"
+    )
     reflection_size: int = Field(default=512, ge=32, le=2048, description="Texels along a side of the planar mirror")
     boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = Field(
         default=7, description="Heights read round each hull point of a boat"
@@ -117,7 +120,7 @@ TIERS: dict[Tier, Quality] = {
         shore_floor=512,
         shore_profile=256,
         wake="exact",
-        reflection_size=2048,
+        reflection="traced",
         samples=16,
         target="RGBA32F",
     ),

@@ -205,8 +205,9 @@ vec3 boat_albedo(BoatHit hit, bool motor, vec3 paint, vec3 sails, out float glos
     if (hit.part == PART_HOUSE) {
         bool glass;
         if (motor) {
-            bool pillar = abs(abs(at.z) - 0.04) < 0.006 || abs(abs(at.z) - 0.08) < 0.006 || abs(at.x - 0.06) < 0.006;
-            glass = at.y > 0.25 && at.y < 0.32 && at.x > -0.01 && !pillar && hit.normal.y < 0.5;
+            bool pillar = abs(abs(at.z) - 0.028) < 0.004 || abs(at.x - 0.06) < 0.006
+                || (abs(at.z) > 0.062 && (at.x > 0.12 || at.x < -0.012));
+            glass = at.y > 0.25 && at.y < 0.315 && at.x > -0.017 && !pillar && hit.normal.y < 0.5;
         } else {
             glass = at.y > 0.1 && at.y < 0.122 && abs(fract(11.0 * at.x) - 0.5) < 0.3 && at.x > -0.16 && at.x < 0.11 && hit.normal.y < 0.7;
         }

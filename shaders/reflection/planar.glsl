@@ -2,7 +2,6 @@
 // own distances tell how far that is, and its place in the map is the mirrored place's. Exact on still water to the map's texels.
 // r: reflected direction, over the horizon; d: from the eye; n: normal; unit vectors.
 uniform sampler2D u_mirror;
-uniform float u_mirror_level; // height of still water, m
 
 // Light that the map holds toward a place in clip space, and its coverage; way: from the mirrored eye, m, where there is any.
 vec4 mirror_read(vec2 clip, inout float way) {
@@ -26,16 +25,7 @@ vec4 mirror_read(vec2 clip, inout float way) {
 
 vec3 reflected_light(vec3 r, vec3 d, vec3 n) {
     vec3 sky = sky_light(r);
-    // The place on the water that is looked at: on still water first, then at its height there.
-    float level = u_mirror_level;
-    float over = 0.0;
-    vec3 place = vec3(0.0);
-    for (int i = 0; i < 3; ++i) {
-        over = clamp((level - u_eye_height) / (d.y < -1e-4 ? d.y : -1e-4), 0.0, 1e4);
-        place = over * d;
-        level = waves(place.xz).x;
-    }
-    place.y += u_eye_height;
+    vec3 place = mirror_place(d);
     // Columns of the inverse of the camera's rays, up to their lengths: right, up and forward are at right angles.
     vec3 across = u_ray_x / dot(u_ray_x, u_ray_x);
     vec3 upward = u_ray_y / dot(u_ray_y, u_ray_y);

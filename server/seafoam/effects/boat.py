@@ -19,8 +19,11 @@ from seafoam.effects.contribution import (
     TargetInput,
     Uniform,
     array,
+    number,
     significant,
+    vector,
 )
+from seafoam.effects.light import sky_irradiance
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Camera, Light, ParametricWave, Scene, Sea, Water
@@ -37,6 +40,7 @@ FAR = 1e8
 
 COURSE = "boat/course.glsl"
 TRACE = (COURSE, "boat/hull.glsl", "boat/trace.glsl")
+LIGHT = ("shade/fresnel.glsl", "shade/sun.glsl", "boat/light.glsl")
 
 
 def _courses(boats: tuple[Boat, ...]) -> Uniform:
@@ -59,9 +63,7 @@ def _each(values: list[tuple[float, ...]]) -> Uniform:
 
 def shade_files(scene: Scene) -> tuple[str, ...]:
     """What gives a boat its light, in a program that has no water."""
-    if scene.light is None:
-        return ("@sky", "boat/dark.glsl")
-    return ("@sky", "shade/fresnel.glsl", "shade/sun.glsl", "boat/light.glsl")
+    return ("@sky", "boat/dark.glsl") if scene.light is None else ("@sky", *LIGHT)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -73,6 +75,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     ashore = scene.shore is not None
     motors = sum(boat.kind == "motor" for boat in boats)
     kinds = [f"{n} {name}" for n, name in ((count - motors, "under sail"), (motors, "under power")) if n]
+    lit: dict[str, Uniform] = {}
+    if scene.light is not None:
+        lit = {
+            "u_boat_ambient": vector(sky_irradiance(scene.light)),
+            "u_boat_visibility": number(scene.light.visibility, "/light/visibility"),
+        }
     pose = PassSpec(
         name="how boats float",
         program="boat_pose",
@@ -136,6 +144,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     for boat in boats
                 ]
             ),
+            **lit,
             "u_boat_hull": _each([boat.hull for boat in boats]),
             "u_boat_sails": _each([boat.sails for boat in boats]),
         },

@@ -1,6 +1,6 @@
 """Planar reflection: a mirrored camera draws boats into a map that the water reads. docs/formulae.md, section 10b."""
 
-from seafoam.effects.boat import COURSE, TRACE, shade_files
+from seafoam.effects.boat import COURSE, LIGHT, TRACE, shade_files
 from seafoam.effects.contribution import (
     Bound,
     Contribution,
@@ -12,6 +12,7 @@ from seafoam.effects.contribution import (
     SlotFile,
     Target,
     TargetInput,
+    Uniform,
     number,
     significant,
 )
@@ -36,12 +37,23 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             slots=(SlotFile("reflection", "reflection/sky.glsl"),),
             bound=Bound(0.0, "nothing stands over the water"),
         )
+    level: dict[str, Uniform] = {"u_mirror_level": number(significant(mean_level(scene)))}
+    if quality.reflection == "traced":
+        return Contribution(
+            why="rays from the water to the boats",
+            slots=(
+                SlotFile(
+                    "reflection", "reflection/traced.glsl", needs=(*TRACE, *LIGHT, "reflection/place.glsl")
+                ),
+            ),
+            uniforms=level,
+        )
     size = quality.reflection_size
     return Contribution(
         why=f"a mirrored camera, {size} texels a side",
-        slots=(SlotFile("reflection", "reflection/planar.glsl", needs=(COURSE, "reflection/guess.glsl")),),
+        slots=(SlotFile("reflection", "reflection/planar.glsl", needs=(COURSE, "reflection/guess.glsl", "reflection/place.glsl")),),
         consts={"MIRROR_SIZE": size, "MIRROR_MARGIN": MARGIN, "MIRROR_STEPS": STEPS},
-        uniforms={"u_mirror_level": number(significant(mean_level(scene)))},
+        uniforms=level,
         inputs={"u_mirror": TargetInput(target="mirror")},
         targets={"mirror": Target(size=FixedSize(width=size, height=size), format="RGBA16F")},
         passes=(
@@ -69,7 +81,10 @@ EFFECT = Effect(
     "planar reflection",
     contribute,
     invisible=(Scene(light=_MIRROR), Scene(light=_MIRROR, waves=(ParametricWave(),))),
-    knobs=(Knob("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),),
+    knobs=(
+        Knob("/reflection", "planar mirror", ("map", "traced"), "filtering"),
+        Knob("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
+    ),
     hard_cases=(
         HardCase(
             name="a mirror under the eye and straight down",

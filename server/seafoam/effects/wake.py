@@ -82,6 +82,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=Bound(0.0, "no boat moves, or none raises a wave") if level == 0.0 else None,
         top=2.0 * level,
         steepest=steepest,
+        march=2,
     )
 
 

@@ -4,6 +4,7 @@ Colours are linear RGB along the last axis, directions unit vectors (x, y, z) al
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -124,19 +125,28 @@ def sky_light(of: Air, up: Floats) -> Floats:
 
 
 def water(
-    of: Air, body: Water, top: float, d: Floats, n: Floats, H: Floats, bed: tuple[Floats, Floats] | None = None
+    of: Air,
+    body: Water,
+    top: float,
+    d: Floats,
+    n: Floats,
+    H: Floats,
+    bed: tuple[Floats, Floats] | None = None,
+    mirrored: Callable[[Floats], Floats] | None = None,
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
     d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
-    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3).
+    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light from
+    directions (r, 3) over the horizon; the sky's where absent.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
     inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed) + _crest(of, body, top, d, H))
-    return inner + mirror * of.sky(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
+    seen = of.sky if mirrored is None else mirrored
+    return inner + mirror * seen(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
 
 
 def foam(of: Air, albedo: float, N: Floats) -> Floats:

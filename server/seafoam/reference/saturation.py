@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import FoldSaturation, HeightSaturation, Saturation, SlopeSaturation, SurfSaturation
+from seafoam.scene.models import FoldSaturation, HeightSaturation, Saturation, SlopeSaturation, SurfSaturation, WakeSaturation
 
 from .relief import Part
 from .types import Floats, smoothstep
@@ -198,12 +198,13 @@ def saturation(
     footprints: tuple[Floats, Floats] | None,
     folds: list[Floats],
     surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
+    wake: Callable[[WakeSaturation, Floats, Floats, float], Floats] | None = None,
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
     ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface. With footprints
     (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf`` gives the
-    foam of a shore's surf; without a shore there is none.
+    foam of a shore's surf, ``wake`` that behind boats; without them there is none.
     """
     parts = []
     given = iter(folds)
@@ -219,6 +220,9 @@ def saturation(
             continue
         if isinstance(source, SurfSaturation):
             parts.append(np.zeros_like(x) if surf is None else surf(source, x, z, H))
+            continue
+        if isinstance(source, WakeSaturation):
+            parts.append(np.zeros_like(x) if wake is None else wake(source, x, z, cap))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

@@ -100,13 +100,13 @@ class Wake:
         """No slope is steeper: a·k of both systems, and what their windows add."""
         if not self.shows:
             return 0.0
-        # k exp(-(k/c)^2) is greatest at k = c/sqrt 2: 0.43 c; but no wave is longer than those across.
+        # k exp(-(k/c)^2) is greatest at k = c/sqrt 2; no wave is longer than those across.
         peak = max(self.k, self.shortest / math.sqrt(2.0))
-        spreading = self.boat.wake * peak * math.exp(-((peak / self.shortest) ** 2))
-        across = 0.5 * self.boat.wake * 1.3 * self.k
-        window = self.level * 1.5 / (0.6 * self.boat.length)
-        # Where both meet at the edge of the wake they are closed by a window of their own.
-        return 1.5 * (spreading + across + window)
+        waves = 1.5 * self.boat.wake * peak * math.exp(-((peak / self.shortest) ** 2))
+        # The windows at the bow and at the edge, where both systems open over a tenth of the way behind it.
+        windows = self.level * math.exp(-((self.k / self.shortest) ** 2)) * 5.0 / self.boat.length
+        # Inside the circle a wake is drawn together, at most to 0.75 of its length.
+        return (waves + windows) / 0.75
 
 
 def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:
