@@ -84,6 +84,9 @@ class Quality(Knobs):
     boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = Field(
         default=7, description="Heights read round each hull point of a boat"
     )
+    boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = Field(
+        default=4, description="Rays through each sample where boats are: their edges against water and sky"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -100,6 +103,7 @@ TIERS: dict[Tier, Quality] = {
         shore_map=128,
         wake_size=256,
         reflection_size=256,
+        boat_samples=1,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -109,6 +113,7 @@ TIERS: dict[Tier, Quality] = {
         sea_digits="float",
         wake_size=1024,
         reflection_size=1024,
+        boat_samples=1,
         samples=4,
     ),
     "reference": Quality(
@@ -121,6 +126,7 @@ TIERS: dict[Tier, Quality] = {
         shore_profile=256,
         wake="exact",
         reflection="traced",
+        boat_samples=1,
         samples=16,
         target="RGBA32F",
     ),

@@ -114,6 +114,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"boats: {', '.join(kinds)}",
         consts={
             "BOAT_COUNT": count,
+            "BOAT_SIDE": math.isqrt(quality.boat_samples),
             "BOAT_READINGS": quality.boat_readings,
             "BOAT_BOW": BOW,
             "BOAT_QUARTER": QUARTER,
@@ -162,7 +163,10 @@ EFFECT = Effect(
     "boats",
     contribute,
     always_visible="a boat stands over the water and before it",
-    knobs=(Knob("/boat_readings", "heights read round each hull point", (1, 7), "filtering"),),
+    knobs=(
+        Knob("/boat_samples", "rays a sample where boats are", (1, 4, 9), "filtering"),
+        Knob("/boat_readings", "heights read round each hull point", (1, 7), "geometry"),
+    ),
     hard_cases=(
         HardCase(
             name="a boat on a breaking crest",

@@ -20,7 +20,7 @@ TIMES = (0.0, 2.7, 1000003.5)
 """Times of same-samples frames, s."""
 SAME_SIZE = (320, 180)
 COSTLY_SIZE = (160, 90)
-"""Of same-samples frames with a shore or an open sea, whose splines cost ten times as much."""
+"""Of same-samples frames with a shore, an open sea or boats, whose splines and wakes cost ten times as much."""
 SAME_SAMPLES = 4
 CONVERGED_TIME = 2.7
 CONVERGED_SIZE = (160, 90)
@@ -47,7 +47,7 @@ class Job:
 
 def same_size(scene: Scene) -> tuple[int, int]:
     """Width and height of a scene's same-samples frames, pixels."""
-    return SAME_SIZE if scene.shore is None and scene.sea is None else COSTLY_SIZE
+    return SAME_SIZE if scene.shore is None and scene.sea is None and not scene.boats else COSTLY_SIZE
 
 
 def jobs_of(preset: str, scene: Scene) -> list[Job]:
