@@ -7,6 +7,7 @@ from typing import get_args
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
+from seafoam.scene.boats import Boat
 from seafoam.scene.models import (
     Foam,
     FoldSaturation,
@@ -20,6 +21,7 @@ from seafoam.scene.models import (
     Sea,
     SlopeSaturation,
     SurfSaturation,
+    WakeSaturation,
     Water,
 )
 from seafoam.scene.presets import load_preset, preset_names
@@ -45,6 +47,8 @@ def qualities() -> Iterator[Quality]:
         yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
     for mask, taps in product(("u8", "half"), (1, 4)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
+    for wake, reflection, rays in (("map", "traced", 4), ("exact", "map", 1)):
+        yield standard.model_copy(update={"wake": wake, "reflection": reflection, "boat_samples": rays})
     for size, tiles, digits, steps in ((64, 2, "half", 0), (128, 3, "float", 4), (512, 4, "half", 8)):
         yield standard.model_copy(
             update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
@@ -98,6 +102,14 @@ def scenes() -> Iterator[Scene]:
         foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
         yield Scene(shore=shore, foam=foam, light=light)
     yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
+    fleet = (Boat(), Boat(kind="motor", centre=(20.0, -40.0)))
+    wake = Foam(saturation=(WakeSaturation(),))
+    mirror = Light(reflection="planar")
+    for boats, light, coast in product((fleet[:1], fleet), (Light(), mirror, None), (None, shore)):
+        yield Scene(boats=boats, foam=wake, light=light, shore=coast)
+    yield Scene(boats=fleet, waves=sea.waves, light=mirror, water=Water(depth=5.0))
+    yield Scene(boats=fleet, sea=Sea(), light=mirror, foam=Foam(saturation=(WakeSaturation(), FoldSaturation())))
+    yield Scene(foam=wake)
 
 
 def every_plan() -> Iterator[FramePlan]:
@@ -109,7 +121,8 @@ def every_plan() -> Iterator[FramePlan]:
         for quality in TIERS.values():
             yield make_plan(scene, quality)
     # What a bound leaves out is drawn where that bound is tested.
-    yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
+    for source in (SurfSaturation(), WakeSaturation()):
+        yield make_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"], economy=False)
 
 
 def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:

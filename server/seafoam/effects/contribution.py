@@ -202,7 +202,8 @@ class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
 
     It covers its whole target unless told otherwise. ``@waves`` among the files stands for that slot as the surface's
-    shader has it, and brings what it reads; so do ``@find``, ``@sky`` and the others. ``stage``: before the surface is drawn, or after surface and sky
+    shader has it, and brings what it reads; so do ``@find``, ``@sky`` and the others.
+    ``stage``: before the surface is drawn, or after surface and sky
     into :data:`ABOVE`, which is cleared for the first of them.
     """
 

@@ -118,7 +118,9 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
     """The slots of the surface's shader that have a name; ``waves`` takes the shore's with it. Raises ``KeyError``."""
-    found = tuple(slot for slot in surface_slots("max", shore) if slot.name in ({name, "shore"} if name == "waves" else {name}))
+    found = tuple(
+        slot for slot in surface_slots("max", shore) if slot.name in ({name, "shore"} if name == "waves" else {name})
+    )
     if not found:
         raise KeyError(name)
     return found

@@ -16,7 +16,7 @@ import numpy as np
 from seafoam.scene.boats import Boat, Wake, wake_level, wake_slope, wakes
 from seafoam.scene.models import Scene, WakeSaturation
 
-from .light import Air, foam, fresnel, sky_light
+from .light import Air, fresnel, sky_light
 from .shore import noise
 from .types import Bools, Floats, dot, smoothstep, unit
 
@@ -39,11 +39,11 @@ class Inequality:
     """xᵀMx + 2l·x + c ≤ 0, M diagonal and not negative."""
 
     m: Floats
-    l: Floats
+    linear: Floats
     c: float
 
     def gradient(self, x: Floats) -> Floats:
-        result: Floats = 2.0 * (self.m * x + self.l)
+        result: Floats = 2.0 * (self.m * x + self.linear)
         return result
 
 
@@ -294,8 +294,8 @@ class _Boat:
         gradient = np.zeros_like(self.o)
         for wall in walls:
             a = dot(self.d * wall.m, self.d)
-            b = dot(self.d * wall.m, self.o) + dot(self.d, wall.l)
-            c = dot(self.o * wall.m, self.o) + 2.0 * dot(self.o, wall.l) + wall.c
+            b = dot(self.d * wall.m, self.o) + dot(self.d, wall.linear)
+            c = dot(self.o * wall.m, self.o) + 2.0 * dot(self.o, wall.linear) + wall.c
             first, last = _roots(a, b, c)
             later = first > enter
             enter = np.where(later, first, enter)

@@ -178,9 +178,7 @@ class _Shader:
         self.relief: Part = open_sea if self.coast is None else self.coast
         coast = self.coast
         ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
-        self.fleet = (
-            fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None
-        )
+        self.fleet = fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
@@ -292,9 +290,7 @@ class _Shader:
                 feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
                 bed = self.coast.bed(x, z, H, d, n, *feet)
             place = np.stack((x, H, z), axis=-1)
-            colour = light.water(
-                air, scene.water, self.relief.top, d, n, H, bed, lambda r: self._mirror(place, r)
-            )
+            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, lambda r: self._mirror(place, r))
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)

@@ -137,8 +137,8 @@ def water(
     """Radiance of the water toward the eye, before haze; (r, 3).
 
     d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
-    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light from
-    directions (r, 3) over the horizon; the sky's where absent.
+    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light
+    from directions (r, 3) over the horizon; the sky's where absent.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)

@@ -8,7 +8,14 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.scene.models import FoldSaturation, HeightSaturation, Saturation, SlopeSaturation, SurfSaturation, WakeSaturation
+from seafoam.scene.models import (
+    FoldSaturation,
+    HeightSaturation,
+    Saturation,
+    SlopeSaturation,
+    SurfSaturation,
+    WakeSaturation,
+)
 
 from .relief import Part
 from .types import Floats, smoothstep

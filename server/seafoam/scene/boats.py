@@ -1,10 +1,10 @@
-"""Boats: their course round a centre, their form, and the numbers of the wake behind them. docs/formulae.md, section 15."""
+"""Boats: their course round a centre, their form, and the numbers of their wakes. docs/formulae.md, section 15."""
 
 import math
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 BOATS_MOST = 4
 """A scene holds no more boats."""
@@ -58,6 +58,12 @@ class Boat(BaseModel):
     wake: float = Field(default=0.12, ge=0.0, le=2.0, description="Height of the waves at its bow, m; 0: no wake")
     hull: _Rgb = Field(default=(0.045, 0.09, 0.2), description="Reflectance of the hull")
     sails: _Rgb = Field(default=(0.83, 0.81, 0.76), description="Reflectance of sails or wheelhouse")
+
+    @model_validator(mode="after")
+    def _course_wider_than_the_boat(self) -> "Boat":
+        if self.radius < 1.5 * self.length:
+            raise ValueError(f"radius: must be at least 1.5 lengths, {1.5 * self.length:.4g} m")
+        return self
 
 
 @dataclass(frozen=True)

@@ -295,7 +295,7 @@ class Light(Part):
     )
     exposure: float = Field(default=0.0, ge=-10.0, le=10.0, description="Exposure, stops")
     reflection: Literal["sky", "planar"] = Field(
-        default="sky", description="What the water mirrors. sky: the sky alone; planar: boats and land too"
+        default="sky", description="What the water mirrors. sky: the sky alone; planar: boats as well"
     )
 
 
