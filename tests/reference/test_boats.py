@@ -16,6 +16,7 @@ from seafoam.quality import TIERS, Quality
 from seafoam.reference import boats as reference
 from seafoam.reference import camera as cameras
 from seafoam.reference import render
+from seafoam.reference import surface as surfaces
 from seafoam.reference.frame import _Shader
 from seafoam.render.executor import Executor
 from seafoam.scene.boats import Boat, Wake, wake_level, wake_slope
@@ -148,7 +149,7 @@ def test_smoothing_is_the_mean_over_a_disc() -> None:
         bessel = np.trapezoid(np.cos(turns - k_r * np.sin(turns)), turns) / math.pi
         for heading in (0.0, 0.3, 0.5):
             wave = reference.felt(
-                lambda x, z, h=heading: np.cos(k * (x * math.cos(h) + z * math.sin(h))), (0.0, 0.0), reach
+                lambda x, z, h=heading, n=k: np.cos(n * (x * math.cos(h) + z * math.sin(h))), (0.0, 0.0), reach
             )
             assert abs(wave - 2.0 * bessel / k_r) <= allowed
 
@@ -240,7 +241,7 @@ def test_wakes_stay_within_their_bounds_and_slope_as_they_rise(boat: Boat) -> No
 
 
 def test_a_wake_is_kelvins() -> None:
-    """Waves across run as fast as the boat, so behind it they stand 2 pi v^2/g apart; nothing lies outside 19.47 degrees."""
+    """Waves across run as fast as the boat: behind it they stand 2 pi v^2/g apart; all lie inside 19.47 degrees."""
     boat = Boat(speed=4.0, length=3.0, radius=2000.0)
     wake = Wake(boat)
     x = np.linspace(3.0 * wake.wavelength, 5.0 * wake.wavelength, 4001)
@@ -363,7 +364,7 @@ def test_a_boat_stands_before_what_is_behind_it_and_behind_what_is_before_it(exe
     X, Y = 2.0 * (along.ravel() + 0.5) / 160 - 1.0, 1.0 - 2.0 * (down.ravel() + 0.5) / 90
     D = cameras.rays(shader.view, X, Y)
     d = D / np.linalg.norm(D, axis=1)[:, None]
-    water = reference_distance(shader, d)
+    water = surfaces.first_crossing(shader.relief, shader.eye_y, d)
     boat = shader.fleet.trace(np.array([0.0, shader.eye_y, 0.0]), d).t
     hidden = (np.isfinite(boat) & (water < boat)).reshape(90, 160)
     shown = (np.isfinite(boat) & (boat < water)).reshape(90, 160)
@@ -372,12 +373,6 @@ def test_a_boat_stands_before_what_is_behind_it_and_behind_what_is_before_it(exe
     with_it, without = picture(executor, scene), picture(executor, bare)
     assert np.abs(with_it - without)[hidden].max() == 0.0
     assert 255.0 * np.abs(with_it - np.clip(truth.rgb, 0.0, 1.0))[shown].mean() < 0.5
-
-
-def reference_distance(shader: _Shader, d: NDArray[np.float64]) -> NDArray[np.float64]:
-    from seafoam.reference import surface
-
-    return surface.first_crossing(shader.relief, shader.eye_y, d)
 
 
 OVERLAPPING = Scene(
@@ -395,7 +390,7 @@ OVERLAPPING = Scene(
 
 @pytest.mark.parametrize("method", ["march", "mesh"])
 def test_no_back_face_and_nothing_behind_a_crest_shows_through(executor: Executor, report: Report, method: str) -> None:
-    """Overlapping crests from low over the water: every sample is the first surface alone, mixed by Fresnel in the shader."""
+    """Overlapping crests from low over the water: every sample is the first surface alone, mixed by Fresnel."""
     surface = TIERS["reference"].surface.model_copy(update={"method": method, "cells": 512})
     quality = TIERS["reference"].model_copy(update={"samples": 1, "surface": surface})
     plan = make_plan(OVERLAPPING, quality)

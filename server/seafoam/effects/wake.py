@@ -112,7 +112,7 @@ EFFECT = Effect(
             name="the centre of a boat's circle, and straight behind it",
             scene=Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
             guard="at least a tenth of the radius, a tangent of at most 5000 (wake/way.glsl, wake/pattern.glsl)",
-            without="nothing on llvmpipe: no sample is at the centre, and straight behind the waves are 0 times infinity nowhere",
+            without="nothing on llvmpipe: no sample of the frame is there to its last bit",
             camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
         ),
         HardCase(
