@@ -603,6 +603,114 @@ export interface components {
             status: "alive";
         };
         /**
+         * Boat
+         * @description A boat that floats on the waves and runs round a circle.
+         */
+        Boat: {
+            /**
+             * Kind
+             * @description sail: a sloop; motor: a small trawler
+             * @default sail
+             * @enum {string}
+             */
+            kind: "sail" | "motor";
+            /**
+             * Length
+             * @description Length over all, m; everything scales with it
+             * @default 9
+             */
+            length: number;
+            /**
+             * Centre
+             * @description Centre (x, z) of its course, m
+             * @default [
+             *       0,
+             *       -40
+             *     ]
+             */
+            centre: [
+                number,
+                number
+            ];
+            /**
+             * Radius
+             * @description Radius of its course, m
+             * @default 60
+             */
+            radius: number;
+            /**
+             * Bearing
+             * @description Where on its course it is at time 0, rad from +x toward +z
+             * @default 0
+             */
+            bearing: number;
+            /**
+             * Turn
+             * @description To which side it turns
+             * @default starboard
+             * @enum {string}
+             */
+            turn: "starboard" | "port";
+            /**
+             * Speed
+             * @description Speed, m/s; 0: at anchor, its bow along its course
+             * @default 3
+             */
+            speed: number;
+            /**
+             * Heel
+             * @description How far it leans to starboard besides what the waves do, rad
+             * @default 0
+             */
+            heel: number;
+            /**
+             * Boom
+             * @description How far its boom is out to starboard, rad
+             * @default 0.35
+             */
+            boom: number;
+            /**
+             * Smoothing
+             * @description It feels the mean height over a disc of this radius round each hull point, m; 0: the point's own
+             * @default 1
+             */
+            smoothing: number;
+            /**
+             * Wake
+             * @description Height of the waves at its bow, m; 0: no wake
+             * @default 0.12
+             */
+            wake: number;
+            /**
+             * Hull
+             * @description Reflectance of the hull
+             * @default [
+             *       0.045,
+             *       0.09,
+             *       0.2
+             *     ]
+             */
+            hull: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Sails
+             * @description Reflectance of sails or wheelhouse
+             * @default [
+             *       0.83,
+             *       0.81,
+             *       0.76
+             *     ]
+             */
+            sails: [
+                number,
+                number,
+                number
+            ];
+        };
+        /**
          * Camera
          * @description A pinhole camera. Yaw 0 looks toward −z, a positive yaw turns toward +x, a positive pitch looks up.
          */
@@ -821,7 +929,7 @@ export interface components {
              *       }
              *     ]
              */
-            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"])[];
+            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"] | components["schemas"]["WakeSaturation"])[];
             /**
              * Combine
              * @description How several saturations join
@@ -1232,6 +1340,13 @@ export interface components {
              * @default 0
              */
             exposure: number;
+            /**
+             * Reflection
+             * @description What the water mirrors. sky: the sky alone; planar: boats as well
+             * @default sky
+             * @enum {string}
+             */
+            reflection: "sky" | "planar";
         };
         /**
          * Loop
@@ -1724,6 +1839,47 @@ export interface components {
              */
             shore_profile: 32 | 64 | 128 | 256;
             /**
+             * Wake
+             * @description Wakes from a map drawn each frame, or worked out per pixel
+             * @default map
+             * @enum {string}
+             */
+            wake: "map" | "exact";
+            /**
+             * Wake Size
+             * @description Texels along a map of a wake
+             * @default 512
+             * @enum {integer}
+             */
+            wake_size: 128 | 256 | 512 | 1024;
+            /**
+             * Reflection
+             * @description Boats mirrored from a planar mirror drawn each frame, or by rays from the water
+             * @default map
+             * @enum {string}
+             */
+            reflection: "map" | "traced";
+            /**
+             * Reflection Size
+             * @description Texels along a side of the planar mirror
+             * @default 512
+             */
+            reflection_size: number;
+            /**
+             * Boat Readings
+             * @description Heights read round each hull point of a boat
+             * @default 7
+             * @enum {integer}
+             */
+            boat_readings: 1 | 7;
+            /**
+             * Boat Samples
+             * @description Rays through each sample where boats are: their edges against water and sky
+             * @default 4
+             * @enum {integer}
+             */
+            boat_samples: 1 | 4 | 9;
+            /**
              * Samples
              * @description Samples a pixel, on a square grid
              * @default 1
@@ -1923,6 +2079,12 @@ export interface components {
             water?: components["schemas"]["Water"];
             /** @description Sea floor, land and surf; absent: open sea */
             shore?: components["schemas"]["Shore"] | null;
+            /**
+             * Boats
+             * @description Boats on the water
+             * @default []
+             */
+            boats: components["schemas"]["Boat"][];
             /** @description null: unlit, foam white on black */
             light?: components["schemas"]["Light"] | null;
             camera?: components["schemas"]["Camera"];
@@ -2664,6 +2826,35 @@ export interface components {
             scale: number;
         };
         /**
+         * WakeSaturation
+         * @description Foam of boats: the churned band that each leaves behind it, and what its bow throws aside.
+         */
+        WakeSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "wake";
+            /**
+             * Amount
+             * @description Saturation right behind the boat
+             * @default 1
+             */
+            amount: number;
+            /**
+             * Life
+             * @description Time to 1/e behind it, s
+             * @default 8
+             */
+            life: number;
+            /**
+             * Bow
+             * @description Saturation of the bow's wave, at hull speed
+             * @default 1
+             */
+            bow: number;
+        };
+        /**
          * Water
          * @description The body of the water, and the ripples on it.
          */
@@ -2859,6 +3050,7 @@ export interface components {
     pathItems: never;
 }
 export type Alive = components['schemas']['Alive'];
+export type Boat = components['schemas']['Boat'];
 export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];
 export type Causes = components['schemas']['Causes'];
@@ -2923,6 +3115,7 @@ export type TruthInfo = components['schemas']['TruthInfo'];
 export type Uniform = components['schemas']['Uniform'];
 export type Viewport = components['schemas']['Viewport'];
 export type ViewportSize = components['schemas']['ViewportSize'];
+export type WakeSaturation = components['schemas']['WakeSaturation'];
 export type Water = components['schemas']['Water'];
 export type Wrap = components['schemas']['Wrap'];
 export type SeafoamAccuracyModelPoints = components['schemas']['seafoam__accuracy__model__Points'];
