@@ -17,6 +17,7 @@ from seafoam.effects.contribution import (
     Target,
     TargetInput,
     Uniform,
+    UniformType,
     array,
     number,
     significant,
@@ -56,7 +57,7 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
 
 
 def _each(values: list[tuple[float, ...]]) -> Uniform:
-    kind = "vec3" if len(values[0]) == 3 else "vec4"
+    kind: UniformType = "vec3" if len(values[0]) == 3 else "vec4"
     return array(kind, [Constant(value=value) for value in values], len(values))
 
 

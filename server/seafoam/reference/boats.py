@@ -420,7 +420,7 @@ def _paint(pose: Pose, at: Floats, n: Floats, part: Floats) -> tuple[Floats, Flo
         glass &= (x > -0.16) & (x < 0.11) & (n[:, 1] < 0.7)
     wall = np.array(pose.boat.sails if motor else (0.72, 0.71, 0.68))
     house = np.where(glass[:, None], np.array([0.012, 0.014, 0.016]), wall)
-    choices = (
+    choices: tuple[tuple[Floats, Floats | float], ...] = (
         (hull, 0.5),
         (np.array([0.16, 0.19, 0.17] if motor else [0.42, 0.3, 0.17]), 0.1),
         (house, np.where(glass, 1.0, 0.3)),
