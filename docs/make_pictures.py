@@ -89,7 +89,7 @@ def boats(executor: Executor) -> None:
         plan = make_plan(scene, quality.model_copy(update={"reflection": way}))
         drawn = executor.render(plan, time=6.0, camera=close, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
-    sheet(made, 3).save(PICTURES / "boats.webp", quality=88)
+    sheet(made, 3).save(PICTURES / "boats.webp", quality=82)
 
 
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
