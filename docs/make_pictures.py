@@ -148,6 +148,24 @@ def pool(executor: Executor) -> None:
         drawn = executor.render(make_plan(one, quality), time=3.0, camera=camera, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
     sheet(made, 3).save(PICTURES / "caustics.webp", quality=82)
+def boats(executor: Executor) -> None:
+    """The boats' presets at three times; the race's mirror: of the sky alone, planar, by rays from the water."""
+    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    made = []
+    for name, times in (("boat-race", (0.0, 6.0, 11.0)), ("boat-in-storm", (49.0, 52.0, 56.0))):
+        scene = load_preset(name).scene
+        for time in times:
+            drawn = executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270)
+            made.append(Image.fromarray(drawn.pixels[..., :3]))
+    race = load_preset("boat-race").scene
+    assert race.light is not None
+    close = race.camera.model_copy(update={"yaw": 0.25, "pitch": -0.12, "fov": 0.3})
+    for reflection, way in (("sky", "map"), ("planar", "map"), ("planar", "traced")):
+        scene = race.model_copy(update={"light": race.light.model_copy(update={"reflection": reflection})})
+        plan = make_plan(scene, quality.model_copy(update={"reflection": way}))
+        drawn = executor.render(plan, time=6.0, camera=close, width=480, height=270)
+        made.append(Image.fromarray(drawn.pixels[..., :3]))
+    sheet(made, 3).save(PICTURES / "boats.webp", quality=82)
 
 
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
@@ -179,6 +197,7 @@ def main() -> None:
     drift(executor).save(PICTURES / "drift.webp", quality=76)
     sparkles(executor)
     pool(executor)
+    boats(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

@@ -8,6 +8,7 @@ from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.drift import Drift, Vortex
+from seafoam.scene.boats import Boat
 from seafoam.scene.models import (
     Chop,
     DriftSaturation,
@@ -25,6 +26,7 @@ from seafoam.scene.models import (
     SlopeSaturation,
     Sparkles,
     SurfSaturation,
+    WakeSaturation,
     Water,
 )
 from seafoam.scene.presets import load_preset, preset_names
@@ -53,6 +55,8 @@ def qualities() -> Iterator[Quality]:
     yield standard.model_copy(update={"cube": "exact", "cloud_octaves": 2})
     for mask, taps in product(("u8", "half"), (1, 4)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
+    for wake, reflection, rays in (("map", "traced", 4), ("exact", "map", 1)):
+        yield standard.model_copy(update={"wake": wake, "reflection": reflection, "boat_samples": rays})
     for size, tiles, digits, steps in ((64, 2, "half", 0), (128, 3, "float", 4), (512, 4, "half", 8)):
         yield standard.model_copy(
             update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
@@ -135,6 +139,14 @@ def drifting(sea: Scene) -> Iterator[Scene]:
     for light in (Light(), Light(sun_elevation=-0.3), None):
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, chop=Chop()), light=light)
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)
+    fleet = (Boat(), Boat(kind="motor", centre=(20.0, -40.0)))
+    wake = Foam(saturation=(WakeSaturation(),))
+    mirror = Light(reflection="planar")
+    for boats, light, coast in product((fleet[:1], fleet), (Light(), mirror, None), (None, shore)):
+        yield Scene(boats=boats, foam=wake, light=light, shore=coast)
+    yield Scene(boats=fleet, waves=sea.waves, light=mirror, water=Water(depth=5.0))
+    yield Scene(boats=fleet, sea=Sea(), light=mirror, foam=Foam(saturation=(WakeSaturation(), FoldSaturation())))
+    yield Scene(foam=wake)
 
 
 def every_plan() -> Iterator[FramePlan]:
@@ -151,6 +163,8 @@ def every_plan() -> Iterator[FramePlan]:
     # What a bound leaves out is drawn where that bound is tested.
     yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
     yield make_plan(Scene(spray=Spray()), TIERS["standard"], economy=False)
+    for source in (SurfSaturation(), WakeSaturation()):
+        yield make_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"], economy=False)
 
 
 def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:

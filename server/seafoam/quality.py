@@ -108,6 +108,20 @@ class Quality(Knobs):
         default=256, description="Cells along a side of the refracted grid"
     )
     caustics_photons: Literal[128, 256, 512, 1024] = Field(default=512, description="Photons along a side of the tile")
+    wake: Literal["map", "exact"] = Field(
+        default="map", description="Wakes from a map drawn each frame, or worked out per pixel"
+    )
+    wake_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Texels along a map of a wake")
+    reflection: Literal["map", "traced"] = Field(
+        default="map", description="Boats mirrored from a planar mirror drawn each frame, or by rays from the water"
+    )
+    reflection_size: int = Field(default=512, ge=32, le=2048, description="Texels along a side of the planar mirror")
+    boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = Field(
+        default=7, description="Heights read round each hull point of a boat"
+    )
+    boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = Field(
+        default=4, description="Rays through each sample where boats are: their edges against water and sky"
+    )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
 
@@ -130,6 +144,9 @@ TIERS: dict[Tier, Quality] = {
         spray_count=2048,
         caustics_size=256,
         caustics_cells=128,
+        wake_size=256,
+        reflection_size=256,
+        boat_samples=1,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -142,6 +159,9 @@ TIERS: dict[Tier, Quality] = {
         drift_step=0.25,
         spray_count=16384,
         caustics_cells=512,
+        wake_size=1024,
+        reflection_size=1024,
+        boat_samples=1,
         samples=4,
     ),
     "reference": Quality(
@@ -159,6 +179,9 @@ TIERS: dict[Tier, Quality] = {
         spray_count=16384,
         caustics="photons",
         caustics_photons=1024,
+        wake="exact",
+        reflection="traced",
+        boat_samples=1,
         samples=16,
         target="RGBA32F",
     ),

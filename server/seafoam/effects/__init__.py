@@ -3,6 +3,7 @@
 from seafoam.effects import (
     below,
     caustics,
+    boat,
     chop,
     clouds,
     crest,
@@ -17,6 +18,7 @@ from seafoam.effects import (
     light,
     night,
     parametric,
+    planar,
     rings,
     sea,
     shore,
@@ -24,6 +26,8 @@ from seafoam.effects import (
     sparkles,
     spray,
     surf,
+    wake,
+    wake_foam,
     water,
 )
 from seafoam.effects.contribution import Effect
@@ -32,6 +36,7 @@ EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
     sea.EFFECT,
     rings.EFFECT,
+    wake.EFFECT,
     chop.EFFECT,
     front.EFFECT,
     height.EFFECT,
@@ -54,6 +59,9 @@ EFFECTS: tuple[Effect, ...] = (
     drift.EFFECT,
     crest.EFFECT,
     spray.EFFECT,
+    wake_foam.EFFECT,
+    boat.EFFECT,
+    planar.EFFECT,
 )
 """Every effect there is."""
 

@@ -206,6 +206,10 @@ class PassSpec:
     It covers its whole target unless told otherwise. ``stage``: before the surface is drawn, or after surface and sky
     into :data:`ABOVE`, which is cleared for the first of them and may read all that the surface reads. Among the files,
     ``@waves`` stands for what the scene fills the waves (and the shore) with, ``@sky`` for its sky.
+    It covers its whole target unless told otherwise. ``@waves`` among the files stands for that slot as the surface's
+    shader has it, and brings what it reads; so do ``@find``, ``@sky`` and the others.
+    ``stage``: before the surface is drawn, or after surface and sky
+    into :data:`ABOVE`, which is cleared for the first of them.
     """
 
     name: str

@@ -3,6 +3,8 @@
 import math
 
 from seafoam.effects.light import lamp_angles, sky_irradiance, sun_irradiance
+from seafoam.effects.light import sky_irradiance, sun_irradiance
+from seafoam.scene.boats import LEAST_SPEED, wake_level
 from seafoam.scene.models import (
     DriftSaturation,
     Foam,
@@ -13,6 +15,7 @@ from seafoam.scene.models import (
     Scene,
     SlopeSaturation,
     SurfSaturation,
+    WakeSaturation,
 )
 from seafoam.scene.ring_level import calm_level
 from seafoam.scene.sea import RAISED, cascades
@@ -28,10 +31,21 @@ def waves_top(scene: Scene) -> float:
 
 def surface_top(scene: Scene) -> float:
     """Greatest height of everything that raises the surface, m: all crests in one place."""
-    top = waves_top(scene) + 2.0 * calm_level(scene)
+    top = waves_top(scene) + 2.0 * (calm_level(scene) + wake_level(scene.boats))
     if scene.sea is not None and scene.sea.wind > 0.0:
         top += sum(2.0 * of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
     return top if scene.shore is None else top + scene.shore.surf.height
+
+
+def mean_level(scene: Scene) -> float:
+    """Height about which the surface of the open sea rises and falls, m; the mean of u^K is Γ(K + ½)/(√π Γ(K + 1))."""
+    level = calm_level(scene) + wake_level(scene.boats)
+    for wave in scene.waves:
+        gammas = math.lgamma(wave.exponent + 0.5) - math.lgamma(wave.exponent + 1.0)
+        level += wave.amplitude * math.exp(gammas) / math.sqrt(math.pi)
+    if scene.sea is not None and scene.sea.wind > 0.0:
+        level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+    return level
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
@@ -55,6 +69,11 @@ def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
 def drift_limit(drift: DriftSaturation, scene: Scene) -> float:
     """Greatest drift saturation: the ages that are alive together weigh 2."""
     return min(2.0 * drift.amount, SATURATION_CAP) if scene.drift is not None else 0.0
+def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
+    """Greatest wake saturation: none where no boat moves."""
+    if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):
+        return 0.0
+    return min(len(scene.boats) * (1.2 * wake.amount + 1.7 * wake.bow), SATURATION_CAP)
 
 
 def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
@@ -77,6 +96,8 @@ def source_limit(source: Saturation, scene: Scene) -> float:
             return surf_limit(source, scene)
         case DriftSaturation():
             return drift_limit(source, scene)
+        case WakeSaturation():
+            return wake_limit(source, scene)
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:

@@ -109,6 +109,7 @@ def _bound(scene: Scene, steepest: float) -> Bound | None:
     ripples = scene.water.chop is not None and scene.light is not None
     lying = scene.foam is not None or ripples or scene.spray is not None
     if lying or scene.water.depth is not None or scene.shore is not None:
+    if scene.foam is not None or ripples or scene.water.depth is not None or scene.shore is not None or scene.boats:
         return None
     # A crest also moves the haze before it, by its share of the eye's height: a tenth for any camera above 10 m/m.
     if scene.light is None:

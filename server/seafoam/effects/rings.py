@@ -162,7 +162,7 @@ def _bound(scene: Scene, level: float, steepest: float) -> Bound | None:
     if level == 0.0:
         return Bound(0.0, f"no ring is ever higher than {DEAD:g} m")
     ripples = scene.water.chop is not None and scene.light is not None
-    if scene.foam is not None or ripples or scene.water.depth is not None:
+    if scene.foam is not None or ripples or scene.water.depth is not None or scene.boats:
         return None
     if scene.light is None:
         return Bound(0.0, "nothing lies on them, and there is no light")

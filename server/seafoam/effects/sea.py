@@ -242,7 +242,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _bound(scene: Scene, steepest: float) -> Bound | None:
     """As of parametric waves: without foam, ripples and floor only slopes show."""
     ripples = scene.water.chop is not None and scene.light is not None
-    if scene.foam is not None or ripples or scene.water.depth is not None:
+    if scene.foam is not None or ripples or scene.water.depth is not None or scene.boats:
         return None
     if scene.light is None:
         return Bound(0.0, "nothing lies on it, and there is no light")

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from seafoam.effects import EFFECTS
@@ -31,6 +32,7 @@ from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Text
 from seafoam.plan.slots import SKY_PASS_SLOTS, SKY_SLOTS, TONE, WAVES, surface_slots
 from seafoam.plan.slots import DISC, OPEN_WAVES, SHORE, SKY, TONE, WAVES, Slot, surface_slots
 from seafoam.plan.slots import DISC, MAIN, SKY, TONE, WAVES, surface_slots
+from seafoam.plan.slots import DISC, SKY, TONE, WAVES, slots_named, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -79,6 +81,8 @@ class _Draft:
         files = [*given.slots]
         paths = {path.partition("?")[0] for file in files for path in (*file.needs, file.path)}
         paths |= {path for spec in given.passes for path in (*spec.vertex, *spec.fragment)} - {SKY_FILES}
+        pieces = {piece for spec in given.passes for piece in (*spec.vertex, *spec.fragment)}
+        paths |= {piece.partition("?")[0] for piece in pieces if not piece.startswith("@")}
         self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
         self.slots += files
         self.passes += given.passes
@@ -163,6 +167,12 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             vertex=assemble(spec.vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(_with_sky(spec.fragment, chosen), consts),
             vertex=assemble(texts[0], {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(texts[1], consts)
+    # Passes march to the surface whatever finds it for the eye: they have no mesh.
+    found = SlotFile("find", "surface/plane.glsl" if level else "surface/march.glsl")
+    for spec in draft.passes:
+        vertex, fragment = (_pieces(part, [*draft.slots, found], shore) for part in (spec.vertex, spec.fragment))
+        programs[spec.program] = Program(
+            vertex=assemble(vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(fragment, consts)
         )
     targets = {
         **draft.targets,
@@ -173,6 +183,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     after = [
         _pass(replace(spec, inputs={**draft.inputs, **spec.inputs})) for spec in draft.passes if spec.stage == "after"
     ]
+    after = [_pass(spec, draft.inputs) for spec in draft.passes if spec.stage == "after"]
     if after:
         drawn = BENEATH
         targets[BENEATH] = targets["samples"]
@@ -215,7 +226,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             )
         ]
     passes = [
-        *(_pass(spec) for spec in draft.passes if spec.stage == "before"),
+        *(_pass(spec, draft.inputs) for spec in draft.passes if spec.stage == "before"),
         Pass(
             name="surface",
             when="frame",
@@ -283,13 +294,26 @@ def _pieces(slots: Sequence[Slot], chosen: Sequence[SlotFile]) -> list[str]:
 
 
 def _pass(spec: PassSpec) -> Pass:
+def _pieces(parts: tuple[str, ...], chosen: Sequence[SlotFile], shore: bool) -> list[str]:
+    """Files as they are; ``@name`` stands for the slot of that name, as the surface's shader has it."""
+    pieces: list[str] = []
+    for part in parts:
+        if part.startswith("@"):
+            for slot in slots_named(part[1:], shore):
+                pieces += slot_pieces(slot, chosen)
+        else:
+            pieces.append(part)
+    return pieces
+
+
+def _pass(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput]) -> Pass:
     return Pass(
         name=spec.name,
         when="frame",
         program=spec.program,
         target=spec.target,
         mesh=spec.mesh,
-        inputs=spec.inputs,
+        inputs={**inputs, **spec.inputs} if any(part.startswith("@") for part in spec.fragment) else spec.inputs,
         uniforms=spec.uniforms,
         state=State(clear=spec.clear, blend=spec.blend),
     )

@@ -136,3 +136,14 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *SKY_SLOTS, *shading)
     lit = (SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
     return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, MAIN, BELOW)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)
+
+
+def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
+    """The slots of the surface's shader that have a name; ``waves`` takes the shore's with it. Raises ``KeyError``."""
+    found = tuple(
+        slot for slot in surface_slots("max", shore) if slot.name in ({name, "shore"} if name == "waves" else {name})
+    )
+    if not found:
+        raise KeyError(name)
+    return found

@@ -12,6 +12,7 @@ from seafoam.masks import custom_mask, load_mask
 from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
+from . import boats as fleets
 from . import camera as cameras
 from . import cells, light, looks, sampling, surface
 from .gusts import GustField
@@ -190,10 +191,16 @@ class _Shader:
         self.air = None if scene.light is None else light.air(scene.light, time, eye)
         self.waves = wave_set(scene, time, self.origin)
         self.sea = sea_surface(scene, time, self.origin)
+        self.wakes = fleets.wake_set(scene, time, self.origin) if scene.boats else None
         parts: tuple[Part, ...] = (self.waves, ring_set(scene, time, self.origin))
+        if self.wakes is not None:
+            parts = (*parts, self.wakes)
         open_sea = Relief(parts if self.sea is None else (*parts, self.sea))
         self.coast = None if scene.shore is None else Coast(scene.shore, time, self.origin, open_sea)
         self.relief: Part = open_sea if self.coast is None else self.coast
+        coast = self.coast
+        ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
+        self.fleet = fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         self.gusts = GustField(scene.water.chop, time, self.origin)
         repeats = scene.light is not None and scene.light.caustics is not None
@@ -250,6 +257,9 @@ class _Shader:
             colour[sky] = beyond * self._exposure
         if met.any():
             colour[met], amount[met] = self._surface(D[met], d[met], distance[met])
+        if self.fleet is not None:
+            nearer = np.minimum(distance, to_land) if self.coast is not None else distance
+            self._boats(self.fleet, d, nearer, colour)
         return np.minimum(colour, BRIGHTEST), amount, met | dry
 
     def _below(self, bed: Bed, D: Floats, d: Floats) -> tuple[Floats, Floats, Bools]:
@@ -312,6 +322,35 @@ class _Shader:
             self.sea.detail(x, z),
         )
         return (met_x, met_z), (met_x + (seen_x - own_x), met_z + (seen_z - own_z)), (c_x + s_x, c_z + s_z)
+    def _boats(self, fleet: fleets.Fleet, d: Floats, nearer: Floats, colour: Floats) -> None:
+        """Draws boats over ``colour`` (r, 3) where rays d meet them before anything else, ``nearer`` metres away."""
+        eye = np.array([0.0, self.eye_y, 0.0])
+        hit = fleet.trace(eye, d)
+        seen = np.flatnonzero(hit.t < nearer)
+        if seen.size == 0:
+            return
+        if self.air is None or self.scene.light is None:
+            colour[seen] = 0.0
+            return
+        own = fleets.Hit(hit.t[seen], hit.normal[seen], hit.place[seen], hit.part[seen], hit.boat[seen])
+        light_of = fleet.light(self.air, eye, d[seen], own)
+        hazed = light.haze(self.air, self.scene.light.visibility, light_of, d[seen], own.t)
+        colour[seen] = hazed * self._exposure
+
+    def _mirror(self, place: Floats, r: Floats) -> Floats:
+        """Radiance that comes from direction r (r, 3) into places (r, 3) on the water: the sky, and boats before it."""
+        assert self.air is not None
+        assert self.scene.light is not None
+        seen = self.air.sky(r)
+        if self.fleet is None or self.scene.light.reflection != "planar":
+            return seen
+        hit = self.fleet.trace(place, r)
+        met = np.flatnonzero(np.isfinite(hit.t))
+        if met.size:
+            own = fleets.Hit(hit.t[met], hit.normal[met], hit.place[met], hit.part[met], hit.boat[met])
+            found = self.fleet.light(self.air, place[met], r[met], own)
+            seen[met] = light.haze(self.air, self.scene.light.visibility, found, r[met], own.t)
+        return seen
 
     def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Floats:
         """Colour (r, 3) where rays D meet land, ``distance`` metres away."""
@@ -395,6 +434,8 @@ class _Shader:
                 feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
                 lit = self.bed.seen(x, z, H, d, n, feet)
             colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, lit)
+            place = np.stack((x, H, z), axis=-1)
+            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, lambda r: self._mirror(place, r))
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)
@@ -426,6 +467,7 @@ class _Shader:
             ],
             surf=None if self.coast is None else self.coast.foam,
             drift=self._drifting,
+            wake=None if self.wakes is None else self.wakes.foam,
         )
         carried = self._carried(foam, x, z)
         if not carried:

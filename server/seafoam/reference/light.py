@@ -6,6 +6,7 @@ Colours are linear RGB along the last axis, directions unit vectors (x, y, z) al
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from dataclasses import dataclass
 from functools import lru_cache, partial
@@ -169,6 +170,7 @@ def water(
     the smooth glint.
     way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``lit``: a level floor
     that is lit by itself: its radiance (r, 3), the way from it up, and straight down to it, (r,) m.
+    from directions (r, 3) over the horizon; the sky's where absent.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
@@ -184,6 +186,8 @@ def water(
     )
     inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed, lit) + _crest(of, body, top, d, H))
     return inner + mirror * of.sky(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
+    seen = of.sky if mirrored is None else mirrored
+    return inner + mirror * seen(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
 
 
 def foam(of: Air, albedo: float, N: Floats) -> Floats:

@@ -15,6 +15,7 @@ from seafoam.scene.models import (
     Saturation,
     SlopeSaturation,
     SurfSaturation,
+    WakeSaturation,
 )
 
 from .relief import Part
@@ -206,12 +207,14 @@ def saturation(
     folds: list[Floats],
     surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
     drift: Callable[[DriftSaturation, Floats, Floats], Floats] | None = None,
+    wake: Callable[[WakeSaturation, Floats, Floats, float], Floats] | None = None,
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
     ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface. With footprints
     (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf`` gives the
     foam of a shore's surf; without a shore there is none. ``drift`` gives the foam that a flow carries.
+    foam of a shore's surf, ``wake`` that behind boats; without them there is none.
     """
     parts = []
     given = iter(folds)
@@ -230,6 +233,8 @@ def saturation(
             continue
         if isinstance(source, DriftSaturation):
             parts.append(np.zeros_like(x) if drift is None else drift(source, x, z))
+        if isinstance(source, WakeSaturation):
+            parts.append(np.zeros_like(x) if wake is None else wake(source, x, z, cap))
             continue
         if waves[source.constants].amplitude.size == 0:
             parts.append(np.zeros_like(x))

@@ -22,6 +22,8 @@ _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None, "drift": None},
     "": {"rings": [], "sea": None, "shore": None, "spray": None},
     "light": {"specular": "glint", "specular_power": 364.0, "specular_perturb": 0.4, "sparkles": None},
+    "": {"rings": [], "sea": None, "shore": None, "boats": []},
+    "light": {"reflection": "sky"},
     "shore": {"image": None},
     "water/chop": {"gusts": None},
     "light": {"day": None, "sky": None, "reflection": "sky"},

@@ -299,7 +299,8 @@ class Executor:
             made[1].repeat_x = made[1].repeat_y = target.wrap == "repeat"
             return made
 
-        found: tuple[Any, ...] = self._targets.get((name, size, target.format, target.filter, target.wrap), make)
+        key = (name, size, target.format, target.depth, target.filter, target.wrap)
+        found: tuple[Any, ...] = self._targets.get(key, make)
         return found
 
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:

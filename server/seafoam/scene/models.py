@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from seafoam.scene.drift import Drift
+from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
@@ -178,6 +179,17 @@ class DriftSaturation(Part):
 
 Saturation = Annotated[
     FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation | DriftSaturation,
+class WakeSaturation(Part):
+    """Foam of boats: the churned band that each leaves behind it, and what its bow throws aside."""
+
+    source: Literal["wake"] = "wake"
+    amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation right behind the boat")
+    life: float = Field(default=8.0, ge=0.1, le=60.0, description="Time to 1/e behind it, s")
+    bow: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation of the bow's wave, at hull speed")
+
+
+Saturation = Annotated[
+    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation | WakeSaturation,
     Field(discriminator="source"),
 ]
 
@@ -370,6 +382,8 @@ class Light(Part):
     sparkles: Sparkles | None = Field(default=None, description="Sparks in the sun's reflection; absent: none")
     caustics: Caustics | None = Field(
         default=None, description="Sunlight focused by the ripples on the floor; absent: evenly lit"
+    reflection: Literal["sky", "planar"] = Field(
+        default="sky", description="What the water mirrors. sky: the sky alone; planar: boats as well"
     )
 
 
@@ -416,5 +430,6 @@ class Scene(Part):
         default=None, description="What carries the foam of a drift saturation; absent: nothing"
     )
     spray: Spray | None = Field(default=None, description="Drops that the water throws up; absent: none")
+    boats: tuple[Boat, ...] = Field(default=(), max_length=BOATS_MOST, description="Boats on the water")
     light: Light | None = Field(default_factory=Light, description="null: unlit, foam white on black")
     camera: Camera = Field(default_factory=Camera)

@@ -1,0 +1,115 @@
+"""Planar reflection: a mirrored camera draws boats into a map that the water reads. docs/formulae.md, section 10b."""
+
+from seafoam.effects.boat import COURSE, LIGHT, TRACE, shade_files
+from seafoam.effects.contribution import (
+    Bound,
+    Contribution,
+    Effect,
+    FixedSize,
+    HardCase,
+    Knob,
+    PassSpec,
+    SlotFile,
+    Target,
+    TargetInput,
+    Uniform,
+    number,
+    significant,
+)
+from seafoam.effects.extremes import mean_level
+from seafoam.quality import Quality
+from seafoam.scene.boats import Boat
+from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+
+MARGIN = 1.25
+"""The map is so much wider than the picture: ripples mirror what lies beside it."""
+STEPS = 3
+"""How often the reflected ray asks the map how far its light has come."""
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by a light whose ``reflection`` is planar."""
+    if scene.light is None or scene.light.reflection != "planar":
+        return None
+    if not scene.boats:
+        return Contribution(
+            why="nothing stands over the water",
+            slots=(SlotFile("reflection", "reflection/sky.glsl"),),
+            bound=Bound(0.0, "nothing stands over the water"),
+        )
+    level: dict[str, Uniform] = {"u_mirror_level": number(significant(mean_level(scene)))}
+    if quality.reflection == "traced":
+        return Contribution(
+            why="rays from the water to the boats",
+            slots=(SlotFile("reflection", "reflection/traced.glsl", needs=(*TRACE, *LIGHT, "reflection/place.glsl")),),
+            uniforms=level,
+        )
+    size = quality.reflection_size
+    return Contribution(
+        why=f"a mirrored camera, {size} texels a side",
+        slots=(
+            SlotFile(
+                "reflection", "reflection/planar.glsl", needs=(COURSE, "reflection/guess.glsl", "reflection/place.glsl")
+            ),
+        ),
+        consts={"MIRROR_SIZE": size, "MIRROR_MARGIN": MARGIN, "MIRROR_STEPS": STEPS},
+        uniforms=level,
+        inputs={"u_mirror": TargetInput(target="mirror")},
+        targets={"mirror": Target(size=FixedSize(width=size, height=size), format="RGBA16F")},
+        passes=(
+            PassSpec(
+                name=f"planar mirror, {size} texels",
+                program="mirror",
+                fragment=(
+                    "common/numbers.glsl",
+                    "common/camera.glsl",
+                    *TRACE,
+                    *shade_files(scene),
+                    "reflection/map_pass.glsl",
+                ),
+                target="mirror",
+            ),
+        ),
+    )
+
+
+_BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
+_MIRROR = Light(reflection="planar")
+_VIEW = Camera(position=(0.0, 3.0, 12.0), pitch=-0.2)
+
+EFFECT = Effect(
+    "planar reflection",
+    contribute,
+    invisible=(Scene(light=_MIRROR), Scene(light=_MIRROR, waves=(ParametricWave(),))),
+    knobs=(
+        Knob("/reflection", "planar mirror", ("map", "traced"), "filtering"),
+        Knob("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
+    ),
+    hard_cases=(
+        HardCase(
+            name="a mirror under the eye and straight down",
+            scene=Scene(light=_MIRROR, boats=(_BOAT,), water=Water(chop=Chop())),
+            guard="mirrored places before the eye alone (reflection/planar.glsl)",
+            without="nothing on llvmpipe: boats that are looked for are before the eye",
+            camera=Camera(position=(0.0, 4.0, -2.0), pitch=-1.5708),
+        ),
+        HardCase(
+            name="a mirror at grazing, eye among crests",
+            scene=Scene(
+                light=_MIRROR,
+                boats=(_BOAT,),
+                waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),),
+            ),
+            guard="the place looked at is held at 10 km, the way to it is never negative (reflection/planar.glsl)",
+            without="0.4 % of samples off by more than 2 levels, the worst by 22",
+            camera=Camera(position=(0.0, 0.7, 12.0), pitch=0.0),
+        ),
+        HardCase(
+            name="eye under the mirror",
+            scene=Scene(light=_MIRROR, boats=(_BOAT,), waves=(ParametricWave(amplitude=0.8, wavelength=7.0),)),
+            guard="a mirrored ray begins out of the water, never before its eye (reflection/map_pass.glsl)",
+            without="nothing here: no boat lies between the mirrored eye and the water over it",
+            camera=Camera(position=(0.0, 0.1, 12.0), pitch=0.1),
+        ),
+    ),
+)

@@ -1,0 +1,33 @@
+// A sample of a boat where it stands before water and land: BOAT_SIDE x BOAT_SIDE rays through it. Linear light, premultiplied.
+out vec4 o_color;
+
+// Light of a boat on this ray and 1, or nothing.
+vec4 boat_seen(vec3 ray) {
+    float size = length(ray);
+    vec3 eye = vec3(0.0, u_eye_height, 0.0);
+    vec3 d = ray / size;
+    float t;
+    BoatHit hit;
+    int i = trace_boats(eye, d, 0.0, 1e5, false, t, hit);
+    if (i < 0) {
+        return vec4(0.0);
+    }
+    float tau;
+    vec3 wave;
+    if ((find_surface(ray, tau, wave) && tau * size < t) || boat_behind_land(ray, t / size)) {
+        return vec4(0.0);
+    }
+    return vec4(min(exposure() * boat_in_air(boat_light(i, eye, d, t, hit), d, t), BRIGHTEST), 1.0);
+}
+
+void main() {
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < BOAT_SIDE * BOAT_SIDE; ++i) {
+        vec2 offset = (vec2(i % BOAT_SIDE, i / BOAT_SIDE) + 0.5) / float(BOAT_SIDE) - 0.5;
+        sum += boat_seen(camera_ray(gl_FragCoord.xy + offset));
+    }
+    if (sum.a == 0.0) {
+        discard;
+    }
+    o_color = sum / float(BOAT_SIDE * BOAT_SIDE);
+}

@@ -1,0 +1,59 @@
+// Rays against all boats as they float now. Metres from the eye's own (x, z).
+uniform sampler2D u_boat_pose;
+uniform vec3 u_boat_rig[BOAT_COUNT];   // 1 for a motor boat, cosine and sine of the boom's angle
+uniform vec3 u_boat_hull[BOAT_COUNT];  // reflectance
+uniform vec3 u_boat_sails[BOAT_COUNT];
+
+struct BoatFrame {
+    vec3 at;
+    vec3 ahead;
+    vec3 up;
+    vec3 right;
+};
+
+BoatFrame boat_frame(int i) {
+    vec3 pose = texelFetch(u_boat_pose, ivec2(i, 0), 0).xyz;
+    vec2 place = boat_place(i);
+    vec2 heading = boat_forward(i);
+    vec3 up = normalize(vec3(-pose.y, 1.0, -pose.z));
+    vec3 ahead = vec3(heading.x, 0.0, heading.y);
+    ahead = normalize(ahead - dot(ahead, up) * up);
+    vec3 right = cross(ahead, up);
+    vec2 heel = u_boat_form[i].zw;
+    return BoatFrame(vec3(place.x, pose.x, place.y), ahead, heel.x * up + heel.y * right, heel.x * right - heel.y * up);
+}
+
+// First boat on the ray o + t d, d a unit vector, from `least` on and before `farthest` (m): which, and where; -1: none.
+// dry: what is under the water line does not count.
+int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float t, out BoatHit hit) {
+    int found = -1;
+    t = farthest;
+    for (int i = 0; i < BOAT_COUNT; ++i) {
+        float size = u_boat_form[i].x;
+        BoatFrame f = boat_frame(i);
+        vec3 from = o - f.at;
+        // Everything of a boat is within so far of a place over its middle.
+        vec3 middle = 0.4 * size * f.up - from;
+        float nearest = dot(middle, d);
+        if (dot(middle, middle) - nearest * nearest > 0.81 * size * size) {
+            continue;
+        }
+        // From its nearest place on, so that no digit is lost to the way there.
+        vec3 start = from + nearest * d;
+        vec3 local = vec3(dot(start, f.ahead), dot(start, f.up), dot(start, f.right)) / size;
+        vec3 way = vec3(dot(d, f.ahead), dot(d, f.up), dot(d, f.right));
+        float first = (least - nearest) / size;
+        if (dry && way.y > 1e-6) {
+            first = max(first, -local.y / way.y);
+        }
+        BoatHit one = BoatHit((t - nearest) / size, vec3(0.0, 1.0, 0.0), local, PART_HULL);
+        float before = one.t;
+        hit_boat(local, way, u_boat_rig[i].x > 0.5, u_boat_rig[i].yz, first, one);
+        if (one.t < before && !(dry && one.at.y < -1e-4)) {
+            found = i;
+            t = nearest + one.t * size;
+            hit = one;
+        }
+    }
+    return found;
+}

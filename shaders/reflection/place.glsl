@@ -1,0 +1,16 @@
+// The place on the water that is looked at along d, metres from the eye's own (x, z): on still water first, then by Newton steps.
+uniform float u_mirror_level; // height of still water, m
+
+vec3 mirror_place(vec3 d) {
+    float way = clamp((u_mirror_level - u_eye_height) / (d.y < -1e-4 ? d.y : -1e-4), 0.0, 1e4);
+    for (int i = 0; i < 4; ++i) {
+        vec3 wave = waves(way * d.xz);
+        float rate = d.y - dot(wave.yz, d.xz);
+        // Rising along the look or level with it: no place to be found downhill.
+        if (rate < -1e-3) {
+            float gap = u_eye_height + way * d.y - wave.x;
+            way = clamp(way - clamp(gap / rate, -0.1 * way - 0.1, 0.1 * way + 0.1), 0.0, 1e4);
+        }
+    }
+    return vec3(way * d.x, u_eye_height + way * d.y, way * d.z);
+}

@@ -1,0 +1,31 @@
+// What the wakes of boats add to the surface: heights over still water, slopes along x and z.
+uniform float u_wake_level; // height of still water, m
+
+// Height, gradient, and the mean square wavenumber where slopes are.
+vec4 wake_sum(vec2 p) {
+    vec4 sum = vec4(u_wake_level, 0.0, 0.0, 0.0);
+    float weight = 1e-12;
+    for (int i = 0; i < BOAT_COUNT; ++i) {
+        WakeWay way = wake_way(i, p);
+        vec4 here = wake_here(i, vec2(way.behind, abs(way.aside)));
+        vec2 slope = here.y * way.on_behind + (way.aside < 0.0 ? -here.z : here.z) * way.on_aside;
+        float steep = dot(slope, slope);
+        sum += vec4(here.x, slope, here.w * steep);
+        weight += steep;
+    }
+    return vec4(sum.xyz, sum.w / weight);
+}
+
+vec3 wakes_waves(vec2 p) {
+    return wake_sum(p).xyz;
+}
+
+// The same with what is smaller than the footprint taken out, and the mean square slope taken out.
+vec4 wakes_shading(vec2 p, Footprint fp) {
+    vec4 here = wake_sum(p);
+    float kept = 1.0;
+    if (SURFACE_FILTER) {
+        kept = exp(-0.0625 * min(here.w * (dot(fp.x, fp.x) + dot(fp.y, fp.y)), 1200.0));
+    }
+    return vec4(u_wake_level + kept * (here.x - u_wake_level), kept * here.yz, (1.0 - kept * kept) * dot(here.yz, here.yz));
+}
