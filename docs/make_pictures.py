@@ -94,6 +94,8 @@ def skies(executor: Executor) -> None:
         for scene, time in scenes
     ]
     sheet([Image.fromarray(pixels[..., :3]) for pixels in drawn], 3).save(PICTURES / "skies.webp", quality=88)
+
+
 def drift(executor: Executor) -> Image.Image:
     """Vortices at three times; from above followed back on maps of two sizes, and moved forward."""
     scene = load_preset("drift-vortices").scene
@@ -108,6 +110,8 @@ def drift(executor: Executor) -> Image.Image:
         drawn = executor.render(make_plan(scene, quality), time=time, camera=camera, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
     return sheet(made, 3)
+
+
 def sparkles(executor: Executor) -> None:
     """The sun's path smooth, in sparkles, and as the lake's highlight; a burst on a rock at three times."""
     sunset, rocks = load_preset("sunset-sparkles"), load_preset("spray-on-rocks")
@@ -124,6 +128,8 @@ def sparkles(executor: Executor) -> None:
         drawn = executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
     sheet(made, 3).save(PICTURES / "sparkles.webp", quality=88)
+
+
 def pool(executor: Executor) -> None:
     """The pool; without caustics; colours five times as far apart; Snell's window; along the floor; the open
     ocean from 4 m under it."""
@@ -148,6 +154,8 @@ def pool(executor: Executor) -> None:
         drawn = executor.render(make_plan(one, quality), time=3.0, camera=camera, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
     sheet(made, 3).save(PICTURES / "caustics.webp", quality=82)
+
+
 def boats(executor: Executor) -> None:
     """The boats' presets at three times; the race's mirror: of the sky alone, planar, by rays from the water."""
     quality = TIERS["standard"].model_copy(update={"samples": 4})

@@ -7,12 +7,12 @@ from typing import get_args
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
-from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.boats import Boat
+from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.models import (
+    Caustics,
     Chop,
     DriftSaturation,
-    Caustics,
     Foam,
     FoldSaturation,
     FrontSaturation,
@@ -120,6 +120,7 @@ def scenes() -> Iterator[Scene]:
             yield Scene(light=light, shore=around)
     yield sea.model_copy(update={"water": Water(chop=Chop(gusts=Gusts()))})
     yield from drifting(sea)
+    yield from living(sea, shore)
 
 
 def drifting(sea: Scene) -> Iterator[Scene]:
@@ -127,6 +128,10 @@ def drifting(sea: Scene) -> Iterator[Scene]:
     for vortices, look, cells in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone"), (False, True)):
         foam = Foam(saturation=(DriftSaturation(),), look=look, cells=cells)  # type: ignore[arg-type]
         yield sea.model_copy(update={"drift": Drift(vortices=vortices), "foam": foam})
+
+
+def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
+    """Sparkles, spray, pools, views from below, boats and their mirror."""
     for specular, sparkles in product(("glint", "blinn_phong"), (None, Sparkles())):
         yield Scene(light=Light(specular=specular, sparkles=sparkles))  # type: ignore[arg-type]
     rocky = shore.model_copy(update={"slope": 0.9})

@@ -2,8 +2,8 @@
 
 from seafoam.effects import (
     below,
-    caustics,
     boat,
+    caustics,
     chop,
     clouds,
     crest,

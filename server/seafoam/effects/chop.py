@@ -74,7 +74,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if chop is None:
         return None
     bound = _bound(scene, chop)
-    cascades = ripples(chop)
     gusts = _gusts(chop)
     repeats = scene.light is not None and scene.light.caustics is not None
     sides = tiles(repeats)
@@ -99,19 +98,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     offsets = [Wrap(k=k) for tile in sides for k in ((1.0 / tile, 0.0), (0.0, 1.0 / tile))]
     return Contribution(
-        why=f"{WAVES_PER_TILE * len(TILES)} ripples, drawn into {len(TILES)} tiles each frame",
+        why=f"{WAVES_PER_TILE * len(sides)} ripples, drawn into {len(sides)} tiles each frame",
         slots=(_detail("chop/tile.glsl", gusts),),
         consts={**consts, **gusts.consts},
         uniforms={
             **uniforms,
             **gusts.uniforms,
-            "u_chop_offset": array("vec2", offsets, len(TILES)),
-            "u_chop_size": array("float", [Constant(value=(tile,)) for tile in TILES], len(TILES)),
-        why=f"{WAVES_PER_TILE * len(sides)} ripples, drawn into {len(sides)} tiles each frame",
-        slots=(SlotFile("detail", "chop/tile.glsl", prefix="chop", needs=("chop/bands.glsl",)),),
-        consts=consts,
-        uniforms={
-            **uniforms,
             "u_chop_offset": array("vec2", offsets, len(sides)),
             "u_chop_size": array("float", [Constant(value=(tile,)) for tile in sides], len(sides)),
         },

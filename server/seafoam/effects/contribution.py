@@ -176,8 +176,6 @@ Blend = Literal["none", "add", "over"]
 
 BENEATH = "beneath"
 """The target of surface and sky where passes of stage ``after`` follow; those may read it."""
-SKY_FILES = "sky/*"
-"""In a pass's list of files: those that make ``sky_light``, whichever the scene calls for."""
 ABOVE = "above"
 """The target of passes of stage ``after``: premultiplied light, laid over :data:`BENEATH`; half floats, which blend."""
 
@@ -203,13 +201,9 @@ class SlotFile:
 class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
 
-    It covers its whole target unless told otherwise. ``stage``: before the surface is drawn, or after surface and sky
-    into :data:`ABOVE`, which is cleared for the first of them and may read all that the surface reads. Among the files,
-    ``@waves`` stands for what the scene fills the waves (and the shore) with, ``@sky`` for its sky.
     It covers its whole target unless told otherwise. ``@waves`` among the files stands for that slot as the surface's
-    shader has it, and brings what it reads; so do ``@find``, ``@sky`` and the others.
-    ``stage``: before the surface is drawn, or after surface and sky
-    into :data:`ABOVE`, which is cleared for the first of them.
+    shader has it, and brings what it reads; so do ``@find``, ``@sky`` and the others. ``stage``: before the surface is
+    drawn, or after surface and sky into :data:`ABOVE`, which is cleared for the first of them.
     """
 
     name: str

@@ -3,7 +3,6 @@
 import math
 
 from seafoam.effects.contribution import (
-    SKY_FILES,
     Bound,
     Contribution,
     Effect,
@@ -81,7 +80,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 fragment=(
                     "common/numbers.glsl",
                     "common/camera.glsl",
-                    SKY_FILES,
+                    "@sky",
                     sky,
                     *(land if shore else ("reflection/open.glsl",)),
                     "common/cube_face.glsl",

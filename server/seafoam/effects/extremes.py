@@ -3,7 +3,6 @@
 import math
 
 from seafoam.effects.light import lamp_angles, sky_irradiance, sun_irradiance
-from seafoam.effects.light import sky_irradiance, sun_irradiance
 from seafoam.scene.boats import LEAST_SPEED, wake_level
 from seafoam.scene.models import (
     DriftSaturation,
@@ -69,6 +68,8 @@ def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
 def drift_limit(drift: DriftSaturation, scene: Scene) -> float:
     """Greatest drift saturation: the ages that are alive together weigh 2."""
     return min(2.0 * drift.amount, SATURATION_CAP) if scene.drift is not None else 0.0
+
+
 def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
     """Greatest wake saturation: none where no boat moves."""
     if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):

@@ -58,17 +58,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     own = (SlotFile("glitter", path, needs=needs),) if light.sparkles is None else ()
     return Contribution(
         why="the moon is up" if layered.moon_is_lamp(light) else "the sun is up",
-        slots=(
-            SlotFile("glitter", "glitter/beckmann.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl")),
-            SlotFile("disc", "sky/sun_disc.glsl"),
-        ),
-        uniforms={"u_sun_disc": vector(sun_disc(light))},
-        bound=Bound(
-            brightest * max(1.0 / (math.pi * sigma**3), 1.0 / 6.8e-5),
-            "the sun is down",
-            ("/light/exposure", "/water/roughness"),
-        ),
-        why="the sun is up",
         slots=(*own, SlotFile("disc", "sky/sun_disc.glsl")),
         uniforms={"u_sun_disc": vector(sun_disc(light)), **(uniforms if own else {})},
         bound=Bound(brightest_glint(scene), "the sun is down", ("/light/exposure", "/water/roughness")),

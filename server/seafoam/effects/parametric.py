@@ -107,9 +107,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _bound(scene: Scene, steepest: float) -> Bound | None:
     """Waves that nothing lies on (foam, ripples) show by their slopes and, over a floor, by their height alone."""
     ripples = scene.water.chop is not None and scene.light is not None
-    lying = scene.foam is not None or ripples or scene.spray is not None
+    lying = scene.foam is not None or ripples or scene.spray is not None or scene.boats
     if lying or scene.water.depth is not None or scene.shore is not None:
-    if scene.foam is not None or ripples or scene.water.depth is not None or scene.shore is not None or scene.boats:
         return None
     # A crest also moves the haze before it, by its share of the eye's height: a tenth for any camera above 10 m/m.
     if scene.light is None:

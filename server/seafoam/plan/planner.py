@@ -1,8 +1,6 @@
 """The planner: a scene and a quality become a frame plan, here and nowhere else."""
 
 import math
-from collections.abc import Sequence
-from dataclasses import replace
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
@@ -10,7 +8,6 @@ from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import (
     ABOVE,
     BENEATH,
-    SKY_FILES,
     CameraRule,
     Const,
     Contribution,
@@ -29,10 +26,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Texture
-from seafoam.plan.slots import SKY_PASS_SLOTS, SKY_SLOTS, TONE, WAVES, surface_slots
-from seafoam.plan.slots import DISC, OPEN_WAVES, SHORE, SKY, TONE, WAVES, Slot, surface_slots
-from seafoam.plan.slots import DISC, MAIN, SKY, TONE, WAVES, surface_slots
-from seafoam.plan.slots import DISC, SKY, TONE, WAVES, slots_named, surface_slots
+from seafoam.plan.slots import MAIN, SKY_PASS_SLOTS, TONE, WAVES, slots_named, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -80,7 +74,6 @@ class _Draft:
     def _add(self, name: str, given: Contribution) -> None:
         files = [*given.slots]
         paths = {path.partition("?")[0] for file in files for path in (*file.needs, file.path)}
-        paths |= {path for spec in given.passes for path in (*spec.vertex, *spec.fragment)} - {SKY_FILES}
         pieces = {piece for spec in given.passes for piece in (*spec.vertex, *spec.fragment)}
         paths |= {piece.partition("?")[0] for piece in pieces if not piece.startswith("@")}
         self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
@@ -157,16 +150,6 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
         ),
     }
-    parts = {"@waves": (OPEN_WAVES, SHORE) if shore else (WAVES,), "@sky": (SKY,)}
-    for spec in draft.passes:
-        texts = [
-            [piece for name in files for piece in (_pieces(parts[name], chosen) if name in parts else (name,))]
-            for files in (spec.vertex, spec.fragment)
-        ]
-        programs[spec.program] = Program(
-            vertex=assemble(spec.vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
-            fragment=assemble(_with_sky(spec.fragment, chosen), consts),
-            vertex=assemble(texts[0], {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(texts[1], consts)
     # Passes march to the surface whatever finds it for the eye: they have no mesh.
     found = SlotFile("find", "surface/plane.glsl" if level else "surface/march.glsl")
     for spec in draft.passes:
@@ -180,9 +163,6 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     }
     drawn = "samples"
     compose: list[Pass] = []
-    after = [
-        _pass(replace(spec, inputs={**draft.inputs, **spec.inputs})) for spec in draft.passes if spec.stage == "after"
-    ]
     after = [_pass(spec, draft.inputs) for spec in draft.passes if spec.stage == "after"]
     if after:
         drawn = BENEATH
@@ -285,15 +265,6 @@ def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
     }
 
 
-def _with_sky(files: Sequence[str], chosen: Sequence[SlotFile]) -> list[str]:
-    """The files of a pass, with those that make the sky in the place of :data:`SKY_FILES`."""
-    sky = [piece for slot in SKY_SLOTS for piece in slot_pieces(slot, chosen)]
-    return [piece for file in files for piece in (sky if file == SKY_FILES else [file])]
-def _pieces(slots: Sequence[Slot], chosen: Sequence[SlotFile]) -> list[str]:
-    return [piece for slot in slots for piece in slot_pieces(slot, chosen)]
-
-
-def _pass(spec: PassSpec) -> Pass:
 def _pieces(parts: tuple[str, ...], chosen: Sequence[SlotFile], shore: bool) -> list[str]:
     """Files as they are; ``@name`` stands for the slot of that name, as the surface's shader has it."""
     pieces: list[str] = []

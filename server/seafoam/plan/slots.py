@@ -132,18 +132,17 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    shading = (BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *SKY_SLOTS, *shading)
-    lit = (SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
+    lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
     return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, MAIN, BELOW)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, SKY, BODY, CREST, GLITTER, REFLECTION, SHADE, MAIN)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
-    """The slots of the surface's shader that have a name; ``waves`` takes the shore's with it. Raises ``KeyError``."""
-    found = tuple(
-        slot for slot in surface_slots("max", shore) if slot.name in ({name, "shore"} if name == "waves" else {name})
-    )
+    """The slots of the surface's shader that have a name. Raises ``KeyError``.
+
+    ``waves`` brings the shore's with it, ``sky`` all that a layered sky is joined from.
+    """
+    together = {"waves": {"waves", "shore"}, "sky": {slot.name for slot in SKY_SLOTS}}.get(name, {name})
+    found = tuple(slot for slot in surface_slots("max", shore) if slot.name in together)
     if not found:
         raise KeyError(name)
     return found

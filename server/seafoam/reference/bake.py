@@ -20,9 +20,7 @@ TIMES = (0.0, 2.7, 1000003.5)
 """Times of same-samples frames, s."""
 SAME_SIZE = (320, 180)
 COSTLY_SIZE = (160, 90)
-"""Of same-samples frames with a shore, an open sea or drifting foam, which cost ten times as much."""
-"""Of same-samples frames with a shore or an open sea, whose splines cost ten times as much, or with caustics."""
-"""Of same-samples frames with a shore, an open sea or boats, whose splines and wakes cost ten times as much."""
+"""Of same-samples frames with a shore, an open sea, drifting foam, caustics or boats, which cost ten times as much."""
 SAME_SAMPLES = 4
 CONVERGED_TIME = 2.7
 CONVERGED_SIZE = (160, 90)
@@ -49,10 +47,9 @@ class Job:
 
 def same_size(scene: Scene) -> tuple[int, int]:
     """Width and height of a scene's same-samples frames, pixels."""
-    return SAME_SIZE if scene.shore is None and scene.sea is None and scene.drift is None else COSTLY_SIZE
-    caustics = scene.light is not None and scene.light.caustics is not None
-    return COSTLY_SIZE if scene.shore is not None or scene.sea is not None or caustics else SAME_SIZE
-    return SAME_SIZE if scene.shore is None and scene.sea is None and not scene.boats else COSTLY_SIZE
+    caustics = None if scene.light is None else scene.light.caustics
+    costly = (scene.shore, scene.sea, scene.drift, caustics)
+    return COSTLY_SIZE if scene.boats or any(part is not None for part in costly) else SAME_SIZE
 
 
 def jobs_of(preset: str, scene: Scene) -> list[Job]:

@@ -14,11 +14,10 @@ from seafoam.textures import foam_texture
 
 from . import boats as fleets
 from . import camera as cameras
-from . import cells, light, looks, sampling, surface
-from .gusts import GustField
-from .drift import Copy, copies, drift_saturation
 from . import cells, light, looks, sampling, sparkles, spray, surface
 from .bed import FOAM_THROUGH, Bed, bed_of
+from .drift import Copy, copies, drift_saturation
+from .gusts import GustField
 from .relief import Part, Relief
 from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
@@ -180,15 +179,14 @@ class _Shader:
         self.assets = assets
         self.delta_x = 2.0 * view.ray_x / (samples * width)
         self.delta_y = 2.0 * view.ray_y / (samples * height)
-        self.air = None if scene.light is None else light.air(scene.light)
-        self.sun: light.Glint | None = None
-        if scene.light is not None and self.air is not None:
-            step = max(math.sqrt(float(side @ side)) for side in (self.delta_x, self.delta_y))
-            self.sun = sparkles.sun(scene.light, self.air, time, step if self.filtering else 0.0)
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         eye = (self.origin[0], self.eye_y, self.origin[1])
         self.air = None if scene.light is None else light.air(scene.light, time, eye)
+        self.sun: light.Glint | None = None
+        if scene.light is not None and self.air is not None:
+            step = max(math.sqrt(float(side @ side)) for side in (self.delta_x, self.delta_y))
+            self.sun = sparkles.sun(scene.light, self.air, time, step if self.filtering else 0.0)
         self.waves = wave_set(scene, time, self.origin)
         self.sea = sea_surface(scene, time, self.origin)
         self.wakes = fleets.wake_set(scene, time, self.origin) if scene.boats else None
@@ -201,7 +199,6 @@ class _Shader:
         coast = self.coast
         ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
         self.fleet = fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None
-        self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin)
         self.gusts = GustField(scene.water.chop, time, self.origin)
         repeats = scene.light is not None and scene.light.caustics is not None
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin, repeats)
@@ -313,6 +310,9 @@ class _Shader:
         """Slopes at (x, z) that rays meet, that light sees, and of what has no height; (r,) each."""
         met_x, met_z = self.relief.gradient(x, z)
         c_x, c_z = self.ripples.gradient(x, z)
+        if self.gusts.gusts is not None:
+            gust = self.gusts(x, z)
+            c_x, c_z = gust * c_x, gust * c_z
         if self.sea is None:
             return (met_x, met_z), (met_x, met_z), (c_x, c_z)
         # Rays meet the bilinear sea; light sees its spline.
@@ -322,6 +322,7 @@ class _Shader:
             self.sea.detail(x, z),
         )
         return (met_x, met_z), (met_x + (seen_x - own_x), met_z + (seen_z - own_z)), (c_x + s_x, c_z + s_z)
+
     def _boats(self, fleet: fleets.Fleet, d: Floats, nearer: Floats, colour: Floats) -> None:
         """Draws boats over ``colour`` (r, 3) where rays d meet them before anything else, ``nearer`` metres away."""
         eye = np.array([0.0, self.eye_y, 0.0])
@@ -338,10 +339,12 @@ class _Shader:
         colour[seen] = hazed * self._exposure
 
     def _mirror(self, place: Floats, r: Floats) -> Floats:
-        """Radiance that comes from direction r (r, 3) into places (r, 3) on the water: the sky, and boats before it."""
+        """Radiance that comes from r (r, 3) into places (r, 3) on the water: the sky, and what stands before it."""
         assert self.air is not None
         assert self.scene.light is not None
-        seen = self.air.sky(r)
+        if self.scene.light.reflection == "cubemap" and self.coast is not None:
+            return self._around(r)
+        seen = self.air.mirrored(r)
         if self.fleet is None or self.scene.light.reflection != "planar":
             return seen
         hit = self.fleet.trace(place, r)
@@ -395,21 +398,6 @@ class _Shader:
         scene, air = self.scene, self.air
         x, z = d[:, 0] * distance, d[:, 2] * distance
         H = self.relief.height(x, z)
-        h_x, h_z = self.relief.gradient(x, z)
-        c_x, c_z = self.ripples.gradient(x, z)
-        if self.gusts.gusts is not None:
-            gust = self.gusts(x, z)
-            c_x, c_z = gust * c_x, gust * c_z
-        N = surface.normal(h_x, h_z)
-        if self.sea is not None:
-            # Rays meet the bilinear sea; light sees its spline.
-            (seen_x, seen_z), (met_x, met_z), (s_x, s_z) = (
-                self.sea.shading(x, z),
-                self.sea.gradient(x, z),
-                self.sea.detail(x, z),
-            )
-            h_x, h_z = h_x + (seen_x - met_x), h_z + (seen_z - met_z)
-            c_x, c_z = c_x + s_x, c_z + s_z
         met, (h_x, h_z), (c_x, c_z) = self._slopes(x, z)
         N = surface.normal(*met)
         a = np.zeros_like(x)
@@ -425,17 +413,24 @@ class _Shader:
                 tau = distance / np.sqrt(dot(D, D))
                 feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
                 bed = self.coast.bed(x, z, H, d, n, *feet)
-            around = self._around if scene.light.reflection == "cubemap" and self.coast is not None else None
-            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, around)
-            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, self.sun)
             lit = None
             if self.bed is not None and scene.water.depth is not None:
                 tau = distance / np.sqrt(dot(D, D))
                 feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
                 lit = self.bed.seen(x, z, H, d, n, feet)
-            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, lit)
             place = np.stack((x, H, z), axis=-1)
-            colour = light.water(air, scene.water, self.relief.top, d, n, H, bed, lambda r: self._mirror(place, r))
+            colour = light.water(
+                air,
+                scene.water,
+                self.relief.top,
+                d,
+                n,
+                H,
+                bed,
+                mirrored=lambda r: self._mirror(place, r),
+                sun=self.sun,
+                lit=lit,
+            )
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = light.foam(air, scene.foam.albedo, stiff)

@@ -6,9 +6,6 @@ Colours are linear RGB along the last axis, directions unit vectors (x, y, z) al
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from dataclasses import dataclass
-from functools import lru_cache
-from dataclasses import dataclass
 from functools import lru_cache, partial
 
 import numpy as np
@@ -165,29 +162,17 @@ def water(
 
     d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
     way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light
-    that comes from directions (r, 3) over the water; absent: the sky's.
-    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``sun``: in place of
-    the smooth glint.
-    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``lit``: a level floor
-    that is lit by itself: its radiance (r, 3), the way from it up, and straight down to it, (r,) m.
-    from directions (r, 3) over the horizon; the sky's where absent.
+    that comes from directions (r, 3) over the water; absent: the sky's. ``sun``: in place of the smooth glint. ``lit``:
+    a level floor that is lit by itself: its radiance (r, 3), the way from it up, and straight down to it, (r,) m.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
-    inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed) + _crest(of, body, top, d, H))
-    seen = of.mirrored if mirrored is None else mirrored
-    return inner + mirror * seen(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
-    return (
-        inner
-        + mirror * of.sky(_reflected(d, n, sigma2))
-        + (partial(glint, of) if sun is None else sun)(d, n, cv, sigma2)
-    )
     inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed, lit) + _crest(of, body, top, d, H))
-    return inner + mirror * of.sky(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
-    seen = of.sky if mirrored is None else mirrored
-    return inner + mirror * seen(_reflected(d, n, sigma2)) + _glitter(of, d, n, cv, sigma2)
+    seen = of.mirrored if mirrored is None else mirrored
+    glinting = partial(glint, of) if sun is None else sun
+    return inner + mirror * seen(_reflected(d, n, sigma2)) + glinting(d, n, cv, sigma2)
 
 
 def foam(of: Air, albedo: float, N: Floats) -> Floats:

@@ -19,17 +19,21 @@ from .frame import Frame, Mode
 from .types import Bools, Floats
 
 _LATER: dict[str, dict[str, Any]] = {
-    "": {"rings": [], "sea": None, "shore": None, "drift": None},
-    "": {"rings": [], "sea": None, "shore": None, "spray": None},
-    "light": {"specular": "glint", "specular_power": 364.0, "specular_perturb": 0.4, "sparkles": None},
-    "": {"rings": [], "sea": None, "shore": None, "boats": []},
-    "light": {"reflection": "sky"},
+    "": {"rings": [], "sea": None, "shore": None, "drift": None, "spray": None, "boats": []},
     "shore": {"image": None},
-    "water/chop": {"gusts": None},
-    "light": {"day": None, "sky": None, "reflection": "sky"},
     "foam": {"texture_second": None, "cells": False},
-    "light": {"caustics": None},
     "water": {"floor_tile": None, "view_below": False},
+    "water/chop": {"gusts": None},
+    "light": {
+        "day": None,
+        "sky": None,
+        "reflection": "sky",
+        "specular": "glint",
+        "specular_power": 364.0,
+        "specular_perturb": 0.4,
+        "sparkles": None,
+        "caustics": None,
+    },
 }
 """Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults."""
 BRIGHTEST = 4.0

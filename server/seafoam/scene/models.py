@@ -8,8 +8,8 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from seafoam.scene.drift import Drift
 from seafoam.scene.boats import BOATS_MOST, Boat
+from seafoam.scene.drift import Drift
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
@@ -177,8 +177,6 @@ class DriftSaturation(Part):
     seed: int = Field(default=1, ge=0, le=65535, description="Which patches of their kind")
 
 
-Saturation = Annotated[
-    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation | DriftSaturation,
 class WakeSaturation(Part):
     """Foam of boats: the churned band that each leaves behind it, and what its bow throws aside."""
 
@@ -189,7 +187,13 @@ class WakeSaturation(Part):
 
 
 Saturation = Annotated[
-    FrontSaturation | HeightSaturation | SlopeSaturation | FoldSaturation | SurfSaturation | WakeSaturation,
+    FrontSaturation
+    | HeightSaturation
+    | SlopeSaturation
+    | FoldSaturation
+    | SurfSaturation
+    | DriftSaturation
+    | WakeSaturation,
     Field(discriminator="source"),
 ]
 
@@ -319,6 +323,9 @@ class Sparkles(Part):
     life: float = Field(default=0.3, ge=0.02, le=10.0, description="How long a sparkle lasts, s")
     share: float = Field(
         default=0.9, ge=0.05, le=1.0, description="Share of the glint that sparkles; the rest is smooth"
+    )
+
+
 class Caustics(Part):
     """Sunlight that the ripples focus on a level floor.
 
@@ -359,15 +366,11 @@ class Light(Part):
         default=None, description="Time of day, which moves the sun; absent: it stands as said above"
     )
     sky: Sky | None = Field(default=None, description="Haze, clouds, moon and stars; absent: a plain clear sky")
-    reflection: Literal["sky", "cubemap"] = Field(
+    reflection: Literal["sky", "cubemap", "planar"] = Field(
         default="sky",
-        description="What water mirrors. sky: the sky alone; cubemap: sky and land as seen from right under the eye",
+        description="What the water mirrors. sky: the sky alone; cubemap: sky and land as seen from right under the "
+        "eye; planar: sky and boats",
     )
-
-    @property
-    def sun(self) -> tuple[float, float]:
-        """Azimuth and elevation of the sun, rad."""
-        return (self.sun_azimuth, self.sun_elevation) if self.day is None else sun_angles(self.day)
     specular: Literal["glint", "blinn_phong"] = Field(
         default="glint",
         description="The sun on the water. glint: facets with the slopes that the picture cannot show (Beckmann); "
@@ -382,9 +385,12 @@ class Light(Part):
     sparkles: Sparkles | None = Field(default=None, description="Sparks in the sun's reflection; absent: none")
     caustics: Caustics | None = Field(
         default=None, description="Sunlight focused by the ripples on the floor; absent: evenly lit"
-    reflection: Literal["sky", "planar"] = Field(
-        default="sky", description="What the water mirrors. sky: the sky alone; planar: boats as well"
     )
+
+    @property
+    def sun(self) -> tuple[float, float]:
+        """Azimuth and elevation of the sun, rad."""
+        return (self.sun_azimuth, self.sun_elevation) if self.day is None else sun_angles(self.day)
 
 
 class Camera(Part):
