@@ -2,7 +2,9 @@
 uniform float u_mirror_level; // height of still water, m
 
 vec3 mirror_place(vec3 d) {
-    float way = clamp((u_mirror_level - u_eye_height) / (d.y < -1e-4 ? d.y : -1e-4), 0.0, 1e4);
+    // An eye in a trough is under still water's level, and yet looks down on what is before it.
+    float over = max(u_eye_height - u_mirror_level, 0.3 * u_eye_height);
+    float way = clamp(over / max(-d.y, 1e-4), 0.0, 1e4);
     for (int i = 0; i < 4; ++i) {
         vec3 wave = waves(way * d.xz);
         float rate = d.y - dot(wave.yz, d.xz);

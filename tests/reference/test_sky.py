@@ -111,7 +111,7 @@ def test_light_from_above_is_the_integral(report: Report) -> None:
 
 
 def test_nothing_jumps_as_the_sun_goes_down() -> None:
-    """From 10° over to 20° under the horizon in steps of 0.03°: no step of the sky over 3 %, none of the lamp over 0.1."""
+    """From 10° over the horizon to 20° under, by 0.03°: no step of the sky over 3 %, none of the lamp over 0.1."""
     sky = Sky(moon=Moon(elevation=0.6, azimuth=2.5), clouds=Clouds())
     before: tuple[NDArray[np.float64], float] | None = None
     look = np.array([[0.6, 0.05, 0.8], [0.0, 1.0, 0.0], [-0.8, 0.3, 0.5]])

@@ -4,6 +4,7 @@ import { isObject, type Json, type JsonObject } from "./scene/json";
 
 export interface PresetSummary {
   name: string;
+  group: string;
   title: string;
   summary: string;
   effects: string[];

@@ -106,10 +106,14 @@ EFFECT = Effect(
         ),
         HardCase(
             name="eye under the mirror",
-            scene=Scene(light=_MIRROR, boats=(_BOAT,), waves=(ParametricWave(amplitude=0.8, wavelength=7.0),)),
+            scene=Scene(
+                light=_MIRROR,
+                boats=(_BOAT,),
+                waves=(ParametricWave(amplitude=0.8, wavelength=40.0, phase=-1.5708),),
+            ),
             guard="a mirrored ray begins out of the water, never before its eye (reflection/map_pass.glsl)",
             without="nothing here: no boat lies between the mirrored eye and the water over it",
-            camera=Camera(position=(0.0, 0.1, 12.0), pitch=0.1),
+            camera=Camera(position=(0.0, 0.2, 12.0), pitch=-0.05),
         ),
     ),
 )

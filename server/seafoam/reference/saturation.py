@@ -213,8 +213,7 @@ def saturation(
 
     ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface. With footprints
     (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf`` gives the
-    foam of a shore's surf; without a shore there is none. ``drift`` gives the foam that a flow carries.
-    foam of a shore's surf, ``wake`` that behind boats; without them there is none.
+    foam of a shore's surf, ``drift`` that a flow carries, ``wake`` that behind boats; without them there is none.
     """
     parts = []
     given = iter(folds)
@@ -233,6 +232,7 @@ def saturation(
             continue
         if isinstance(source, DriftSaturation):
             parts.append(np.zeros_like(x) if drift is None else drift(source, x, z))
+            continue
         if isinstance(source, WakeSaturation):
             parts.append(np.zeros_like(x) if wake is None else wake(source, x, z, cap))
             continue

@@ -603,6 +603,114 @@ export interface components {
             status: "alive";
         };
         /**
+         * Boat
+         * @description A boat that floats on the waves and runs round a circle.
+         */
+        Boat: {
+            /**
+             * Kind
+             * @description sail: a sloop; motor: a small trawler
+             * @default sail
+             * @enum {string}
+             */
+            kind: "sail" | "motor";
+            /**
+             * Length
+             * @description Length over all, m; everything scales with it
+             * @default 9
+             */
+            length: number;
+            /**
+             * Centre
+             * @description Centre (x, z) of its course, m
+             * @default [
+             *       0,
+             *       -40
+             *     ]
+             */
+            centre: [
+                number,
+                number
+            ];
+            /**
+             * Radius
+             * @description Radius of its course, m
+             * @default 60
+             */
+            radius: number;
+            /**
+             * Bearing
+             * @description Where on its course it is at time 0, rad from +x toward +z
+             * @default 0
+             */
+            bearing: number;
+            /**
+             * Turn
+             * @description To which side it turns
+             * @default starboard
+             * @enum {string}
+             */
+            turn: "starboard" | "port";
+            /**
+             * Speed
+             * @description Speed, m/s; 0: at anchor, its bow along its course
+             * @default 3
+             */
+            speed: number;
+            /**
+             * Heel
+             * @description How far it leans to starboard besides what the waves do, rad
+             * @default 0
+             */
+            heel: number;
+            /**
+             * Boom
+             * @description How far its boom is out to starboard, rad
+             * @default 0.35
+             */
+            boom: number;
+            /**
+             * Smoothing
+             * @description It feels the mean height over a disc of this radius round each hull point, m; 0: the point's own
+             * @default 1
+             */
+            smoothing: number;
+            /**
+             * Wake
+             * @description Height of the waves at its bow, m; 0: no wake
+             * @default 0.12
+             */
+            wake: number;
+            /**
+             * Hull
+             * @description Reflectance of the hull
+             * @default [
+             *       0.045,
+             *       0.09,
+             *       0.2
+             *     ]
+             */
+            hull: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Sails
+             * @description Reflectance of sails or wheelhouse
+             * @default [
+             *       0.83,
+             *       0.81,
+             *       0.76
+             *     ]
+             */
+            sails: [
+                number,
+                number,
+                number
+            ];
+        };
+        /**
          * Camera
          * @description A pinhole camera. Yaw 0 looks toward −z, a positive yaw turns toward +x, a positive pitch looks up.
          */
@@ -685,6 +793,20 @@ export interface components {
             precision: number;
             /** Rest */
             rest: number;
+        };
+        /**
+         * Caustics
+         * @description Sunlight that the ripples focus on a level floor.
+         *
+         *     With it the ripples repeat: every 9.3 m instead of never, and so does their light.
+         */
+        Caustics: {
+            /**
+             * Dispersion
+             * @description Spread of the index between red and blue, in that of water (0.0075); 0: all colours alike
+             * @default 1
+             */
+            dispersion: number;
         };
         /**
          * Chop
@@ -824,6 +946,95 @@ export interface components {
             north: number;
         };
         /**
+         * Drift
+         * @description A steady flow over a square, which carries the foam of a ``drift`` saturation.
+         */
+        Drift: {
+            /**
+             * Place
+             * @description Middle of the square (x, z), m
+             * @default [
+             *       0,
+             *       -30
+             *     ]
+             */
+            place: [
+                number,
+                number
+            ];
+            /**
+             * Size
+             * @description Side of the square, m; no such foam beyond it
+             * @default 60
+             */
+            size: number;
+            /**
+             * Current
+             * @description Current toward (x, z), m/s
+             * @default [
+             *       0.3,
+             *       0
+             *     ]
+             */
+            current: [
+                number,
+                number
+            ];
+            /**
+             * Waves
+             * @description How much of the waves' own drift carries foam (Stokes 1847)
+             * @default 1
+             */
+            waves: number;
+            /**
+             * Vortices
+             * @description Eddies that stay in place
+             * @default []
+             */
+            vortices: components["schemas"]["Vortex"][];
+        };
+        /**
+         * DriftSaturation
+         * @description Patches of foam that come up everywhere on the scene's ``drift`` square, are carried by its flow, and go.
+         */
+        DriftSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "drift";
+            /**
+             * Amount
+             * @description Saturation of a patch at the middle of its life
+             * @default 1
+             */
+            amount: number;
+            /**
+             * Patch
+             * @description Size of a patch when it comes up, m
+             * @default 2.5
+             */
+            patch: number;
+            /**
+             * Coverage
+             * @description Share of the water that patches of one age cover
+             * @default 0.3
+             */
+            coverage: number;
+            /**
+             * Life
+             * @description From coming up to going, s
+             * @default 24
+             */
+            life: number;
+            /**
+             * Seed
+             * @description Which patches of their kind
+             * @default 1
+             */
+            seed: number;
+        };
+        /**
          * EffectNote
          * @description Why an effect runs, or why it does not.
          */
@@ -913,7 +1124,7 @@ export interface components {
              *       }
              *     ]
              */
-            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"])[];
+            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"] | components["schemas"]["DriftSaturation"] | components["schemas"]["WakeSaturation"])[];
             /**
              * Combine
              * @description How several saturations join
@@ -1366,11 +1577,34 @@ export interface components {
             sky?: components["schemas"]["Sky"] | null;
             /**
              * Reflection
-             * @description What water mirrors. sky: the sky alone; cubemap: sky and land as seen from right under the eye
+             * @description What the water mirrors. sky: the sky alone; cubemap: sky and land as seen from right under the eye; planar: sky and boats
              * @default sky
              * @enum {string}
              */
-            reflection: "sky" | "cubemap";
+            reflection: "sky" | "cubemap" | "planar";
+            /**
+             * Specular
+             * @description The sun on the water. glint: facets with the slopes that the picture cannot show (Beckmann); blinn_phong: the lake shader's highlight, its half vector pushed aside by the ripples
+             * @default glint
+             * @enum {string}
+             */
+            specular: "glint" | "blinn_phong";
+            /**
+             * Specular Power
+             * @description Exponent of blinn_phong; the greater, the smaller the highlight
+             * @default 364
+             */
+            specular_power: number;
+            /**
+             * Specular Perturb
+             * @description How far blinn_phong's half vector follows the normal's tilt
+             * @default 0.4
+             */
+            specular_perturb: number;
+            /** @description Sparks in the sun's reflection; absent: none */
+            sparkles?: components["schemas"]["Sparkles"] | null;
+            /** @description Sunlight focused by the ripples on the floor; absent: evenly lit */
+            caustics?: components["schemas"]["Caustics"] | null;
         };
         /**
          * Loop
@@ -1925,6 +2159,115 @@ export interface components {
              */
             cube_size: 32 | 64 | 128 | 256 | 512 | 1024;
             /**
+             * Drift
+             * @description Drifting foam from a map that each texel finds by going back along the flow, from a map that points are moved over (gaps, piles and sticking: for comparison), or gone back for at each sample
+             * @default backward
+             * @enum {string}
+             */
+            drift: "backward" | "forward" | "exact";
+            /**
+             * Drift Size
+             * @description Texels along a side of the maps of drift
+             * @default 256
+             * @enum {integer}
+             */
+            drift_size: 64 | 128 | 256 | 512 | 1024;
+            /**
+             * Drift Window
+             * @description How far back foam is followed, s; older foam is not drawn
+             * @default 120
+             */
+            drift_window: number;
+            /**
+             * Drift Step
+             * @description Longest step along the flow, s
+             * @default 0.5
+             */
+            drift_step: number;
+            /**
+             * Sparkle Cells
+             * @description Cells that a sample asks for sparkles: its own, or all that may reach it
+             * @default 4
+             * @enum {integer}
+             */
+            sparkle_cells: 1 | 4;
+            /**
+             * Spray Count
+             * @description Drops of the spray; fewer are larger, and cover as much
+             * @default 8192
+             * @enum {integer}
+             */
+            spray_count: 2048 | 4096 | 8192 | 16384;
+            /**
+             * Caustics
+             * @description Caustics from a refracted grid's cells, or from photons counted where they land
+             * @default grid
+             * @enum {string}
+             */
+            caustics: "grid" | "photons";
+            /**
+             * Caustics Size
+             * @description Texels along a side of the caustic map
+             * @default 512
+             * @enum {integer}
+             */
+            caustics_size: 128 | 256 | 512 | 1024;
+            /**
+             * Caustics Cells
+             * @description Cells along a side of the refracted grid
+             * @default 256
+             * @enum {integer}
+             */
+            caustics_cells: 64 | 128 | 256 | 512;
+            /**
+             * Caustics Photons
+             * @description Photons along a side of the tile
+             * @default 512
+             * @enum {integer}
+             */
+            caustics_photons: 128 | 256 | 512 | 1024;
+            /**
+             * Wake
+             * @description Wakes from a map drawn each frame, or worked out per pixel
+             * @default map
+             * @enum {string}
+             */
+            wake: "map" | "exact";
+            /**
+             * Wake Size
+             * @description Texels along a map of a wake
+             * @default 512
+             * @enum {integer}
+             */
+            wake_size: 128 | 256 | 512 | 1024;
+            /**
+             * Reflection
+             * @description Boats mirrored from a planar mirror drawn each frame, or by rays from the water
+             * @default map
+             * @enum {string}
+             */
+            reflection: "map" | "traced";
+            /**
+             * Reflection Size
+             * @description Texels along a side of the planar mirror
+             * @default 512
+             */
+            reflection_size: number;
+            /**
+             * Boat Readings
+             * @description Heights read round each hull point of a boat
+             * @default 7
+             * @enum {integer}
+             */
+            boat_readings: 1 | 7;
+            /**
+             * Boat Samples
+             * @description Rays through each sample where boats are: their edges against water and sky
+             * @default 4
+             * @enum {integer}
+             */
+            boat_samples: 1 | 4 | 9;
+            /**
              * Samples
              * @description Samples a pixel, on a square grid
              * @default 1
@@ -2124,6 +2467,16 @@ export interface components {
             water?: components["schemas"]["Water"];
             /** @description Sea floor, land and surf; absent: open sea */
             shore?: components["schemas"]["Shore"] | null;
+            /** @description What carries the foam of a drift saturation; absent: nothing */
+            drift?: components["schemas"]["Drift"] | null;
+            /** @description Drops that the water throws up; absent: none */
+            spray?: components["schemas"]["Spray"] | null;
+            /**
+             * Boats
+             * @description Boats on the water
+             * @default []
+             */
+            boats: components["schemas"]["Boat"][];
             /** @description null: unlit, foam white on black */
             light?: components["schemas"]["Light"] | null;
             camera?: components["schemas"]["Camera"];
@@ -2406,6 +2759,102 @@ export interface components {
             path: string;
             /** Line */
             line: number;
+        };
+        /**
+         * Sparkles
+         * @description Small sparks in the sun's reflection (GPU ocean, 2007); their mean light is that of the smooth glint.
+         */
+        Sparkles: {
+            /**
+             * Size
+             * @description Angle that a sparkle takes up, whatever the picture's size, rad
+             * @default 0.0016
+             */
+            size: number;
+            /**
+             * Rate
+             * @description Sparkles a second in a square degree of glint that is as bright as white paper in the sun; the fewer, the brighter each
+             * @default 1
+             */
+            rate: number;
+            /**
+             * Life
+             * @description How long a sparkle lasts, s
+             * @default 0.3
+             */
+            life: number;
+            /**
+             * Share
+             * @description Share of the glint that sparkles; the rest is smooth
+             * @default 0.9
+             */
+            share: number;
+        };
+        /**
+         * Spray
+         * @description Drops thrown up where waves rise fast or, where there is a shore, where surf breaks on rocks.
+         */
+        Spray: {
+            /**
+             * Threshold
+             * @description Water that rises slower throws no drops, and surf whose drops would start slower neither, m/s
+             * @default 1.5
+             */
+            threshold: number;
+            /**
+             * Speed
+             * @description How fast drops start: in speeds at which the water rises; on rocks in √(gH), H the surf's height
+             * @default 3
+             */
+            speed: number;
+            /**
+             * Steep
+             * @description Slope of the ground from which a coast is rock
+             * @default 0.3
+             */
+            steep: number;
+            /**
+             * Size
+             * @description Radius of a drop, a clot of many, m
+             * @default 0.04
+             */
+            size: number;
+            /**
+             * Mist
+             * @description Share of the drops that are puffs of mist
+             * @default 0.3
+             */
+            mist: number;
+            /**
+             * Drag
+             * @description Time in which the air takes a drop's speed to 1/e of the wind's, s
+             * @default 0.8
+             */
+            drag: number;
+            /**
+             * Life
+             * @description Time after which nothing of a drop is left, s
+             * @default 2.5
+             */
+            life: number;
+            /**
+             * Wind
+             * @description Wind that carries drops along, m/s
+             * @default 3
+             */
+            wind: number;
+            /**
+             * Wind Direction
+             * @description Heading of the wind, rad from +x toward +z
+             * @default 0
+             */
+            wind_direction: number;
+            /**
+             * Reach
+             * @description How far from the eye waves throw up drops, m; rocks do anywhere
+             * @default 60
+             */
+            reach: number;
         };
         /**
          * State
@@ -2887,6 +3336,65 @@ export interface components {
             scale: number;
         };
         /**
+         * Vortex
+         * @description Water that turns around a place that stays: fastest at its radius, still at its centre and past six radii.
+         */
+        Vortex: {
+            /**
+             * Place
+             * @description Centre (x, z), m
+             * @default [
+             *       0,
+             *       -30
+             *     ]
+             */
+            place: [
+                number,
+                number
+            ];
+            /**
+             * Radius
+             * @description Where it turns fastest, m from its centre
+             * @default 2
+             */
+            radius: number;
+            /**
+             * Speed
+             * @description There, m/s; positive turns from +x toward +z, negative back
+             * @default 1
+             */
+            speed: number;
+        };
+        /**
+         * WakeSaturation
+         * @description Foam of boats: the churned band that each leaves behind it, and what its bow throws aside.
+         */
+        WakeSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "wake";
+            /**
+             * Amount
+             * @description Saturation right behind the boat
+             * @default 1
+             */
+            amount: number;
+            /**
+             * Life
+             * @description Time to 1/e behind it, s
+             * @default 8
+             */
+            life: number;
+            /**
+             * Bow
+             * @description Saturation of the bow's wave, at hull speed
+             * @default 1
+             */
+            bow: number;
+        };
+        /**
          * Water
          * @description The body of the water, and the ripples on it.
          */
@@ -2930,6 +3438,17 @@ export interface components {
                 number,
                 number
             ];
+            /**
+             * Floor Tile
+             * @description Side of the tiles that the floor is laid with, m; absent: bare
+             */
+            floor_tile?: number | null;
+            /**
+             * View Below
+             * @description Light for an eye under the surface: Snell's window, total reflection, floor and water; not drawn where there is a shore
+             * @default false
+             */
+            view_below: boolean;
             /**
              * Translucency
              * @description How strongly a thin crest lets the sun through
@@ -3082,13 +3601,17 @@ export interface components {
     pathItems: never;
 }
 export type Alive = components['schemas']['Alive'];
+export type Boat = components['schemas']['Boat'];
 export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];
 export type Causes = components['schemas']['Causes'];
+export type Caustics = components['schemas']['Caustics'];
 export type Chop = components['schemas']['Chop'];
 export type Clouds = components['schemas']['Clouds'];
 export type Constant = components['schemas']['Constant'];
 export type Day = components['schemas']['Day'];
+export type Drift = components['schemas']['Drift'];
+export type DriftSaturation = components['schemas']['DriftSaturation'];
 export type EffectNote = components['schemas']['EffectNote'];
 export type Errors = components['schemas']['Errors'];
 export type FixedSize = components['schemas']['FixedSize'];
@@ -3134,6 +3657,8 @@ export type Shore = components['schemas']['Shore'];
 export type Sky = components['schemas']['Sky'];
 export type SlopeSaturation = components['schemas']['SlopeSaturation'];
 export type SourceFile = components['schemas']['SourceFile'];
+export type Sparkles = components['schemas']['Sparkles'];
+export type Spray = components['schemas']['Spray'];
 export type State = components['schemas']['State'];
 export type Step = components['schemas']['Step'];
 export type Surf = components['schemas']['Surf'];
@@ -3151,6 +3676,8 @@ export type TruthInfo = components['schemas']['TruthInfo'];
 export type Uniform = components['schemas']['Uniform'];
 export type Viewport = components['schemas']['Viewport'];
 export type ViewportSize = components['schemas']['ViewportSize'];
+export type Vortex = components['schemas']['Vortex'];
+export type WakeSaturation = components['schemas']['WakeSaturation'];
 export type Water = components['schemas']['Water'];
 export type Wrap = components['schemas']['Wrap'];
 export type SeafoamAccuracyModelPoints = components['schemas']['seafoam__accuracy__model__Points'];
