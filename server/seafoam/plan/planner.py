@@ -278,13 +278,14 @@ def _pieces(parts: tuple[str, ...], chosen: Sequence[SlotFile], shore: bool) -> 
 
 
 def _pass(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput]) -> Pass:
+    brings = any(part.startswith("@") for part in (*spec.vertex, *spec.fragment))
     return Pass(
         name=spec.name,
         when="frame",
         program=spec.program,
         target=spec.target,
         mesh=spec.mesh,
-        inputs={**inputs, **spec.inputs} if any(part.startswith("@") for part in spec.fragment) else spec.inputs,
+        inputs={**inputs, **spec.inputs} if brings else spec.inputs,
         uniforms=spec.uniforms,
         state=State(clear=spec.clear, blend=spec.blend),
     )
