@@ -176,7 +176,7 @@ def render(
         renderer = executor.info["renderer"]
     except PlanError as error:
         member = error.pointer.rpartition("/")[2]
-        where = f"--{member}" if member in asked.changed else error.pointer
+        where = f"--{member}" if member in asked.changed else error.pointer or "scene"
         raise CommandError(f"{where}: {error.message}") from error
     except NoRendererError as error:
         raise CommandError(str(error), UNABLE) from error

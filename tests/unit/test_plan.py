@@ -13,8 +13,25 @@ from seafoam.plan import FramePlan, PlanError, make_plan
 from seafoam.plan.assemble import declared_uniforms
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
-from seafoam.scene.models import Camera, Foam, FrontSaturation, Look, ParametricWave, Scene, Water
+from seafoam.scene.drift import Drift
+from seafoam.scene.models import (
+    Camera,
+    Chop,
+    DriftSaturation,
+    Foam,
+    FoldSaturation,
+    FrontSaturation,
+    Light,
+    Look,
+    ParametricWave,
+    Scene,
+    Sea,
+    SurfSaturation,
+    Water,
+)
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.rings import Ring
+from seafoam.scene.shore import Shore
 
 STANDARD = TIERS["standard"]
 
@@ -161,3 +178,13 @@ def test_waves_of_no_height_bring_no_wave_code() -> None:
     plan = make_plan(scene, STANDARD)
     assert "parametric" not in plan.programs["surface"].fragment.text
     assert "front foam" in {note.name for note in plan.effects}
+
+
+def test_more_textures_than_a_shader_may_read_are_refused() -> None:
+    """An open sea with folds, rings, ripples, cells and drift at a shore: each by itself can be drawn."""
+    foam = Foam(saturation=(FoldSaturation(), SurfSaturation(), DriftSaturation()), texture=0.5, texture_second=3.1)
+    scene = Scene(
+        sea=Sea(), rings=(Ring(),), shore=Shore(), drift=Drift(), foam=foam, water=Water(chop=Chop()), light=Light()
+    )
+    with pytest.raises(PlanError, match=r"would read \d+ textures, and at most 16 .*sea \d"):
+        make_plan(scene, STANDARD)

@@ -41,5 +41,7 @@ def compile_scene(
         parameter = member if scene_at is None and member in parameters else None
         pointer = None if parameter else f"{scene_at or ''}{error.pointer}"
         raise BadRequestError(
-            FieldProblem(pointer=pointer, parameter=parameter, detail=f"{parameter or pointer}: {error.message}")
+            FieldProblem(
+                pointer=pointer, parameter=parameter, detail=f"{parameter or pointer or 'scene'}: {error.message}"
+            )
         ) from error

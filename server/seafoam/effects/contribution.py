@@ -312,10 +312,13 @@ class Effect:
 
 
 class PlanError(ValueError):
-    """A scene that is well formed but cannot be planned. ``pointer``: JSON pointer of the field at fault."""
+    """A scene that is well formed but cannot be planned.
+
+    ``pointer``: JSON pointer of the field at fault; empty: the scene as a whole.
+    """
 
     def __init__(self, pointer: str, message: str) -> None:
-        super().__init__(f"{pointer}: {message}")
+        super().__init__(f"{pointer}: {message}" if pointer else message)
         self.pointer = pointer
         self.message = message
 

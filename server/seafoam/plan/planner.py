@@ -1,6 +1,7 @@
 """The planner: a scene and a quality become a frame plan, here and nowhere else."""
 
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
@@ -14,6 +15,7 @@ from seafoam.effects.contribution import (
     Fullscreen,
     Grid,
     PassSpec,
+    PlanError,
     SlotFile,
     Target,
     TargetInput,
@@ -40,6 +42,10 @@ NEGLIGIBLE = 0.5 / 255.0
 """Half a level of exposed linear light: what can change a pixel by less is left out."""
 
 
+MOST_SAMPLERS = 16
+"""Textures that one fragment shader may read: no WebGL2 promises more (MAX_TEXTURE_IMAGE_UNITS)."""
+
+
 class AssemblyError(RuntimeError):
     """The effects contradict each other or their GLSL: a mistake in Seafoam, never in a scene."""
 
@@ -61,6 +67,8 @@ class _Draft:
         self.steepest = 0.0
         self.march = 1
         self.bound_fields: set[str] = set()
+        self.readers: dict[str, str] = {}
+        """Sampler -> the effect that brings it."""
         for effect in EFFECTS:
             given = effect.contribute(scene, quality)
             if given is None:
@@ -77,6 +85,7 @@ class _Draft:
         pieces = {piece for spec in given.passes for piece in (*spec.vertex, *spec.fragment)}
         paths |= {piece.partition("?")[0] for piece in pieces if not piece.startswith("@")}
         self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
+        self.readers |= dict.fromkeys(given.inputs, name)
         self.slots += files
         self.passes += given.passes
         self.top += given.top
@@ -102,7 +111,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     ``economy``: leave out what can change no pixel by more than :data:`NEGLIGIBLE`; without it everything that the
     scene names is there, which is how the bounds are tested. Pure: the same arguments give the same bytes. Raises
     :class:`seafoam.effects.contribution.PlanError` where the scene asks for what does not exist, such as an unknown
-    mask.
+    mask, or for more effects together than one shader can read the textures of.
     """
     scene = _kept(scene, quality.waves)
     draft = _Draft(scene, quality, economy)
@@ -228,6 +237,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             inputs={"u_linear": TargetInput(target=linear)},
         ),
     ]
+    for program in programs.values():
+        _refuse_too_many(program, draft.readers)
     uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.steepest)}
     return FramePlan(
         effects=tuple(draft.effects),
@@ -275,6 +286,18 @@ def _pieces(parts: tuple[str, ...], chosen: Sequence[SlotFile], shore: bool) -> 
         else:
             pieces.append(part)
     return pieces
+
+
+def _refuse_too_many(program: Program, readers: Mapping[str, str]) -> None:
+    samplers = [name for name, sampler in declared_uniforms(program.fragment).items() if sampler]
+    if len(samplers) > MOST_SAMPLERS:
+        shares = Counter(readers.get(name, "other") for name in samplers)
+        most = ", ".join(f"{name} {count}" for name, count in shares.most_common())
+        raise PlanError(
+            "",
+            f"too much at once: one shader would read {len(samplers)} textures, and at most {MOST_SAMPLERS} are "
+            f"promised by every WebGL2 ({most}); leave out one of these",
+        )
 
 
 def _pass(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput]) -> Pass:
