@@ -28,8 +28,8 @@ void main() {
     if (depth < 0.3 || any(greaterThan(abs(clip), vec2(1.0))) || spray_hidden(drop, depth)) {
         return;
     }
-    float radius = u_spray_size * SPRAY_WIDER * (mist ? 5.0 * (0.3 + vary) * (0.25 + age) : 0.3 + 1.2 * vary * vary * vary);
-    float opacity = (mist ? 0.13 : 0.95) * smoothstep(0.0, 0.05, age) * (1.0 - smoothstep(0.4, 1.0, age / u_spray_life));
+    float radius = u_spray_size * SPRAY_WIDER * (mist ? 9.0 * (0.35 + vary) * (0.3 + age) : 0.3 + 1.2 * vary * vary * vary);
+    float opacity = (mist ? 0.045 : 0.9) * smoothstep(0.0, 0.05, age) * (1.0 - smoothstep(0.4, 1.0, age / u_spray_life));
     opacity *= smoothstep(0.3, 1.0, depth);
     radius *= 0.5 * u_viewport.y / (length(u_ray_y) * depth);
     // Less than a sample and a half wide: as wide, and thinner.

@@ -4,6 +4,8 @@ import gzip
 import hashlib
 import json
 import re
+from itertools import pairwise
+from typing import get_args
 
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
@@ -11,15 +13,18 @@ from prometheus_client.parser import text_string_to_metric_families
 from seafoam.plan.model import FramePlan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import preset_names
+from seafoam.scene.presets import Group, preset_names
 
 
 def test_presets_are_listed_in_the_order_of_the_menu(client):
     listed = client.get("/api/presets").json()
     assert [preset["name"] for preset in listed] == list(preset_names())
     for preset in listed:
-        assert set(preset) == {"name", "title", "summary", "size", "time", "effects"}
+        assert set(preset) == {"name", "group", "title", "summary", "size", "time", "effects"}
         assert preset["effects"]
+    groups = [preset["group"] for preset in listed]
+    assert list(dict.fromkeys(groups)) == list(get_args(Group)), "each group stands together, in the menu's order"
+    assert len([1 for a, b in pairwise(groups) if a != b]) == len(get_args(Group)) - 1
 
 
 def test_a_preset_comes_with_a_scene_that_is_accepted_back(client):
