@@ -58,7 +58,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, suffix: str, cap
     )[:, 0]
     x, z = at.astype(np.float64).T
     want = np.minimum(
-        slope_saturation(wave_set(scene, time, origin), x, z, 16.0, 0.03125, float(np.float32(blur))), cap
+        slope_saturation(wave_set(scene, time, origin).gradient, x, z, 16.0, 0.03125, float(np.float32(blur))), cap
     )
     assert want.max() > 0.6
     assert (want == 0.0).any()

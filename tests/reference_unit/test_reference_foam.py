@@ -72,7 +72,7 @@ def test_flat_waves_weigh_the_same() -> None:
 def test_without_waves_there_is_no_front() -> None:
     x = np.zeros(3)
     waves = dict.fromkeys(("text", "listing"), wave_set(Scene(), 2.0, (0.0, 0.0)))
-    f = saturation((FrontSaturation(),), "max", waves, Relief(()), x, x, x, cap=4.0, footprints=None, folds=[])
+    f = saturation((FrontSaturation(),), "max", waves, Relief(()).gradient, x, x, x, cap=4.0, footprints=None, folds=[])
     np.testing.assert_array_equal(f, 0.0)
 
 

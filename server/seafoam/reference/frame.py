@@ -449,7 +449,7 @@ class _Shader:
             foam.saturation,
             foam.combine,
             self.fronts,
-            self.relief,
+            lambda x, z: self._slopes(x, z)[1],
             x,
             z,
             H,

@@ -18,7 +18,6 @@ from seafoam.scene.models import (
     WakeSaturation,
 )
 
-from .relief import Part
 from .types import Floats, smoothstep
 from .waves import WaveSet
 
@@ -173,12 +172,16 @@ def height_saturation(H: Floats, base: float, full: float) -> Floats:
     return result
 
 
-def slope_saturation(relief: Part, x: Floats, z: Floats, gain: float, base: float, blur: float) -> Floats:
+Slopes = Callable[[Floats, Floats], tuple[Floats, Floats]]
+"""The surface's gradient at (x, z), m from the origin; (r,) each."""
+
+
+def slope_saturation(slopes: Slopes, x: Floats, z: Floats, gain: float, base: float, blur: float) -> Floats:
     """f = gain (1 − n.y − base), held in [0, 4]; with a blur (m) 1 − n.y is a mean of five places, a cross."""
     ways = ((0.0, 0.0), (blur, 0.0), (-blur, 0.0), (0.0, blur), (0.0, -blur)) if blur > 0.0 else ((0.0, 0.0),)
     lack = np.zeros_like(x)
     for dx, dz in ways:
-        h_x, h_z = relief.gradient(x + dx, z + dz)
+        h_x, h_z = slopes(x + dx, z + dz)
         lack += (1.0 - 1.0 / np.sqrt(1.0 + h_x * h_x + h_z * h_z)) / len(ways)
     result: Floats = np.clip(gain * (lack - base), 0.0, CAP)
     return result
@@ -197,7 +200,7 @@ def saturation(
     sources: tuple[Saturation, ...],
     combine: Literal["max", "product"],
     waves: dict[str, WaveSet],
-    relief: Part,
+    slopes: Slopes,
     x: Floats,
     z: Floats,
     H: Floats,
@@ -211,9 +214,10 @@ def saturation(
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
-    ``waves`` holds the waves for each kind of front constants, ``relief`` all that raises the surface. With footprints
-    (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf`` gives the
-    foam of a shore's surf, ``drift`` that a flow carries, ``wake`` that behind boats; without them there is none.
+    ``waves`` holds the waves for each kind of front constants, ``slopes`` is the gradient that light sees. With
+    footprints (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf``
+    gives the foam of a shore's surf, ``drift`` that a flow carries, ``wake`` that behind boats; without them there is
+    none.
     """
     parts = []
     given = iter(folds)
@@ -222,7 +226,7 @@ def saturation(
             parts.append(height_saturation(H, source.base, source.full))
             continue
         if isinstance(source, SlopeSaturation):
-            parts.append(slope_saturation(relief, x, z, source.gain, source.base, source.blur))
+            parts.append(slope_saturation(slopes, x, z, source.gain, source.base, source.blur))
             continue
         if isinstance(source, FoldSaturation):
             parts.append(next(given))
