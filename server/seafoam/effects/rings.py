@@ -88,6 +88,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     every = trains(scene)
     shown = tuple(train for train in every if train.ring.life > 0.0) or every
     level, steepest = calm_level(scene), ring_slope(scene)
+    # Both slopes count in every step through both slabs: with a sea a ray near the horizon takes eight times as many.
+    march = 1 if scene.sea is None else 8
     bound = _bound(scene, level, steepest)
     count = len(shown)
     consts: dict[str, Const] = {
@@ -113,6 +115,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             bound=bound,
             top=2.0 * level,
             steepest=steepest,
+            march=march,
         )
     corners = [
         (Constant(value=(corner_x - t.ring.place[0],)), Constant(value=(corner_z - t.ring.place[1],))) for t in shown
@@ -154,6 +157,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=bound,
         top=2.0 * level,
         steepest=steepest,
+        march=march,
     )
 
 
