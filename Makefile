@@ -10,7 +10,11 @@ PORT ?= 8000
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public -type f 2>/dev/null) $(WEB)/index.html $(WEB)/package-lock.json \
 	$(WEB)/vite.config.ts $(WEB)/tsconfig.json
 
-.PHONY: demo test lint test-python test-web bench setup setup-test webclient wheel bake docs lock clean
+# Two groups of tests at once, each about half the time: what a browser or a server takes part in, and numbers.
+LIVE := tests/accuracy tests/api tests/browser tests/cli
+NUMBERS := $(filter-out $(addsuffix /,$(LIVE) tests/references tests/golden),$(wildcard tests/*/))
+
+.PHONY: demo test lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
@@ -54,7 +58,13 @@ test-web: setup-test
 	cd $(WEB) && ../$(NODE) npm test --silent
 
 test-python: setup-test
-	$(BIN)/pytest -q
+	@$(MAKE) --no-print-directory -j2 test-live test-numbers
+
+test-live:
+	$(BIN)/pytest -q -p no:cacheprovider $(LIVE)
+
+test-numbers:
+	$(BIN)/pytest -q -p no:cacheprovider $(NUMBERS)
 
 bench: setup-test
 	$(BIN)/python -m bench
