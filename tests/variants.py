@@ -168,7 +168,7 @@ def every_plan() -> Iterator[FramePlan]:
     # What a bound leaves out is drawn where that bound is tested.
     yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
     yield make_plan(Scene(spray=Spray()), TIERS["standard"], economy=False)
-    for source in (SurfSaturation(), WakeSaturation()):
+    for source in (SurfSaturation(), DriftSaturation(), WakeSaturation()):
         yield make_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"], economy=False)
 
 
