@@ -9,24 +9,13 @@ uniform vec2 u_cell_index;   // the eye's place, steps modulo 4096: its whole pa
 vec2 cell_uv;
 vec2 cell_turn;
 
-// One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014).
-uint cell_hash(uint state) {
-    state = state * 747796405u + 2891336453u;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
-}
-
-float cell_share(uint word) {
-    return float(word >> 8u) / 16777216.0;
-}
-
 void cell_enter(ivec2 cell, vec2 steps) {
-    uint word = cell_hash(cell_hash(uint(cell.x & 4095)) ^ uint(cell.y & 4095));
-    float angle = TAU * cell_share(cell_hash(word)) - PI;
+    uint word = noise_hash(noise_hash(uint(cell.x & 4095)) ^ uint(cell.y & 4095));
+    float angle = TAU * noise_share(noise_hash(word)) - PI;
     cell_turn = vec2(cos(angle), sin(angle));
     vec2 way = vec2(steps.x + 0.5 * steps.y, 0.866025403784439 * steps.y);
     vec2 turned = vec2(cell_turn.x * way.x + cell_turn.y * way.y, cell_turn.x * way.y - cell_turn.y * way.x);
-    cell_uv = turned + vec2(cell_share(cell_hash(word + 1u)), cell_share(cell_hash(word + 2u)));
+    cell_uv = turned + vec2(noise_share(noise_hash(word + 1u)), noise_share(noise_hash(word + 2u)));
 }
 
 vec2 mask_turn(vec2 p) {

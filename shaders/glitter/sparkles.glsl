@@ -7,17 +7,6 @@ uniform float u_sparkle_share;
 uniform float u_sparkle_life;     // s
 uniform float u_sparkle_time[2];  // t modulo a life, and modulo 65536 lives, s
 
-// One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014).
-uint sparkle_hash(uint state) {
-    state = state * 747796405u + 2891336453u;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
-}
-
-float sparkle_part(uint word) {
-    return float(word >> 8u) / 16777216.0;
-}
-
 // Light of the sparkles toward -d over the sun's irradiance, where the smooth glint is w. radius: of a sparkle, not below
 // what the samples can show; side: of a cell on the octahedron.
 float sparkle_light(vec3 d, float w, float radius, float side) {
@@ -30,11 +19,11 @@ float sparkle_light(vec3 d, float w, float radius, float side) {
     for (int i = 0; i < SPARKLE_CELLS; ++i) {
         // A sparkle is at most half a cell wide, so four cells may reach here; one alone keeps its sparkle in its middle.
         vec2 cell = SPARKLE_CELLS == 1 ? floor(at) : floor(at - 0.5) + vec2(i & 1, i >> 1);
-        uint word = sparkle_hash(sparkle_hash(uint(int(cell.x))) ^ uint(int(cell.y)));
-        float age = turn + sparkle_part(sparkle_hash(word));
-        word = sparkle_hash(word ^ uint((epoch + int(age)) & 65535));
+        uint word = noise_hash(noise_hash(uint(int(cell.x))) ^ uint(int(cell.y)));
+        float age = turn + noise_share(noise_hash(word));
+        word = noise_hash(word ^ uint((epoch + int(age)) & 65535));
         age -= floor(age);
-        vec2 inside = vec2(sparkle_part(sparkle_hash(word + 1u)), sparkle_part(sparkle_hash(word + 2u)));
+        vec2 inside = vec2(noise_share(noise_hash(word + 1u)), noise_share(noise_hash(word + 2u)));
         vec2 centre = (cell + (SPARKLE_CELLS == 1 ? 0.5 + 0.19 * (inside - 0.5) : inside)) * side;
         vec3 c = vec3(centre.x, 1.0 - abs(centre.x) - abs(centre.y), centre.y);
         float nearness = inversesqrt(dot(c, c));
@@ -44,7 +33,7 @@ float sparkle_light(vec3 d, float w, float radius, float side) {
         float chance = min(u_sparkle_density * w * solid, 1.0);
         // Not lit all at once: a ramp about the chance, as wide on both sides, has the same mean and forgives rounding.
         float soft = max(min(0.25 * chance, 1.0 - chance), 1e-3 * chance);
-        float lit = clamp(0.5 + 0.5 * (chance - sparkle_part(word)) / soft, 0.0, 1.0);
+        float lit = clamp(0.5 + 0.5 * (chance - noise_share(word)) / soft, 0.0, 1.0);
         float swell = 30.0 * age * age * (1.0 - age) * (1.0 - age);
         sum += lit * swell * edge * edge * max(w * solid, 1.0 / u_sparkle_density) / disc;
     }

@@ -16,7 +16,7 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     vec2 out_to_sea = vec2(f.along_x.r, f.along_z.r);
     vec2 carried = q + 1.5 * f.here.g * sin(TAU * turn) / max(length(out_to_sea), 1e-6) * out_to_sea;
     vec2 turned = vec2(0.8 * carried.x - 0.6 * carried.y, 0.6 * carried.x + 0.8 * carried.y);
-    float torn = 0.4 * shore_noise(turned / 6.0) + 0.35 * shore_noise(carried / 1.7) + 0.25 * shore_noise(turned / 0.5);
+    float torn = 0.4 * noise_value(NOISE_KEY, turned / 6.0) + 0.35 * noise_value(NOISE_KEY, carried / 1.7) + 0.25 * noise_value(NOISE_KEY, turned / 0.5);
     float patches = smoothstep(0.25, 0.72, torn);
     // The last of the water runs off under its foam: what is thinner than a hand holds more of it.
     float film = 1.0 - smoothstep(0.0, 0.15, height - shore_floor(q).x);

@@ -13,7 +13,7 @@ float wake_saturation(vec2 p, float height, Footprint fp) {
         // Noise lies on the water: places are counted from the centre of the course, which stands still.
         vec2 on = (p + u_boat_course[i].xy) / size;
         vec2 turned = vec2(0.8 * on.x - 0.6 * on.y, 0.6 * on.x + 0.8 * on.y);
-        float torn = 0.4 * wake_noise(on / 0.31) + 0.35 * wake_noise(turned / 0.11) + 0.25 * wake_noise(on / 0.037);
+        float torn = 0.4 * noise_value(NOISE_KEY, on / 0.31) + 0.35 * noise_value(NOISE_KEY, turned / 0.11) + 0.25 * noise_value(NOISE_KEY, on / 0.037);
         float patches = smoothstep(0.25, 0.72, torn);
         float width = 0.085 + 0.055 * sqrt(max(past, 0.0));
         float band = (1.0 - smoothstep(0.5 * width, 1.15 * width, z)) * smoothstep(-0.06, 0.04, past);

@@ -69,7 +69,7 @@ float shore_grain(vec2 q, Footprint fp) {
     for (int i = 0; i < 5; ++i) {
         // Each octave is turned against the last (3-4-5), so that no lattice shows.
         q = vec2(0.8 * q.x - 0.6 * q.y, 0.6 * q.x + 0.8 * q.y);
-        sum += (shore_noise(q / cell) - 0.5) * 0.45 * (1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach));
+        sum += (noise_value(NOISE_KEY, q / cell) - 0.5) * 0.45 * (1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach));
         cell *= 0.31;
     }
     return clamp(sum, 0.0, 1.0);

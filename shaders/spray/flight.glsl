@@ -1,16 +1,9 @@
-// A drop in the air: whole-number hashes, and ballistics with linear drag in closed form. docs/formulae.md, section 13.
+// A drop in the air: its chances, and ballistics with linear drag in closed form. docs/formulae.md, section 13.
 uniform vec2 u_spray_wind; // m/s
-
-// One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014).
-uint spray_hash(uint state) {
-    state = state * 747796405u + 2891336453u;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
-}
 
 // The k-th number in [0, 1) that goes with a word.
 float spray_part(uint word, uint k) {
-    return float(spray_hash(word + k) >> 8u) / 16777216.0;
+    return noise_share(noise_hash(word + k));
 }
 
 // Where a drop is, age seconds after its birth; tau: time in which the air takes it to 1/e of its speed against the wind's, s;

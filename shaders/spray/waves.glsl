@@ -22,11 +22,11 @@ vec4 spray_waves(vec2 p, float age) {
 
 // birth: from the eye along x and z, its height over the troughs; false: the drop was never born.
 bool spray_born(int i, out vec3 birth, out vec3 velocity, out float age, out uint word) {
-    uint own = spray_hash(uint(i));
+    uint own = noise_hash(uint(i));
     float turn = u_spray_time[0] / u_spray_life + spray_part(own, 0u);
     int epoch = int(floor((u_spray_time[1] - u_spray_time[0]) / u_spray_life + 0.5)) + int(turn);
     age = (turn - floor(turn)) * u_spray_life;
-    word = spray_hash(own ^ uint(epoch & 65535));
+    word = noise_hash(own ^ uint(epoch & 65535));
     float side = 2.0 * u_spray_reach;
     vec2 at = vec2(0.0);
     vec4 fastest = vec4(-1.0);

@@ -1,11 +1,17 @@
-// A sample of the sea: find the surface, shade water, lay foam on it, put air before it. Linear light, A = foam amount.
+// A sample of the sea: find the surface, shade water, lay foam on it, put air before it; land where it stands before the sea.
+// Linear light, A = foam amount.
 out vec4 o_color;
 
 void main() {
     vec3 ray = camera_ray(gl_FragCoord.xy);
     float tau;
     vec3 wave;
-    if (!find_surface(ray, tau, wave)) {
+    bool wet = find_surface(ray, tau, wave);
+    vec3 d = normalize(ray);
+    if (find_land_before(ray, d, wet, tau, o_color)) {
+        return;
+    }
+    if (!wet) {
         discard;
     }
     vec2 p = tau * ray.xz;
@@ -16,9 +22,9 @@ void main() {
     float f = saturation(p, shading.x, fp);
     float amount = foam_amount(f, p, fp);
 
-    vec3 d = normalize(ray);
     vec3 foam_normal = normalize(vec3(-shading.y - 0.5 * ripple.x, 1.0, -shading.z - 0.5 * ripple.y));
     vec3 normal = normalize(vec3(-shading.y - ripple.x, 1.0, -shading.z - ripple.y));
+    look_through(p, shading.x, d, normal, shading.w + ripple.z, fp);
     vec3 water = exposure() * water_light(d, normal, shading.w + ripple.z, shading.x);
     vec3 foam = exposure() * foam_light(foam_normal);
     vec3 light = in_air(foam_over(water, foam, amount), d, tau * length(ray));

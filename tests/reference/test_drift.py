@@ -27,6 +27,8 @@ FILES = (
     "drift/square.glsl",
     "drift/clock.glsl",
     "drift/flow.glsl",
+    "noise/hash.glsl",
+    "noise/value.glsl",
     "drift/patches.glsl",
     "drift/back.glsl",
     "saturation/drift_rim.glsl",

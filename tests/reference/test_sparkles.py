@@ -21,6 +21,7 @@ FILES = (
     "common/numbers.glsl",
     "common/camera.glsl",
     "=uniform vec3 u_sun_irradiance;\nvec3 smooth_glitter(vec3 d, vec3 n, float s, float c) { return vec3(0.0); }\n",
+    "noise/hash.glsl",
     "glitter/sparkles.glsl",
 )
 

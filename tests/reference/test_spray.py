@@ -57,7 +57,7 @@ def flown(values: NDArray[np.float64], weight: float) -> NDArray[np.float64]:
 def test_flight_equals_its_closed_form(probe: Probe, report: Report, weight: float) -> None:
     values = throws(20_000)
     got = probe(
-        ["spray/flight.glsl"],
+        ["noise/hash.glsl", "spray/flight.glsl"],
         f"y.xyz = spray_flight(vec3(0.0), vec3(x.y, x.x, 0.0), x.z, x.w, {weight});",
         values,
         uniforms={"u_spray_wind": WIND},
@@ -101,7 +101,13 @@ def test_births_on_waves_equal_their_float64_form(
     call = "vec3 b; vec3 v; float age; uint word; bool born = spray_born(int(x.x), b, v, age, word);"
     got = [
         probe(
-            ["common/numbers.glsl", "waves/parametric.glsl", "spray/flight.glsl", "spray/waves.glsl"],
+            [
+                "common/numbers.glsl",
+                "waves/parametric.glsl",
+                "noise/hash.glsl",
+                "spray/flight.glsl",
+                "spray/waves.glsl",
+            ],
             f"{call} y = vec4({part}, born ? 1.0 : 0.0);",
             np.arange(DROPS)[:, None],
             consts={

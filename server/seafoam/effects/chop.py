@@ -25,6 +25,7 @@ from seafoam.effects.contribution import (
     significant,
 )
 from seafoam.effects.extremes import slope_sensitivity
+from seafoam.effects.noise import PERLIN_3
 from seafoam.quality import Quality
 from seafoam.scene.chop import BANDS, WAVES_PER_TILE, Ripple, ripples, tiles
 from seafoam.scene.models import (
@@ -169,7 +170,7 @@ def _gusts(chop: Chop) -> _Gusts:
 def _detail(ripples_file: str, gusts: _Gusts) -> SlotFile:
     if not gusts.uniforms:
         return SlotFile("detail", ripples_file, prefix="chop", needs=("chop/bands.glsl",))
-    needs = ("chop/bands.glsl", f"{ripples_file}?chop_detail=even_detail", "noise/hash.glsl", "noise/perlin_3.glsl")
+    needs = ("chop/bands.glsl", f"{ripples_file}?chop_detail=even_detail", *PERLIN_3)
     return SlotFile("detail", "chop/gusts.glsl", prefix="chop", needs=needs)
 
 

@@ -16,6 +16,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
+from seafoam.effects.noise import PERLIN_3
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Light, Scene
 from seafoam.scene.sky import Clouds, Sky
@@ -44,7 +45,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "clouds",
                 "clouds/layer.glsl",
-                needs=("noise/hash.glsl", "noise/perlin_3.glsl"),
+                needs=PERLIN_3,
             ),
         ),
         consts={"CLOUD_OCTAVES": quality.cloud_octaves, "CLOUD_SEED": 64 * clouds.seed},

@@ -16,6 +16,7 @@ from seafoam.effects.contribution import (
     TextureInput,
 )
 from seafoam.effects.light import air_light, sky_irradiance, sun_irradiance
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Light, ParametricWave, Scene
 from seafoam.scene.shore import Shore
@@ -25,7 +26,7 @@ _SHORE = (
     "shore/place.glsl",
     "shore/spline.glsl",
     "shore/floor.glsl",
-    "shore/noise.glsl",
+    *VALUE_NOISE,
     "shore/ground.glsl",
 )
 

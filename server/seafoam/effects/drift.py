@@ -28,6 +28,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import SATURATION_CAP
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.quality import Quality
 from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.models import Camera, DriftSaturation, Foam, HeightSaturation, Light, ParametricWave, Scene
@@ -101,6 +102,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                         "drift/square.glsl",
                         "drift/clock.glsl",
                         "drift/flow.glsl",
+                        *VALUE_NOISE,
                         "drift/patches.glsl",
                         "drift/back.glsl",
                         "saturation/drift_rim.glsl",
@@ -256,6 +258,7 @@ class _Given:
                     *_NUMBERS,
                     "drift/clock.glsl",
                     "drift/flow_map.glsl",
+                    *VALUE_NOISE,
                     "drift/patches.glsl",
                     "drift/back.glsl",
                     "drift/backward_pass.glsl",
@@ -275,7 +278,7 @@ class _Given:
         start = PassSpec(
             name="drift, where it comes up",
             program="drift_start",
-            fragment=(*_NUMBERS, "drift/clock.glsl", "drift/patches.glsl", "drift/start_pass.glsl"),
+            fragment=(*_NUMBERS, "drift/clock.glsl", *VALUE_NOISE, "drift/patches.glsl", "drift/start_pass.glsl"),
             target=order[0],
             uniforms={**self.square, **self.clock, **self.patches, **self.texel},
         )

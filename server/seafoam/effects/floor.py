@@ -16,6 +16,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.light import sky_irradiance, sun_irradiance
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -58,11 +59,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _bed(water: Water) -> tuple[SlotFile, ...]:
     """A floor whose places tell apart: the ray refracted at the surface finds the one that is seen."""
-    laid = "bed/plain.glsl" if water.floor_tile is None else "bed/tiles.glsl"
+    laid = ("bed/plain.glsl",) if water.floor_tile is None else (*VALUE_NOISE, "bed/tiles.glsl")
     return (
         SlotFile("body", "bed/body.glsl"),
-        SlotFile("bed", "bed/floor.glsl", needs=(laid,)),
-        SlotFile("main", "bed/main.glsl"),
+        SlotFile("bed", "bed/floor.glsl", needs=laid),
+        SlotFile("through", "bed/through.glsl"),
     )
 
 

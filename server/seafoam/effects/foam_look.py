@@ -21,6 +21,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import foam_limit, greatest_saturation
+from seafoam.effects.noise import HASH
 from seafoam.masks.catalogue import Mask
 from seafoam.quality import Quality
 from seafoam.scene.models import (
@@ -104,7 +105,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     textures: dict[str, TextureUse] = {}
     if masked:
         mask = _mask(foam)
-        needs += ("foam/cell.glsl" if foam.cells else "foam/mask_coordinates.glsl",)
+        needs += (HASH, "foam/cell.glsl") if foam.cells else ("foam/mask_coordinates.glsl",)
         needs += (f"foam/mask_texel_{quality.mask}.glsl",)
         needs += () if foam.look == "filtered" else ("foam/mask_exact.glsl",)
         consts["MASK_SIZE"] = mask.ranks.shape[0]

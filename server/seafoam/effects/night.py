@@ -4,6 +4,7 @@ import math
 
 from seafoam.effects import layered
 from seafoam.effects.contribution import Bound, Contribution, Effect, HardCase, SlotFile, number, significant, vector
+from seafoam.effects.noise import HASH, PERLIN_2
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Light, Scene, Water
 from seafoam.scene.sky import Moon, Sky
@@ -37,7 +38,7 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"moon {math.degrees(of.elevation):.0f}° over the horizon, {lit:.0f} % lit",
         slots=(
             SlotFile("moon", "sky/moon_glow.glsl"),
-            SlotFile("moon disc", "sky/moon_disc.glsl", needs=("noise/hash.glsl", "noise/perlin_2.glsl")),
+            SlotFile("moon disc", "sky/moon_disc.glsl", needs=PERLIN_2),
         ),
         uniforms={
             "u_moon_direction": vector(_rounded(toward)),
@@ -75,7 +76,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
     dark = layered.smooth(0.05, 0.2, -layered.sun(light)[1])
     return Contribution(
         why="stars",
-        slots=(SlotFile("stars", "sky/stars.glsl", needs=("common/cube_face.glsl", "noise/hash.glsl")),),
+        slots=(SlotFile("stars", "sky/stars.glsl", needs=("common/cube_face.glsl", HASH)),),
         uniforms={
             "u_star_path": vector(_rounded(tuple(tau + layered.mie_depth(light) for tau in layered.RAYLEIGH))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),

@@ -30,6 +30,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.effects.extremes import surface_top
 from seafoam.effects.light import sky_irradiance, sun_irradiance
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Foam, Light, Scene, SurfSaturation, Water
 from seafoam.scene.shore import Shore, Surf, floor_grid
@@ -266,19 +267,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "shore/place.glsl",
                     "shore/spline.glsl",
                     "shore/floor.glsl",
-                    "shore/noise.glsl",
+                    *VALUE_NOISE,
                     "shore/field.glsl",
                 ),
             ),
             *((SlotFile("body", "shore/body.glsl"),) if lit else ()),
             SlotFile(
-                "main",
-                "shore/main.glsl",
-                needs=(
-                    "shore/ground.glsl",
-                    *(("shore/land_lit.glsl",) if lit else ("shore/body.glsl", "shore/land_flat.glsl")),
-                ),
+                "through",
+                "shore/through.glsl",
+                needs=("shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
             ),
+            SlotFile("land", "shore/before.glsl", needs=(f"shore/land_{'lit' if lit else 'flat'}.glsl",)),
         ),
         consts={
             "SHORE_PERIOD": PERIOD,

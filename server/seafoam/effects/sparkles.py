@@ -15,6 +15,7 @@ from seafoam.effects.contribution import (
     significant,
 )
 from seafoam.effects.glitter import brightest_glint, smooth_glint
+from seafoam.effects.noise import HASH
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Sparkles, Water
 
@@ -40,7 +41,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     path, needs, uniforms = smooth_glint(light)
     return Contribution(
         why=f"sparks of {1e3 * sparkles.size:g} mrad for {sparkles.life:g} s",
-        slots=(SlotFile("glitter", "glitter/sparkles.glsl", needs=(*needs, f"{path}?glitter_light=smooth_glitter")),),
+        slots=(
+            SlotFile("glitter", "glitter/sparkles.glsl", needs=(*needs, HASH, f"{path}?glitter_light=smooth_glitter")),
+        ),
         consts={"SPARKLE_CELLS": quality.sparkle_cells},
         uniforms={
             **uniforms,

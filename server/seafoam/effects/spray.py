@@ -24,6 +24,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
+from seafoam.effects.noise import HASH
 from seafoam.effects.parametric import steepest_profile
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency
@@ -114,6 +115,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "surface/march.glsl",
             "@sky",
             *(("shade/sun.glsl", "spray/lit.glsl") if lit else ("spray/unlit.glsl",)),
+            HASH,
             "spray/flight.glsl",
             f"spray/{source}.glsl",
             *land,

@@ -13,6 +13,7 @@ from seafoam.effects.contribution import (
     significant,
 )
 from seafoam.effects.extremes import SATURATION_CAP, wake_limit
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.wake import WAY
 from seafoam.quality import Quality
 from seafoam.scene.boats import LEAST_SPEED, Boat
@@ -50,7 +51,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     return Contribution(
         why=f"foam behind boats, {wake.life:g} s to 1/e",
-        slots=(SlotFile("saturation", "saturation/wake.glsl", prefix="wake", needs=("wake/noise.glsl", *WAY)),),
+        slots=(SlotFile("saturation", "saturation/wake.glsl", prefix="wake", needs=(*VALUE_NOISE, *WAY)),),
         consts={"WAKE_CAP": 1.0 if scene.foam.look == "filtered" else SATURATION_CAP},
         uniforms={"u_wake_foam": array("vec4", [Constant(value=one) for one in amounts], len(amounts))},
     )

@@ -116,6 +116,10 @@ CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
 """How the sun's light lies on a level floor."""
 BED = Slot("bed", default="bed/none.glsl", under="below")
 """A level floor as it is lit, for eyes over and under the surface."""
+THROUGH = Slot("through", default="surface/no_floor.glsl")
+"""Called before the water is shaded: what is seen through it."""
+LAND = Slot("land", default="surface/no_land.glsl")
+"""What stands before the water."""
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
@@ -133,7 +137,7 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
     lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, MAIN, BELOW)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, MAIN, BELOW)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:

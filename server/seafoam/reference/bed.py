@@ -11,7 +11,6 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.scene.chop import ripples, tiles
 from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
@@ -27,6 +26,7 @@ from .light import (
     air,
     fresnel,
 )
+from .noise import corner
 from .types import Floats, dot, unit
 from .waves import reduced, wave_height
 
@@ -39,6 +39,7 @@ COLOURS = (-0.0033, 0.0, 0.0042)
 LEAST_FALL = 0.25
 LEAST_SUN = 0.05
 JOINT = 0.05
+TILE_KEY = 0x9E3779B9
 JOINT_ALBEDO = 0.72
 TILES_APART = 256
 NARROWEST = 1e-3
@@ -218,7 +219,7 @@ class Bed:
             wide = np.maximum(wide, width)
             cells.append(np.floor(place).astype(np.int64) % TILES_APART)
         q = np.clip(wide - 0.5, 0.0, 1.0)
-        shade = (_hash(cells[0], cells[1]) - 0.5) * (1.0 - q * q * (3.0 - 2.0 * q))
+        shade = (corner(TILE_KEY, cells[0], cells[1]) - 0.5) * (1.0 - q * q * (3.0 - 2.0 * q))
         held = np.clip(open_share, 0.0, 1.0)[:, None]
         result: Floats = JOINT_ALBEDO * (1.0 - held) + bare * (1.0 + 0.24 * shade)[:, None] * held
         return result
@@ -278,16 +279,4 @@ def _joints(x: Floats) -> Floats:
     """Width of the joints left of x, in tiles."""
     whole = np.floor(x)
     result: Floats = JOINT * whole + np.maximum(x - whole - (1.0 - JOINT), 0.0)
-    return result
-
-
-def _hash(x: NDArray[np.int64], z: NDArray[np.int64]) -> Floats:
-    """A number in [0, 1) of whole coordinates (O'Neill 2014)."""
-    word = np.full(x.shape, 0x9E3779B9, np.uint64)
-    low = np.uint64(0xFFFFFFFF)
-    for part in (x, z):
-        state = ((word ^ part.astype(np.uint64)) * np.uint64(747796405) + np.uint64(2891336453)) & low
-        mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & low
-        word = (mixed >> np.uint64(22)) ^ mixed
-    result: Floats = (word >> np.uint64(8)).astype(np.float64) / 2.0**24
     return result

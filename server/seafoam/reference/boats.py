@@ -17,7 +17,7 @@ from seafoam.scene.boats import Boat, Wake, wake_level, wake_slope, wakes
 from seafoam.scene.models import Scene, WakeSaturation
 
 from .light import Air, fresnel, sky_light
-from .shore import noise
+from .noise import KEY, value
 from .types import Bools, Floats, dot, smoothstep, unit
 
 Height = Callable[[Floats, Floats], Floats]
@@ -486,8 +486,8 @@ class WakeSet:
             past = np.maximum(b - 0.86, 0.0)
             on_x, on_z = (x + at.centre[0]) / size, (z + at.centre[1]) / size
             t_x, t_z = 0.8 * on_x - 0.6 * on_z, 0.6 * on_x + 0.8 * on_z
-            torn = 0.4 * noise(on_x / 0.31, on_z / 0.31) + 0.35 * noise(t_x / 0.11, t_z / 0.11)
-            torn += 0.25 * noise(on_x / 0.037, on_z / 0.037)
+            torn = 0.4 * value(KEY, on_x / 0.31, on_z / 0.31) + 0.35 * value(KEY, t_x / 0.11, t_z / 0.11)
+            torn += 0.25 * value(KEY, on_x / 0.037, on_z / 0.037)
             patches = smoothstep(0.25, 0.72, torn)
             width = 0.085 + 0.055 * np.sqrt(past)
             q = np.clip((s - 0.5 * width) / (0.65 * width), 0.0, 1.0)

@@ -4,10 +4,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.scene.models import Foam
 
+from .noise import pcg, share
 from .types import Floats, smoothstep
 
 COUNT = 4096
@@ -15,7 +15,6 @@ LEAST = 0.25
 """Cells with a smaller share of a place do not count there."""
 LAST = 1.0 / 256.0
 """Below this share left free, what is left is led to 0 evenly."""
-_Words = NDArray[np.uint32]
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,30 +90,16 @@ def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tu
 
 
 def _corner(weight: Floats, i: Floats, j: Floats, s: Floats, t: Floats) -> Corner:
-    first = np.mod(i, COUNT).astype(np.uint32)
-    second = np.mod(j, COUNT).astype(np.uint32)
-    word = _pcg(_pcg(first) ^ second)
-    angle = 2.0 * math.pi * _share(_pcg(word))
+    first = np.mod(i, COUNT).astype(np.uint64)
+    second = np.mod(j, COUNT).astype(np.uint64)
+    word = pcg(pcg(first) ^ second)
+    angle = 2.0 * math.pi * share(pcg(word))
     cosine, sine = -np.cos(angle), -np.sin(angle)
     x, y = s + 0.5 * t, 0.5 * math.sqrt(3.0) * t
     return Corner(
         weight=weight,
-        u=cosine * x + sine * y + _share(_pcg(word + np.uint32(1))),
-        v=cosine * y - sine * x + _share(_pcg(word + np.uint32(2))),
+        u=cosine * x + sine * y + share(pcg(word + np.uint64(1))),
+        v=cosine * y - sine * x + share(pcg(word + np.uint64(2))),
         cosine=cosine,
         sine=sine,
     )
-
-
-def _pcg(state: _Words) -> _Words:
-    """One output of PCG-RXS-M-XS 32 (O'Neill 2014), modulo 2³²."""
-    state = state * np.uint32(747796405) + np.uint32(2891336453)
-    word: _Words = ((state >> ((state >> np.uint32(28)) + np.uint32(4))) ^ state) * np.uint32(277803737)
-    result: _Words = (word >> np.uint32(22)) ^ word
-    return result
-
-
-def _share(word: _Words) -> Floats:
-    """24 bits of a word as a number in [0, 1)."""
-    result: Floats = (word >> np.uint32(8)).astype(np.float64) / 2.0**24
-    return result

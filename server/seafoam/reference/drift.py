@@ -6,18 +6,17 @@ The flow's steady part (``scene/stokes.py``) is the scene's own, as rings' level
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.scene.drift import Vortex
 from seafoam.scene.models import DriftSaturation, Scene
 from seafoam.scene.stokes import steady_drift
 
+from .noise import pcg, value
 from .types import Floats, smoothstep
 
 BROODS = 4
@@ -195,37 +194,12 @@ def _rim(share: Floats) -> Floats:
 
 def patch(source: DriftSaturation, brood: int, x: Floats, z: Floats) -> Floats:
     """What came up of a brood at (x, z), m from the square's middle; (r,) in [0, 1]."""
-    key = int(_pcg(np.array([source.seed ^ int(_pcg(np.array([brood]))[0])]))[0])
+    key = int(pcg(np.uint64(source.seed) ^ pcg(np.array([brood], np.uint64)))[0])
     total = np.zeros_like(x)
     for i, (weight, frequency, turned) in enumerate(OCTAVES):
         u, v = x / source.patch, z / source.patch
         if turned:
             u, v = 0.8 * u - 0.6 * v, 0.6 * u + 0.8 * v
-        total += weight * _noise(key + i, u * frequency, v * frequency)
+        total += weight * value(key + i, u * frequency, v * frequency)
     middle = 0.5 + DEVIATION * NormalDist().inv_cdf(1.0 - source.coverage)
     return smoothstep(middle - HALF_CUT, middle + HALF_CUT, total)
-
-
-def _noise(key: int, x: Floats, z: Floats) -> Floats:
-    """Value noise in [0, 1] on the PCG hash of (key, cell); (r,)."""
-    i, j = np.floor(x), np.floor(z)
-    s, t = smoothstep(0.0, 1.0, x - i), smoothstep(0.0, 1.0, z - j)
-    a, b = i.astype(np.int64), j.astype(np.int64)
-    near = _corner(key, a, b) * (1.0 - s) + _corner(key, a + 1, b) * s
-    far = _corner(key, a, b + 1) * (1.0 - s) + _corner(key, a + 1, b + 1) * s
-    result: Floats = near * (1.0 - t) + far * t
-    return result
-
-
-def _corner(key: int, a: NDArray[np.int64], b: NDArray[np.int64]) -> Floats:
-    result: Floats = (_pcg(_pcg(key ^ (a & 0xFFFFFFFF)) ^ (b & 0xFFFFFFFF)) >> 8).astype(np.float64) / 2.0**24
-    return result
-
-
-def _pcg(word: NDArray[np.int64] | Sequence[int]) -> NDArray[np.int64]:
-    """One output of PCG-RXS-M-XS 32 (O'Neill 2014)."""
-    low = np.uint64(0xFFFFFFFF)
-    state = (np.asarray(word).astype(np.uint64) * np.uint64(747796405) + np.uint64(2891336453)) & low
-    mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & low
-    result: NDArray[np.int64] = ((mixed >> np.uint64(22)) ^ mixed).astype(np.int64)
-    return result

@@ -1,4 +1,4 @@
-"""Section 9: gradient noise on whole-number hashes, in any number of dimensions, and its octaves."""
+"""Section 9: noise on whole-number hashes: value noise, gradient noise in any number of dimensions, and its octaves."""
 
 from itertools import product
 
@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 from .types import Floats, Indices, smoothstep
 
+KEY = 0x9031965F
+"""Of the noise that grounds and foam are torn by."""
 PERIOD = 256
 GAIN = 0.58
 FINER = 5.0**0.5
@@ -38,6 +40,25 @@ def chained(seed: int, *cells: Indices) -> _Words:
     for cell in cells:
         word = pcg(word ^ (np.asarray(cell, np.int64) % PERIOD).astype(np.uint64))
     return word
+
+
+def corner(key: int, i: Indices, j: Indices) -> Floats:
+    """A number in [0, 1) of whole coordinates (i, j) modulo 2³²; of their shape."""
+    word = np.full(i.shape, key & 0xFFFFFFFF, np.uint64)
+    for cell in (i, j):
+        word = pcg(word ^ (np.asarray(cell, np.int64).astype(np.uint64) & _LOW))
+    return share(word)
+
+
+def value(key: int, x: Floats, z: Floats) -> Floats:
+    """Value noise in [0, 1], one cell a unit; of the shape of ``x``."""
+    i, j = np.floor(x), np.floor(z)
+    u, v = smoothstep(0.0, 1.0, x - i), smoothstep(0.0, 1.0, z - j)
+    a, b = i.astype(np.int64), j.astype(np.int64)
+    near = corner(key, a, b) * (1.0 - u) + corner(key, a + 1, b) * u
+    far = corner(key, a, b + 1) * (1.0 - u) + corner(key, a + 1, b + 1) * u
+    result: Floats = near * (1.0 - v) + far * v
+    return result
 
 
 def perlin(x: Floats, seed: int) -> Floats:

@@ -19,6 +19,7 @@ from seafoam.scene.shore import Shore, floor_grid
 from seafoam.textures import shore_profiles
 
 from .light import INDEX
+from .noise import KEY, value
 from .relief import Part
 from .types import Bools, Floats, Indices, dot, smoothstep
 from .waves import reduced
@@ -344,7 +345,9 @@ class Coast:
         c_x, c_z = q_x + swing * map_x[:, 0], q_z + swing * map_z[:, 0]
         t_x, t_z = 0.8 * c_x - 0.6 * c_z, 0.6 * c_x + 0.8 * c_z
         torn = (
-            0.4 * noise(t_x / 6.0, t_z / 6.0) + 0.35 * noise(c_x / 1.7, c_z / 1.7) + 0.25 * noise(t_x / 0.5, t_z / 0.5)
+            0.4 * value(KEY, t_x / 6.0, t_z / 6.0)
+            + 0.35 * value(KEY, c_x / 1.7, c_z / 1.7)
+            + 0.25 * value(KEY, t_x / 0.5, t_z / 0.5)
         )
         patches = smoothstep(0.25, 0.72, torn)
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
@@ -429,31 +432,6 @@ class Land:
         return np.where(dry, g_x, 0.0), np.where(dry, g_z, 0.0)
 
 
-def noise(x: Floats, z: Floats) -> Floats:
-    """Value noise in [0, 1], one cell a unit, from the PCG hash of the cell; of the shape of ``x``."""
-    i, j = np.floor(x), np.floor(z)
-    u, v = x - i, z - j
-    u, v = u * u * (3.0 - 2.0 * u), v * v * (3.0 - 2.0 * v)
-    a, b = i.astype(np.int64), j.astype(np.int64)
-    near = _hash(a, b) * (1.0 - u) + _hash(a + 1, b) * u
-    far = _hash(a, b + 1) * (1.0 - u) + _hash(a + 1, b + 1) * u
-    result: Floats = near * (1.0 - v) + far * v
-    return result
-
-
-def _hash(a: Indices, b: Indices) -> Floats:
-    low = np.uint64(0xFFFFFFFF)
-    word = np.full(a.shape, 0x9E3779B9, np.uint64)
-    for cell in (None, a, b):
-        if cell is not None:
-            word = word ^ (cell.astype(np.uint64) & low)
-        state = (word * np.uint64(747796405) + np.uint64(2891336453)) & low
-        mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & low
-        word = (mixed >> np.uint64(22)) ^ mixed
-    result: Floats = (word >> np.uint64(8)).astype(np.float64) / 2.0**24
-    return result
-
-
 def grain(q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
     """Grain of the ground in [0, 1]: octaves of noise, each gone before it is smaller than the footprint; (r,)."""
     reach = np.sqrt(np.maximum(dot(foot_x, foot_x), dot(foot_y, foot_y)))
@@ -463,7 +441,7 @@ def grain(q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
         q_x, q_z = 0.8 * q_x - 0.6 * q_z, 0.6 * q_x + 0.8 * q_z
         kept = 1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach)
         seen = np.flatnonzero(kept > 0.0)
-        total[seen] += (noise(q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
+        total[seen] += (value(KEY, q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
         cell *= GRAIN_STEP
     result: Floats = np.clip(total, 0.0, 1.0)
     return result

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from seafoam.scene.models import Light, Sparkles
 
 from .light import Air, Glint, blinn_phong, glint
+from .noise import pcg, share
 from .types import Floats, dot, smoothstep
 
 EPOCHS = 65536
@@ -24,19 +25,6 @@ SOFT_LEAST = 1e-3
 """Half the width of the ramp about a chance, over the chance."""
 _Words = NDArray[np.uint64]
 _LOW = np.uint64(0xFFFFFFFF)
-
-
-def pcg(state: _Words) -> _Words:
-    """One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014) of 32-bit words."""
-    state = (state * np.uint64(747796405) + np.uint64(2891336453)) & _LOW
-    word = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & _LOW
-    return (word >> np.uint64(22)) ^ word
-
-
-def part(word: _Words) -> Floats:
-    """The upper 24 bits as a number in [0, 1)."""
-    result: Floats = (word >> np.uint64(8)).astype(np.float64) / 2.0**24
-    return result
 
 
 @dataclass(frozen=True)
@@ -81,11 +69,11 @@ class Field:
     def _one(self, q: Floats, w: Floats, cell: Floats) -> Floats:
         i, j = (cell[:, k].astype(np.int64).astype(np.uint64) & _LOW for k in (0, 1))
         own = pcg(pcg(i) ^ j)
-        age = self.turn + part(pcg(own))
+        age = self.turn + share(pcg(own))
         passed = np.floor(age)
         word = pcg(own ^ ((self.epoch + passed.astype(np.int64)) % EPOCHS).astype(np.uint64))
         s = age - passed
-        inside = np.stack([part(pcg((word + np.uint64(k)) & _LOW)) for k in (1, 2)], axis=-1)
+        inside = np.stack([share(pcg((word + np.uint64(k)) & _LOW)) for k in (1, 2)], axis=-1)
         centre = (cell + inside) * self.side
         C = np.stack((centre[:, 0], 1.0 - np.abs(centre).sum(axis=1), centre[:, 1]), axis=-1)
         length = np.sqrt(dot(C, C))
@@ -95,7 +83,7 @@ class Field:
         mean = math.pi * self.radius**2 / 3.0
         chance = np.minimum(self.density * w * solid, 1.0)
         soft = np.maximum(np.minimum(SOFT * chance, 1.0 - chance), SOFT_LEAST * chance)
-        lit = np.clip(0.5 + 0.5 * (chance - part(word)) / soft, 0.0, 1.0)
+        lit = np.clip(0.5 + 0.5 * (chance - share(word)) / soft, 0.0, 1.0)
         swell = 30.0 * (s * (1.0 - s)) ** 2
         # Each is as bright as it must be for its mean to be w: w over the chance that it is alight.
         bright = np.maximum(w, 1.0 / (self.density * solid))

@@ -14,9 +14,9 @@ from seafoam.scene.spray import DROPS, Spray, rocks
 
 from . import light, surface
 from .camera import View
+from .noise import pcg, share
 from .relief import Part
 from .shore import SWASH, Coast
-from .sparkles import part, pcg
 from .types import Bools, Floats, Indices, dot, smoothstep, unit
 from .waves import WaveSet, angular_frequency, wave_derivative, wave_height
 
@@ -70,7 +70,7 @@ class Discs:
 
 
 def _number(word: _Words, k: int) -> Floats:
-    return part(pcg((word + np.uint64(k)) & _LOW))
+    return share(pcg((word + np.uint64(k)) & _LOW))
 
 
 class Shown:

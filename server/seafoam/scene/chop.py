@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
+from seafoam.scene.chance import chance
 from seafoam.scene.models import GRAVITY, Chop
 
 TILES = (18.9, 4.1)
@@ -35,18 +36,6 @@ class Ripple:
         return math.hypot(self.kx, self.kz)
 
 
-def _pcg(state: int) -> int:
-    """One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014) of a 32-bit integer."""
-    state = (state * 747796405 + 2891336453) & 0xFFFFFFFF
-    word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737 & 0xFFFFFFFF
-    return (word >> 22) ^ word
-
-
-def _uniform(seed: int, cascade: int, index: int, draw: int) -> float:
-    word = _pcg(_pcg(_pcg(_pcg(seed) ^ cascade) ^ index) ^ draw)
-    return (word + 0.5) / 2**32
-
-
 def tiles(repeats: bool) -> tuple[float, float]:
     """Sides of the two tiles, m."""
     return REPEATING_TILES if repeats else TILES
@@ -62,10 +51,10 @@ def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]
         drawn: list[tuple[float, float, float, float]] = []
         taken: set[tuple[int, int]] = set()
         for index in range(WAVES_PER_TILE):
-            share = (index + _uniform(chop.seed, cascade, index, 0)) / WAVES_PER_TILE
+            share = (index + float(chance(chop.seed, cascade, index, 0))) / WAVES_PER_TILE
             wavelength = longest * (shortest / longest) ** share
-            normal = math.sqrt(-2.0 * math.log(_uniform(chop.seed, cascade, index, 1))) * math.cos(
-                2.0 * math.pi * _uniform(chop.seed, cascade, index, 2)
+            normal = math.sqrt(-2.0 * math.log(float(chance(chop.seed, cascade, index, 1)))) * math.cos(
+                2.0 * math.pi * float(chance(chop.seed, cascade, index, 2))
             )
             heading = chop.wind_direction + chop.spread * normal
             number = tile / wavelength
@@ -76,7 +65,7 @@ def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]
             taken.add((ix, iz))
             kx, kz = 2.0 * math.pi * ix / tile, 2.0 * math.pi * iz / tile
             k = math.hypot(kx, kz)
-            drawn.append((k, kx, kz, 2.0 * math.pi * _uniform(chop.seed, cascade, index, 3)))
+            drawn.append((k, kx, kz, 2.0 * math.pi * float(chance(chop.seed, cascade, index, 3))))
             # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
             weights.append(1.0)
         cascades.append(sorted(drawn))

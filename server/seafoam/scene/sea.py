@@ -12,6 +12,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.scene.chance import chance
 from seafoam.scene.models import GRAVITY, FoldSaturation, Sea
 
 BAND = 64
@@ -308,7 +309,7 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
     if sea.wind > 0.0 and there.any():
         kx, kz = step * ix[there].astype(np.float64), step * iz[there].astype(np.float64)
         energy = wave_spectrum(kx, kz, sea, depth) * step * step
-        phase = 2.0 * math.pi * _uniform(sea.seed, number, ix[there], iz[there])
+        phase = 2.0 * math.pi * chance(sea.seed, number, ix[there] + BAND, iz[there] + BAND)
         # Phases are random and amplitudes are the spectrum's, so that every seed has the sea's exact height.
         h0[there] = np.sqrt(0.5 * energy) * np.exp(1j * phase)
     return Cascade(size, h0, np.where(there, _turns(k, depth), 0))
@@ -330,7 +331,7 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
             omega, group, shallow = dispersion(inner, depth)
             density = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
             energy = float(np.trapezoid(density, inner))
-            draws = [float(_uniform(sea.seed, 7 + n, np.array([wave]), np.array([0]))[0]) for n in range(3)]
+            draws = [float(chance(sea.seed, 7 + n, wave + BAND, BAND)) for n in range(3)]
             # Headings by the golden ratio: even over the spread whatever the seed.
             angle = sea.wind_direction + float(np.interp((draws[0] + 0.618034 * wave) % 1.0, share, around))
             h0, step = tiles[wave % 2], steps[wave % 2]
@@ -350,20 +351,3 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
         for size, h0 in zip(sizes, tiles, strict=True)
     )
     return first, second
-
-
-def _pcg(state: NDArray[np.uint32]) -> NDArray[np.uint32]:
-    """One output of the PCG-RXS-M-XS 32 hash (O'Neill 2014) of 32-bit integers."""
-    state = state * np.uint32(747796405) + np.uint32(2891336453)
-    word = ((state >> ((state >> np.uint32(28)) + np.uint32(4))) ^ state) * np.uint32(277803737)
-    return (word >> np.uint32(22)) ^ word
-
-
-def _uniform(seed: int, number: int, ix: NDArray[np.int64], iz: NDArray[np.int64]) -> Floats:
-    """Numbers in (0, 1) of each wavevector, from whole numbers alone."""
-    with np.errstate(over="ignore"):
-        word = _pcg(np.full(ix.shape, seed, np.uint32)) ^ np.uint32(number)
-        word = _pcg(_pcg(word) ^ (ix + BAND).astype(np.uint32))
-        word = _pcg(word ^ (iz + BAND).astype(np.uint32))
-    result: Floats = (word.astype(np.float64) + 0.5) / 2.0**32
-    return result

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from PIL import Image
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from seafoam.scene.chance import chance
+
 Floats = NDArray[np.float64]
 _Place = Annotated[float, Field(ge=-1e7, le=1e7)]
 _Share = Annotated[float, Field(ge=0.0, le=1.0)]
@@ -253,7 +255,7 @@ def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
         case "islands":
             e = np.full_like(x, 2.0 * shore.size)
             for i in range(7):
-                draws = [_lattice(np.array(i), np.array(k), shore.seed + 401) for k in range(3)]
+                draws = [chance(shore.seed + 401, i, k) for k in range(3)]
                 at_x, at_z = (0.62 * shore.size * (float(draw) - 0.5) for draw in draws[:2])
                 size = shore.radius * (0.35 + 0.65 * float(draws[2]))
                 one = np.sqrt((x - at_x) ** 2 + (z - at_z) ** 2) - size
@@ -275,23 +277,6 @@ def _smoothstep(low: float, high: float, x: Floats) -> Floats:
     return result
 
 
-def _pcg(state: NDArray[np.uint64]) -> NDArray[np.uint64]:
-    mask = np.uint64(0xFFFFFFFF)
-    state = (state * np.uint64(747796405) + np.uint64(2891336453)) & mask
-    word = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & mask
-    return (word >> np.uint64(22)) ^ word
-
-
-def _lattice(i: NDArray[np.integer], j: NDArray[np.integer], seed: int) -> Floats:
-    """A number in (0, 1) for each integer place: the PCG hash (O'Neill 2014) of place and seed."""
-    mask = np.uint64(0xFFFFFFFF)
-    a = np.asarray(i, np.int64).astype(np.uint64) & mask
-    b = np.asarray(j, np.int64).astype(np.uint64) & mask
-    word = _pcg(_pcg(_pcg(np.full(np.shape(i), seed, np.uint64)) ^ a) ^ b)
-    result: Floats = (word.astype(np.float64) + 0.5) / 2.0**32
-    return result
-
-
 def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
     """Value noise in [0, 1] with a cell of 1, twice smooth."""
     i, j = np.floor(x), np.floor(z)
@@ -299,8 +284,8 @@ def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
     u = u * u * u * (u * (6.0 * u - 15.0) + 10.0)
     v = v * v * v * (v * (6.0 * v - 15.0) + 10.0)
     a, b = i.astype(np.int64), j.astype(np.int64)
-    near = _lattice(a, b, seed) * (1.0 - u) + _lattice(a + 1, b, seed) * u
-    far = _lattice(a, b + 1, seed) * (1.0 - u) + _lattice(a + 1, b + 1, seed) * u
+    near = chance(seed, a, b) * (1.0 - u) + chance(seed, a + 1, b) * u
+    far = chance(seed, a, b + 1) * (1.0 - u) + chance(seed, a + 1, b + 1) * u
     result: Floats = near * (1.0 - v) + far * v
     return result
 

@@ -1,0 +1,2 @@
+void look_through(vec2 p, float height, vec3 d, vec3 normal, float lost, Footprint fp) {
+}
