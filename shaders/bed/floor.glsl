@@ -1,10 +1,5 @@
 // A level floor, lit through the water by sun and sky. docs/formulae.md, section 11.
-uniform float u_floor_depth;   // under the troughs, m
-uniform float u_bed_sun;       // cosine of the sun's ray in the water to the vertical
-
-float bed_depth() {
-    return u_floor_depth;
-}
+uniform float u_bed_sun; // cosine of the sun's ray in the water to the vertical
 
 // Radiance of the floor at a place (m from the eye), `down` metres under the surface.
 vec3 bed_light(vec2 at, float down, Footprint fp) {

@@ -1,8 +1,4 @@
-// No floor: an endless way down, and nothing at its end.
-float bed_depth() {
-    return 1e6;
-}
-
+// No floor: nothing comes from the end of an endless way down.
 vec3 bed_light(vec2 at, float down, Footprint fp) {
     return vec3(0.0);
 }

@@ -1,6 +1,5 @@
 // A floor laid with square tiles, each a little lighter or darker than the next, and pale joints between
 // them. Joints are averaged exactly over the box that holds the footprint; at: m from the eye.
-uniform vec3 u_floor_albedo;
 uniform float u_floor_tile;       // side of a tile, m
 uniform vec2 u_floor_tile_place;  // the eye's place among 256 by 256 tiles
 

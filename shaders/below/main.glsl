@@ -1,25 +1,8 @@
-// What an eye under the surface sees: Snell's window and total reflection in the ceiling, the floor, and the water between,
-// which absorbs and glows. docs/formulae.md, section 11. From over the surface: as ever.
-uniform float u_below_level; // height of the surface in the mean, m
-
-vec3 below_extinction() {
-    return 1.0 / u_absorption_length + u_scattering;
-}
-
-// Light that the water itself sends along a way of `reach` metres that starts `depth` metres down, seen from its start; `fall`:
-// how fast the way goes down. Light and sight fade alike: 1 + fall is 0 straight up, where it is held.
-vec3 below_glow(float depth, float fall, float reach) {
-    vec3 extinction = below_extinction();
-    vec3 lit = 0.95 / PI * (u_sun_irradiance * max(u_sun_direction.y, 0.0) + u_sky_irradiance);
-    vec3 deep = 0.4 * u_scattering / extinction * lit;
-    float both = max(1.0 + fall, 1e-3);
-    return 2.0 * deep * exp(-extinction * max(depth, 0.0)) * (1.0 - exp(-extinction * (both * reach))) / both;
-}
-
-// Light of floor and water along d (unit, falling) from a place p at height y; fp: footprint on the floor.
-vec3 below_bed(vec2 p, float y, vec3 d, Footprint fp) {
-    float reach = min(max(bed_depth() + y, 0.0) / max(-d.y, 1e-6), 1e6);
-    vec3 bed = bed_light(p + reach * d.xz, bed_depth() + u_below_level, fp);
+// What an eye under the surface sees: Snell's window and total reflection in the ceiling, and the floor. docs/formulae.md,
+// section 11. From over the surface: as ever.
+// Light of floor and water along d (unit) from a place p at height y, where the floor is `reach` metres away; fp: footprint there.
+vec3 below_bed(vec2 p, float y, vec3 d, float reach, Footprint fp) {
+    vec3 bed = bed_light(p + reach * d.xz, max(u_below_level - y - reach * d.y, 0.0), fp);
     return bed * exp(-below_extinction() * reach) + below_glow(u_below_level - y, -d.y, reach);
 }
 
@@ -44,11 +27,11 @@ vec3 below_ceiling(vec3 d, vec3 n, float lost, vec2 p, float y, float so_far, Fo
     mirrored.y = -sqrt(max(-mirrored.y, 0.0) * max(-mirrored.y, 0.0) + sigma2);
     mirrored = normalize(mirrored);
     // On its way on the footprint grows, and what it took out of the mirror blurs it.
-    float way = (bed_depth() + y) / -mirrored.y;
+    float way = bed_reach(p, y, mirrored);
     float wider = 1.0 + way / max(so_far, 1e-3);
     float blur = 2.0 * sqrt(lost) * way;
     fp = Footprint(wider * fp.x + vec2(blur, 0.0), wider * fp.y + vec2(0.0, blur));
-    vec3 down = below_bed(p, y, mirrored, fp);
+    vec3 down = below_bed(p, y, mirrored, way, fp);
     return (1.0 - reflectance) * (sky_light(through) + sun) + reflectance * down;
 }
 
@@ -63,10 +46,10 @@ void main() {
     float tau;
     vec3 wave;
     bool ceiling = find_ceiling(ray, tau, wave);
-    float to_floor = max(bed_depth() + u_eye_height, 0.0) / max(-ray.y, 1e-6 * length(ray));
-    if (!ceiling || (ray.y < 0.0 && to_floor < tau)) {
-        Footprint fp = footprint(ray, min(to_floor, 1e6), vec3(0.0, 1.0, 0.0));
-        vec3 light = exposure() * below_bed(vec2(0.0), u_eye_height, d, fp);
+    float to_floor = bed_reach(vec2(0.0), u_eye_height, d);
+    if (!ceiling || to_floor < tau * length(ray)) {
+        Footprint fp = footprint(ray, to_floor / length(ray), vec3(0.0, 1.0, 0.0));
+        vec3 light = exposure() * below_bed(vec2(0.0), u_eye_height, d, to_floor, fp);
         o_color = vec4(min(light, BRIGHTEST), 0.0);
         return;
     }

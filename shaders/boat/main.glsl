@@ -12,12 +12,10 @@ vec4 boat_seen(vec3 ray) {
     if (i < 0) {
         return vec4(0.0);
     }
-    float tau;
-    vec3 wave;
-    if ((find_surface(ray, tau, wave) && tau * size < t) || boat_behind_land(ray, t / size)) {
+    if (boat_hidden(ray, t)) {
         return vec4(0.0);
     }
-    return vec4(min(exposure() * boat_in_air(boat_light(i, eye, d, t, hit), d, t), BRIGHTEST), 1.0);
+    return vec4(min(exposure() * boat_before(boat_light(i, eye, d, t, hit), d, t), BRIGHTEST), 1.0);
 }
 
 void main() {

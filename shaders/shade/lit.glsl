@@ -1,8 +1,5 @@
 // Water, foam and air under sun and sky. docs/formulae.md, section 6. d, n: unit vectors; roughness2: lost mean square slope.
 uniform float u_roughness;           // root mean square slope
-uniform vec3 u_sky_irradiance;
-uniform vec3 u_absorption_length;    // m
-uniform float u_scattering;          // 1/m
 uniform float u_visibility;          // m
 
 vec3 irradiance(vec3 n) {

@@ -11,17 +11,16 @@ from pydantic import ValidationError
 from report import Report
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import bed, render
+from seafoam.reference import bed
 from seafoam.reference.light import INDEX, air
 from seafoam.render.executor import Executor
 from seafoam.scene.chop import REPEATING_TILES
-from seafoam.scene.models import Camera, Caustics, Chop, Foam, Light, ParametricWave, Scene, Sea, SlopeSaturation, Water
-from seafoam.scene.presets import load_preset
+from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
 from seafoam.scene.shore import Shore
 
 EXACT = TIERS["reference"].model_copy(update={"samples": 1})
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
-POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, view_below=True, chop=Chop(slope=0.05, seed=3)), light=PLAIN)
+POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)
 TIME = 2.7
 TEXELS = 256
 
@@ -145,99 +144,17 @@ def test_ripples_repeat_with_their_light() -> None:
     assert all(f"{tile:g} m tile" in " ".join(one.name for one in plan.passes) for tile in REPEATING_TILES)
 
 
-WAVES = (ParametricWave(amplitude=0.5, wavelength=6.0, phase=1.0), ParametricWave(amplitude=0.2, wavelength=2.9))
-VIEWS = {
-    "up, across the critical angle": (POOL, Camera(position=(0.3, -1.1, 0.2), pitch=0.5)),
-    "straight up": (POOL, Camera(position=(0.3, -1.5, 0.2), pitch=math.pi / 2, fov=2.0)),
-    "along the surface": (POOL, Camera(position=(0.3, -0.05, 0.2), pitch=0.0)),
-    "down on the floor": (POOL, Camera(position=(0.3, -1.6, 0.2), pitch=-0.9)),
-    "straight down from above": (POOL, Camera(position=(0.3, 2.5, 0.2), pitch=-math.pi / 2)),
-    "under waves with foam, no floor": (
-        Scene(
-            waves=WAVES,
-            water=Water(view_below=True, chop=Chop()),
-            foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
-            light=Light(exposure=-1.0),
-        ),
-        Camera(position=(0.0, -2.0, 0.0), pitch=0.4, yaw=1.0),
-    ),
-    "in a crest over a floor": (
-        Scene(waves=WAVES, water=Water(depth=1.0, floor_tile=0.5, view_below=True), light=Light(exposure=-1.5)),
-        Camera(position=(0.0, 0.15, 0.0), pitch=0.1),
-    ),
-}
-
-
-@pytest.mark.parametrize("view", VIEWS)
-def test_views_equal_float64(executor: Executor, report: Report, view: str) -> None:
-    scene, camera = VIEWS[view]
-    size = (96, 54)
-    plan = make_plan(scene, EXACT)
-    got = executor.render(plan, time=TIME, camera=camera, width=size[0], height=size[1], output="samples").pixels
-    want = render(scene, time=TIME, width=size[0], height=size[1], camera=camera).rgb
-    assert np.isfinite(got).all()
-    away = 255.0 * np.abs(np.clip(got[..., :3], 0.0, 1.0) - np.clip(want, 0.0, 1.0)).max(axis=-1)
-    report.add(
-        "Floor and view from below against float64, 96 × 54, levels of linear light",
-        view=view,
-        mean=f"{away.mean():.3f}",
-        over_2=f"{100 * (away > 2.0).mean():.2f} %",
-    )
-    assert away.mean() <= 0.5
-    assert (away > 2.0).mean() <= 0.02
-
-
-def test_snells_window_ends_at_the_critical_angle(executor: Executor) -> None:
-    """Level water from below, no floor: past asin(1/1.34) nothing of the sky is left."""
-    scene = Scene(water=Water(view_below=True, scattering=0.0), light=Light(sun_elevation=-0.05, exposure=3.0))
-    camera = Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=2.0)
-    plan = make_plan(scene, EXACT)
-    side = 301
-    got = executor.render(plan, time=0.0, camera=camera, width=side, height=side, output="samples").pixels
-    row = got[side // 2, :, 2]
-    angle = np.degrees(np.arctan(np.abs(2.0 * (np.arange(side) + 0.5) / side - 1.0) * math.tan(1.0)))
-    critical = math.degrees(math.asin(1.0 / INDEX))
-    assert (row[angle > critical + 2.0] < 1e-3).all()
-    assert (row[angle < critical - 1.0] > 0.1 * row.max()).all()
-
-
-def test_nothing_is_blank_on_the_way_through_the_surface(executor: Executor) -> None:
-    """From above a crest to the floor and under it, up, level and down: no sample without light, all finite."""
-    scene = load_preset("pool-caustics").scene.model_copy(update={"waves": WAVES[:1]})
-    quick = {"caustics_cells": 64, "caustics_size": 128, "chop_size": 64, "target": "RGBA32F"}
-    plan = make_plan(scene, TIERS["standard"].model_copy(update=quick))
-    for y in (1.5, 0.51, 0.4, 0.3, 0.2, 0.1, 1e-6, 0.0, -1e-6, -0.5, -1.899, -1.9, -30.0):
-        for pitch in (-math.pi / 2, 0.0, 0.4, math.pi / 2):
-            camera = Camera(position=(0.1, y, 0.2), pitch=pitch)
-            got = executor.render(plan, time=TIME, camera=camera, width=32, height=18, output="samples").pixels
-            assert np.isfinite(got).all()
-            assert (got >= 0.0).all()
-            if y > -2.0:
-                assert (got[..., :3].max(axis=-1) > 1e-3).all()
-
-
-def test_a_sea_from_below(executor: Executor) -> None:
-    """An FFT sea, whose march has a bound that may fail: finite everywhere, and light."""
-    scene = Scene(sea=Sea(wind=12.0), water=Water(view_below=True))
-    plan = make_plan(scene, TIERS["draft"])
-    for y in (-3.0, 2.0):
-        camera = Camera(position=(0.0, y, 0.0), pitch=0.3)
-        got = executor.render(plan, time=4.0, camera=camera, width=64, height=36, output="samples").pixels
-        assert np.isfinite(got).all()
-        assert got[..., :3].mean() > 1e-3
-
-
 def test_what_cannot_be_drawn_is_not_in_the_plan() -> None:
     """No ripples, no floor, a shore: caustics are asked for and there is nothing to draw."""
     light = Light(caustics=Caustics())
     for scene in (
         Scene(light=light, water=Water(depth=2.0)),
         Scene(light=light, water=Water(chop=Chop())),
-        Scene(light=light, water=Water(depth=2.0, chop=Chop(), view_below=True), shore=Shore()),
-        Scene(light=None, water=Water(depth=2.0, floor_tile=0.3, chop=Chop(), view_below=True)),
+        Scene(light=light, water=Water(depth=2.0, chop=Chop()), shore=Shore()),
+        Scene(light=None, water=Water(depth=2.0, floor_tile=0.3, chop=Chop())),
     ):
         plan = make_plan(scene, TIERS["standard"])
-        assert not {"caustics", "view from below"} & {note.name for note in plan.effects}
+        assert "caustics" not in {note.name for note in plan.effects}
         assert "caustics" not in plan.targets
 
 

@@ -22,14 +22,22 @@ from seafoam.scene.models import (
     Water,
 )
 
+FIND, WATER = "below/find.glsl", "below/water.glsl"
+"""How an eye under the surface finds it, and the water between."""
+
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``water.view_below`` under a light; a shore has a floor of its own."""
-    if not scene.water.view_below or scene.light is None or scene.shore is not None:
+    """Called for by ``water.view_below``."""
+    if not scene.water.view_below:
         return None
+    if scene.light is None:
+        return Contribution(
+            why="an eye under the surface sees its foam",
+            slots=(SlotFile("below", "below/flat.glsl", needs=("below/find.glsl",)),),
+        )
     return Contribution(
         why="an eye under the surface sees through it, and what it mirrors",
-        slots=(SlotFile("below", "below/main.glsl", needs=("below/find.glsl",)),),
+        slots=(SlotFile("below", "below/main.glsl", needs=(FIND, WATER)),),
         uniforms={"u_below_level": number(significant(mean_level(scene)))},
     )
 

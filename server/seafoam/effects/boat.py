@@ -2,6 +2,7 @@
 
 import math
 
+from seafoam.effects.below import FIND, WATER
 from seafoam.effects.contribution import (
     ABOVE,
     Constant,
@@ -93,19 +94,22 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         target="boat_pose",
     )
+    seen = (
+        "common/numbers.glsl",
+        "common/camera.glsl",
+        "@waves",
+        "@find",
+        *TRACE,
+        *shade_files(scene),
+        *(("shore/ground.glsl", "boat/land.glsl") if ashore else ("boat/no_land.glsl",)),
+    )
+    over = "boat/over.glsl?boat_hidden=boat_hidden_over&boat_before=boat_before_over"
+    under = (over, "shade/optics.glsl", FIND, WATER, "@reach", "boat/under.glsl")
     picture = PassSpec(
         name="boats",
         program="boat",
-        fragment=(
-            "common/numbers.glsl",
-            "common/camera.glsl",
-            "@waves",
-            "@find",
-            *TRACE,
-            *shade_files(scene),
-            *(("shore/ground.glsl", "boat/land.glsl") if ashore else ("boat/no_land.glsl",)),
-            "boat/main.glsl",
-        ),
+        fragment=(*seen, "boat/over.glsl", "boat/main.glsl"),
+        under=() if scene.light is None else (*seen, *under, "boat/main.glsl"),
         target=ABOVE,
         stage="after",
         blend="over",

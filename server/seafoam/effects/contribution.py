@@ -217,6 +217,8 @@ class PassSpec:
     stage: Literal["before", "after"] = "before"
     blend: Blend = "none"
     clear: bool = False
+    under: tuple[str, ...] = ()
+    """Files of the fragment shader for eyes that crests may cover; none: the same as for others."""
 
 
 @dataclass(frozen=True)
@@ -238,6 +240,8 @@ class Contribution:
     """What the effect can add to the surface's height at most, m."""
     steepest: float = 0.0
     """What the effect can add to the surface's slope at most."""
+    bottom: float | None = None
+    """Where the effect's ground lies at the deepest, m."""
     march: int = 1
     """How many times the march's steps it takes: its crests are steep, or fill their slab thinly."""
 

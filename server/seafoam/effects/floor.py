@@ -15,7 +15,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
-from seafoam.effects.light import sky_irradiance, sun_irradiance
+from seafoam.effects.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.quality import Quality
 from seafoam.scene.models import (
@@ -40,15 +40,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
         passed = math.exp(-ways * water.depth * (1.0 / length + water.scattering))
         most = max(most, passed * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
-    looked_at = light.caustics is not None or water.floor_tile is not None or water.view_below
+    looked_at = light.caustics is not None or water.floor_tile is not None
     return Contribution(
         why=f"a floor {water.depth:g} m under the troughs" + (", by the refracted ray" if looked_at else ""),
-        slots=_bed(water) if looked_at else (SlotFile("body", "body/floor.glsl"),),
+        slots=_slots(water, looked_at),
         uniforms={
             "u_floor_albedo": vector(water.floor_albedo, "/water/floor_albedo"),
             "u_floor_depth": number(water.depth),
-            **(_bed_uniforms(light, water) if looked_at else {}),
+            **bed_sun(light),
+            **_tiles(water),
         },
+        bottom=-water.depth,
         bound=Bound(
             most,
             f"no light comes back from {water.depth:g} m",
@@ -57,24 +59,36 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _bed(water: Water) -> tuple[SlotFile, ...]:
-    """A floor whose places tell apart: the ray refracted at the surface finds the one that is seen."""
-    laid = ("bed/plain.glsl",) if water.floor_tile is None else (*VALUE_NOISE, "bed/tiles.glsl")
+def _slots(water: Water, looked_at: bool) -> tuple[SlotFile, ...]:
+    """Where places tell apart (``looked_at``), the ray refracted at the surface finds the one that is seen."""
+    level = "bed/level.glsl"
+    laid = (level, "bed/plain.glsl") if water.floor_tile is None else (level, *VALUE_NOISE, "bed/tiles.glsl")
+    under = (
+        SlotFile("reach", "bed/reach.glsl", needs=(level,)),
+        SlotFile("under bed", "bed/floor.glsl", needs=laid if looked_at else ("bed/even.glsl", *laid)),
+    )
+    if not looked_at:
+        return (SlotFile("body", "body/floor.glsl", needs=(level,)), *under)
     return (
         SlotFile("body", "bed/body.glsl"),
         SlotFile("bed", "bed/floor.glsl", needs=laid),
         SlotFile("through", "bed/through.glsl"),
+        *under,
     )
 
 
-def _bed_uniforms(light: Light, water: Water) -> dict[str, Uniform]:
-    upright = math.sin(light.sun_elevation)
-    uniforms = {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - upright * upright) / 1.34**2)))}
-    if water.floor_tile is not None:
-        side = water.floor_tile
-        place = [Wrap(k=k, period=256.0) for k in ((1.0 / side, 0.0), (0.0, 1.0 / side))]
-        uniforms |= {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", place, 1)}
-    return uniforms
+def bed_sun(light: Light) -> dict[str, Uniform]:
+    """The way of the sun's light down to a floor."""
+    upright = math.sin(lamp_angles(light)[1])
+    return {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - upright * upright) / 1.34**2)))}
+
+
+def _tiles(water: Water) -> dict[str, Uniform]:
+    if water.floor_tile is None:
+        return {}
+    side = water.floor_tile
+    place = [Wrap(k=k, period=256.0) for k in ((1.0 / side, 0.0), (0.0, 1.0 / side))]
+    return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", place, 1)}
 
 
 EFFECT = Effect(

@@ -145,7 +145,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"sun {math.degrees(light.sun[1]):.0f}° over the horizon, sky, haze",
         slots=(
             *sky,
-            SlotFile("shade", "shade/lit.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl")),
+            SlotFile("shade", "shade/lit.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl", "shade/optics.glsl")),
             SlotFile("tone", "tone/filmic.glsl"),
         ),
         uniforms={

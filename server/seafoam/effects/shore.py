@@ -29,6 +29,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import surface_top
+from seafoam.effects.floor import bed_sun
 from seafoam.effects.light import sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.quality import Quality
@@ -257,6 +258,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     lit = scene.light is not None
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
+    under = (
+        SlotFile("reach", "shore/reach.glsl", needs=("shore/ground.glsl",)),
+        SlotFile("under bed", "shore/bed.glsl"),
+    )
     return Contribution(
         why=f"{shore.kind}, {shore.size:g} m square" + (f", waves of {surf.height:g} m" if surf.height > 0.0 else ""),
         slots=(
@@ -278,6 +283,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 needs=("shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
             ),
             SlotFile("land", "shore/before.glsl", needs=(f"shore/land_{'lit' if lit else 'flat'}.glsl",)),
+            *(under if lit else ()),
         ),
         consts={
             "SHORE_PERIOD": PERIOD,
@@ -292,6 +298,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_shore_time": array("float", [Phase(offset=0.0, rate=-2.0 * math.pi / surf.period, k=(0.0, 0.0))], 1),
             "u_shore_top": number(_up(max(land_top, 0.0))),
             "u_shore_steepest": array("float", [Constant(value=(_up(s),)) for s in (floor_slope, land_slope)], 2),
+            **({} if scene.light is None else bed_sun(scene.light)),
             "u_shore_swash": number(significant(0.3 * surf.height)),
             "u_shore_plants_from": number(shore.plants_from, "/shore/plants_from"),
             "u_shore_reef": number(shore.reef, "/shore/reef"),
@@ -313,6 +320,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
         },
         passes=map_passes(shore, quality),
+        bottom=-shore.deep,
         bound=_bound(scene, shore, land_top),
         top=surf.height,
         steepest=_up(slope + share * surface_top(scene)),
@@ -327,9 +335,11 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
     if scene.light is None:
         return Bound(0.0, "no coast, and no light on the floor")
     light, water = scene.light, scene.water
+    # Down and back; an eye under water may lie on the floor.
+    ways = 1.0 if water.view_below else 2.0
     most = 0.0
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        passed = math.exp(2.0 * top * (1.0 / length + water.scattering))
+        passed = math.exp(ways * top * (1.0 / length + water.scattering))
         most = max(most, passed * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
     return Bound(
         most,

@@ -59,7 +59,7 @@ def assemble(pieces: Iterable[str], consts: Consts) -> Shader:
     """A shader from files of ``shaders/`` (each once) and joining functions (pieces that start with ``=``).
 
     Only the constants that the text names are defined. A path may end in ``?old=new``: the file's function ``old`` is
-    called ``new`` there, so that another file can stand in its place and call it.
+    called ``new`` there, so that another file can stand in its place and call it; ``&`` joins several such.
     """
     parts: list[tuple[str, str]] = []
     seen: set[str] = set()
@@ -69,9 +69,11 @@ def assemble(pieces: Iterable[str], consts: Consts) -> Shader:
         elif piece not in seen:
             seen.add(piece)
             path, _, renamed = piece.partition("?")
-            old, _, new = renamed.partition("=")
             text = read_file(path)
-            parts.append((path, re.sub(rf"\b{old}\b", new, text) if renamed else text))
+            for pair in filter(None, renamed.split("&")):
+                old, _, new = pair.partition("=")
+                text = re.sub(rf"\b{old}\b", new, text)
+            parts.append((path, text))
     words = {word for _, text in parts for word in _WORD.findall(text)}
     text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
     files: list[SourceFile] = []

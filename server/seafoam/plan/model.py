@@ -55,6 +55,9 @@ class Texture(PlanPart):
     wrap: WrapMode
 
 
+Eye = Literal["any", "over", "under"]
+
+
 class State(PlanPart):
     """Fixed-function state of a pass; everything else is off."""
 
@@ -72,6 +75,10 @@ class Pass(PlanPart):
 
     name: str
     when: Literal["setup", "frame"] = Field(description="setup: once when the plan is loaded; frame: every frame")
+    eye: Eye = Field(
+        default="any",
+        description="over: drawn for eyes at the plan's top or higher; under: for all lower ones, and right for any",
+    )
     program: str
     target: str = Field(description="A target of the plan, or 'screen': the RGBA8 picture itself")
     mesh: Mesh
@@ -108,6 +115,8 @@ class FramePlan(PlanPart):
     uniforms: dict[str, Uniform]
     linear: str = Field(description="The target that holds the finished linear frame: exposed RGB, A = foam coverage")
     samples: int = Field(description="Samples a pixel")
+    top: float = Field(description="The highest that a crest can reach, m: an eye as high is over the water")
+    bottom: float = Field(description="The lowest from where an eye sees more than ground, m")
     live: tuple[str, ...] = Field(description="JSON pointers of scene fields that may change without a new plan")
 
     def canonical_json(self) -> bytes:

@@ -14,6 +14,7 @@ from seafoam.effects.contribution import (
     Contribution,
     Fullscreen,
     Grid,
+    Mesh,
     PassSpec,
     PlanError,
     SlotFile,
@@ -27,8 +28,8 @@ from seafoam.effects.contribution import (
     number,
 )
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
-from seafoam.plan.model import EffectNote, FramePlan, Pass, Program, State, Texture
-from seafoam.plan.slots import MAIN, SKY_PASS_SLOTS, TONE, WAVES, slots_named, surface_slots
+from seafoam.plan.model import EffectNote, Eye, FramePlan, Pass, Program, State, Texture
+from seafoam.plan.slots import MAIN, SKY_PASS_SLOTS, TONE, UNDER_SLOTS, WAVES, Slot, slots_named, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -40,6 +41,10 @@ _HORIZON_DEPTH = 0.9999995
 
 NEGLIGIBLE = 0.5 / 255.0
 """Half a level of exposed linear light: what can change a pixel by less is left out."""
+
+
+LOWEST = -100.0
+"""Where there is no floor an eye may dive so deep, m: there is nothing more to see."""
 
 
 MOST_SAMPLERS = 16
@@ -65,6 +70,7 @@ class _Draft:
         self.passes: list[PassSpec] = []
         self.top = 0.0
         self.steepest = 0.0
+        self.bottom = LOWEST
         self.march = 1
         self.bound_fields: set[str] = set()
         self.readers: dict[str, str] = {}
@@ -90,6 +96,7 @@ class _Draft:
         self.passes += given.passes
         self.top += given.top
         self.steepest += given.steepest
+        self.bottom = given.bottom if given.bottom is not None else self.bottom
         self.march = max(self.march, given.march)
         for mine, theirs in (
             (self.consts, given.consts),
@@ -119,8 +126,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     level = draft.top == 0.0
     shore = any(file.slot == "shore" for file in draft.slots)
     below = any(file.slot == "below" for file in draft.slots)
-    # Land stands above the horizon, and water over an eye under it, where no mesh of the sea reaches.
-    mesh = quality.surface.method == "mesh" and not level and not shore and not below
+    # Land stands above the horizon, where no mesh of the sea reaches.
+    mesh = quality.surface.method == "mesh" and not level and not shore
 
     consts: dict[str, Const] = {
         **draft.consts,
@@ -133,12 +140,15 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     find = "plane" if level else "newton" if mesh else "march"
     chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
     combine = scene.foam.combine if scene.foam else "max"
+    # Passes, and eyes that crests may cover, march to the surface whatever finds it for the eye: they have no mesh.
+    marched = [*draft.slots, SlotFile("find", "surface/plane.glsl" if level else "surface/march.glsl")]
     surface_fragment = [*_COMMON]
+    under_fragment = [*_COMMON]
     for slot in surface_slots(combine, shore):
-        pieces = slot_pieces(slot, chosen)
-        if slot is MAIN and below:
-            pieces[-1] += "?main=seen_from_above"
-        surface_fragment += pieces
+        surface_fragment += slot_pieces(slot, chosen)
+        under_fragment += _seen_from_above(slot, slot_pieces(slot, marched))
+    for slot in UNDER_SLOTS:
+        under_fragment += slot_pieces(slot, marched)
     if mesh:
         surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]
     else:
@@ -159,20 +169,23 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
         ),
     }
-    # Passes march to the surface whatever finds it for the eye: they have no mesh.
-    found = SlotFile("find", "surface/plane.glsl" if level else "surface/march.glsl")
-    for spec in draft.passes:
-        vertex, fragment = (_pieces(part, [*draft.slots, found], shore) for part in (spec.vertex, spec.fragment))
-        programs[spec.program] = Program(
-            vertex=assemble(vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}), fragment=assemble(fragment, consts)
+    if below:
+        programs["surface, low eye"] = Program(
+            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            fragment=assemble(under_fragment, consts),
         )
+    for spec in draft.passes:
+        vertex = assemble(_pieces(spec.vertex, marched, shore), {**consts, "FULLSCREEN_DEPTH": 0.0})
+        for name, files in ((spec.program, spec.fragment), (f"{spec.program}, low eye", spec.under if below else ())):
+            if files:
+                programs[name] = Program(vertex=vertex, fragment=assemble(_pieces(files, marched, shore), consts))
     targets = {
         **draft.targets,
         "samples": Target(size=ViewportSize(scale=side), format=quality.target, depth=True),
     }
     drawn = "samples"
     compose: list[Pass] = []
-    after = [_pass(spec, draft.inputs) for spec in draft.passes if spec.stage == "after"]
+    after = [one for spec in draft.passes if spec.stage == "after" for one in _passes(spec, draft.inputs, below)]
     if after:
         drawn = BENEATH
         targets[BENEATH] = targets["samples"]
@@ -182,8 +195,11 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(["common/numbers.glsl", "output/compose.glsl"], {}),
         )
-        first = next(i for i, one in enumerate(after) if one.target == ABOVE)
-        after[first] = after[first].model_copy(update={"state": after[first].state.model_copy(update={"clear": True})})
+        first = next(one for one in after if one.target == ABOVE).name
+        after = [
+            one.model_copy(update={"state": one.state.model_copy(update={"clear": True})}) if one.name == first else one
+            for one in after
+        ]
         compose = [
             *after,
             Pass(
@@ -214,16 +230,24 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
                 inputs={"u_samples": TargetInput(target="samples")},
             )
         ]
+    own: Mesh = Grid(rows=quality.surface.cells, columns=quality.surface.cells) if mesh else Fullscreen()
+    surfaces: list[tuple[Eye, str, Mesh]] = [("over" if below else "any", "surface", own)]
+    if below:
+        surfaces.append(("under", "surface, low eye", Fullscreen()))
     passes = [
-        *(_pass(spec, draft.inputs) for spec in draft.passes if spec.stage == "before"),
-        Pass(
-            name="surface",
-            when="frame",
-            program="surface",
-            target=drawn,
-            mesh=Grid(rows=quality.surface.cells, columns=quality.surface.cells) if mesh else Fullscreen(),
-            inputs=draft.inputs,
-            state=State(depth=True, clear=True),
+        *(one for spec in draft.passes if spec.stage == "before" for one in _passes(spec, draft.inputs, below)),
+        *(
+            Pass(
+                name="surface",
+                when="frame",
+                eye=eye,
+                program=program,
+                target=drawn,
+                mesh=mesh_of,
+                inputs=draft.inputs,
+                state=State(depth=True, clear=True),
+            )
+            for eye, program, mesh_of in surfaces
         ),
         Pass(name="sky", when="frame", program="sky", target=drawn, mesh=Fullscreen(), state=State(depth=True)),
         *compose,
@@ -250,6 +274,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         uniforms=_used(uniforms, programs),
         linear=linear,
         samples=quality.samples,
+        top=draft.top,
+        bottom=draft.bottom,
         live=tuple(sorted(_live(_used(uniforms, programs)) - draft.bound_fields)),
     )
 
@@ -300,9 +326,14 @@ def _refuse_too_many(program: Program, readers: Mapping[str, str]) -> None:
         )
 
 
-def _pass(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput]) -> Pass:
+def _seen_from_above(slot: Slot, pieces: list[str]) -> list[str]:
+    return [*pieces[:-1], f"{pieces[-1]}?main=seen_from_above"] if slot is MAIN else pieces
+
+
+def _passes(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput], below: bool) -> list[Pass]:
+    """The pass of a spec, or one for each kind of eye where they differ."""
     brings = any(part.startswith("@") for part in (*spec.vertex, *spec.fragment))
-    return Pass(
+    one = Pass(
         name=spec.name,
         when="frame",
         program=spec.program,
@@ -312,6 +343,10 @@ def _pass(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput]) -> P
         uniforms=spec.uniforms,
         state=State(clear=spec.clear, blend=spec.blend),
     )
+    if not below or not spec.under:
+        return [one]
+    low = {"eye": "under", "program": f"{spec.program}, low eye"}
+    return [one.model_copy(update={"eye": "over"}), one.model_copy(update=low)]
 
 
 def _texture(use: TextureUse) -> Texture:

@@ -114,8 +114,11 @@ REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 SHADE = Slot("shade", default="shade/flat.glsl")
 CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
 """How the sun's light lies on a level floor."""
-BED = Slot("bed", default="bed/none.glsl", under="below")
-"""A level floor as it is lit, for eyes over and under the surface."""
+BED = Slot("bed")
+"""A level floor as it is lit, where the eye over the surface tells its places apart."""
+REACH = Slot("reach", default="bed/no_reach.glsl", under="below")
+UNDER_BED = Slot("under bed", default="bed/none.glsl", under="below")
+"""The floor as an eye under the surface sees it: how far it is, and its light."""
 THROUGH = Slot("through", default="surface/no_floor.glsl")
 """Called before the water is shaded: what is seen through it."""
 LAND = Slot("land", default="surface/no_land.glsl")
@@ -123,6 +126,8 @@ LAND = Slot("land", default="surface/no_land.glsl")
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
+UNDER_SLOTS = (REACH, UNDER_BED, BELOW)
+"""Slots of the shader for eyes that crests may cover, beyond those of the surface's own."""
 TONE = Slot("tone", default="tone/clamp.glsl")
 
 
@@ -137,7 +142,7 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
     lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, MAIN, BELOW)
+    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, MAIN)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
@@ -146,7 +151,7 @@ def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
     ``waves`` brings the shore's with it, ``sky`` all that a layered sky is joined from.
     """
     together = {"waves": {"waves", "shore"}, "sky": {slot.name for slot in SKY_SLOTS}}.get(name, {name})
-    found = tuple(slot for slot in surface_slots("max", shore) if slot.name in together)
+    found = tuple(slot for slot in (*surface_slots("max", shore), *UNDER_SLOTS) if slot.name in together)
     if not found:
         raise KeyError(name)
     return found

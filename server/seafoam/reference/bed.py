@@ -27,6 +27,7 @@ from .light import (
     fresnel,
 )
 from .noise import corner
+from .shore import Coast
 from .types import Floats, dot, unit
 from .waves import reduced, wave_height
 
@@ -44,6 +45,9 @@ JOINT_ALBEDO = 0.72
 TILES_APART = 256
 NARROWEST = 1e-3
 FOAM_THROUGH = 0.5
+FARTHEST = 1e6
+"""Ways to the floor are held there, m."""
+SAFE_STEPS = 20000
 
 
 def refracted(d: Floats, n: Floats, index: float = INDEX) -> Floats:
@@ -180,11 +184,15 @@ class Bed:
         """Radiance (r, 3) of the floor at (x, z) m from the origin, ``down`` metres under the surface."""
         if self.water.depth is None:
             return np.zeros((x.size, 3))
+        return self.lit(self.albedo(x, z, feet), self.sunlight(x, z), down)
+
+    def lit(self, albedo: Floats, sunlight: Floats, down: Floats) -> Floats:
+        """Radiance (r, 3) of ground of an albedo (r, 3) under the sun's light, over that under level water (r, 3)."""
         upright = float(self.air.sun[1])
         slant = math.sqrt(1.0 - (1.0 - upright**2) / INDEX**2)
         sun = self.air.sun_irradiance * max(upright, 0.0) * np.exp(-self.extinction * (down / slant)[:, None])
         sky = self.air.sky_irradiance * np.exp(-self.extinction * down[:, None])
-        result: Floats = ENTERS / math.pi * self.albedo(x, z, feet) * (sun * self.sunlight(x, z) + sky)
+        result: Floats = ENTERS / math.pi * albedo * (sun * sunlight + sky)
         return result
 
     def sunlight(self, x: Floats, z: Floats) -> Floats:
@@ -233,10 +241,17 @@ class Bed:
         result: Floats = 2.0 * deep * np.exp(-self.extinction * np.maximum(depth, 0.0)[:, None]) * gone
         return result
 
-    def below(self, x: Floats, z: Floats, y: Floats, d: Floats, feet: tuple[Floats, Floats]) -> Floats:
-        """Light (r, 3) of floor and water along falling rays d (r, 3) from places (x, z) at heights y."""
-        reach = np.minimum(np.maximum(self.depth + y, 0.0) / np.maximum(-d[:, 1], 1e-6), 1e6)
-        bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], np.full_like(x, self.depth + self.level), feet)
+    def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
+        """Way to the floor along rays d (r, 3) from places (x, z) at heights y, m; (r,), at most FARTHEST."""
+        if self.water.depth is None:
+            return np.full_like(x, FARTHEST)
+        result: Floats = np.minimum(np.maximum(self.depth + y, 0.0) / np.maximum(-d[:, 1], 1e-6), FARTHEST)
+        return result
+
+    def below(self, x: Floats, z: Floats, y: Floats, d: Floats, reach: Floats, feet: tuple[Floats, Floats]) -> Floats:
+        """Light (r, 3) of floor and water along rays d (r, 3) from places (x, z) at heights y to the floor."""
+        down = np.maximum(self.level - y - reach * d[:, 1], 0.0)
+        bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], down, feet)
         result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(self.level - y, -d[:, 1], reach)
         return result
 
@@ -260,19 +275,65 @@ class Bed:
         back = d - 2.0 * dot(d, n)[:, None] * n
         back[:, 1] = -np.sqrt(np.maximum(-back[:, 1], 0.0) ** 2 + sigma2)
         back = unit(back)
-        wider = (1.0 + (self.depth + y) / -back[:, 1] / np.maximum(reach, 1e-3))[:, None]
-        down = self.below(x, z, y, back, (feet[0] * wider, feet[1] * wider))
+        way = self.reach(x, z, y, back)
+        wider = (1.0 + way / np.maximum(reach, 1e-3))[:, None]
+        down = self.below(x, z, y, back, way, (feet[0] * wider, feet[1] * wider))
         result: Floats = (1.0 - mirror) * (self.air.sky(through) + sun) + mirror * down
         return result
 
 
+class ShoreBed(Bed):
+    """The floor of a shore."""
+
+    def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float], coast: Coast) -> None:
+        super().__init__(scene, made, time, origin)
+        self.coast = coast
+        heights = coast.floor.texels[..., 0]
+        self.highest = float(heights.max())
+        step = coast.floor.size / heights.shape[0]
+        self.steepest = 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
+
+    def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
+        """By steps that cannot pass the floor, until they are a billionth of the way."""
+        way = np.zeros_like(x)
+        result = np.full_like(x, FARTHEST)
+        left = np.arange(x.size)
+        closing = np.maximum(self.steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
+        for _ in range(SAFE_STEPS):
+            s, ray = way[left], d[left]
+            here = self.coast.ground(*self.coast.place(x[left] + s * ray[:, 0], z[left] + s * ray[:, 2]))[0]
+            gap = y[left] + s * ray[:, 1] - here
+            met = gap <= 1e-9 * (1.0 + s)
+            result[left[met]] = s[met]
+            gone = (s > FARTHEST) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.highest))
+            way[left] = s + gap / closing[left]
+            left = left[~met & ~gone]
+            if left.size == 0:
+                return result
+        result[left] = way[left]
+        return np.minimum(result, FARTHEST)
+
+    def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
+        """Radiance (r, 3) of the floor at (x, z) m from the origin, ``down`` metres under the surface."""
+        return self.lit(self.coast.albedo(*self.coast.place(x, z), *feet), np.ones((x.size, 3)), down)
+
+
 def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Bed | None:
-    """The floor of a scene whose places tell apart, or that an eye may look at from below; None without one."""
+    """The level floor of a scene whose places tell apart; None without one."""
     water, light = scene.water, scene.light
-    if light is None or made is None or scene.shore is not None:
+    if light is None or made is None or scene.shore is not None or water.depth is None:
         return None
-    looked_at = water.depth is not None and (light.caustics is not None or water.floor_tile is not None)
-    return Bed(scene, made, time, origin) if looked_at or water.view_below else None
+    looked_at = light.caustics is not None or water.floor_tile is not None
+    return Bed(scene, made, time, origin) if looked_at else None
+
+
+def under_of(
+    scene: Scene, made: Air | None, time: float, origin: tuple[float, float], coast: Coast | None
+) -> Bed | None:
+    """What an eye under the surface looks at; None without light."""
+    if made is None:
+        return None
+    return Bed(scene, made, time, origin) if coast is None else ShoreBed(scene, made, time, origin, coast)
 
 
 def _joints(x: Floats) -> Floats:

@@ -15,7 +15,7 @@ from seafoam.textures import foam_texture
 from . import boats as fleets
 from . import camera as cameras
 from . import cells, light, looks, sampling, sparkles, spray, surface
-from .bed import FOAM_THROUGH, Bed, bed_of
+from .bed import FOAM_THROUGH, Bed, bed_of, under_of
 from .drift import Copy, copies, drift_saturation
 from .gusts import GustField
 from .relief import Part, Relief
@@ -204,7 +204,9 @@ class _Shader:
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin, repeats)
         self.bed = bed_of(scene, self.air, time, self.origin)
         at_eye = float(self.relief.height(np.zeros(1), np.zeros(1))[0])
-        self.under = self.bed if scene.water.view_below and self.eye_y < at_eye else None
+        self.under = scene.water.view_below and self.eye_y < at_eye
+        self.covered = self.eye_y < at_eye
+        self.below = under_of(scene, self.air, time, self.origin, self.coast) if self.under else None
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
             source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
@@ -216,7 +218,7 @@ class _Shader:
 
     def _spray(self, time: float, rows: int) -> spray.Discs | None:
         of, coast = self.scene.spray, self.coast
-        if of is None:
+        if of is None or self.covered:
             return None
         if coast is None:
             drops, life = spray.from_waves(of, self.scene, self.waves, time, self.origin), of.life
@@ -230,8 +232,8 @@ class _Shader:
         """Colour (r, 3), foam amount (r,) and hit (r,) of samples at clip positions (r,)."""
         D = cameras.rays(self.view, X, Y)
         d = unit(D)
-        if self.under is not None:
-            return self._below(self.under, D, d)
+        if self.under:
+            return self._below_flat(D, d) if self.below is None else self._below(self.below, D, d)
         distance = surface.first_crossing(self.relief, self.eye_y, d)
         met = np.isfinite(distance)
         colour = np.zeros_like(D)
@@ -263,20 +265,21 @@ class _Shader:
         """What rays D of an eye under the surface see: colour (r, 3), foam amount (r,); every ray ends in water."""
         scene = self.scene
         distance = surface.first_crossing(self.relief, self.eye_y, d)
-        to_floor = max(bed.depth + self.eye_y, 0.0) / np.maximum(-d[:, 1], 1e-6)
+        here = np.zeros(d.shape[0])
+        to_floor = bed.reach(here, here, here + self.eye_y, d)
         amount = np.zeros(d.shape[0])
         colour = np.zeros_like(d)
         length = np.sqrt(dot(D, D))
-        floor = ~np.isfinite(distance) | ((d[:, 1] < 0.0) & (to_floor < distance))
+        floor = ~np.isfinite(distance) | (to_floor < distance)
         if floor.any():
-            tau = np.minimum(to_floor[floor] / length[floor], 1e6)
+            tau = to_floor[floor] / length[floor]
             N = np.tile((0.0, 1.0, 0.0), (tau.size, 1))
             feet = (
                 surface.footprint(tau, D[floor], N, self.delta_x),
                 surface.footprint(tau, D[floor], N, self.delta_y),
             )
             here = np.zeros(tau.size)
-            colour[floor] = bed.below(here, here, here + self.eye_y, d[floor], feet)
+            colour[floor] = bed.below(here, here, here + self.eye_y, d[floor], to_floor[floor], feet)
         up = ~floor
         if up.any():
             s = distance[up]
@@ -298,7 +301,33 @@ class _Shader:
                 amount[up] = np.minimum(a, 1.0)
             glow = bed.glow(np.full(s.shape, bed.level - self.eye_y), -d[up, 1], s)
             colour[up] = light_up * np.exp(-bed.extinction * s[:, None]) + glow
+        if self.fleet is not None:
+            self._sunk(self.fleet, bed, d, np.where(up, distance, to_floor), colour)
         return np.minimum(colour * self._exposure, BRIGHTEST), amount, np.ones(d.shape[0], np.bool_)
+
+    def _below_flat(self, D: Floats, d: Floats) -> tuple[Floats, Floats, Bools]:
+        """The same without light: white foam in the ceiling, black water."""
+        distance = surface.first_crossing(self.relief, self.eye_y, d)
+        amount = np.zeros(d.shape[0])
+        up = np.isfinite(distance)
+        if up.any() and self.scene.foam is not None and self.assets is not None:
+            s = distance[up]
+            x, z = d[up, 0] * s, d[up, 2] * s
+            N = -surface.normal(*self.relief.gradient(x, z))
+            tau = s / np.sqrt(dot(D[up], D[up]))
+            H = self.relief.height(x, z)
+            amount[up] = np.minimum(self._foam(self.scene.foam, self.assets, x, z, H, tau, D[up], N), 1.0)
+        return np.repeat(amount[:, None], 3, axis=1), amount, np.ones(d.shape[0], np.bool_)
+
+    def _sunk(self, fleet: fleets.Fleet, bed: Bed, d: Floats, nearer: Floats, colour: Floats) -> None:
+        """Draws what of boats is under water over ``colour`` (r, 3), not exposed, through the water between."""
+        eye = np.array([0.0, self.eye_y, 0.0])
+        hit = fleet.trace(eye, d)
+        seen = np.flatnonzero(hit.t < nearer)
+        if seen.size:
+            own = fleets.Hit(hit.t[seen], hit.normal[seen], hit.place[seen], hit.part[seen], hit.boat[seen])
+            found = fleet.light(bed.air, eye, d[seen], own) * np.exp(-bed.extinction * own.t[:, None])
+            colour[seen] = found + bed.glow(np.full(own.t.shape, bed.level - self.eye_y), -d[seen, 1], own.t)
 
     def _laid(self, colour: Floats, white: Floats, a: Floats) -> Floats:
         """Foam (r, 3) laid over water (r, 3) by its amount (r,)."""

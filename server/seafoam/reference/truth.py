@@ -22,7 +22,7 @@ _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None, "drift": None, "spray": None, "boats": []},
     "shore": {"image": None},
     "foam": {"texture_second": None, "cells": False},
-    "water": {"floor_tile": None, "view_below": False},
+    "water": {"floor_tile": None, "view_below": True},
     "water/chop": {"gusts": None},
     "light": {
         "day": None,

@@ -181,6 +181,8 @@ class Executor:
         for index, one in enumerate(plan.passes):
             if one.target == "screen" and output != "rgba8":
                 continue
+            if one.eye not in ("any", "over" if camera.position[1] >= plan.top else "under"):
+                continue
             self._draw(plan, one, index, framebuffers, time, camera, width, height)
         self._context.finish()
         drawn = clock.perf_counter()

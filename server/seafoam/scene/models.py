@@ -290,9 +290,8 @@ class Water(Part):
         default=None, ge=0.05, le=100.0, description="Side of the tiles that the floor is laid with, m; absent: bare"
     )
     view_below: bool = Field(
-        default=False,
-        description="Light for an eye under the surface: Snell's window, total reflection, floor and water; not drawn "
-        "where there is a shore",
+        default=True,
+        description="What an eye under the surface sees: Snell's window, total reflection, floor and water",
     )
     translucency: float = Field(
         default=0.25, ge=0.0, le=2.0, description="How strongly a thin crest lets the sun through"
