@@ -14,6 +14,8 @@ const plan: FramePlan = {
   uniforms: {},
   linear: "linear",
   samples: 1,
+  top: 0,
+  bottom: -100,
   live: ["/light/exposure", "/water/absorption_length"],
 };
 

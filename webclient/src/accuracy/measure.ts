@@ -5,7 +5,7 @@ import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
 import type { Gpu } from "../gl/gpu";
 import { makeScreen, targetSize } from "../gl/target";
-import { Executor, type Frame } from "../plan/executor";
+import { Executor, type Frame, type LoadBytes } from "../plan/executor";
 import { CAMERA } from "../plan/live";
 import { apply, diff, type Json, withValue } from "../scene/json";
 import type { Point, TruthInfo } from "./api";
@@ -137,7 +137,8 @@ export class Measuring {
     const plan = await this.api.plan(scene, asked(point, standard), this.signal);
     let executor: Executor;
     try {
-      executor = await Executor.load(this.gpu, plan, (texture) => this.api.bytes(texture.url));
+      const bytes: LoadBytes = (texture) => this.api.bytes(texture.url);
+      executor = await Executor.load(this.gpu, plan, bytes, cameraFromScene(preset.scene), false);
     } catch (error) {
       if (!(error instanceof CapabilityError)) throw error;
       this.result.refused.push({ point, why: error.message });

@@ -133,6 +133,8 @@ export class App {
   private makeSlot(index: 0 | 1): Slot {
     return new Slot(this.api, {
       gpu: () => this.stage.gpu,
+      camera: () => this.controls.camera,
+      whole: () => this.limit(),
       changed: (fresh) => {
         if (fresh) this.planned();
         this.stage.dirty = true;
@@ -192,15 +194,22 @@ export class App {
   private planned(): void {
     const { plan } = this.slots[0];
     this.notes.show(plan);
-    const tops = Object.values(plan?.uniforms ?? {}).flatMap(({ rules }) =>
-      rules.flatMap((rule) => (rule.rule === "camera" && rule.what === "view_projection" ? [rule.top] : [])),
-    );
-    this.controls.lowest = Math.max(0, ...tops) + CLEARANCE;
+    this.limit();
     this.stage.reconsider();
     this.curtain.lift();
     this.settle?.resolve();
     if (!this.picturesAsked) void this.gallery.load((name) => this.api.thumbnail(name));
     this.picturesAsked = true;
+  }
+
+  /** How low the camera may go: under the surface once that is drawn. */
+  private limit(): void {
+    const executor = this.slots[0].ready?.executor;
+    if (executor === undefined) return;
+    const { plan } = executor;
+    const dives = plan.passes.some((pass) => pass.eye === "under") && executor.has("under");
+    this.controls.surface = plan.top + CLEARANCE;
+    this.controls.bottom = dives ? plan.bottom + CLEARANCE : this.controls.surface;
   }
 
   private showChoices({ preset, scene, quality, split }: Choices): void {

@@ -1,9 +1,10 @@
 /** One picture on the way to the screen: asks for plans, compiles them in the background, keeps drawing the old one. */
 import type { Api } from "../api";
+import type { CameraState } from "../camera/state";
 import type { FramePlan } from "../generated/api";
 import type { Gpu } from "../gl/gpu";
 import { CAMERA, serves } from "../plan/live";
-import { Executor } from "../plan/executor";
+import { Executor, type LoadBytes } from "../plan/executor";
 import { equal, type Json, withValue } from "../scene/json";
 
 /** Time to wait for a slider to come to rest before the server is asked. */
@@ -25,8 +26,11 @@ export interface Ready {
 
 export interface SlotEvents {
   gpu(): Gpu;
+  camera(): CameraState;
   /** There is something new to draw; `fresh`: by a new plan. */
   changed(fresh: boolean): void;
+  /** The plan serves every camera from now on. */
+  whole(): void;
   failed(error: unknown): void;
   /** Whether a plan is on its way. */
   busy(busy: boolean): void;
@@ -93,7 +97,8 @@ export class Slot {
       const gpu = this.events.gpu();
       // One camera for all: the same scene seen from elsewhere is the same plan, and the server's cache knows it.
       const plan = await this.api.plan(withValue(wanted.scene, CAMERA, undefined), wanted.quality, request.signal);
-      const executor = await Executor.load(gpu, plan, (texture) => this.api.bytes(texture.url));
+      const bytes: LoadBytes = (texture) => this.api.bytes(texture.url);
+      const executor = await Executor.load(gpu, plan, bytes, this.events.camera(), true);
       if (outdated() || gpu !== this.events.gpu()) {
         executor.dispose();
         return;
@@ -103,6 +108,8 @@ export class Slot {
       this.request = null;
       this.events.busy(false);
       this.events.changed(true);
+      await executor.whole;
+      if (this.plan === plan) this.events.whole();
     };
     run().catch((error: unknown) => {
       if (outdated()) return;

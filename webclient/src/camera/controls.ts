@@ -19,8 +19,9 @@ interface Touch {
 export class Controls {
   camera: CameraState;
   mode: Mode = "orbit";
-  /** The eye stays above this height, m. */
-  lowest = 0.5;
+  /** An orbit stays over this height, m; who flies or dives may go on to the bottom. */
+  surface = 0.5;
+  bottom = 0.5;
   private readonly keys = new Set<string>();
   private readonly touches = new Map<number, Touch>();
   /** Angles still to be turned, rad. */
@@ -79,8 +80,8 @@ export class Controls {
     const { right, up, forward } = this.speed;
     if (right || up || forward) {
       // Speed grows with height, as the ground seems to slow down.
-      const metres = Math.max(1.5, this.camera.position[1] * 0.8) * dt;
-      this.go(move(this.camera, right * metres, up * metres, forward * metres, this.lowestNow()));
+      const metres = Math.max(1.5, Math.abs(this.camera.position[1]) * 0.8) * dt;
+      this.go(move(this.camera, right * metres, up * metres, forward * metres, this.lowestNow(up < 0)));
     }
     const keyTurn = TURN_BY_KEY * dt;
     this.turning.yaw += (held("ArrowRight") - held("ArrowLeft")) * keyTurn;
@@ -98,9 +99,10 @@ export class Controls {
     return moved;
   }
 
-  /** A preset may start lower than the limit; it is then its own limit. */
-  private lowestNow(): number {
-    return Math.min(this.lowest, this.camera.position[1]);
+  /** Only who means to goes under water; a scene that starts below its limit has that for one. */
+  private lowestNow(diving = false): number {
+    const [, y] = this.camera.position;
+    return Math.min(diving || this.mode === "fly" || y < this.surface ? this.bottom : this.surface, y);
   }
 
   private tell(): void {

@@ -1265,6 +1265,16 @@ export interface components {
              */
             samples: number;
             /**
+             * Top
+             * @description The highest that a crest can reach, m: an eye as high is over the water
+             */
+            top: number;
+            /**
+             * Bottom
+             * @description The lowest from where an eye sees more than ground, m
+             */
+            bottom: number;
+            /**
              * Live
              * @description JSON pointers of scene fields that may change without a new plan
              */
@@ -1829,6 +1839,13 @@ export interface components {
              * @enum {string}
              */
             when: "setup" | "frame";
+            /**
+             * Eye
+             * @description over: drawn for eyes at the plan's top or higher; under: for all lower ones, and right for any
+             * @default any
+             * @enum {string}
+             */
+            eye: "any" | "over" | "under";
             /** Program */
             program: string;
             /**
@@ -3445,8 +3462,8 @@ export interface components {
             floor_tile?: number | null;
             /**
              * View Below
-             * @description Light for an eye under the surface: Snell's window, total reflection, floor and water; not drawn where there is a shore
-             * @default false
+             * @description What an eye under the surface sees: Snell's window, total reflection, floor and water
+             * @default true
              */
             view_below: boolean;
             /**

@@ -61,25 +61,32 @@ interface BoundPass {
   samplers: BoundSampler[];
 }
 
+/** Where the eye is: over all crests, or where one may cover it. */
+type Eye = "over" | "under";
+
 export class Executor {
+  /** Settles when what this camera does not need yet is there too. */
+  whole: Promise<void> = Promise.resolve();
+  private readonly passes = new Map<number, BoundPass>();
   private readonly targets = new Map<string, Target>();
   /** Whether the setup passes have run since the targets were made. */
   private isSetUp = false;
+  private disposed = false;
+  readonly programs = new Map<string, Program>();
 
   private constructor(
     private readonly gpu: Gpu,
     readonly plan: FramePlan,
-    private readonly passes: readonly BoundPass[],
-    private readonly leases: readonly Lease<unknown>[],
-    readonly programs: ReadonlyMap<string, Program>,
+    private readonly textures: ReadonlyMap<string, WebGLTexture>,
+    private readonly leases: Lease<unknown>[],
   ) {}
 
-  /** Compiles and loads everything that the plan needs, without stopping the page. */
-  static async load(gpu: Gpu, plan: FramePlan, bytes: LoadBytes): Promise<Executor> {
+  /** Compiles and loads what the plan needs for an eye there, without stopping the page; `rest`: then what others need. */
+  static async load(gpu: Gpu, plan: FramePlan, bytes: LoadBytes, camera: CameraState, rest: boolean): Promise<Executor> {
     requireFor(plan, gpu.capabilities);
     const leases: Lease<unknown>[] = [];
     try {
-      const programs = startAll(gpu, plan);
+      const programs = start(gpu, plan, namesFor(plan, eyeOf(plan, camera)));
       leases.push(...programs.values());
       const loading = Object.entries(plan.textures).map(async ([name, spec]) => {
         const lease = gpu.textures.acquire(textureKey(spec), () =>
@@ -91,26 +98,57 @@ export class Executor {
       for (const [name, lease] of programs) {
         await discardOnError(lease, () => finish(gpu, name, lease.value));
       }
-      const textures = new Map(await Promise.all(loading));
-      const passes = plan.passes.map((pass, index) => {
-        const mesh = gpu.meshes.acquire(meshKey(pass.mesh), () => makeMesh(gpu.gl, pass.mesh));
-        leases.push(mesh);
-        const program = required(programs.get(pass.program), `program ${pass.program}`).value;
-        return { pass, index, program, mesh: mesh.value, ...bind(gpu.gl, plan, pass, program, textures) };
-      });
-      const linked = new Map([...programs].map(([name, { value }]) => [name, value]));
-      return new Executor(gpu, plan, passes, leases, linked);
+      const executor = new Executor(gpu, plan, new Map(await Promise.all(loading)), leases);
+      executor.bind(programs);
+      if (rest) executor.whole = executor.loadRest();
+      return executor;
     } catch (error) {
       for (const lease of leases) lease.release();
       throw error;
     }
   }
 
+  /** Compiles what the first camera had no need of. */
+  private async loadRest(): Promise<void> {
+    const missing = Object.keys(this.plan.programs).filter((name) => !this.programs.has(name));
+    const programs = start(this.gpu, this.plan, missing);
+    try {
+      for (const [name, lease] of programs) await discardOnError(lease, () => finish(this.gpu, name, lease.value));
+      if (!this.disposed) this.bind(programs);
+    } finally {
+      if (this.disposed) for (const lease of programs.values()) lease.release();
+      else this.leases.push(...programs.values());
+    }
+  }
+
+  /** Binds the passes whose programs have come. */
+  private bind(programs: ReadonlyMap<string, Lease<Program>>): void {
+    const { gpu, plan, textures } = this;
+    for (const [name, { value }] of programs) this.programs.set(name, value);
+    plan.passes.forEach((pass, index) => {
+      const program = programs.get(pass.program)?.value;
+      if (program === undefined) return;
+      const mesh = gpu.meshes.acquire(meshKey(pass.mesh), () => makeMesh(gpu.gl, pass.mesh));
+      this.leases.push(mesh);
+      this.passes.set(index, { pass, index, program, mesh: mesh.value, ...bindInputs(gpu.gl, plan, pass, program, textures) });
+    });
+  }
+
+  /** Whether everything is there that an eye there needs. */
+  has(eye: Eye): boolean {
+    return namesFor(this.plan, eye).every((name) => this.programs.has(name));
+  }
+
   /** Draws one frame. `around`: runs each pass, for who wants to time it. */
   draw(frame: Frame, around = (_: Pass, draw: () => void) => draw()): void {
     this.resize(frame.width, frame.height);
-    for (const bound of this.passes) {
-      if (bound.pass.when === "setup" && this.isSetUp) continue;
+    // What draws for a low eye draws for any; the other way about it is a moment's stopgap.
+    const wanted = eyeOf(this.plan, frame.camera);
+    const eye = this.has(wanted) ? wanted : wanted === "over" ? "under" : "over";
+    for (const [index] of this.plan.passes.entries()) {
+      const bound = this.passes.get(index);
+      if (bound === undefined) continue;
+      if (!serves(bound.pass, eye) || (bound.pass.when === "setup" && this.isSetUp)) continue;
       around(bound.pass, () => this.drawPass(bound, frame));
     }
     this.isSetUp = true;
@@ -129,6 +167,7 @@ export class Executor {
   }
 
   dispose(): void {
+    this.disposed = true;
     this.rest();
     for (const lease of this.leases) lease.release();
   }
@@ -210,7 +249,7 @@ export class Executor {
 /** Compiles a plan's programs only, and tells what is wrong with them. */
 export async function compile(gpu: Gpu, plan: FramePlan): Promise<string[]> {
   const errors: string[] = [];
-  for (const [name, lease] of startAll(gpu, plan)) {
+  for (const [name, lease] of start(gpu, plan, Object.keys(plan.programs))) {
     await discardOnError(lease, () => finish(gpu, name, lease.value)).catch((error: unknown) => {
       errors.push(String(error));
     });
@@ -219,10 +258,24 @@ export async function compile(gpu: Gpu, plan: FramePlan): Promise<string[]> {
   return errors;
 }
 
-/** Compilation of every program starts before the driver is asked about any. */
-function startAll(gpu: Gpu, plan: FramePlan): Map<string, Lease<Program>> {
+function eyeOf(plan: FramePlan, camera: CameraState): Eye {
+  return camera.position[1] >= plan.top ? "over" : "under";
+}
+
+function serves(pass: Pass, eye: Eye): boolean {
+  return pass.eye === "any" || pass.eye === eye;
+}
+
+/** The programs that an eye there needs. */
+function namesFor(plan: FramePlan, eye: Eye): string[] {
+  return [...new Set(plan.passes.filter((pass) => serves(pass, eye)).map((pass) => pass.program))];
+}
+
+/** Compilation of every one of these programs starts before the driver is asked about any. */
+function start(gpu: Gpu, plan: FramePlan, names: readonly string[]): Map<string, Lease<Program>> {
   return new Map(
-    Object.entries(plan.programs).map(([name, source]) => {
+    names.map((name) => {
+      const source = required(plan.programs[name], `program ${name}`);
       const key = `${source.vertex.sha256} ${source.fragment.sha256}`;
       return [name, gpu.programs.acquire(key, () => startProgram(gpu.gl, source))];
     }),
@@ -245,7 +298,7 @@ async function discardOnError<T>(lease: Lease<unknown>, load: () => Promise<T>):
 }
 
 /** Matches what the compiler kept of a program with what the plan gives it. */
-function bind(
+function bindInputs(
   gl: WebGL2RenderingContext,
   plan: FramePlan,
   pass: Pass,
