@@ -138,7 +138,6 @@ def pool(executor: Executor) -> None:
     plain = scene.model_copy(update={"light": scene.light.model_copy(update={"caustics": None})})
     apart = scene.model_copy(update={"light": scene.light.model_copy(update={"caustics": Caustics(dispersion=5.0)})})
     ocean = load_preset("open-ocean").scene
-    ocean = ocean.model_copy(update={"water": ocean.water.model_copy(update={"view_below": True})})
     close = scene.camera.model_copy(update={"position": (0.0, 0.5, 0.0), "pitch": -1.0})
     views = (
         (scene, scene.camera),
@@ -154,6 +153,39 @@ def pool(executor: Executor) -> None:
         drawn = executor.render(make_plan(one, quality), time=3.0, camera=camera, width=480, height=270)
         made.append(Image.fromarray(drawn.pixels[..., :3]))
     sheet(made, 3).save(PICTURES / "caustics.webp", quality=82)
+
+
+def below(executor: Executor) -> None:
+    """Nine presets from under their surface."""
+    views = {
+        "default": (0.6, -0.4, -0.3, 0.5, 1.0),
+        "shallows": (0.0, -0.6, 0.0, 0.45, 1.3),
+        "drift-vortices": (0.0, -0.9, 0.0, 0.7, 1.2),
+        "lagoon": (-10.0, -0.5, 20.0, 0.1, 1.2),
+        "beach": (-40.0, 0.0, 9.0, 0.1, 1.1),
+        "boat-race": (0.0, -1.0, 5.0, 0.1, 1.0),
+        "lake-sunset": (0.0, -0.5, 0.0, 1.1, 1.9),
+        "paper-benchmark": (0.0, -0.3, 0.0, 0.6, 1.2),
+        "river": (0.0, -0.4, 0.0, 0.7, 1.3),
+    }
+    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    made = []
+    for name, (x, y, z, pitch, fov) in views.items():
+        preset = load_preset(name)
+        start = preset.scene.camera
+        middle = (start.position[0], start.position[2])
+        if preset.scene.boats:
+            boat = preset.scene.boats[0]
+            turned = boat.bearing + boat.speed / boat.radius * preset.time
+            middle = (boat.centre[0] + boat.radius * math.cos(turned), boat.centre[1] + boat.radius * math.sin(turned))
+        camera = start.model_copy(
+            update={"position": (middle[0] + x, y, middle[1] + z), "pitch": pitch, "fov": fov}
+            | ({"yaw": -0.5} if preset.scene.boats else {})
+        )
+        plan = make_plan(preset.scene, quality)
+        drawn = executor.render(plan, time=preset.time, camera=camera, width=480, height=270)
+        made.append(Image.fromarray(drawn.pixels[..., :3]))
+    sheet(made, 3).save(PICTURES / "below.webp", quality=82)
 
 
 def boats(executor: Executor) -> None:
@@ -205,6 +237,7 @@ def main() -> None:
     drift(executor).save(PICTURES / "drift.webp", quality=76)
     sparkles(executor)
     pool(executor)
+    below(executor)
     boats(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]

@@ -439,6 +439,31 @@ def test_the_server_draws_the_same(small: Visit) -> None:
     assert differs(served, small.picture()) < 1e-4
 
 
+def test_a_visitor_dives(llvmpipe: Lane, server: str) -> None:
+    """Down through the surface by key, once that is compiled; an orbit alone stays over it."""
+    with visit(llvmpipe, server, link(preset="lake-calm"), size=(400, 300), reduced_motion="reduce") as made:
+        over = made.picture()
+        mouse, keyboard = made.page.mouse, made.page.keyboard
+        mouse.move(200, 150)
+        mouse.down()
+        mouse.move(200, 20, steps=4)
+        mouse.up()
+        made.frames(6)
+        assert made.state()["camera"]["position"][1] > 0.0
+        made.page.locator("#canvas").focus()
+        keyboard.down("q")
+        made.page.wait_for_function("() => window.seafoam.state().camera.position[1] < -0.4", timeout=60_000)
+        keyboard.up("q")
+        made.frames(3)
+        under = made.picture()
+        assert differs(under, over) > 0.9
+        assert np.ptp(under.astype(int), axis=(0, 1)).max() > 8, "nothing to see"
+        made.settings()
+        served, _ = made.saved("Server frame")
+        assert differs(served, under) < 1e-3
+        assert made.complaints == []
+
+
 # What asks for a plan, and what does not
 
 

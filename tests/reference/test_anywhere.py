@@ -97,7 +97,7 @@ def test_a_preset_flown_anywhere(executor: Executor, report: Report, name: str) 
             assert light.max() > 0.02, place.name
             assert np.ptp(light) > 0.01, place.name
         x, y, z = place.camera.position
-        # Away from the mean level, where an eye that comes through is meant to see something else; by less where it is near.
+        # Away from the mean level, where an eye that comes through sees something else; by less where it is near.
         over = y - level_of(preset.scene)
         step = min(STEP, 0.1 * abs(over))
         nudged = place.camera.model_copy(update={"position": (x + step, y + math.copysign(step, over), z - step)})
