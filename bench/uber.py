@@ -255,8 +255,11 @@ def _choice(switch: str, bodies: Mapping[str, str], signatures: Mapping[str, Sig
 
 
 def _picked(switch: str, returns: str, name: str, parameters: str, values: Sequence[str]) -> str:
-    cases = [f"    if ({switch} == {i}.0) {{\n        return {value};\n    }}" for i, value in enumerate(values[:-1])]
-    return "\n".join([f"{returns} {name}({parameters}) {{", *cases, f"    return {values[-1]};\n}}\n"])
+    said = "{};\n        return" if returns == "void" else "return {}"
+    cases = [
+        f"    if ({switch} == {i}.0) {{\n        {said.format(value)};\n    }}" for i, value in enumerate(values[:-1])
+    ]
+    return "\n".join([f"{returns} {name}({parameters}) {{", *cases, f"    {said.format(values[-1])};\n}}\n"])
 
 
 def _arguments(parameters: str) -> str:

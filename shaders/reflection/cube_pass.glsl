@@ -6,7 +6,7 @@ void main() {
     ivec2 cell = texel / CUBE_SIZE;
     vec2 at = 2.0 * vec2(texel - cell * CUBE_SIZE) / float(CUBE_SIZE - 1) - 1.0;
     vec3 d = normalize(cube_direction(cell.x + 3 * cell.y, at));
-    // Water mirrors nothing from under the horizon: only the rim above it is looked for.
-    vec3 light = d.y < -0.1 ? mirrored_sky(d, d, d) : surroundings(d);
+    // Water mirrors nothing from under the horizon: half of the texels are never read.
+    vec3 light = d.y < -0.1 ? vec3(0.0) : surroundings(d);
     o_light = vec4(min(light, BRIGHTEST), 1.0);
 }

@@ -37,14 +37,32 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
     float fastest = max(u_shore_steepest[0] * level - ray.y, 1e-6 * length(ray));
     float fastest_dry = max(u_shore_steepest[1] * level - ray.y, 1e-6 * length(ray));
     float gap = 0.0;
+    float before = tau;
     for (int i = 0; i < MARCH_STEPS; ++i) {
         ground = shore_floor(eye + tau * ray.xz);
         gap = u_eye_height + tau * ray.y - ground.x;
         if (gap < fine * tau || tau >= leave) {
             break;
         }
+        before = tau;
         // Land over y = 0 is gentler than the floor, and lower than the eye's way by no more than that way's own height.
         tau += max(gap / fastest, min(gap, u_eye_height + tau * ray.y) / fastest_dry);
+        // A ray that brushes a ridge would spend all its steps there: with the last half it goes on to the end.
+        if (2 * i >= MARCH_STEPS) {
+            tau = max(tau, before + (leave - before) / float(MARCH_STEPS - i));
+        }
+    }
+    if (tau < leave && gap < -fine * tau) {
+        for (int i = 0; i < 8; ++i) {
+            float middle = 0.5 * (before + tau);
+            if (u_eye_height + middle * ray.y < shore_floor(eye + middle * ray.xz).x) {
+                tau = middle;
+            } else {
+                before = middle;
+            }
+        }
+        ground = shore_floor(eye + tau * ray.xz);
+        gap = u_eye_height + tau * ray.y - ground.x;
     }
     if (tau >= leave || gap >= fine * tau) {
         return false;

@@ -22,27 +22,27 @@ from seafoam.scene.models import (
     Water,
 )
 
-FIND, WATER = "below/find.glsl", "below/water.glsl"
-"""How an eye under the surface finds it, and the water between."""
+WATER = "below/water.glsl"
+"""The water between an eye under the surface and what it sees."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``water.view_below``."""
-    if not scene.water.view_below:
+    """Called for by ``water.view_below``, where there is light or foam to see."""
+    if not scene.water.view_below or (scene.light is None and scene.foam is None):
         return None
     if scene.light is None:
         return Contribution(
             why="an eye under the surface sees its foam",
-            slots=(SlotFile("below", "below/flat.glsl", needs=("below/find.glsl",)),),
+            slots=(SlotFile("below", "below/flat.glsl"),),
         )
     return Contribution(
         why="an eye under the surface sees through it, and what it mirrors",
-        slots=(SlotFile("below", "below/main.glsl", needs=(FIND, WATER)),),
+        slots=(SlotFile("below", "below/main.glsl", needs=(WATER,)),),
         uniforms={"u_below_level": number(significant(mean_level(scene)))},
     )
 
 
-_POOL = Water(depth=2.0, floor_tile=0.3, view_below=True, chop=Chop(slope=0.08))
+_POOL = Water(depth=2.0, floor_tile=0.3, chop=Chop(slope=0.08))
 
 
 def _case(
@@ -101,7 +101,7 @@ EFFECT = Effect(
             "ways held at 1000 km, depths at 0 (below/main.glsl, bed/none.glsl)",
             "nothing: light is 3e-9 there, and 1e38 m of water let none of it through",
             Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
-            water=Water(view_below=True, chop=Chop()),
+            water=Water(chop=Chop()),
         ),
     ),
 )

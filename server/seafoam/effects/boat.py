@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.below import FIND, WATER
+from seafoam.effects.below import WATER
 from seafoam.effects.contribution import (
     ABOVE,
     Constant,
@@ -104,7 +104,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         *(("shore/ground.glsl", "boat/land.glsl") if ashore else ("boat/no_land.glsl",)),
     )
     over = "boat/over.glsl?boat_hidden=boat_hidden_over&boat_before=boat_before_over"
-    under = (over, "shade/optics.glsl", FIND, WATER, "@reach", "boat/under.glsl")
+    under = (over, "shade/optics.glsl", "@ceiling", WATER, "@reach", "boat/under.glsl")
     picture = PassSpec(
         name="boats",
         program="boat",

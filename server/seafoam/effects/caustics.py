@@ -197,7 +197,7 @@ def _bound(scene: Scene, light: Light, depth: float, waves: list[Ripple]) -> Bou
 _BRIGHTEST = 64.0
 """Light of a texel over that under level water: no figure that the tests draw is brighter."""
 _PLAIN = Caustics(dispersion=0.0)
-_DEEP = Water(depth=400.0, chop=Chop())
+_DEEP = Water(depth=900.0, chop=Chop())
 _DOWN = Camera(position=(0.0, 2.0, 0.0), pitch=-1.2)
 
 

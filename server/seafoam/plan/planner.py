@@ -141,13 +141,17 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
     combine = scene.foam.combine if scene.foam else "max"
     # Passes, and eyes that crests may cover, march to the surface whatever finds it for the eye: they have no mesh.
-    marched = [*draft.slots, SlotFile("find", "surface/plane.glsl" if level else "surface/march.glsl")]
+    marched = [
+        *draft.slots,
+        SlotFile("find", "surface/plane.glsl" if level else "surface/march.glsl"),
+        SlotFile("ceiling", "below/plane.glsl" if level else "below/find.glsl"),
+    ]
     surface_fragment = [*_COMMON]
     under_fragment = [*_COMMON]
     for slot in surface_slots(combine, shore):
         surface_fragment += slot_pieces(slot, chosen)
         under_fragment += _seen_from_above(slot, slot_pieces(slot, marched))
-    for slot in UNDER_SLOTS:
+    for slot in UNDER_SLOTS if below else ():
         under_fragment += slot_pieces(slot, marched)
     if mesh:
         surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]

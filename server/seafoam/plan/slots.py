@@ -116,6 +116,8 @@ CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
 """How the sun's light lies on a level floor."""
 BED = Slot("bed")
 """A level floor as it is lit, where the eye over the surface tells its places apart."""
+CEILING = Slot("ceiling")
+"""How a ray from under the surface finds it; filled as FIND is."""
 REACH = Slot("reach", default="bed/no_reach.glsl", under="below")
 UNDER_BED = Slot("under bed", default="bed/none.glsl", under="below")
 """The floor as an eye under the surface sees it: how far it is, and its light."""
@@ -126,7 +128,7 @@ LAND = Slot("land", default="surface/no_land.glsl")
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
-UNDER_SLOTS = (REACH, UNDER_BED, BELOW)
+UNDER_SLOTS = (CEILING, REACH, UNDER_BED, BELOW)
 """Slots of the shader for eyes that crests may cover, beyond those of the surface's own."""
 TONE = Slot("tone", default="tone/clamp.glsl")
 
