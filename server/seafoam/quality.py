@@ -78,7 +78,7 @@ class Quality(Knobs):
         default="map", description="What stands around the water, from a cube map or found for each sample"
     )
     cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
-        default=128, description="Texels along a side of a face of the cube map"
+        default=256, description="Texels along a side of a face of the cube map"
     )
     drift: Literal["backward", "forward", "exact"] = Field(
         default="backward",
@@ -154,7 +154,7 @@ TIERS: dict[Tier, Quality] = {
         chop="exact",
         rings_size=2048,
         sea_digits="float",
-        cube_size=256,
+        cube_size=512,
         drift_size=512,
         drift_step=0.25,
         spray_count=16384,

@@ -2171,7 +2171,7 @@ export interface components {
             /**
              * Cube Size
              * @description Texels along a side of a face of the cube map
-             * @default 128
+             * @default 256
              * @enum {integer}
              */
             cube_size: 32 | 64 | 128 | 256 | 512 | 1024;
