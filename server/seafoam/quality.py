@@ -80,6 +80,9 @@ class Quality(Knobs):
     cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
         default=256, description="Texels along a side of a face of the cube map"
     )
+    refraction_steps: Literal[1, 2, 4, 8] = Field(
+        default=4, description="Steps after which the refracted ray is taken to meet a shore's floor"
+    )
     drift: Literal["backward", "forward", "exact"] = Field(
         default="backward",
         description="Drifting foam from a map that each texel finds by going back along the flow, from a map that "
@@ -138,6 +141,7 @@ TIERS: dict[Tier, Quality] = {
         shore_map=128,
         cloud_octaves=4,
         cube_size=64,
+        refraction_steps=2,
         drift_size=128,
         drift_step=1.0,
         sparkle_cells=1,
@@ -155,6 +159,7 @@ TIERS: dict[Tier, Quality] = {
         rings_size=2048,
         sea_digits="float",
         cube_size=512,
+        refraction_steps=8,
         drift_size=512,
         drift_step=0.25,
         spray_count=16384,
@@ -174,6 +179,7 @@ TIERS: dict[Tier, Quality] = {
         shore_profile=256,
         cube="exact",
         cube_size=512,
+        refraction_steps=8,
         drift="exact",
         drift_step=0.2,
         spray_count=16384,

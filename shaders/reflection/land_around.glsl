@@ -1,51 +1,10 @@
 // Sky and land as seen from a metre over the water, or over the ground, right under the eye. docs/formulae.md, section 10.
 const float AROUND_HEIGHT = 1.0; // m
-const float AROUND_BLUR = 0.012; // ripples blur what is finer, rad
-
-// First hit of the ray r (unit vector) from that place with land inside the square: steps that cannot pass it.
-bool land_around(vec3 r, out float tau, out vec4 ground) {
-    vec2 eye = shore_place(vec2(0.0));
-    float height = max(AROUND_HEIGHT, shore_floor(eye).x + AROUND_HEIGHT);
-    vec2 way = vec2(abs(r.x) < 1e-9 ? 1e-9 : r.x, abs(r.z) < 1e-9 ? 1e-9 : r.z);
-    vec2 one = (-0.5 * u_shore_size - eye) / way;
-    vec2 two = (0.5 * u_shore_size - eye) / way;
-    float leave = min(max(one.x, two.x), max(one.y, two.y));
-    tau = max(max(min(one.x, two.x), min(one.y, two.y)), 0.0);
-    ground = vec4(0.0);
-    // A rising ray leaves through the top, a falling one at y = 0.
-    if (r.y > 1e-6) {
-        leave = min(leave, (u_shore_top - height) / r.y);
-    } else if (r.y < -1e-6) {
-        leave = min(leave, -height / r.y);
-    }
-    if (tau >= leave) {
-        return false;
-    }
-    float level = length(r.xz);
-    float fastest = max(u_shore_steepest[0] * level - r.y, 1e-6);
-    float fastest_dry = max(u_shore_steepest[1] * level - r.y, 1e-6);
-    float gap = 0.0;
-    float fine = 0.01 * MARCH_TOLERANCE;
-    for (int i = 0; i < MARCH_STEPS; ++i) {
-        ground = shore_floor(eye + tau * r.xz);
-        gap = height + tau * r.y - ground.x;
-        if (gap < fine * (0.1 + tau) || tau >= leave) {
-            break;
-        }
-        tau += max(gap / fastest, min(gap, height + tau * r.y) / fastest_dry);
-    }
-    return tau < leave && gap < fine * (0.1 + tau);
-}
 
 vec3 surroundings(vec3 r) {
+    vec2 eye = shore_place(vec2(0.0));
+    float height = max(AROUND_HEIGHT, shore_floor(eye).x + AROUND_HEIGHT);
     float tau;
     vec4 ground;
-    if (!land_around(r, tau, ground)) {
-        return mirrored_sky(r, r, r);
-    }
-    vec3 normal = normalize(vec3(-ground.y, 1.0, -ground.z));
-    Footprint fp = Footprint(vec2(AROUND_BLUR * tau, 0.0), vec2(0.0, AROUND_BLUR * tau));
-    float grain = shore_grain(shore_place(tau * r.xz), fp);
-    vec3 light = exposure() * land_light(r, normal, ground_albedo(ground, grain), shore_wet(ground.x));
-    return in_air(light, r, tau) / exposure();
+    return land_along(eye, height, r, tau, ground) ? land_seen(eye, r, tau, ground) : mirrored_sky(r, r, r);
 }

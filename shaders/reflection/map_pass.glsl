@@ -16,10 +16,9 @@ void main() {
     }
     out_of_water = max(out_of_water, 0.0);
     vec3 o = eye + out_of_water * d;
-    float t;
-    BoatHit hit;
-    int i = trace_boats(o, d, 0.0, 1e5, true, t, hit);
-    if (i >= 0) {
-        o_mirror = vec4(min(boat_in_air(boat_light(i, o, d, t, hit), d, t), BRIGHTEST), 1.0 / (out_of_water + t));
+    vec3 light;
+    float t = mirror_met(o, d, true, light);
+    if (t >= 0.0) {
+        o_mirror = vec4(min(light, BRIGHTEST), 1.0 / max(out_of_water + t, 1e-3));
     }
 }

@@ -1,6 +1,7 @@
 // Water mirrors what the planar mirror holds, and the sky. The reflected ray is followed to the place that it meets: the map's
 // own distances tell how far that is, and its place in the map is the mirrored place's. Exact on still water to the map's texels.
 // r: reflected direction, over the horizon; d: from the eye; n: normal; unit vectors.
+// Land is looked for at MIRROR_LOOKS places, up to MIRROR_FAR metres away.
 uniform sampler2D u_mirror;
 
 // Light that the map holds toward a place in clip space, and its coverage; way: from the mirrored eye, m, where there is any.
@@ -23,27 +24,38 @@ vec4 mirror_read(vec2 clip, inout float way) {
     return sum;
 }
 
-vec3 reflected_light(vec3 r, vec3 d, vec3 n) {
-    vec3 sky = sky_light(r);
-    vec3 place = mirror_place(d);
+// What the map holds toward a point over the water, which mirrored lies under it; way: as far as the point, then as what is there.
+vec4 mirror_toward(vec3 point, out vec3 seen, inout float way) {
+    seen = vec3(point.x, 2.0 * u_mirror_level - point.y - u_eye_height, point.z);
+    way = length(seen);
+    float depth = dot(seen, u_ray_z);
+    if (depth < 1e-3) {
+        return vec4(0.0);
+    }
     // Columns of the inverse of the camera's rays, up to their lengths: right, up and forward are at right angles.
     vec3 across = u_ray_x / dot(u_ray_x, u_ray_x);
     vec3 upward = u_ray_y / dot(u_ray_y, u_ray_y);
+    return mirror_read(vec2(dot(seen, across), dot(seen, upward)) / depth, way);
+}
+
+vec3 reflected_light(vec3 r, vec3 d, vec3 n) {
+    vec3 sky = mirrored_sky(r, d, n);
+    vec3 place = mirror_place(d);
+    vec3 seen;
+    float mirrored;
     float way = mirror_guess(place, r, u_mirror_level);
+    // Land may be anywhere: the first point along the ray that has some before it.
+    for (int i = 0; i < MIRROR_LOOKS && way < 0.0; ++i) {
+        float far = MIRROR_FAR * exp2(float(i + 1 - MIRROR_LOOKS));
+        vec4 there = mirror_toward(place + far * r, seen, mirrored);
+        way = there.a > 0.0 && mirrored < 1.01 * length(seen) ? far : way;
+    }
     if (way < 0.0) {
         return sky;
     }
     vec4 found = vec4(0.0);
     for (int i = 0; i < MIRROR_STEPS; ++i) {
-        // Mirrored, the place that the ray meets lies under still water, and we look at it through that.
-        vec3 met = place + way * r;
-        vec3 seen = vec3(met.x, 2.0 * u_mirror_level - met.y - u_eye_height, met.z);
-        float depth = dot(seen, u_ray_z);
-        if (depth < 1e-3) {
-            return sky;
-        }
-        float mirrored = length(seen);
-        found = mirror_read(vec2(dot(seen, across), dot(seen, upward)) / depth, mirrored);
+        found = mirror_toward(place + way * r, seen, mirrored);
         // What the map saw there, and how far along r that is.
         vec3 hit = normalize(seen) * mirrored;
         way = max(dot(vec3(hit.x, 2.0 * u_mirror_level - hit.y, hit.z) - vec3(0.0, u_eye_height, 0.0) - place, r), 0.01);

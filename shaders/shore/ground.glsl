@@ -111,14 +111,14 @@ vec3 ground_albedo(vec4 ground, float grain) {
 }
 
 // Way of the refracted ray from the surface to the floor and of the light straight down to it, m; `at`: where it meets the
-// floor. d, n: unit vectors. Four steps of the fixed point that starts from the depth right under.
+// floor. d, n: unit vectors. Steps of the fixed point that starts from the depth right under.
 float floor_path(vec2 q, float height, vec3 d, vec3 n, out vec2 at) {
     float c = dot(n, d);
     vec3 r = d / 1.34 - (c / 1.34 + sqrt(1.0 - (1.0 - c * c) / (1.34 * 1.34))) * n;
     float fall = max(-r.y, 0.25);
     at = q;
     float under = max(height - shore_floor(q).x, 0.0);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < REFRACTION_STEPS; ++i) {
         at = q + r.xz * (under / fall);
         under = max(height - shore_floor(at).x, 0.0);
     }

@@ -22,13 +22,16 @@ from seafoam.scene.models import Camera, Light, ParametricWave, Scene
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Clouds, Sky
 
-_SHORE = (
+SHORE = (
     "shore/place.glsl",
     "shore/spline.glsl",
     "shore/floor.glsl",
     *VALUE_NOISE,
     "shore/ground.glsl",
 )
+"""Where land is, and what colour."""
+LIT_LAND = ("shore/land_lit.glsl", "reflection/land.glsl")
+"""Land under sun and sky, along any ray."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -42,19 +45,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if quality.cube == "exact":
         around: tuple[str, ...] = (sky, "reflection/open.glsl")
         if shore:
-            lit = ("shade/sun.glsl", "shade/fresnel.glsl", "reflection/prototypes.glsl", "shore/land_lit.glsl")
-            around = (sky, *_SHORE, *lit, "reflection/land_around.glsl")
+            lit = ("shade/sun.glsl", "shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
+            around = (sky, *SHORE, *lit, "reflection/land_around.glsl")
         return Contribution(
             why="mirrors what stands around, found for each sample",
             slots=(SlotFile("reflection", "reflection/exact.glsl", needs=around),),
             bound=_bound(scene, light),
         )
     land = (
-        *_SHORE,
+        *SHORE,
         "shade/sun.glsl",
         "shade/fresnel.glsl",
         "reflection/around_shade.glsl",
-        "shore/land_lit.glsl",
+        *LIT_LAND,
         "reflection/land_around.glsl",
     )
     inputs: dict[str, TextureInput | TargetInput] = {}

@@ -1,6 +1,6 @@
 """Planar reflection: a mirrored camera draws boats into a map that the water reads. docs/formulae.md, section 10b."""
 
-from seafoam.effects.boat import COURSE, LIGHT, TRACE, shade_files
+from seafoam.effects.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.contribution import (
     Bound,
     Contribution,
@@ -12,10 +12,12 @@ from seafoam.effects.contribution import (
     SlotFile,
     Target,
     TargetInput,
+    TextureInput,
     Uniform,
     number,
     significant,
 )
+from seafoam.effects.cubemap import LIT_LAND, SHORE
 from seafoam.effects.extremes import mean_level
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
@@ -26,33 +28,46 @@ MARGIN = 1.25
 STEPS = 3
 """How often the reflected ray asks the map how far its light has come."""
 
+LOOKS = 8
+"""At how many places along the reflected ray land is looked for, each twice as far as the one before."""
+
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by a light whose ``reflection`` is planar."""
     if scene.light is None or scene.light.reflection != "planar":
         return None
-    if not scene.boats:
+    if not scene.boats and scene.shore is None:
         return Contribution(
             why="nothing stands over the water",
             slots=(SlotFile("reflection", "reflection/sky.glsl"),),
             bound=Bound(0.0, "nothing stands over the water"),
         )
     level: dict[str, Uniform] = {"u_mirror_level": number(significant(mean_level(scene)))}
+    boats = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else ("reflection/no_boats_met.glsl",)
+    plain = "reflection/sky.glsl" if scene.light.sky is None else "reflection/layered_sky.glsl"
+    sky = f"{plain}?reflected_light=mirrored_sky"
     if quality.reflection == "traced":
+        met = (*boats, *_land(scene, "reflection/prototypes.glsl"), "reflection/met.glsl", "reflection/place.glsl", sky)
         return Contribution(
-            why="rays from the water to the boats",
-            slots=(SlotFile("reflection", "reflection/traced.glsl", needs=(*TRACE, *LIGHT, "reflection/place.glsl")),),
+            why=f"rays from the water to {_things(scene)}",
+            slots=(SlotFile("reflection", "reflection/traced.glsl", needs=met),),
             uniforms=level,
         )
     size = quality.reflection_size
+    guess = (COURSE, "reflection/guess.glsl") if scene.boats else ("reflection/no_guess.glsl",)
+    inputs: dict[str, TextureInput | TargetInput] = {}
+    if scene.shore is not None:
+        inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(
-        why=f"a mirrored camera, {size} texels a side",
-        slots=(
-            SlotFile(
-                "reflection", "reflection/planar.glsl", needs=(COURSE, "reflection/guess.glsl", "reflection/place.glsl")
-            ),
-        ),
-        consts={"MIRROR_SIZE": size, "MIRROR_MARGIN": MARGIN, "MIRROR_STEPS": STEPS},
+        why=f"a mirrored camera sees {_things(scene)}, {size} texels a side",
+        slots=(SlotFile("reflection", "reflection/planar.glsl", needs=(*guess, "reflection/place.glsl", sky)),),
+        consts={
+            "MIRROR_SIZE": size,
+            "MIRROR_MARGIN": MARGIN,
+            "MIRROR_STEPS": STEPS,
+            "MIRROR_LOOKS": 0 if scene.shore is None else LOOKS,
+            "MIRROR_FAR": 0.0 if scene.shore is None else scene.shore.size,
+        },
         uniforms=level,
         inputs={"u_mirror": TargetInput(target="mirror")},
         targets={"mirror": Target(size=FixedSize(width=size, height=size), format="RGBA16F")},
@@ -63,14 +78,28 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 fragment=(
                     "common/numbers.glsl",
                     "common/camera.glsl",
-                    *TRACE,
-                    *shade_files(scene),
+                    "@sky",
+                    *boats,
+                    *_land(scene, "reflection/around_shade.glsl"),
+                    "reflection/met.glsl",
                     "reflection/map_pass.glsl",
                 ),
                 target="mirror",
+                inputs=inputs,
             ),
         ),
     )
+
+
+def _land(scene: Scene, shade: str) -> tuple[str, ...]:
+    """What finds and lights land; ``shade``: where ``irradiance`` and ``in_air`` come from."""
+    if scene.shore is None:
+        return ("reflection/no_land_met.glsl",)
+    return (*SHORE, "shade/sun.glsl", "shade/fresnel.glsl", shade, *LIT_LAND, "reflection/land_met.glsl")
+
+
+def _things(scene: Scene) -> str:
+    return " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
 
 
 _BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)

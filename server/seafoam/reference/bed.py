@@ -47,7 +47,6 @@ NARROWEST = 1e-3
 FOAM_THROUGH = 0.5
 FARTHEST = 1e6
 """Ways to the floor are held there, m."""
-SAFE_STEPS = 20000
 
 
 def refracted(d: Floats, n: Floats, index: float = INDEX) -> Floats:
@@ -288,30 +287,10 @@ class ShoreBed(Bed):
     def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float], coast: Coast) -> None:
         super().__init__(scene, made, time, origin)
         self.coast = coast
-        heights = coast.floor.texels[..., 0]
-        self.highest = float(heights.max())
-        step = coast.floor.size / heights.shape[0]
-        self.steepest = 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
 
     def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
-        """By steps that cannot pass the floor, until they are a billionth of the way."""
-        way = np.zeros_like(x)
-        result = np.full_like(x, FARTHEST)
-        left = np.arange(x.size)
-        closing = np.maximum(self.steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
-        for _ in range(SAFE_STEPS):
-            s, ray = way[left], d[left]
-            here = self.coast.ground(*self.coast.place(x[left] + s * ray[:, 0], z[left] + s * ray[:, 2]))[0]
-            gap = y[left] + s * ray[:, 1] - here
-            met = gap <= 1e-9 * (1.0 + s)
-            result[left[met]] = s[met]
-            gone = (s > FARTHEST) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.highest))
-            way[left] = s + gap / closing[left]
-            left = left[~met & ~gone]
-            if left.size == 0:
-                return result
-        result[left] = way[left]
-        return np.minimum(result, FARTHEST)
+        """Way to the ground along rays d (r, 3), m; (r,), at most FARTHEST."""
+        return self.coast.crossing(x, y, z, d, FARTHEST)
 
     def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
         """Radiance (r, 3) of the floor at (x, z) m from the origin, ``down`` metres under the surface."""

@@ -15,7 +15,7 @@ from seafoam.textures import foam_texture
 from . import boats as fleets
 from . import camera as cameras
 from . import cells, light, looks, sampling, sparkles, spray, surface
-from .bed import FOAM_THROUGH, Bed, bed_of, under_of
+from .bed import FARTHEST, FOAM_THROUGH, Bed, bed_of, under_of
 from .drift import Copy, copies, drift_saturation
 from .gusts import GustField
 from .relief import Part, Relief
@@ -374,15 +374,44 @@ class _Shader:
         if self.scene.light.reflection == "cubemap" and self.coast is not None:
             return self._around(r)
         seen = self.air.mirrored(r)
-        if self.fleet is None or self.scene.light.reflection != "planar":
+        if self.scene.light.reflection != "planar":
+            return seen
+        to_land = np.full(r.shape[0], np.inf)
+        if self.coast is not None:
+            ashore = self._mirrored_land(self.coast, place, r, to_land)
+            seen[np.isfinite(to_land)] = ashore
+        if self.fleet is None:
             return seen
         hit = self.fleet.trace(place, r)
-        met = np.flatnonzero(np.isfinite(hit.t))
+        met = np.flatnonzero(np.isfinite(hit.t) & (hit.t < to_land))
         if met.size:
             own = fleets.Hit(hit.t[met], hit.normal[met], hit.place[met], hit.part[met], hit.boat[met])
             found = self.fleet.light(self.air, place[met], r[met], own)
             seen[met] = light.haze(self.air, self.scene.light.visibility, found, r[met], own.t)
         return seen
+
+    def _mirrored_land(self, coast: Coast, place: Floats, r: Floats, way: Floats) -> Floats:
+        """Radiance (n, 3) of the land that rays r (r, 3) meet from places (r, 3); sets its ``way`` (r,), m."""
+        low, high = coast.within(r, place[:, 0], place[:, 2])
+        inside = np.flatnonzero(low < high)
+        start = place[inside] + low[inside, None] * r[inside]
+        found = low[inside] + coast.crossing(start[:, 0], start[:, 1], start[:, 2], r[inside], FARTHEST)
+        at = place[inside] + found[:, None] * r[inside]
+        ground = coast.ground(*coast.place(at[:, 0], at[:, 2]))[0]
+        met = (found < high[inside]) & (ground > 0.0)
+        way[inside[met]] = found[met]
+        return self._land_light(coast, at[met], r[inside[met]], found[met])
+
+    def _land_light(self, coast: Coast, at: Floats, d: Floats, far: Floats) -> Floats:
+        """Radiance (n, 3) of land at places (n, 3) toward −d, ``far`` metres away, in the air."""
+        assert self.air is not None
+        assert self.scene.light is not None
+        q_x, q_z = coast.place(at[:, 0], at[:, 2])
+        ground, g_x, g_z, _ = coast.ground(q_x, q_z)
+        wide = np.column_stack((AROUND_BLUR * far, np.zeros(far.size)))
+        albedo = coast.albedo(q_x, q_z, wide, wide)
+        seen = light.land(self.air, albedo, coast.wet(ground), d, unit(surface.normal(g_x, g_z)))
+        return light.haze(self.air, self.scene.light.visibility, seen, d, far)
 
     def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Floats:
         """Colour (r, 3) where rays D meet land, ``distance`` metres away."""
@@ -410,12 +439,7 @@ class _Shader:
         colour[~met] = air.mirrored(r[~met])
         if met.any():
             d, far = r[met], distance[met]
-            q_x, q_z = coast.place(d[:, 0] * far, d[:, 2] * far)
-            ground, g_x, g_z, _ = coast.ground(q_x, q_z)
-            wide = np.column_stack((AROUND_BLUR * far, np.zeros(far.size)))
-            albedo = coast.albedo(q_x, q_z, wide, wide)
-            seen = light.land(air, albedo, coast.wet(ground), d, unit(surface.normal(g_x, g_z)))
-            colour[met] = light.haze(air, self.scene.light.visibility, seen, d, far)
+            colour[met] = self._land_light(coast, far[:, None] * d, d, far)
         return colour
 
     @property

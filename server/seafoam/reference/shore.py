@@ -44,6 +44,8 @@ GRAIN_OCTAVES = 5
 GRAIN_STEP = 0.31
 FILM_ROUGHNESS2 = 0.02
 FALL_LEAST = 0.25
+REFRACTION_STEPS = 16
+SAFE_STEPS = 20000
 WEED = np.array([0.08, 0.085, 0.05])
 
 
@@ -285,12 +287,12 @@ class Coast:
         """Metres from the middle of the square."""
         return x + self.offset[0], z + self.offset[1]
 
-    def within(self, d: Floats) -> tuple[Floats, Floats]:
-        """Where unit rays d (r, 3) enter and leave the square, m; (r,) each, out of order where they miss it."""
+    def within(self, d: Floats, x: Floats | float = 0.0, z: Floats | float = 0.0) -> tuple[Floats, Floats]:
+        """Where unit rays d (r, 3) from (x, z) enter and leave the square, m; (r,), out of order where they miss it."""
         low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
-        for axis, offset in zip((0, 2), self.offset, strict=True):
+        for axis, offset, start in zip((0, 2), self.offset, (x, z), strict=True):
             way = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
-            ends = np.sort(np.stack([(side * self.shore.size - offset) / way for side in (-0.5, 0.5)]), axis=0)
+            ends = np.sort(np.stack([(side * self.shore.size - offset - start) / way for side in (-0.5, 0.5)]), axis=0)
             low, high = np.maximum(low, ends[0]), np.minimum(high, ends[1])
         return low, high
 
@@ -361,6 +363,40 @@ class Coast:
         here, along_x, along_z = self.floor.all(q_x, q_z)
         return here[:, 0], along_x[:, 0], along_z[:, 0], here[:, 1]
 
+    def crossing(self, x: Floats, y: Floats, z: Floats, d: Floats, farthest: float) -> Floats:
+        """Way along rays d (r, 3) from (x, y, z) to the ground, m; (r,), ``farthest`` where they meet none.
+
+        By steps that cannot pass it, until they are a billionth of the way.
+        """
+        way = np.zeros_like(x)
+        result = np.full_like(x, farthest)
+        left = np.arange(x.size)
+        closing = np.maximum(self.steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
+        for _ in range(SAFE_STEPS):
+            s, ray = way[left], d[left]
+            here = self.ground(*self.place(x[left] + s * ray[:, 0], z[left] + s * ray[:, 2]))[0]
+            gap = y[left] + s * ray[:, 1] - here
+            met = gap <= 1e-9 * (1.0 + s)
+            result[left[met]] = s[met]
+            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.highest))
+            way[left] = s + gap / closing[left]
+            left = left[~met & ~gone]
+            if left.size == 0:
+                return result
+        result[left] = way[left]
+        return np.minimum(result, farthest)
+
+    @cached_property
+    def highest(self) -> float:
+        """Of the ground, m."""
+        return float(self.floor.texels[..., 0].max())
+
+    @cached_property
+    def steepest(self) -> float:
+        """Slope of the ground at most."""
+        heights, step = self.floor.texels[..., 0], self.floor.size / self.floor.texels.shape[0]
+        return 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
+
     def bed(
         self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, foot_x: Floats, foot_y: Floats
     ) -> tuple[Floats, Floats]:
@@ -375,7 +411,7 @@ class Coast:
         fall = np.maximum(-r[:, 1], FALL_LEAST)
         at_x, at_z = q_x, q_z
         under = np.maximum(H - self.floor.value(q_x, q_z)[:, 0], 0.0)
-        for _ in range(4):
+        for _ in range(REFRACTION_STEPS):
             at_x, at_z = q_x + r[:, 0] * under / fall, q_z + r[:, 2] * under / fall
             under = np.maximum(H - self.floor.value(at_x, at_z)[:, 0], 0.0)
         return under * (1.0 + 1.0 / fall), self.albedo(at_x, at_z, foot_x, foot_y)

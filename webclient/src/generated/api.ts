@@ -2176,6 +2176,13 @@ export interface components {
              */
             cube_size: 32 | 64 | 128 | 256 | 512 | 1024;
             /**
+             * Refraction Steps
+             * @description Steps after which the refracted ray is taken to meet a shore's floor
+             * @default 4
+             * @enum {integer}
+             */
+            refraction_steps: 1 | 2 | 4 | 8;
+            /**
              * Drift
              * @description Drifting foam from a map that each texel finds by going back along the flow, from a map that points are moved over (gaps, piles and sticking: for comparison), or gone back for at each sample
              * @default backward
