@@ -144,6 +144,8 @@ def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
     for light in (Light(), Light(sun_elevation=-0.3), None):
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, chop=Chop()), light=light)
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)
+    for sky in (None, Sky(clouds=Clouds())):
+        yield Scene(shore=shore, light=Light(reflection="planar", sky=sky))
     fleet = (Boat(), Boat(kind="motor", centre=(20.0, -40.0)))
     wake = Foam(saturation=(WakeSaturation(),))
     mirror = Light(reflection="planar")

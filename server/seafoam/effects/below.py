@@ -21,6 +21,7 @@ from seafoam.scene.models import (
     Scene,
     Water,
 )
+from seafoam.scene.shore import Shore
 
 WATER = "below/water.glsl"
 """The water between an eye under the surface and what it sees."""
@@ -42,6 +43,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
+_BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
 _POOL = Water(depth=2.0, floor_tile=0.3, chop=Chop(slope=0.08))
 
 
@@ -53,8 +55,9 @@ def _case(
     water: Water = _POOL,
     waves: tuple[ParametricWave, ...] = (),
     foam: Foam | None = None,
+    shore: Shore | None = None,
 ) -> HardCase:
-    scene = Scene(waves=waves, water=water, light=Light(exposure=-1.5), foam=foam)
+    scene = Scene(waves=waves, water=water, light=Light(exposure=-1.5), foam=foam, shore=shore)
     return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera)
 
 
@@ -71,7 +74,7 @@ EFFECT = Effect(
         ),
         _case(
             "straight up, where light and sight fade alike",
-            "1 + fall held at 1e-3 (below/main.glsl)",
+            "1 + fall held at 1e-3 (below/water.glsl)",
             "0/0 in 0.2 % of samples, 65504 after the frame's cap; where 1 + fall is rounding, off by up to 236 levels",
             Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
             water=_POOL.model_copy(update={"chop": None}),
@@ -84,7 +87,7 @@ EFFECT = Effect(
         ),
         _case(
             "an eye under the floor",
-            "the way to the floor held at 0 (below/main.glsl)",
+            "the way to the floor held at 0 (bed/reach.glsl)",
             "light grows along ways of negative length: 65504 after the frame's cap, 80 levels off in the mean",
             Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
         ),
@@ -98,10 +101,26 @@ EFFECT = Effect(
         ),
         _case(
             "no floor to mirror, a kilometre down",
-            "ways held at 1000 km, depths at 0 (below/main.glsl, bed/none.glsl)",
+            "ways held at 1000 km, depths at 0 (bed/no_reach.glsl, below/water.glsl)",
             "nothing: light is 3e-9 there, and 1e38 m of water let none of it through",
             Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
             water=Water(chop=Chop()),
+        ),
+        _case(
+            "straight up from before a beach",
+            "rays close in on the floor by at least 1e-6 (shore/reach.glsl)",
+            "28 levels off in the mean, 70 % of samples by more than 2: steps away from it, and a floor overhead",
+            Camera(position=(-42.0, -1.2, 9.0), pitch=math.pi / 2),
+            water=Water(scattering=0.01),
+            shore=_BEACH,
+        ),
+        _case(
+            "along the slope of a beach, a hand over it",
+            "Newton only where the ray falls toward the floor (shore/reach.glsl)",
+            "11 levels off in the mean, 50 % of samples by more than 2: steps back behind the eye",
+            Camera(position=(-60.0, -5.9, 9.0), yaw=1.4, pitch=0.09),
+            water=Water(scattering=0.01),
+            shore=_BEACH,
         ),
     ),
 )
