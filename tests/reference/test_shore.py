@@ -20,7 +20,7 @@ from scipy import ndimage
 from report import Report
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Shader
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, Quality
 from seafoam.reference import shore as truth
 from seafoam.reference.light import unit
 from seafoam.reference.relief import Relief
@@ -63,7 +63,9 @@ def patched(plan: FramePlan, main: str) -> FramePlan:
     return plan.model_copy(update={"programs": programs, "passes": kept})
 
 
-def probe(executor: Executor, scene: Scene, body: str, time: float = 0.0) -> NDArray[np.float64]:
+def probe(
+    executor: Executor, scene: Scene, body: str, time: float = 0.0, quality: Quality = EXACT
+) -> NDArray[np.float64]:
     """(10,000, 4): what ``body`` (reads ``vec2 p``, m from the eye; sets o_color) gives all over the square."""
     assert scene.shore is not None
     main = f"""
@@ -73,7 +75,7 @@ void main() {{
     {body}
 }}
 """
-    plan = patched(make_plan(scene, EXACT), main)
+    plan = patched(make_plan(scene, quality), main)
     camera = scene.camera
     pixels = executor.render(plan, time=time, camera=camera, width=SIDE, height=SIDE, output="samples").pixels
     return pixels.reshape(-1, 4).astype(np.float64)
@@ -254,22 +256,26 @@ def test_ground_and_the_way_through_the_water(executor: Executor, report: Report
     d = unit(np.stack((z, np.full_like(x, -40.0), x), axis=-1))
     n = np.broadcast_to(unit(np.array([[0.1, 1.0, -0.05]])), d.shape)
     way, albedo = sea.bed(x, z, np.full_like(x, 0.3), d, n, feet, feet)
-    got = probe(executor, SEA, look + "o_color = vec4(floor_path(shore_place(p), 0.3, d, n, there), there, 0.0);")
+    body = look + "o_color = vec4(floor_path(shore_place(p), 0.3, d, n, there), there, 0.0);"
+    paths = {}
+    for steps in (1, 2, 4, 8):
+        quality = EXACT.model_copy(update={"refraction_steps": steps})
+        paths[steps] = np.abs(probe(executor, SEA, body, quality=quality)[:, 0] - way)
     fp = "Footprint(vec2(0.02), vec2(0.02))"
     body = look + "floor_path(shore_place(p), 0.3, d, n, there);"
     colour = probe(
         executor, SEA, body + f"o_color = vec4(ground_albedo(shore_floor(there), shore_grain(there, {fp})), 0.0);"
     )
-    path = np.abs(got[:, 0] - way)
     tint = np.abs(colour[:, :3] - albedo).max(axis=1)
     report.add(
         "Way of the light and colour of the floor against float64",
-        path=f"{path.max():.1e} m",
+        **{f"{steps} steps": f"{path.max():.1e} m" for steps, path in paths.items()},
         albedo=f"{tint.max():.1e}",
     )
     assert way.max() > 15.0
-    assert path.max() <= 1e-2
-    assert np.quantile(path, 0.99) <= 1e-3
+    assert all(paths[2 * steps].mean() < 0.6 * paths[steps].mean() for steps in (1, 2, 4))
+    assert paths[8].max() <= 0.1
+    assert np.quantile(paths[8], 0.99) <= 1e-3
     assert np.quantile(tint, 0.99) <= 1e-3
 
 
