@@ -174,10 +174,20 @@ def every_plan() -> Iterator[FramePlan]:
         yield make_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"], economy=False)
 
 
+def _files(program: Program) -> set[str]:
+    return {file.path for file in program.fragment.files}
+
+
 def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:
-    """Each distinct program once, with a plan that asks for it."""
+    """Each distinct program once, with a plan that asks for it.
+
+    A program that stands whole in that for low eyes of the same plan is not compiled by itself as well.
+    """
     found: dict[tuple[str, str], tuple[FramePlan, str, Program]] = {}
     for plan in every_plan():
         for name, program in plan.programs.items():
+            low = plan.programs.get(f"{name}, low eye")
+            if low is not None and _files(program) <= _files(low):
+                continue
             found.setdefault((program.vertex.sha256, program.fragment.sha256), (plan, name, program))
     return found
