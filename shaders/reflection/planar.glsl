@@ -18,9 +18,10 @@ vec4 mirror_read(vec2 clip, inout float way) {
         vec4 texel = inside ? texelFetch(u_mirror, corner, 0) : vec4(0.0);
         float share = w.x * w.y * (texel.a > 0.0 ? 1.0 : 0.0);
         sum += share * vec4(texel.rgb, 1.0);
-        near = max(near, texel.a);
+        near += share * texel.a;
     }
-    way = near > 0.0 ? 1.0 / near : way;
+    // Mixed as the light is: it jumps neither where the four texels change nor where what they hold ends.
+    way = near > 0.0 ? mix(way, sum.a / near, sum.a) : way;
     return sum;
 }
 

@@ -32,6 +32,10 @@ WOUND = {"mean": 0.6, "share_over_2": 0.04}
 FOCUSED = {"mean": 0.6, "share_over_2": 0.02}
 """Of caustics: SwiftShader places corners to 1/16 of a texel, and where light is focused triangles are as thin."""
 
+WATERLINE = 1e-4
+"""Share of pixels on the same renderer: where a hull or its mirror image cuts the water, the last bit of a ray decides which it
+meets, and ANGLE hands the driver another order of the same sums."""
+
 
 def drawn(page: Page, preset: str, time: float, **options: Any) -> tuple[NDArray[np.uint8], dict[str, Any]]:
     """A preset's frame by the page, (height, width, 4), and what else the page tells."""
@@ -77,7 +81,8 @@ def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset
         worst=str(difference.max()),
     )
     assert equal >= 0.9999
-    assert difference.max() <= 1
+    edges = WATERLINE if load_preset(preset).scene.boats else 0.0
+    assert float((difference > 1).mean()) <= edges
 
 
 @pytest.mark.parametrize("preset", ["default", "paper-halftone"])
