@@ -33,8 +33,8 @@ FOCUSED = {"mean": 0.6, "share_over_2": 0.02}
 """Of caustics: SwiftShader places corners to 1/16 of a texel, and where light is focused triangles are as thin."""
 
 WATERLINE = 1e-4
-"""Share of pixels on the same renderer: where a hull or its mirror image cuts the water, the last bit of a ray decides which it
-meets, and ANGLE hands the driver another order of the same sums."""
+"""Share of pixels on the same renderer: where a hull or its mirror image cuts the water, the last bit of a ray decides
+which it meets, and ANGLE hands the driver another order of the same sums."""
 
 
 def drawn(page: Page, preset: str, time: float, **options: Any) -> tuple[NDArray[np.uint8], dict[str, Any]]:
