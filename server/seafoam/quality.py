@@ -102,7 +102,9 @@ class Quality(Knobs):
         default=8192, description="Drops of the spray; fewer are larger, and cover as much"
     )
     caustics: Literal["grid", "photons"] = Field(
-        default="grid", description="Caustics from a refracted grid's cells, or from photons counted where they land"
+        default="grid",
+        description="Caustics from a refracted grid's cells (photons where deep water spreads them far), or from "
+        "photons counted where they land",
     )
     caustics_size: Literal[128, 256, 512, 1024] = Field(
         default=512, description="Texels along a side of the caustic map"

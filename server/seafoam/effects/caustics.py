@@ -37,6 +37,8 @@ COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
 """Index of water for red, green and blue, less that for green (Daimon and Masumura 2007: 650, 550 and 450 nm)."""
 RIM = 4
 """Texels around the map that a photon on its edge, or the smoothing there, can reach."""
+MOST_SPREAD = 4.0
+"""Where light spreads farther, the grid's triangles cover the map many times over; photons cost alike at any depth."""
 _LEVEL = 0.25
 """No ray falls by less: its cosine to the vertical."""
 _TALLEST = 4.0
@@ -70,6 +72,12 @@ def _margin(light: Light, depth: float, chop: Chop, tile: float, cells: int) -> 
     return min(math.ceil(1.05 * reach / tile * cells) + 2, cells)
 
 
+def _spread(depth: float, waves: list[Ripple]) -> float:
+    """How many times as wide as on the surface a bundle of light is on the floor, root mean square; without focus 1."""
+    bend = math.sqrt(sum((wave.slope * wave.k) ** 2 for wave in waves) / 2.0)
+    return 0.25 * depth * bend
+
+
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by ``light.caustics`` on ripples over a level floor."""
     light, water = scene.light, scene.water
@@ -79,7 +87,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     depth = water.depth + mean_level(scene)
     waves = [wave for cascade in ripples(water.chop, True) for wave in cascade]
     flat = landing(light, depth, (0.0, 0.0))
-    photons = quality.caustics == "photons"
+    photons = quality.caustics == "photons" or _spread(depth, waves) > MOST_SPREAD
     rays = quality.caustics_photons if photons else quality.caustics_cells
     texels = quality.caustics_size
     consts: dict[str, Const] = {

@@ -2224,7 +2224,7 @@ export interface components {
             spray_count: 2048 | 4096 | 8192 | 16384;
             /**
              * Caustics
-             * @description Caustics from a refracted grid's cells, or from photons counted where they land
+             * @description Caustics from a refracted grid's cells (photons where deep water spreads them far), or from photons counted where they land
              * @default grid
              * @enum {string}
              */
