@@ -80,7 +80,7 @@ class Quality(Knobs):
     cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
         default=256, description="Texels along a side of a face of the cube map"
     )
-    refraction_steps: Literal[1, 2, 4, 8] = Field(
+    refraction_steps: Literal[1, 2, 4, 8, 16] = Field(
         default=4, description="Steps after which the refracted ray is taken to meet a shore's floor"
     )
     drift: Literal["backward", "forward", "exact"] = Field(
@@ -181,7 +181,7 @@ TIERS: dict[Tier, Quality] = {
         shore_profile=256,
         cube="exact",
         cube_size=512,
-        refraction_steps=8,
+        refraction_steps=16,
         drift="exact",
         drift_step=0.2,
         spray_count=16384,

@@ -2181,7 +2181,7 @@ export interface components {
              * @default 4
              * @enum {integer}
              */
-            refraction_steps: 1 | 2 | 4 | 8;
+            refraction_steps: 1 | 2 | 4 | 8 | 16;
             /**
              * Drift
              * @description Drifting foam from a map that each texel finds by going back along the flow, from a map that points are moved over (gaps, piles and sticking: for comparison), or gone back for at each sample
