@@ -1,4 +1,4 @@
-// A level floor, lit through the water by sun and sky. docs/formulae.md, section 11.
+// A floor, lit through the water by sun and sky. docs/formulae.md, section 11.
 uniform float u_bed_sun; // cosine of the sun's ray in the water to the vertical
 
 // Radiance of the floor at a place (m from the eye), `down` metres under the surface.

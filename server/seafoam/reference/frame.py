@@ -204,8 +204,8 @@ class _Shader:
         self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin, repeats)
         self.bed = bed_of(scene, self.air, time, self.origin)
         at_eye = float(self.relief.height(np.zeros(1), np.zeros(1))[0])
-        self.under = scene.water.view_below and self.eye_y < at_eye
         self.covered = self.eye_y < at_eye
+        self.under = scene.water.view_below and self.covered
         self.below = under_of(scene, self.air, time, self.origin, self.coast) if self.under else None
         sources = () if scene.foam is None else scene.foam.saturation
         self.fronts: dict[str, WaveSet] = {
