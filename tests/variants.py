@@ -53,7 +53,7 @@ def qualities() -> Iterator[Quality]:
         surface = standard.surface.model_copy(update={"method": method, "filter": filtered})
         yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
     yield standard.model_copy(update={"cube": "exact", "cloud_octaves": 2})
-    for mask, taps in product(("u8", "half"), (1, 4)):
+    for mask, taps in product(("u8", "half"), (4, 16)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
     for wake, reflection, rays in (("map", "traced", 4), ("exact", "map", 1)):
         yield standard.model_copy(update={"wake": wake, "reflection": reflection, "boat_samples": rays})

@@ -45,9 +45,9 @@ class Quality(Knobs):
     surface: SurfaceQuality = SurfaceQuality()
     waves: int = Field(default=16, ge=1, le=16, description="Waves kept, the steepest first")
     mask: Literal["u8", "half", "u16"] = Field(default="u16", description="Format of the mask's thresholds")
-    foam_taps: Literal[1, 4] = Field(
-        default=1,
-        description="Parts of a footprint that the filtered look averages, each with its own mask",
+    foam_taps: Literal[4, 16] = Field(
+        default=16,
+        description="Texels of the mask that the filtered look averages where it is minified: 2 by 2 or 4 by 4",
     )
     chop: Literal["tile", "exact"] = Field(
         default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
@@ -134,6 +134,7 @@ class Quality(Knobs):
 TIERS: dict[Tier, Quality] = {
     "draft": Quality(
         surface=SurfaceQuality(method="mesh", cells=112, refine=2),
+        foam_taps=4,
         chop_size=128,
         rings_size=512,
         sea_size=128,

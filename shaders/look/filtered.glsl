@@ -1,15 +1,16 @@
-// The area-correct threshold: share of the footprint where s exceeds the mask, from the mask's distribution when small, from
-// a smooth edge on its B-spline when magnified. docs/formulae.md, section 5. s in [0, 1]; exact at 0 and 1.
-uniform sampler2D u_mask_quantiles;
+// The area-correct threshold: share of the footprint where s exceeds the mask's B-spline, from a smooth edge on it when magnified,
+// from texels that hold where their thresholds lie when small. docs/formulae.md, section 5. s in [0, 1]; exact at 0 and 1.
+uniform sampler2D u_mask_quantiles; // row 0: of the B-spline; row 1 + level: of a level's texels
+uniform sampler2D u_mask_spans;    // a texel's thresholds lie evenly from .r on, over a width of 1 / .g
 uniform float u_foam_fade;         // width of the ramp, in thresholds
 uniform float u_foam_texture_share;
 
-// Table entries crowd toward s = 0 and 1, where the quantiles bend most.
-float quantile(float s) {
+// Where to threshold so that a share s is covered. Table entries crowd toward s = 0 and 1, where the quantiles bend most.
+float quantile(float s, int row) {
     float held = clamp(s, 0.0, 1.0);
     float x = (held <= 0.5 ? sqrt(0.5 * held) : 1.0 - sqrt(0.5 - 0.5 * held)) * float(QUANTILES - 1);
     int i = min(int(x), QUANTILES - 2);
-    return mix(texelFetch(u_mask_quantiles, ivec2(i, 0), 0).r, texelFetch(u_mask_quantiles, ivec2(i + 1, 0), 0).r, x - float(i));
+    return mix(texelFetch(u_mask_quantiles, ivec2(i, row), 0).r, texelFetch(u_mask_quantiles, ivec2(i + 1, row), 0).r, x - float(i));
 }
 
 vec4 spline_weights(float t) {
@@ -63,45 +64,75 @@ float ramp_integral(float x) {
     return rising * rising / max(2.0 * u_foam_fade, 1e-30) + max(x - u_foam_fade, 0.0);
 }
 
-float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
-    float texels = float(MASK_SIZE) * sqrt(max(dot(uv_x, uv_x), dot(uv_y, uv_y)));
-    float level = log2(max(texels, 1e-9));
-    float far = smoothstep(-1.0, 0.0, level);
-    vec2 moments = mask_moments(uv, max(level, 0.0));
-    float deviation = sqrt(max(moments.y - moments.x * moments.x, 0.0));
-    float threshold = moments.x;
-    float saturation_here = s;
-    float edge = 0.0;
-    if (far < 1.0) {
-        vec2 spline = mask_spline(uv, uv_x, uv_y);
-        edge = spline.y * (1.0 - far);
-        threshold = mix(spline.x, threshold, far);
-        saturation_here = mix(quantile(s), s, far);
+// Mean of the ramp over thresholds that lie evenly from low on, over a width of 1 / slope.
+float ramp_mean(float threshold, float low, float slope) {
+    if (!FOAM_FADES) {
+        return clamp((threshold - low) * slope, 0.0, 1.0);
     }
-    float arm = max(max(1.73205080756888 * deviation * far, edge), 5e-4);
-    float above = saturation_here - threshold;
-    float covered = (ramp_integral(above + arm) - ramp_integral(above - arm)) / (2.0 * arm);
+    return (ramp_integral(threshold - low) - ramp_integral(threshold - low - 1.0 / slope)) * slope;
+}
+
+// Shares of the texels about -1, 0, 1 and 2 of a box `width` texels wide about t; of two texels the middle ones.
+vec4 box_shares(float t, float width) {
+    vec4 edge = vec4(-1.5, -0.5, 0.5, 1.5);
+    vec4 share = clamp(t + 0.5 * width - edge, 0.0, 1.0) - clamp(t - 0.5 * width - edge, 0.0, 1.0);
+    return FOAM_SIDE == 4 ? share / width : vec4(0.0, share.yz / (share.y + share.z), 0.0);
+}
+
+// From FOAM_SIDE by FOAM_SIDE texels of a level. size: sides of the footprint, texels of level 0.
+float level_coverage(float s, vec2 uv, vec2 size, float level) {
+    int texels = MASK_SIZE >> int(level);
+    vec2 at = fract(uv) * float(texels) - 0.5;
+    vec2 base = floor(at);
+    vec2 width = clamp(size * exp2(-level), 1e-2, 0.75 * float(FOAM_SIDE));
+    vec4 across = box_shares(at.x - base.x, width.x);
+    vec4 down = box_shares(at.y - base.y, width.y);
+    float threshold = quantile(s, 1 + int(level));
+    float sum = 0.0;
+    for (int j = 2 - FOAM_SIDE / 2; j < 2 + FOAM_SIDE / 2; ++j) {
+        for (int i = 2 - FOAM_SIDE / 2; i < 2 + FOAM_SIDE / 2; ++i) {
+            vec2 span = texelFetch(u_mask_spans, (ivec2(base) + ivec2(i - 1, j - 1)) & (texels - 1), int(level)).rg;
+            sum += across[i] * down[j] * ramp_mean(threshold, span.x, span.y);
+        }
+    }
+    return sum;
+}
+
+// From the finest level whose texels hold the footprint, led over to the next where they hardly do.
+float minified_coverage(float s, vec2 uv, vec2 size) {
+    float place = clamp(log2(max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)))), 0.0, float(MASK_LEVELS - 1));
+    float level = floor(place);
+    float next = smoothstep(0.8, 1.0, place - level);
+    int levels = next > 0.0 ? 2 : 1;
+    float covered = 0.0;
+    for (int i = 0; i < levels; ++i) {
+        covered += (i == 0 ? 1.0 - next : next) * level_coverage(s, uv, size, level + float(i));
+    }
+    return covered;
+}
+
+float magnified_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
+    vec2 spline = mask_spline(uv, uv_x, uv_y);
+    float arm = max(spline.y, 5e-4);
+    return ramp_mean(quantile(s, 0), spline.x - arm, 0.5 / arm);
+}
+
+float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
+    // The sides of the box that has the footprint's variance along the mask's axes.
+    vec2 size = float(MASK_SIZE) * sqrt(uv_x * uv_x + uv_y * uv_y);
+    float far = smoothstep(1.0, 1.5, max(size.x, size.y));
+    float covered = minified_coverage(s, uv, size);
+    if (far < 1.0) {
+        covered = mix(magnified_coverage(s, uv, uv_x, uv_y), covered, far);
+    }
     covered *= smoothstep(0.0, 1.0 / 256.0, s);
     float share = FOAM_FADES ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
     // The quotient's rounding passes 1, and foam over glitter would turn negative.
     return clamp(share, 0.0, 1.0);
 }
 
-// The footprint whole, or its four quarters, each with its own part of the mask.
-float mean_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
-    if (FOAM_TAPS == 1) {
-        return filtered_coverage(s, uv, uv_x, uv_y);
-    }
-    float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        vec2 quarter = vec2(float(i & 1), float(i >> 1)) * 0.5 - 0.25;
-        sum += filtered_coverage(s, uv + quarter.x * uv_x + quarter.y * uv_y, 0.5 * uv_x, 0.5 * uv_y);
-    }
-    return 0.25 * sum;
-}
-
 float foam_amount(float f, vec2 p, Footprint fp) {
     float s = clamp(f, 0.0, 1.0);
-    float covered = mean_coverage(s, mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
+    float covered = filtered_coverage(s, mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
     return FOAM_TEXTURED ? covered * mix(1.0, foam_texture(p, fp), u_foam_texture_share) : covered;
 }

@@ -121,26 +121,21 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam.look == "filtered":
         if not textured:
             needs += ("foam/no_texture.glsl",)
-        precise = quality.target == "RGBA32F"
-        kind = "float" if precise else "half"
-        needs += (f"foam/moments_{kind}.glsl",)
+        kind = "float" if quality.target == "RGBA32F" else "half"
         consts |= {
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,
             "FOAM_TEXTURED": textured,
-            "FOAM_TAPS": quality.foam_taps,
+            "FOAM_SIDE": math.isqrt(quality.foam_taps),
+            "MASK_LEVELS": mask.ranks.shape[0].bit_length(),
         }
-        if precise:
-            consts["MASK_LEVELS"] = mask.ranks.shape[0].bit_length()
         uniforms["u_foam_fade"] = number(foam.fade)
         uniforms["u_foam_texture_share"] = number(foam.texture)
         inputs |= {
-            "u_mask_moments": TextureInput(texture="mask_moments"),
+            "u_mask_spans": TextureInput(texture="mask_spans"),
             "u_mask_quantiles": TextureInput(texture="mask_quantiles"),
         }
-        textures["mask_moments"] = TextureUse(
-            f"mask/{foam.mask}/moments-{kind}", filter="nearest" if precise else "linear_mipmap_linear"
-        )
+        textures["mask_spans"] = TextureUse(f"mask/{foam.mask}/spans-{kind}")
         textures["mask_quantiles"] = TextureUse(f"mask/{foam.mask}/quantiles", wrap="clamp_to_edge")
     look = f"look/{foam.look}.glsl"
     if masked and foam.cells:
@@ -213,7 +208,7 @@ EFFECT = Effect(
     ),
     knobs=(
         Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
-        Knob("/foam_taps", "parts of a footprint that foam averages", (1, 4), "filtering"),
+        Knob("/foam_taps", "texels of the mask that a small footprint averages", (4, 16), "filtering"),
     ),
     hard_cases=(
         HardCase(

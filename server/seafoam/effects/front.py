@@ -16,9 +16,11 @@ from seafoam.effects.contribution import (
     Uniform,
     array,
     number,
+    significant,
     vector,
 )
 from seafoam.effects.extremes import front_limit, waves_top
+from seafoam.effects.parametric import profile_means
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
 from seafoam.scene.models import (
@@ -79,11 +81,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             uniforms=uniforms,
             bound=bound,
         )
+    uniforms["u_front_relief"] = number(significant(_relief(scene, turn / (2.0 * math.pi))))
     return Contribution(
         why=f"{why}, averaged over footprints",
         slots=(SlotFile("saturation", "saturation/front_filtered.glsl", prefix="front", needs=needs),),
         consts={
             **consts,
+            "FRONT_CREST": 2.0 * delta - math.pi / 2.0,
             "FRONT_NODES": FRONT_NODES,
             "FRONT_FULL": front_full(front.intensity, log_base),
             "FRONT_FADING": front_fading(front.intensity, log_base),
@@ -93,6 +97,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},
         bound=bound,
     )
+
+
+def _relief(scene: Scene, spatial: float) -> float:
+    """Slope amplitude of the sinusoid whose mean square slope is that of all waves together, wavenumbers scaled."""
+    total = 0.0
+    for wave in scene.waves:
+        square, _ = profile_means(wave.exponent)
+        total += (spatial * math.hypot(*wavevector(wave, scene.water.depth)) * wave.amplitude) ** 2 * square
+    return math.sqrt(2.0 * total)
 
 
 EFFECT = Effect(

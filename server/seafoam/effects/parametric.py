@@ -49,7 +49,7 @@ def steepest_profile(exponent: float) -> float:
     return exponent * math.pow(u, exponent - 0.5) * math.sqrt(1.0 - u)
 
 
-def _means(exponent: float) -> tuple[float, float]:
+def profile_means(exponent: float) -> tuple[float, float]:
     """Means of (d(u^K)/dθ)² and of u^K over a period, by the midpoint rule, spectrally exact for a smooth wave."""
     count = 256
     angles = [(i + 0.5) * math.pi / (2 * count) for i in range(count)]
@@ -80,7 +80,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         k = math.hypot(kx, kz)
         data.append(Constant(value=(kx, kz, wave.amplitude, wave.exponent)))
         phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
-        square, level = _means(wave.exponent)
+        square, level = profile_means(wave.exponent)
         means.append(
             Constant(value=(significant((k * wave.amplitude) ** 2 * square), significant(wave.amplitude * level)))
         )

@@ -11,6 +11,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+import numpy as np
+
 from seafoam.resources import data_dir
 
 from . import prefilter
@@ -162,12 +164,19 @@ class Mask:
         return values
 
     @cached_property
-    def moments(self) -> tuple[prefilter.Moments, ...]:
-        """Mip chain of (u, u^2), see :func:`prefilter.moments`; read-only."""
-        chain = prefilter.moments(self.ranks)
+    def spans(self) -> tuple[prefilter.Moments, ...]:
+        """Mip chain of (low, 1/width), see :func:`prefilter.spans`; read-only."""
+        chain = prefilter.spans(self.ranks, self.quantile)
         for level in chain:
             level.setflags(write=False)
         return tuple(chain)
+
+    @cached_property
+    def quantiles(self) -> Field:
+        """Quantile tables, 65 entries a row: of the magnified mask, then of each level of :attr:`spans`; read-only."""
+        rows = np.vstack((np.asarray(self.quantile)[None], prefilter.span_quantiles(self.spans)))
+        rows.setflags(write=False)
+        return rows
 
     def sidecar(self) -> dict[str, object]:
         """The description that accompanies a download, as plain JSON values."""

@@ -7,6 +7,8 @@ function of the interpolated mask: the quantile table.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -17,6 +19,10 @@ Moments = NDArray[np.float32]
 QUANTILE_ENTRIES = 65
 SUBTEXELS = 8
 """Sample positions a texel and axis at which the interpolated mask's distribution is taken."""
+SPAN_SUBTEXELS = 4
+"""The same for the spread of thresholds in a texel: 16 samples, since only their mean and deviation count."""
+LEAST_SPAN = 1.0 / 256.0
+"""Narrowest spread of thresholds in a texel: half floats hold its ends to an eighth of it, or better."""
 END_MARGIN = 1.0 / 64.0
 """The interpolated mask lies within this of its sampled extremes: its second derivatives are at most 2, and at an
 extreme, where the gradient is zero, a sample is at most 1/16 texel away along each axis."""
@@ -128,3 +134,57 @@ def quantile_lookup(table: ArrayLike, s: ArrayLike) -> Field:
     """Q(s) by linear interpolation of a :func:`quantile_table`, as the shaders do it; of the shape of ``s``."""
     entries = np.asarray(table, np.float64)
     return np.interp(quantile_position(s), np.linspace(0.0, 1.0, entries.size), entries)
+
+
+def spans(ranks: Ranks, table: ArrayLike) -> list[Moments]:
+    """Mip chain of (low, 1/width): in a texel of level l thresholds lie evenly in [low, low + width], near enough.
+
+    The thresholds are those of the interpolated mask, each sent through the inverse of its quantile function
+    (``table``), so that they are below s on a share s of the plane, as the mask's own are, and magnified and minified
+    foam have one limit. Mean and deviation are the texel's; a spread that would leave 0..1 is narrowed about its mean
+    until it does not, so nothing is covered at s = 0 and all at s = 1. Level l is (size >> l, size >> l, 2) float32.
+    """
+    entries = np.asarray(table, np.float64)
+    places = np.interp(bspline_samples(ranks, SPAN_SUBTEXELS), entries, np.linspace(0.0, 1.0, entries.size))
+    even = quantile_saturation(places)
+    # Samples run from texel centre to texel centre, texels from edge to edge.
+    even = np.roll(even, SPAN_SUBTEXELS // 2, axis=(0, 1))
+    size = ranks.shape[0]
+    blocks = even.reshape(size, SPAN_SUBTEXELS, size, SPAN_SUBTEXELS)
+    level = np.stack((blocks.mean(axis=(1, 3)), (blocks * blocks).mean(axis=(1, 3))), axis=-1)
+    chain = []
+    while True:
+        mean = level[..., 0]
+        half = np.sqrt(3.0 * np.maximum(level[..., 1] - mean * mean, 0.0))
+        half = np.maximum(np.minimum(half, np.minimum(mean, 1.0 - mean)), 0.5 * LEAST_SPAN)
+        chain.append(np.stack((mean - half, 0.5 / half), axis=-1).astype(np.float32))
+        if level.shape[0] == 1:
+            return chain
+        side = level.shape[0] // 2
+        level = level.reshape(side, 2, side, 2, 2).mean(axis=(1, 3))
+
+
+def span_quantiles(chain: Sequence[Moments]) -> Field:
+    """For each level of :func:`spans` 65 values of Q at ``quantile_saturation(i / 64)``; (levels, 65) float64.
+
+    Texels whose thresholds lie evenly in their spans cover a share s of the plane together where each is thresholded
+    at Q(s). Thresholds in a texel are not quite even, so Q is not quite s: thresholded at s = 0.09 itself, small texels
+    of a fine mask would cover little more than half of that.
+    """
+    shares = quantile_saturation(np.arange(QUANTILE_ENTRIES) / (QUANTILE_ENTRIES - 1))
+    grid = quantile_saturation(np.linspace(0.0, 1.0, 16 * QUANTILE_ENTRIES))
+    rows = []
+    for level in chain:
+        low, slope = level[..., 0].astype(np.float64).ravel(), level[..., 1].astype(np.float64).ravel()
+        covered = np.zeros_like(grid)
+        # Each texel covers a ramp from its lowest threshold on, less the same ramp from its highest on.
+        for sign, ends in ((1.0, low), (-1.0, low + 1.0 / slope)):
+            order = np.argsort(ends, kind="stable")
+            passed = np.searchsorted(ends[order], grid)
+            slopes = np.concatenate(([0.0], np.cumsum(slope[order])))
+            offsets = np.concatenate(([0.0], np.cumsum((slope * ends)[order])))
+            covered += sign * (grid * slopes[passed] - offsets[passed])
+        row = np.interp(shares, np.maximum.accumulate(covered / low.size), grid)
+        row[0], row[-1] = 0.0, 1.0
+        rows.append(row)
+    return np.stack(rows)

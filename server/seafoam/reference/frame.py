@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.masks import custom_mask, load_mask
+from seafoam.masks import Mask, custom_mask, load_mask
 from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
@@ -23,7 +23,7 @@ from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
 from .sea import fold_saturation, sea_surface
 from .shore import Coast
-from .types import Bools, Floats, Ranks, dot, unit
+from .types import Bools, Floats, dot, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
 
 Mode = Literal["same-samples", "converged"]
@@ -45,20 +45,20 @@ class Assets:
 
     thresholds: Floats
     """m of the mask, (size, size), row v and column u."""
-    moments: list[Floats]
-    """Box-averaged chain of (m, m²)."""
-    quantile: Floats
-    """(65,) table of Q, see :func:`sampling.quantile`."""
+    spans: list[Floats]
+    """Chain of (low, 1/width): where the thresholds of a level's texels lie; level l is (size/2^l, size/2^l, 2)."""
+    quantiles: Floats
+    """Tables of Q, see :func:`sampling.quantile`, (1 + levels, 65): of the B-spline mask, then of each level."""
     texture: list[Floats]
     """Box-averaged chain of the foam texture t in [0, 1]."""
 
     @staticmethod
-    def of(ranks: Ranks, quantile: Floats, texture: Floats) -> Assets:
-        """From a mask's ranks (size, size), its quantile table (65,), and a foam texture (size, size) in [0, 1]."""
+    def of(mask: Mask, texture: Floats) -> Assets:
+        """From a mask and a foam texture (size, size) in [0, 1]."""
         return Assets(
-            thresholds=sampling.thresholds(ranks),
-            moments=sampling.moments(ranks),
-            quantile=np.asarray(quantile, np.float64),
+            thresholds=sampling.thresholds(mask.ranks),
+            spans=[level.astype(np.float64) for level in mask.spans],
+            quantiles=mask.quantiles,
             texture=sampling.box_chain(np.asarray(texture, np.float64)),
         )
 
@@ -73,7 +73,7 @@ class Assets:
             mask = custom_mask(family, float(sigma), int(size), int(seed))
         else:
             mask = load_mask(name)
-        return Assets.of(mask.ranks, np.array(mask.quantile), foam_texture())
+        return Assets.of(mask, foam_texture())
 
 
 @dataclass(frozen=True, eq=False)
@@ -508,6 +508,7 @@ class _Shader:
             H,
             cap=1.0 if filtered else CAP,
             footprints=(foot_x, foot_y) if filtered and self.filtering else None,
+            eye_height=self.eye_y,
             folds=[
                 fold_saturation(self.scene, source, self.sea, x, z)
                 for source in foam.saturation
@@ -594,16 +595,20 @@ class _Shader:
     ) -> Floats:
         if not self.filtering:
             b = sampling.bspline(assets.thresholds, u, v).value
-            return looks.converged_coverage(s, b, assets.quantile, foam.fade)
-        level = sampling.footprint_level(foot_u, foot_v, assets.thresholds.shape[0])
-        both = sampling.trilinear(assets.moments, u, v, level)
-        b, e = np.zeros_like(s), np.zeros_like(s)
-        near = np.flatnonzero(looks.magnification(level) > 0.0)
-        if near.size:
-            b[near], e[near] = looks.spline_over_footprint(
-                sampling.bspline(assets.thresholds, u[near], v[near]), foot_u[near], foot_v[near]
-            )
-        return looks.filtered_coverage(s, both[:, 0], both[:, 1], b, e, level, assets.quantile, foam.fade)
+            return looks.converged_coverage(s, b, assets.quantiles[0], foam.fade)
+        # The sides of the box that has the footprint's variance along the mask's axes.
+        size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]
+        minified, magnified = np.zeros_like(s), np.zeros_like(s)
+        w = looks.minification(size)
+        far, near = np.flatnonzero(w > 0.0), np.flatnonzero(w < 1.0)
+        minified[far] = looks.minified_coverage(
+            s[far], u[far], v[far], size[far], assets.spans, assets.quantiles[1:], foam.fade
+        )
+        b, e = looks.spline_over_footprint(
+            sampling.bspline(assets.thresholds, u[near], v[near]), foot_u[near], foot_v[near]
+        )
+        magnified[near] = looks.magnified_coverage(s[near], b, e, assets.quantiles[0], foam.fade)
+        return looks.filtered_coverage(s, minified, magnified, size, foam.fade)
 
 
 def _tiles(position: float, tile: float) -> float:

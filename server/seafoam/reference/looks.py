@@ -4,11 +4,9 @@ f is a saturation in [0, 4], m a mask's threshold in (0, 1), t the foam texture 
 arrays of one shape.
 """
 
-import math
-
 import numpy as np
 
-from .sampling import Spline, quantile
+from .sampling import Spline, quantile, texel
 from .types import Floats, smoothstep
 
 LEAST_HALF = 5e-4
@@ -50,9 +48,9 @@ def thinned(A: Floats, t: Floats, texture: float) -> Floats:
     return result
 
 
-def magnification(level: Floats) -> Floats:
-    """1 − w: share of the B-spline mask at a level (log₂ of the longer footprint in texels); 0 from level 0 on."""
-    return 1.0 - smoothstep(-1.0, 0.0, level)
+def minification(size: Floats) -> Floats:
+    """w: share of the minified mask under footprints of sides (r, 2) in texels; 1 from one and a half texels on."""
+    return smoothstep(1.0, 1.5, size.max(axis=1))
 
 
 def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
@@ -62,23 +60,39 @@ def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tup
     return mean, half
 
 
-def filtered_coverage(
-    s: Floats, mean: Floats, second: Floats, b: Floats, e: Floats, level: Floats, table: Floats, fade: float
-) -> Floats:
-    """A(s): the share of a footprint that a threshold of the mask covers; in [0, 1].
+def magnified_coverage(s: Floats, b: Floats, e: Floats, table: Floats, fade: float) -> Floats:
+    """Share of a footprint where Q(s) exceeds the B-spline mask, which lies evenly in b ± e there; (r,).
 
-    ``mean`` and ``second`` are the moments (m, m²) in the footprint, b and e come
-    from :func:`spline_over_footprint`, ``level`` is log₂ of the longer footprint in texels, ``table`` the
-    quantile table (65,).
+    b and e come from :func:`spline_over_footprint`, ``table`` (65,) is Q.
     """
-    near = magnification(level)
-    w = 1.0 - near
-    sigma = np.sqrt(np.maximum(second - mean * mean, 0.0))
-    s_here = near * quantile(table, s) + w * s
-    m_here = near * b + w * mean
-    half = np.maximum(np.maximum(math.sqrt(3.0) * sigma * w, e * near), LEAST_HALF)
-    gap = s_here - m_here
-    A = (_ramp(gap + half, fade) - _ramp(gap - half, fade)) / (2.0 * half)
+    half = np.maximum(e, LEAST_HALF)
+    return _ramp_mean(quantile(table, s), b - half, 0.5 / half, fade)
+
+
+def minified_coverage(
+    s: Floats, u: Floats, v: Floats, size: Floats, spans: list[Floats], tables: Floats, fade: float
+) -> Floats:
+    """Share of a box of sides ``size`` (r, 2) texels round (u, v) that a threshold of the mask covers; (r,).
+
+    ``spans``: a level's texels hold (low, 1/width) of their thresholds; ``tables`` (levels, 65) says where to threshold
+    them. From the finest level in which the box is at most three texels wide, led over to the next near that.
+    """
+    place = np.clip(np.log2(np.maximum(size.max(axis=1), 1e-30) / 1.5), 0.0, len(spans) - 1.0)
+    level = np.floor(place)
+    following = smoothstep(0.8, 1.0, place - level)
+    covered = np.zeros_like(s)
+    for index, image in enumerate(spans):
+        weight = np.where(level == index, 1.0 - following, np.where(level + 1.0 == index, following, 0.0))
+        here = np.flatnonzero(weight > 0.0)
+        found = _level_coverage(s[here], u[here], v[here], size[here] / 2.0**index, image, tables[index], fade)
+        covered[here] += weight[here] * found
+    return covered
+
+
+def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floats, fade: float) -> Floats:
+    """A(s): the share of a footprint that a threshold of the mask covers, from its two forms; in [0, 1]."""
+    w = minification(size)
+    A = w * minified + (1.0 - w) * magnified
     A = A * smoothstep(0.0, END, s)
     if fade == 0.0:
         A = 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
@@ -90,6 +104,37 @@ def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floa
     """The limit of :func:`filtered_coverage` with infinitely many samples: Q(s) > b, or the ramp of ``fade``."""
     gap = quantile(table, s) - b
     result: Floats = np.where(gap > 0.0, 1.0, 0.0) if fade == 0.0 else np.clip(gap / fade, 0.0, 1.0)
+    return result
+
+
+def _level_coverage(s: Floats, u: Floats, v: Floats, size: Floats, image: Floats, table: Floats, fade: float) -> Floats:
+    """Share of a box of sides ``size`` (r, 2) texels of one level; four by four of them, (low, 1/width) each."""
+    side = image.shape[0]
+    threshold = quantile(table, s)
+    x, y = u * side - 0.5, v * side - 0.5
+    i, j = np.floor(x), np.floor(y)
+    width = np.clip(size, 1e-2, 3.0)
+    across, down = _box_shares(x - i, width[:, 0]), _box_shares(y - j, width[:, 1])
+    covered = np.zeros_like(s)
+    for row in range(4):
+        for column in range(4):
+            low, slope = texel(image, i + (column - 1.0), j + (row - 1.0)).T
+            covered += down[row] * across[column] * _ramp_mean(threshold, low, slope, fade)
+    return covered
+
+
+def _box_shares(t: Floats, width: Floats) -> list[Floats]:
+    """Shares of a box about t, its width in texels, in the texels about −1, 0, 1 and 2; (r,) each."""
+    low, high = t - 0.5 * width, t + 0.5 * width
+    return [
+        (np.clip(high - texel + 0.5, 0.0, 1.0) - np.clip(low - texel + 0.5, 0.0, 1.0)) / width
+        for texel in (-1.0, 0.0, 1.0, 2.0)
+    ]
+
+
+def _ramp_mean(threshold: Floats, low: Floats, slope: Floats, fade: float) -> Floats:
+    """Mean of the ramp where thresholds lie evenly in [low, low + 1/slope]; (r,)."""
+    result: Floats = (_ramp(threshold - low, fade) - _ramp(threshold - low - 1.0 / slope, fade)) * slope
     return result
 
 

@@ -29,16 +29,17 @@ def thresholds(ranks: Ranks) -> Floats:
     return result
 
 
-def moments(ranks: Ranks) -> list[Floats]:
-    """Box-averaged chain of (m, m²); level l is (size/2^l, size/2^l, 2)."""
-    m = thresholds(ranks)
-    return box_chain(np.stack((m, m * m), axis=-1))
-
-
 def nearest(image: Floats, u: Floats, v: Floats) -> Floats:
     """The texel that (u, v) lies in; (r,) or (r, channels)."""
     size = image.shape[0]
     result: Floats = image[_wrapped(np.floor(v * size), size), _wrapped(np.floor(u * size), size)]
+    return result
+
+
+def texel(image: Floats, column: Floats, row: Floats) -> Floats:
+    """The texels of these whole numbers; (r,) or (r, channels)."""
+    size = image.shape[0]
+    result: Floats = image[_wrapped(row, size), _wrapped(column, size)]
     return result
 
 

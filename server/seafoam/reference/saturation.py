@@ -144,26 +144,50 @@ def front_integral(intensity: float, base: float = math.e) -> FrontIntegral:
     return FrontIntegral(intensity, base)
 
 
-def front_saturation_filtered(X: Floats, Y: Floats, width: Floats, intensity: float, base: float = math.e) -> Floats:
-    """Mean of min(f, 1) over ψ ± Δ/2 with ψ = atan2(Y, X) and Δ = ``width``; in [0, 1], without the gate."""
-    psi = np.arctan2(Y, X)
+def front_saturation_filtered(psi: Floats, width: Floats, intensity: float, base: float = math.e) -> Floats:
+    """Mean of min(f, 1) over ψ ± Δ/2, ψ in [−π, π] and Δ = ``width``; in [0, 1], without the gate."""
     # Narrower than this, the difference of two integrals has lost more digits than the filter changes.
     sharp = width < 1e-6
     mean = front_integral(intensity, base).mean(psi, np.where(sharp, 1.0, width))
     crosses = sharp & (np.abs(psi) < 0.5 * width)
     jump = np.clip(0.5 + psi / np.where(crosses, width, 1.0), 0.0, 1.0)
     result: Floats = np.where(
-        crosses, jump, np.where(sharp, np.minimum(front_saturation(X, Y, intensity, base), 1.0), mean)
+        crosses,
+        jump,
+        np.where(sharp, np.minimum(front_saturation(np.cos(psi), np.sin(psi), intensity, base), 1.0), mean),
     )
     return result
 
 
-def phase_width(of: Group, foot_x: Floats, foot_y: Floats) -> Floats:
-    """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints (r, 2) m; (r,) rad."""
+def phase_gradient(of: Group) -> Floats:
+    """∇ψ at r places; (r, 2) rad/m."""
     squared = np.maximum(of.X * of.X + of.Y * of.Y, GROUP_LEAST)
-    gradient = (of.X[:, None] * of.slope_of_y - of.Y[:, None] * of.slope_of_x) / squared[:, None]
+    result: Floats = (of.X[:, None] * of.slope_of_y - of.Y[:, None] * of.slope_of_x) / squared[:, None]
+    return result
+
+
+def phase_width(gradient: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
+    """Δ = |∇ψ·∂x/∂X| + |∇ψ·∂x/∂Y| over footprints (r, 2) m; (r,) rad."""
     result: Floats = np.abs((gradient * foot_x).sum(axis=1)) + np.abs((gradient * foot_y).sum(axis=1))
     return result
+
+
+def seen_phases(
+    psi: Floats, width: Floats, along: Floats, across: Floats, over: Floats, away: Floats, relief: float, crest: float
+) -> tuple[Floats, Floats]:
+    """ψ and Δ of the phases under a footprint that the eye sees, waves hiding their backs; (r,) each.
+
+    ``along``: how fast ψ grows along the view, ``across``: at most, in any direction (rad/m); ``over``: how far the
+    eye is above the place, ``away``: how far off along the level (m); ``relief``: slope amplitude of the sinusoid that is as
+    steep as the waves; ``crest``: ψ on a crest.
+    """
+    q = np.minimum(np.abs(over) * across / np.maximum(relief * np.abs(along) * away, 1e-20), 1.0)
+    before = np.sqrt(4.0 * math.pi * q)
+    arc = np.maximum((q + before) / np.maximum(1.0 - q**16, 1e-6), 1e-5)
+    top = np.where(over < 0.0, crest - math.pi, crest)
+    middle = top + np.where(along < 0.0, 0.5, -0.5) * (before - q)
+    moved = psi + smoothstep(1.0, 2.0, width / arc) * _wrapped(middle - psi)
+    return _wrapped(moved), np.minimum(width, arc)
 
 
 def height_saturation(H: Floats, base: float, full: float) -> Floats:
@@ -207,6 +231,7 @@ def saturation(
     *,
     cap: float,
     footprints: tuple[Floats, Floats] | None,
+    eye_height: float,
     folds: list[Floats],
     surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
     drift: Callable[[DriftSaturation, Floats, Floats], Floats] | None = None,
@@ -215,7 +240,8 @@ def saturation(
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
     ``waves`` holds the waves for each kind of front constants, ``slopes`` is the gradient that light sees. With
-    footprints (each (r, 2) m) fronts are averaged over them. ``folds``: f of the fold sources, in their order. ``surf``
+    footprints (each (r, 2) m) fronts are averaged over what an eye at this height (m) over (0, 0) sees of them.
+    ``folds``: f of the fold sources, in their order. ``surf``
     gives the foam of a shore's surf, ``drift`` that a flow carries, ``wake`` that behind boats; without them there is
     none.
     """
@@ -248,10 +274,29 @@ def saturation(
         if footprints is None:
             f = np.minimum(front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), cap)
         else:
-            width = phase_width(sum_of, *footprints)
-            f = front_saturation_filtered(sum_of.X, sum_of.Y, width, source.intensity, constants.base)
+            here = waves[source.constants]
+            away = np.hypot(x, z)
+            gradient = phase_gradient(sum_of)
+            along = (gradient[:, 0] * x + gradient[:, 1] * z) / np.maximum(away, 1e-6)
+            psi, width = seen_phases(
+                np.arctan2(sum_of.Y, sum_of.X),
+                phase_width(gradient, *footprints),
+                along,
+                np.hypot(gradient[:, 0], gradient[:, 1]),
+                eye_height - H,
+                away,
+                here.relief,
+                2.0 * constants.delta - 0.5 * math.pi,
+            )
+            f = front_saturation_filtered(psi, width, source.intensity, constants.base)
         parts.append(f * gate(sum_of.rho, source.group))
     return joined(parts, combine, cap)
+
+
+def _wrapped(angle: Floats) -> Floats:
+    """The angle in [−π, π], rad."""
+    result: Floats = angle - 2.0 * math.pi * np.round(angle / (2.0 * math.pi))
+    return result
 
 
 def _front(psi: Floats, intensity: float, base: float) -> Floats:

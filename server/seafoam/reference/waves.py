@@ -19,6 +19,8 @@ from .types import Floats
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 
 BOUND_SAMPLES = 8192
+RELIEF_SAMPLES = 256
+"""Phases whose slopes are averaged; their number tells where K < ½: all but the trough has a mean square there."""
 STEEPEST = 1e9
 """Stands for an infinite slope."""
 TROUGH = 1e-4
@@ -53,6 +55,14 @@ class WaveSet:
     def slope(self) -> float:
         """Greatest slope, rounded up."""
         return sum(k * slope_bound(A, K) for A, K, k in self._shapes)
+
+    @cached_property
+    def relief(self) -> float:
+        """Slope amplitude of the sinusoid whose mean square slope is that of all waves together."""
+        angles = np.linspace(0.0, 0.5 * math.pi, 2 * RELIEF_SAMPLES + 1)[1::2]
+        theta: Floats = 2.0 * angles - 0.5 * math.pi
+        squares = [float(np.mean((k * wave_derivative(theta, A, K)) ** 2)) for A, K, k in self._shapes]
+        return math.sqrt(2.0 * sum(squares))
 
     @cached_property
     def curvature(self) -> float:

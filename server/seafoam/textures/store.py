@@ -53,9 +53,9 @@ def mask_by_name(name: str) -> Mask:
 def texture(name: str) -> TextureData:
     """The texture called ``name``.
 
-    ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/moments-half`` and
-    ``-float`` (mean of m and m², all levels),
-    ``mask/NAME/quantiles`` (R32F, a row), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
+    ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/spans-half`` and
+    ``-float`` (where a texel's thresholds lie, all levels), ``mask/NAME/quantiles`` (R32F, a row for the magnified mask
+    and one for each level), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
     ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
     ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F),
     ``spray-rocks/STEEP/GROUND`` (RGBA32F, a row).
@@ -102,12 +102,12 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
             return _data(name, "R8UI", size, size, 1, quantised(mask.ranks, 8).astype(np.uint8).tobytes())
         case "thresholds-half":
             return _pack(name, "R16F", [mask.thresholds[..., None]])
-        case "moments-half":
-            return _pack(name, "RG16F", list(mask.moments))
-        case "moments-float":
-            return _pack(name, "RG32F", list(mask.moments))
+        case "spans-half":
+            return _pack(name, "RG16F", list(mask.spans))
+        case "spans-float":
+            return _pack(name, "RG32F", list(mask.spans))
         case "quantiles":
-            return _pack(name, "R32F", [np.asarray(mask.quantile)[None, :, None]])
+            return _pack(name, "R32F", [mask.quantiles[..., None]])
         case _:
             raise UnknownTextureError(name)
 
