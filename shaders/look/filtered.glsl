@@ -2,7 +2,7 @@
 // from texels that hold where their thresholds lie when small. docs/formulae.md, section 5. s in [0, 1]; exact at 0 and 1.
 uniform sampler2D u_mask_quantiles; // row 0: of the B-spline; row 1 + level: of a level's texels
 uniform sampler2D u_mask_spans;    // a texel's thresholds lie evenly from .r on, over a width of 1 / .g
-uniform float u_foam_fade;         // width of the ramp, in thresholds
+uniform float u_foam_fade;         // width of the ramp, in shares of the plane
 uniform float u_foam_texture_share;
 
 // Where to threshold so that a share s is covered. Table entries crowd toward s = 0 and 1, where the quantiles bend most.
@@ -55,21 +55,19 @@ vec2 mask_spline(vec2 uv, vec2 uv_x, vec2 uv_y) {
 }
 
 // Integral of the ramp clamp(x / fade, 0, 1).
-float ramp_integral(float x) {
-    if (!FOAM_FADES) {
-        return max(x, 0.0);
-    }
-    float rising = clamp(x, 0.0, u_foam_fade);
+float ramp_integral(float x, float fade) {
+    float rising = clamp(x, 0.0, fade);
     // A fade below the least normal float counts as 0 where such floats do: 0/0.
-    return rising * rising / max(2.0 * u_foam_fade, 1e-30) + max(x - u_foam_fade, 0.0);
+    return rising * rising / max(2.0 * fade, 1e-30) + max(x - fade, 0.0);
 }
 
 // Mean of the ramp over thresholds that lie evenly from low on, over a width of 1 / slope.
-float ramp_mean(float threshold, float low, float slope) {
+float ramp_mean(float threshold, float low, float slope, float fade) {
     if (!FOAM_FADES) {
         return clamp((threshold - low) * slope, 0.0, 1.0);
     }
-    return (ramp_integral(threshold - low) - ramp_integral(threshold - low - 1.0 / slope)) * slope;
+    float above = threshold - low;
+    return (ramp_integral(above, fade) - ramp_integral(above - 1.0 / slope, fade)) * slope;
 }
 
 // Shares of the texels about -1, 0, 1 and 2 of a box `width` texels wide about t; of two texels the middle ones.
@@ -92,7 +90,7 @@ float level_coverage(float s, vec2 uv, vec2 size, float level) {
     for (int j = 2 - FOAM_SIDE / 2; j < 2 + FOAM_SIDE / 2; ++j) {
         for (int i = 2 - FOAM_SIDE / 2; i < 2 + FOAM_SIDE / 2; ++i) {
             vec2 span = texelFetch(u_mask_spans, (ivec2(base) + ivec2(i - 1, j - 1)) & (texels - 1), int(level)).rg;
-            sum += across[i] * down[j] * ramp_mean(threshold, span.x, span.y);
+            sum += across[i] * down[j] * ramp_mean(threshold, span.x, span.y, u_foam_fade);
         }
     }
     return sum;
@@ -114,7 +112,14 @@ float minified_coverage(float s, vec2 uv, vec2 size) {
 float magnified_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     vec2 spline = mask_spline(uv, uv_x, uv_y);
     float arm = max(spline.y, 5e-4);
-    return ramp_mean(quantile(s, 0), spline.x - arm, 0.5 / arm);
+    float threshold = quantile(s, 0);
+    float fade = 0.0;
+    if (FOAM_FADES) {
+        // The ramp runs over shares of the plane; the spline crowds them together.
+        float part = min(s, u_foam_fade);
+        fade = (threshold - quantile(s - part, 0)) * u_foam_fade / max(part, 1e-30);
+    }
+    return ramp_mean(threshold, spline.x - arm, 0.5 / arm, fade);
 }
 
 float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {

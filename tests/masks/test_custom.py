@@ -16,7 +16,7 @@ def test_a_request_is_answered_from_the_cache_the_second_time():
     assert first.entry.name == "vac-1.5-64-9"
     assert first.entry.sha256 == rank_sha256(first.ranks)
     assert not first.ranks.flags.writeable
-    assert not first.moments[0].flags.writeable
+    assert not first.spans[0].flags.writeable
 
 
 def test_tables_are_measured_when_asked_for():

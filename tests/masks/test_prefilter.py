@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import bspline_weights, footprint_deviations, load_mask, moments, quantile_lookup
+from seafoam.masks import bspline_weights, footprint_deviations, load_mask, quantile_lookup
 from seafoam.masks.prefilter import (
     QUANTILE_ENTRIES,
     bspline_samples,
     quantile_position,
     quantile_saturation,
+    span_quantiles,
+    spans,
     thresholds,
 )
 from seafoam.masks.shipped import SHIPPED
@@ -68,19 +70,25 @@ def test_bspline_samples_are_those_of_the_formula():
 
 
 @pytest.mark.parametrize("name", ["vac-24", "mix"])
-def test_moments_are_box_means_at_every_level(name):
+def test_spans_say_where_the_thresholds_of_a_texel_lie(name):
     mask = load_mask(name)
-    u = mask.thresholds
-    chain = mask.moments
+    chain = mask.spans
     assert [level.shape for level in chain] == [(512 >> level, 512 >> level, 2) for level in range(10)]
     for level in chain:
         assert level.dtype == np.float32
-        assert level[..., 0].mean(dtype=np.float64) == pytest.approx(0.5, abs=1e-6)
-        assert level[..., 1].mean(dtype=np.float64) == pytest.approx((u * u).mean(), abs=1e-6)
-        assert (level[..., 1] >= level[..., 0] ** 2 - 1e-6).all()
-    assert chain[3][5, 7, 0] == pytest.approx(u[40:48, 56:64].mean(), abs=1e-6)
-    assert chain[-1][0, 0, 0] == pytest.approx(u.mean(), abs=1e-7)
-    assert np.array_equal(moments(mask.ranks)[2], chain[2])
+        low, width = level[..., 0].astype(np.float64), 1.0 / level[..., 1].astype(np.float64)
+        assert width.min() >= 1.0 / 256.0 - 1e-9
+        assert low.min() >= -0.5 / 256.0
+        assert (low + width).max() <= 1.0 + 0.5 / 256.0
+        assert (low + 0.5 * width).mean() == pytest.approx(0.5, abs=1e-3)
+    # Of the interpolated mask in the texel's own square, four by four samples in each of 8 x 8 texels.
+    samples = np.roll(bspline_samples(mask.ranks, 4), 2, axis=(0, 1))[160:192, 224:256]
+    shares = np.linspace(0.0, 1.0, 4001)
+    even = np.interp(samples, quantile_lookup(mask.quantile, shares), shares)
+    low, slope = chain[3][5, 7].astype(np.float64)
+    assert low + 0.5 / slope == pytest.approx(even.mean(), abs=1e-4)
+    assert 0.5 / slope == pytest.approx(min(np.sqrt(3.0) * even.std(), even.mean(), 1.0 - even.mean()), abs=1e-3)
+    assert np.array_equal(spans(mask.ranks, mask.quantile)[2], chain[2])
 
 
 def test_footprint_deviations_grow_from_none_to_the_uniform_one():
@@ -91,40 +99,30 @@ def test_footprint_deviations_grow_from_none_to_the_uniform_one():
         assert (np.diff(deviations) >= 0.0).all()
         assert deviations[-1] == pytest.approx(12**-0.5, abs=1e-6)
         assert load_mask(name).sigma_l == pytest.approx(deviations, abs=1e-6)
-    chain = load_mask("clump").moments[2].astype(np.float64)
-    inside = np.sqrt((chain[..., 1] - chain[..., 0] ** 2).mean())
-    assert load_mask("clump").sigma_l[2] == pytest.approx(inside, abs=1e-5)
 
 
-def bilinear(level, y, x):
-    """Level's value at texture coordinates y, x in 0..1, texel centres at (i + 0.5) / size."""
-    size = level.shape[0]
-    v, u = y * size - 0.5, x * size - 0.5
-    i, j = np.floor(v).astype(int), np.floor(u).astype(int)
-    fy, fx = (v - i)[:, None], (u - j)[:, None]
-    upper = level[i % size, j % size] * (1 - fx) + level[i % size, (j + 1) % size] * fx
-    lower = level[(i + 1) % size, j % size] * (1 - fx) + level[(i + 1) % size, (j + 1) % size] * fx
-    return upper * (1 - fy) + lower * fy
+def cover(level, thresholds):
+    """Mean cover of a level's texels, each thresholded at the same values; as many as there are of these."""
+    low, slope = np.moveaxis(level.astype(np.float64).reshape(-1, 2), -1, 0)
+    return np.array([np.clip((threshold - low) * slope, 0.0, 1.0).mean() for threshold in thresholds])
 
 
-def box_cover(chain, level, s, y, x):
-    """Cover of footprints of 2^level texels by the uniform closure over mean -+ sqrt 3 deviations."""
-    mean, second = np.moveaxis(bilinear(chain[level].astype(np.float64), y, x), -1, 0)
-    half = np.maximum(np.sqrt(3.0 * np.maximum(second - mean**2, 0.0)), 5e-4)
-    return np.clip((s - mean + half) / (2.0 * half), 0.0, 1.0)
+@pytest.mark.parametrize("name", ["vac-1.5", "vac-24", "clump", "mix"])
+def test_minified_cover_is_the_saturation(name):
+    mask = load_mask(name)
+    assert mask.quantiles.shape == (11, QUANTILE_ENTRIES)
+    assert np.array_equal(mask.quantiles[0], mask.quantile)
+    assert np.array_equal(span_quantiles(mask.spans), mask.quantiles[1:])
+    for level, table in zip(mask.spans, mask.quantiles[1:], strict=True):
+        assert cover(level, quantile_lookup(table, SATURATIONS)) == pytest.approx(SATURATIONS, abs=1e-3)
 
 
-@pytest.mark.parametrize(("level", "within"), [(1, 0.01), (2, 0.01), (3, 0.001), (4, 0.001), (5, 0.001), (6, 0.001)])
-def test_minified_cover_is_the_saturation(level, within):
-    """Of a footprint of few texels the uniform closure paints foam thinner than 0.03 too full (0.025 for 0.01)."""
-    chain = load_mask("vac-1.5").moments
-    rng = np.random.default_rng(9)
-    y, x = rng.random((2, 200_000))
-    for s in (0.03, 0.1, 0.25, 0.4, 0.55, 0.7, 0.9):
-        assert box_cover(chain, level, s, y, x).mean() == pytest.approx(s, abs=within)
+def test_minified_cover_without_its_own_table_is_too_little():
+    """What the levels' tables are for: thresholds in a texel are not quite even."""
+    assert cover(load_mask("vac-1.5").spans[1], [0.09])[0] < 0.06
 
 
 def test_thresholding_an_averaged_mask_loses_the_cover():
     """The naive way that the tables replace: far away a tenth of cover vanishes."""
-    mean = load_mask("vac-1.5").moments[4][..., 0]
-    assert float((mean < 0.1).mean()) == 0.0
+    low, slope = np.moveaxis(load_mask("vac-1.5").spans[4].astype(np.float64), -1, 0)
+    assert float((low + 0.5 / slope < 0.1).mean()) == 0.0

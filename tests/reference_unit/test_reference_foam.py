@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from seafoam.masks import custom_mask
 from seafoam.reference import looks, sampling
 from seafoam.reference.relief import Relief
 from seafoam.reference.saturation import (
@@ -17,14 +18,15 @@ from seafoam.reference.saturation import (
     group,
     height_saturation,
     joined,
+    phase_gradient,
     phase_width,
     saturation,
+    seen_phases,
 )
 from seafoam.reference.waves import wave_set
 from seafoam.scene.models import FrontSaturation, ParametricWave, Scene
 
 WAVE = ParametricWave(amplitude=0.8, wavelength=11.0, direction=0.4, exponent=2.0, phase=0.3)
-RNG_RANKS = np.random.default_rng(5).permutation(64 * 64).reshape(64, 64)
 EVEN = np.linspace(0.0, 1.0, sampling.QUANTILE_ENTRIES)
 
 
@@ -72,7 +74,10 @@ def test_flat_waves_weigh_the_same() -> None:
 def test_without_waves_there_is_no_front() -> None:
     x = np.zeros(3)
     waves = dict.fromkeys(("text", "listing"), wave_set(Scene(), 2.0, (0.0, 0.0)))
-    f = saturation((FrontSaturation(),), "max", waves, Relief(()).gradient, x, x, x, cap=4.0, footprints=None, folds=[])
+    slopes = Relief(()).gradient
+    f = saturation(
+        (FrontSaturation(),), "max", waves, slopes, x, x, x, cap=4.0, footprints=None, eye_height=2.0, folds=[]
+    )
     np.testing.assert_array_equal(f, 0.0)
 
 
@@ -85,7 +90,8 @@ def test_phase_width_is_the_phase_over_the_footprint() -> None:
         at = group(waves, x, z, 1.2)
         return np.arctan2(at.Y, at.X)
 
-    width = phase_width(group(waves, x, z, 1.2), np.full((99, 2), [step, 0.0]), np.full((99, 2), [0.0, 2.0 * step]))
+    gradient = phase_gradient(group(waves, x, z, 1.2))
+    width = phase_width(gradient, np.full((99, 2), [step, 0.0]), np.full((99, 2), [0.0, 2.0 * step]))
     turn = 2.0 * math.pi
     along_x = np.abs(np.remainder(psi(x + step, z) - psi(x, z) + math.pi, turn) - math.pi)
     along_z = np.abs(np.remainder(psi(x, z + 2.0 * step) - psi(x, z) + math.pi, turn) - math.pi)
@@ -101,18 +107,50 @@ def test_filtered_front_is_the_mean(intensity: float) -> None:
     count = 40_001
     inner = psi[:, None] + width[:, None] * ((np.arange(count) + 0.5) / count - 0.5)
     expected = np.minimum(front_saturation(np.cos(inner), np.sin(inner), intensity), 1.0).mean(axis=1)
-    np.testing.assert_allclose(
-        front_saturation_filtered(np.cos(psi), np.sin(psi), width, intensity), expected, atol=2.0 / count
-    )
+    np.testing.assert_allclose(front_saturation_filtered(psi, width, intensity), expected, atol=2.0 / count)
+
+
+@pytest.mark.parametrize("q", [0.01, 0.1, 0.3, 0.5, 0.7, 0.9])
+@pytest.mark.parametrize("toward", [1.0, -1.0])
+def test_seen_phases_are_those_before_the_eye(q: float, toward: float) -> None:
+    """A sinusoid y = cos(psi)/k, looked at along x from far off by rays that fall by q of its slope."""
+    psi = np.linspace(-math.pi, math.pi, 200_001)
+    # Before the eye: nothing between a place and the eye rises above the ray; the nearest three waves can.
+    nearer = toward * np.arange(0.0, 8.0 * math.pi, 1e-3)
+    shown = np.array([(np.cos(at) + q * (np.abs(nearer)) >= np.cos(at - nearer) - 1e-9).all() for at in psi[::100]])
+    arc = 2.0 * math.pi * shown.mean()
+    sums = np.exp(1j * psi[::100][shown]).sum()
+    middle = math.atan2(sums.imag, sums.real)
+    one = np.ones(1)
+    moved, width = seen_phases(0.3 * one, 50.0 * one, toward * one, one, q * one, one, 1.0, 0.0)
+    assert float(width[0]) == pytest.approx(arc, rel=0.12)
+    assert float(moved[0]) == pytest.approx(middle, abs=0.15)
+    # A footprint of less than the arc stays as it is; from below, troughs are crests.
+    narrow = seen_phases(0.3 * one, 0.9 * width, toward * one, one, q * one, one, 1.0, 0.0)
+    np.testing.assert_array_equal(narrow, (0.3 * one, 0.9 * width))
+    below = seen_phases(0.3 * one, 50.0 * one, toward * one, one, -q * one, one, 1.0, math.pi)
+    np.testing.assert_allclose(below, (moved, width), atol=1e-12)
+
+
+def test_all_phases_are_seen_from_above() -> None:
+    psi, width = np.linspace(-3.0, 3.0, 50), np.geomspace(1e-3, 1e3, 50)
+    one = np.ones(50)
+    for q in (1.0, 1.5, 1e30):
+        np.testing.assert_allclose(seen_phases(psi, width, one, one, q * one, one, 1.0, 0.0), (psi, width), rtol=1e-12)
+    # No relief, no way, no eye above: finite, and no wider than before.
+    for relief, away, over in ((0.0, 1.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 0.0)):
+        moved, seen = seen_phases(psi, width, one, one, over * one, away * one, relief, 0.0)
+        assert np.isfinite(moved).all()
+        assert (seen <= width).all()
 
 
 def test_sharp_filtered_front_is_the_front() -> None:
     psi = np.linspace(-3.1, 3.1, 500)
     sharp = np.minimum(front_saturation(np.cos(psi), np.sin(psi), 4.0), 1.0)
     for width in (0.0, 1e-9, 2e-6):
-        filtered = front_saturation_filtered(np.cos(psi), np.sin(psi), np.full(500, width), 4.0)
+        filtered = front_saturation_filtered(psi, np.full(500, width), 4.0)
         np.testing.assert_allclose(filtered, sharp, atol=1e-5)
-    jump = front_saturation_filtered(np.ones(3), np.array([-2.5e-8, 0.0, 2.5e-8]), np.full(3, 1e-7), 4.0)
+    jump = front_saturation_filtered(np.array([-2.5e-8, 0.0, 2.5e-8]), np.full(3, 1e-7), 4.0)
     np.testing.assert_allclose(jump, [0.25, 0.5, 0.75], atol=1e-9)
 
 
@@ -164,31 +202,58 @@ def test_looks_are_the_papers_equations() -> None:
         assert tuple(float(a[i]) for a in got) == pytest.approx(expected)
 
 
+MASK = custom_mask("vac", 1.5, 64, 5)
+
+
+def covered(s: float, texels: float, fade: float, aspect: float = 0.6) -> np.ndarray:
+    """A(s) of 20 000 footprints of the mask, as wide and as high as they are told."""
+    u, v = np.random.default_rng(8).random((2, 20_000))
+    foot_u, foot_v = np.full((u.size, 2), [texels / 64.0, 0.0]), np.full((u.size, 2), [0.0, aspect * texels / 64.0])
+    size = 64.0 * np.hypot(foot_u, foot_v)
+    saturation = np.full(u.size, s)
+    tables = MASK.quantiles
+    chain = [level.astype(np.float64) for level in MASK.spans]
+    small = looks.minified_coverage(saturation, u, v, size, chain, tables[1:], fade)
+    b, e = looks.spline_over_footprint(sampling.bspline(MASK.thresholds, u, v), foot_u, foot_v)
+    return looks.filtered_coverage(
+        saturation, small, looks.magnified_coverage(saturation, b, e, tables[0], fade), size, fade
+    )
+
+
 @pytest.mark.parametrize("fade", [0.0, 0.2])
-@pytest.mark.parametrize("level", [0.0, 1.5, 3.0])
-def test_filtered_coverage_is_the_saturation_on_average(level: float, fade: float) -> None:
-    rng = np.random.default_rng(8)
-    u, v = rng.random((2, 40_000))
-    both = sampling.trilinear(sampling.moments(RNG_RANKS), u, v, np.full(u.size, level))
-    zero = np.zeros(u.size)
+@pytest.mark.parametrize("texels", [0.2, 1.0, 1.2, 2.0, 2.8, 7.0, 40.0])
+def test_filtered_coverage_is_the_saturation_on_average(texels: float, fade: float) -> None:
     for s in (0.15, 0.5, 0.8):
-        A = looks.filtered_coverage(
-            np.full(u.size, s), both[:, 0], both[:, 1], zero, zero, np.full(u.size, level), EVEN, fade
-        )
+        A = covered(s, texels, fade)
         assert (A >= 0.0).all()
         assert (A <= 1.0).all()
-        # The footprint is taken as a box of even thresholds, which at low levels it is not quite.
-        # The ramp of a fade ends at s, not around it: half a width is lost.
-        assert A.mean() == pytest.approx(s - 0.5 * fade, abs=0.05)
+        # The ramp of a fade ends at s, not around it: half a width is lost, at most.
+        assert A.mean() == pytest.approx(s * s / (2.0 * fade) if s < fade else s - 0.5 * fade, abs=0.035)
 
 
-@pytest.mark.parametrize("level", [-30.0, -0.5, 0.0, 9.0])
-def test_filtered_coverage_ends_exactly(level: float) -> None:
-    rng = np.random.default_rng(9)
-    b, mean = rng.random((2, 500))
-    rest = (mean, mean * mean + 0.01, b, np.full(500, 0.02), np.full(500, level), EVEN, 0.0)
-    np.testing.assert_array_equal(looks.filtered_coverage(np.zeros(500), *rest), 0.0)
-    np.testing.assert_array_equal(looks.filtered_coverage(np.ones(500), *rest), 1.0)
+@pytest.mark.parametrize("texels", [1e-9, 0.7, 1.0, 1.3, 9.0, 1e4])
+def test_filtered_coverage_ends_exactly(texels: float) -> None:
+    np.testing.assert_array_equal(covered(0.0, texels, 0.0), 0.0)
+    np.testing.assert_array_equal(covered(1.0, texels, 0.0), 1.0)
+
+
+@pytest.mark.parametrize(("texels", "within"), [(0.5, 0.04), (1.0, 0.08), (2.0, 0.08), (4.0, 0.08), (8.0, 0.04)])
+def test_filtered_coverage_is_the_share_of_the_footprint(texels: float, within: float) -> None:
+    """Against 24 x 24 hard thresholds of the B-spline mask, at every scale the one limit; root mean square."""
+    u, v = np.random.default_rng(8).random((2, 20_000))[:, :600]
+    steps = (np.arange(24) + 0.5) / 24.0 - 0.5
+    across, down = np.meshgrid(steps * texels / 64.0, steps * 0.6 * texels / 64.0)
+    b = sampling.bspline(MASK.thresholds, (u[:, None] + across.ravel()).ravel(), (v[:, None] + down.ravel()).ravel())
+    for s in (0.1, 0.4, 0.8):
+        hard = looks.converged_coverage(np.full(b.value.size, s), b.value, MASK.quantiles[0], 0.0)
+        errors = covered(s, texels, 0.0)[:600] - hard.reshape(600, -1).mean(axis=1)
+        assert float(np.sqrt((errors**2).mean())) <= within
+
+
+def test_levels_follow_one_another_without_a_step() -> None:
+    for texels in (3.0, 6.0, 12.0):
+        before, after = (covered(0.4, texels * scale, 0.0) for scale in (1.0 - 1e-7, 1.0 + 1e-7))
+        np.testing.assert_allclose(before, after, atol=1e-4)
 
 
 def test_magnified_coverage_is_the_hard_threshold() -> None:
@@ -196,8 +261,7 @@ def test_magnified_coverage_is_the_hard_threshold() -> None:
     b = rng.uniform(0.0, 1.0, 500)
     s = rng.uniform(0.05, 0.95, 500)
     clear = np.abs(sampling.quantile(EVEN, s) - b) > 1e-3
-    zero = np.zeros(500)
-    sharp = looks.filtered_coverage(s, b, b * b, b, zero, np.full(500, -20.0), EVEN, 0.0)
+    sharp = looks.magnified_coverage(s, b, np.zeros(500), EVEN, 0.0)
     np.testing.assert_allclose(sharp[clear], looks.converged_coverage(s, b, EVEN, 0.0)[clear], atol=1e-12)
 
 

@@ -8,6 +8,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from seafoam.masks import custom_mask
 from seafoam.reference import Assets, load_truth, render, scene_sha256, truth_is_current
 from seafoam.reference.truth import save_truth
 from seafoam.scene.models import (
@@ -33,10 +34,8 @@ SEA = Scene(waves=WAVES, foam=FOAM, water=Water(chop=Chop()), camera=Camera(posi
 
 @pytest.fixture(scope="module")
 def assets() -> Assets:
-    """A small mask and texture with an exact quantile table."""
-    rng = np.random.default_rng(20)
-    ranks = rng.permutation(64 * 64).reshape(64, 64)
-    return Assets.of(ranks, np.linspace(0.0, 1.0, 65), rng.random((64, 64)))
+    """A small mask and texture."""
+    return Assets.of(custom_mask("blur", 1.5, 64, 20), np.random.default_rng(20).random((64, 64)))
 
 
 def test_assets_of_a_scene() -> None:
@@ -45,7 +44,8 @@ def test_assets_of_a_scene() -> None:
     assert made is not None
     assert shipped is not None
     assert made.thresholds.shape == (128, 128)
-    assert shipped.quantile.shape == (65,)
+    assert shipped.quantiles.shape == (11, 65)
+    assert [level.shape[0] for level in made.spans] == [128, 64, 32, 16, 8, 4, 2, 1]
     assert shipped.texture[0].shape == (256, 256)
     assert Assets.for_scene(Scene()) is None
 

@@ -21,7 +21,6 @@ from .formats import to_dds, to_npy, to_png8, to_png16, to_u16
 from .prefilter import (
     bspline_weights,
     footprint_deviations,
-    moments,
     quantile_lookup,
     quantile_position,
     quantile_table,
@@ -51,7 +50,6 @@ __all__ = [
     "load_mask",
     "make_mask",
     "measure_spectrum",
-    "moments",
     "quantile_lookup",
     "quantile_position",
     "quantile_table",

@@ -164,7 +164,7 @@ class Mask:
         return values
 
     @cached_property
-    def spans(self) -> tuple[prefilter.Moments, ...]:
+    def spans(self) -> tuple[prefilter.Level, ...]:
         """Mip chain of (low, 1/width), see :func:`prefilter.spans`; read-only."""
         chain = prefilter.spans(self.ranks, self.quantile)
         for level in chain:

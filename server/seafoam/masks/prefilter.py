@@ -1,8 +1,8 @@
 """Tables with which a mask can be thresholded at any scale without losing its cover.
 
-Minified, a pixel's footprint needs the mean and the spread of the mask inside it: the moments chain. Magnified,
-an interpolated mask no longer has its values equally often, so the saturation is first sent through the quantile
-function of the interpolated mask: the quantile table.
+The limit at every scale is a threshold of the interpolated mask, which no longer has its values equally often: the
+saturation is first sent through its quantile function, the quantile table. Minified, a footprint is a few texels of
+a level that each say where the thresholds in them lie: the spans, which have a quantile table for each level.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .torus import Field, Ranks
 
-Moments = NDArray[np.float32]
+Level = NDArray[np.float32]
 
 QUANTILE_ENTRIES = 65
 SUBTEXELS = 8
@@ -31,22 +31,6 @@ extreme, where the gradient is zero, a sample is at most 1/16 texel away along e
 def thresholds(ranks: Ranks) -> Field:
     """u = (rank + 0.5) / N in 0..1, float64 of the shape of ``ranks``."""
     return (ranks + 0.5) / ranks.size
-
-
-def moments(ranks: Ranks) -> list[Moments]:
-    """Mip chain of (mean of u, mean of u^2), box averaged: level l is (size >> l, size >> l, 2) float32.
-
-    Level 0 is the mask itself and the last level is 1 x 1. Interpolating moments between texels and levels, then
-    taking the variance m2 - m^2, gives the variance of the blended footprint (law of total variance).
-    """
-    level = thresholds(ranks)
-    level = np.stack((level, level * level), axis=-1)
-    chain = [level.astype(np.float32)]
-    while level.shape[0] > 1:
-        half = level.shape[0] // 2
-        level = level.reshape(half, 2, half, 2, 2).mean(axis=(1, 3))
-        chain.append(level.astype(np.float32))
-    return chain
 
 
 def footprint_deviations(ranks: Ranks) -> list[float]:
@@ -136,7 +120,7 @@ def quantile_lookup(table: ArrayLike, s: ArrayLike) -> Field:
     return np.interp(quantile_position(s), np.linspace(0.0, 1.0, entries.size), entries)
 
 
-def spans(ranks: Ranks, table: ArrayLike) -> list[Moments]:
+def spans(ranks: Ranks, table: ArrayLike) -> list[Level]:
     """Mip chain of (low, 1/width): in a texel of level l thresholds lie evenly in [low, low + width], near enough.
 
     The thresholds are those of the interpolated mask, each sent through the inverse of its quantile function
@@ -164,7 +148,7 @@ def spans(ranks: Ranks, table: ArrayLike) -> list[Moments]:
         level = level.reshape(side, 2, side, 2, 2).mean(axis=(1, 3))
 
 
-def span_quantiles(chain: Sequence[Moments]) -> Field:
+def span_quantiles(chain: Sequence[Level]) -> Field:
     """For each level of :func:`spans` 65 values of Q at ``quantile_saturation(i / 64)``; (levels, 65) float64.
 
     Texels whose thresholds lie evenly in their spans cover a share s of the plane together where each is thresholded

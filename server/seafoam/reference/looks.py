@@ -60,13 +60,20 @@ def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tup
     return mean, half
 
 
+def spline_fade(table: Floats, s: Floats, fade: float) -> Floats:
+    """The ramp's width in values of the B-spline mask, where ``fade`` of the plane lies under Q(s); (r,)."""
+    part = np.minimum(s, fade)
+    result: Floats = (quantile(table, s) - quantile(table, s - part)) * fade / np.maximum(part, 1e-30)
+    return result
+
+
 def magnified_coverage(s: Floats, b: Floats, e: Floats, table: Floats, fade: float) -> Floats:
     """Share of a footprint where Q(s) exceeds the B-spline mask, which lies evenly in b ± e there; (r,).
 
     b and e come from :func:`spline_over_footprint`, ``table`` (65,) is Q.
     """
     half = np.maximum(e, LEAST_HALF)
-    return _ramp_mean(quantile(table, s), b - half, 0.5 / half, fade)
+    return _ramp_mean(quantile(table, s), b - half, 0.5 / half, spline_fade(table, s, fade))
 
 
 def minified_coverage(
@@ -103,7 +110,9 @@ def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floa
 def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floats:
     """The limit of :func:`filtered_coverage` with infinitely many samples: Q(s) > b, or the ramp of ``fade``."""
     gap = quantile(table, s) - b
-    result: Floats = np.where(gap > 0.0, 1.0, 0.0) if fade == 0.0 else np.clip(gap / fade, 0.0, 1.0)
+    if fade == 0.0:
+        return np.where(gap > 0.0, 1.0, 0.0)
+    result: Floats = np.clip(gap / np.maximum(spline_fade(table, s, fade), 1e-30), 0.0, 1.0)
     return result
 
 
@@ -132,16 +141,14 @@ def _box_shares(t: Floats, width: Floats) -> list[Floats]:
     ]
 
 
-def _ramp_mean(threshold: Floats, low: Floats, slope: Floats, fade: float) -> Floats:
+def _ramp_mean(threshold: Floats, low: Floats, slope: Floats, fade: float | Floats) -> Floats:
     """Mean of the ramp where thresholds lie evenly in [low, low + 1/slope]; (r,)."""
     result: Floats = (_ramp(threshold - low, fade) - _ramp(threshold - low - 1.0 / slope, fade)) * slope
     return result
 
 
-def _ramp(x: Floats, fade: float) -> Floats:
+def _ramp(x: Floats, fade: float | Floats) -> Floats:
     """R(x), the integral of the threshold's ramp of width ``fade``."""
-    if fade == 0.0:
-        return np.maximum(x, 0.0)
     held = np.clip(x, 0.0, fade)
-    result: Floats = held * held / (2.0 * fade) + np.maximum(x - fade, 0.0)
+    result: Floats = held * held / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)
     return result

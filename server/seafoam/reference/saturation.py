@@ -178,8 +178,8 @@ def seen_phases(
     """ψ and Δ of the phases under a footprint that the eye sees, waves hiding their backs; (r,) each.
 
     ``along``: how fast ψ grows along the view, ``across``: at most, in any direction (rad/m); ``over``: how far the
-    eye is above the place, ``away``: how far off along the level (m); ``relief``: slope amplitude of the sinusoid that is as
-    steep as the waves; ``crest``: ψ on a crest.
+    eye is above the place, ``away``: how far off along the level (m); ``relief``: slope amplitude of the sinusoid that
+    is as steep as the waves; ``crest``: ψ on a crest.
     """
     q = np.minimum(np.abs(over) * across / np.maximum(relief * np.abs(along) * away, 1e-20), 1.0)
     before = np.sqrt(4.0 * math.pi * q)
