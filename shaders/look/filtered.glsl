@@ -77,34 +77,40 @@ vec4 box_shares(float t, float width) {
     return FOAM_SIDE == 4 ? share / width : vec4(0.0, share.yz / (share.y + share.z), 0.0);
 }
 
-// From FOAM_SIDE by FOAM_SIDE texels of a level. size: sides of the footprint, texels of level 0.
-float level_coverage(float s, vec2 uv, vec2 size, float level) {
-    int texels = MASK_SIZE >> int(level);
+// From FOAM_SIDE by FOAM_SIDE texels of a level. size: sides of the footprint, texels of that level.
+float level_coverage(float s, vec2 uv, vec2 size, int level) {
+    int texels = MASK_SIZE >> level;
     vec2 at = fract(uv) * float(texels) - 0.5;
     vec2 base = floor(at);
-    vec2 width = clamp(size * exp2(-level), 1e-2, 0.75 * float(FOAM_SIDE));
+    vec2 width = clamp(size, 1e-2, 0.75 * float(FOAM_SIDE));
     vec4 across = box_shares(at.x - base.x, width.x);
     vec4 down = box_shares(at.y - base.y, width.y);
-    float threshold = quantile(s, 1 + int(level));
+    float threshold = quantile(s, 1 + level);
     float sum = 0.0;
     for (int j = 2 - FOAM_SIDE / 2; j < 2 + FOAM_SIDE / 2; ++j) {
+        float row = 0.0;
         for (int i = 2 - FOAM_SIDE / 2; i < 2 + FOAM_SIDE / 2; ++i) {
-            vec2 span = texelFetch(u_mask_spans, (ivec2(base) + ivec2(i - 1, j - 1)) & (texels - 1), int(level)).rg;
-            sum += across[i] * down[j] * ramp_mean(threshold, span.x, span.y, u_foam_fade);
+            vec2 span = texelFetch(u_mask_spans, (ivec2(base) + ivec2(i - 1, j - 1)) & (texels - 1), level).rg;
+            row += across[i] * ramp_mean(threshold, span.x, span.y, u_foam_fade);
         }
+        sum += down[j] * row;
     }
     return sum;
 }
 
 // From the finest level whose texels hold the footprint, led over to the next where they hardly do.
 float minified_coverage(float s, vec2 uv, vec2 size) {
-    float place = clamp(log2(max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)))), 0.0, float(MASK_LEVELS - 1));
-    float level = floor(place);
-    float next = smoothstep(0.8, 1.0, place - level);
+    float most = max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)));
+    float held = clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)));
+    // Its binary exponent: no driver's logarithm decides on the level.
+    int level = (floatBitsToInt(held) >> 23) - 127;
+    float scale = intBitsToFloat((127 - level) << 23);
+    float next = smoothstep(1.75, 2.0, held * scale);
     int levels = next > 0.0 ? 2 : 1;
     float covered = 0.0;
     for (int i = 0; i < levels; ++i) {
-        covered += (i == 0 ? 1.0 - next : next) * level_coverage(s, uv, size, level + float(i));
+        covered += (i == 0 ? 1.0 - next : next) * level_coverage(s, uv, scale * size, level + i);
+        scale *= 0.5;
     }
     return covered;
 }

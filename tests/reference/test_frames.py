@@ -125,6 +125,26 @@ def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: 
     assert errors["filtered"] < min(errors[look] for look in HARD)
 
 
+@pytest.mark.parametrize("preset", EVERY_LOOK)
+def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, report: Report, preset: str) -> None:
+    scene = load_preset(preset).scene
+    assert scene.foam is not None
+    errors = {}
+    for look, samples in (("halftone", 16), ("filtered", 1)):
+        truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
+        variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
+        quality = TIERS["standard"].model_copy(update={"samples": samples})
+        linear = draw(executor, variant, quality, CONVERGED_TIME, CONVERGED_SIZE)
+        errors[look, "coverage"] = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
+        errors[look, "picture"] = rmse(white(linear[..., :3]), white(truth.rgb))
+    report.add(
+        "Filtered once against halftone sixteen times, each look against its own limit, 160 × 90",
+        preset=preset,
+        **{f"{look}_{what}": f"{error:.4f}" for (look, what), error in errors.items()},
+    )
+    assert errors["filtered", "coverage"] <= errors["halftone", "coverage"]
+
+
 VIEWS = {
     "straight down from 4 m": Camera(position=(0.3, 4.0, 0.2), pitch=-math.pi / 2, fov=0.9),
     "straight down from 30 m": Camera(position=(0.3, 30.0, 0.2), pitch=-math.pi / 2, fov=0.9),

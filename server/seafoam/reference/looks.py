@@ -84,9 +84,9 @@ def minified_coverage(
     ``spans``: a level's texels hold (low, 1/width) of their thresholds; ``tables`` (levels, 65) says where to threshold
     them. From the finest level in which the box is at most three texels wide, led over to the next near that.
     """
-    place = np.clip(np.log2(np.maximum(size.max(axis=1), 1e-30) / 1.5), 0.0, len(spans) - 1.0)
-    level = np.floor(place)
-    following = smoothstep(0.8, 1.0, place - level)
+    held = np.clip(size.max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
+    level = np.floor(np.log2(held))
+    following = smoothstep(1.75, 2.0, held / 2.0**level)
     covered = np.zeros_like(s)
     for index, image in enumerate(spans):
         weight = np.where(level == index, 1.0 - following, np.where(level + 1.0 == index, following, 0.0))
