@@ -78,6 +78,46 @@ def test_none_at_0_and_all_at_1(executor: Executor, texels_a_pixel: float) -> No
     assert (coverage(executor, 1.0, texels_a_pixel, 128) == 1.0).all()
 
 
+SCALES = {0.5: 1.5, 1.0: 2.5, 1.5: 2.5, 2.0: 2.5, 3.0: 2.0, 4.0: 2.0, 6.0: 1.0, 8.0: 1.0}
+"""Texels a pixel, and how often the error of halftone at 16 samples the filtered look may have at one."""
+
+
+@pytest.mark.parametrize("mask", ["vac-1.5", "vac-24"])
+def test_filtered_once_against_halftone_sixteen_times_at_every_scale(
+    executor: Executor, report: Report, mask: str
+) -> None:
+    """Root mean square error of coverage, each look against the mean of its own pixels of an eighth of a texel."""
+    side = 32
+    for texels_a_pixel, most in SCALES.items():
+        errors = {}
+        for look, samples in (("halftone", 16), ("filtered", 1)):
+            squares = []
+            for saturation in (0.1, 0.3, 0.6):
+                scene = flat(saturation, look, mask)  # type: ignore[arg-type]
+                assert scene.foam is not None
+                # Aligned with the texels, 16 samples would count two by two of them without an error.
+                scene = scene.model_copy(update={"foam": scene.foam.model_copy(update={"mask_angle": 0.5})})
+                camera = looking_down(texels_a_pixel, side, x=0.0037, z=-1.2345)
+
+                def amount(parts: int, quality: Quality, scene: Scene = scene, camera: Camera = camera):  # type: ignore[no-untyped-def]
+                    plan = make_plan(scene, quality)
+                    size = parts * side
+                    drawn = executor.render(plan, time=0.0, camera=camera, width=size, height=size, output="linear")
+                    return drawn.pixels[..., 3].astype(np.float64).reshape(side, parts, side, parts).mean(axis=(1, 3))
+
+                quality = TIERS["standard"]
+                limit = amount(max(math.ceil(8.0 * texels_a_pixel), 8), quality)
+                squares.append((amount(1, quality.model_copy(update={"samples": samples})) - limit) ** 2)
+            errors[look] = float(np.sqrt(np.mean(squares)))
+        report.add(
+            "Coverage by scale: filtered once and halftone 16 times, each against its own limit",
+            mask=mask,
+            texels_a_pixel=f"{texels_a_pixel:g}",
+            **{look: f"{error:.4f}" for look, error in errors.items()},
+        )
+        assert errors["filtered"] <= most * errors["halftone"], texels_a_pixel
+
+
 def axis_aligned_share(picture: NDArray[np.float32]) -> float:
     """Share of the edges' strength whose direction is within 3 degrees of an axis; 1/15 where all are alike."""
     # Over a few pixels, so that the raster itself has no direction.

@@ -184,5 +184,20 @@ EFFECT = Effect(
             times=(0.0, 1e9),
             camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
         ),
+        HardCase(
+            name="waves that hide their backs, an eye as high as their crests",
+            scene=Scene(
+                waves=(
+                    ParametricWave(amplitude=0.5, wavelength=8.0, exponent=2.0),
+                    ParametricWave(amplitude=0.2, wavelength=5.0, direction=0.6),
+                ),
+                foam=Foam(),
+            ),
+            guard="the fall of a ray over no relief: at least 1e-20 under it, arcs of at least 1e-5 rad "
+            "(saturation/front_filtered.glsl)",
+            without="nothing on llvmpipe; where neither falls nor rises anything, 0/0",
+            times=(0.0, 1e9),
+            camera=Camera(position=(0.37, 0.7, -0.21), yaw=1.2, pitch=-0.05),
+        ),
     ),
 )

@@ -2069,11 +2069,11 @@ export interface components {
             mask: "u8" | "half" | "u16";
             /**
              * Foam Taps
-             * @description Parts of a footprint that the filtered look averages, each with its own mask
-             * @default 1
+             * @description Texels of the mask that the filtered look averages where it is minified: 2 by 2 or 4 by 4
+             * @default 16
              * @enum {integer}
              */
-            foam_taps: 1 | 4;
+            foam_taps: 4 | 16;
             /**
              * Chop
              * @description Ripples from a tile drawn each frame, or summed per pixel
