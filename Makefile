@@ -76,6 +76,7 @@ wheel: setup
 bake: setup
 	$(BIN)/python -m seafoam.masks.bake
 	$(BIN)/python tests/golden/make_uniform_rules.py
+	$(BIN)/python tests/golden/make_views.py
 	$(BIN)/python -m seafoam.reference.bake
 
 docs: setup-test

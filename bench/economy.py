@@ -320,7 +320,9 @@ def _with_numbers(plan: FramePlan) -> FramePlan:
 
 def _alone(plan: FramePlan) -> FramePlan:
     """The plan with no pass but the surface's; what that reads is there from earlier frames."""
-    return plan.model_copy(update={"passes": tuple(one for one in plan.passes if one.program == "surface")})
+    alone = (one for one in plan.passes if one.program == "surface")
+    # What only sets up is drawn whatever reads it.
+    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"when": "setup"}) for one in alone)})
 
 
 def same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:

@@ -10,6 +10,7 @@ from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import Effect
 from seafoam.plan import make_plan
 from seafoam.plan.planner import NEGLIGIBLE
+from seafoam.plan.view import drawn_passes
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Scene, Water
@@ -67,6 +68,35 @@ def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
         measured=f"{255 * worst:.4f}",
     )
     assert worst <= allowed + ROUNDING
+
+
+LOOKED_AT = (
+    Camera(position=(3.0, 30.0, -2.0), pitch=math.pi / 2),
+    Camera(position=(3.0, 30.0, -2.0), pitch=0.6, fov=0.5, roll=0.3),
+    Camera(position=(3.0, 30.0, -2.0), pitch=-math.pi / 2),
+    Camera(position=(3.0, 30.0, -2.0), pitch=-0.5, fov=0.8, yaw=2.0),
+    Camera(position=(3.0, 30.0, -2.0), pitch=-0.5, fov=0.8, yaw=-1.0),
+)
+"""Sky alone, water alone, and to both sides."""
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_what_is_out_of_view_is_not_drawn_and_would_change_nothing(executor: Executor, preset: str) -> None:
+    """To the last bit: what is left undrawn has no pixel in the picture."""
+    scene = load_preset(preset).scene
+    plan = make_plan(scene, TIERS["draft"])
+    everywhere = plan.model_copy(
+        update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)}
+    )
+    drawn = set()
+    for camera in LOOKED_AT:
+        lean, full = (
+            executor.render(one, time=1.3, camera=camera, width=64, height=40, output="linear").pixels
+            for one in (plan, everywhere)
+        )
+        assert np.array_equal(lean, full)
+        drawn.add(frozenset(i for i, shows in drawn_passes(plan, camera, 64, 40, plan.linear).items() if shows))
+    assert len(drawn) > 1 or scene.shore is not None
 
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)

@@ -5,6 +5,7 @@ import math
 from seafoam.effects.below import WATER
 from seafoam.effects.contribution import (
     ABOVE,
+    Ball,
     Constant,
     Contribution,
     Effect,
@@ -24,6 +25,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
+from seafoam.effects.extremes import surface_top
 from seafoam.effects.light import sky_irradiance
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
@@ -60,6 +62,17 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
 def _each(values: list[tuple[float, ...]]) -> Uniform:
     kind: UniformType = "vec3" if len(values[0]) == 3 else "vec4"
     return array(kind, [Constant(value=value) for value in values], len(values))
+
+
+def _reach(boat: Boat, top: float) -> Ball:
+    """Where a boat can be: on its course, no further up or down than the water, which nothing of it is far from."""
+    x, z = boat.centre
+    course = boat.radius
+    if boat.speed == 0.0:
+        x, z = x + course * math.cos(boat.bearing), z + course * math.sin(boat.bearing)
+        course = 0.0
+    # Shaders look for it within 0.9 lengths of a place 0.4 over its middle.
+    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + top) + 0.1))
 
 
 def shade_files(scene: Scene) -> tuple[str, ...]:
@@ -113,6 +126,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         target=ABOVE,
         stage="after",
         blend="over",
+        # Land would carry it higher.
+        view="any" if ashore else tuple(_reach(boat, surface_top(scene)) for boat in boats),
     )
     return Contribution(
         why=f"boats: {', '.join(kinds)}",

@@ -174,6 +174,18 @@ Mesh = Annotated[Fullscreen | Grid | Points, Field(discriminator="rule")]
 Blend = Literal["none", "add", "over"]
 """How a pass meets what its target holds: replaces it, adds to it, or lies over it with premultiplied alpha."""
 
+
+class Ball(PlanPart):
+    """All that a pass can show, at any time: nothing of it is further than ``radius`` from ``centre`` (x, y, z); m."""
+
+    centre: tuple[float, float, float]
+    radius: float
+
+
+View = Literal["any", "rising", "falling"] | tuple[Ball, ...]
+"""Where a pass can show something: anywhere; where a ray of the picture rises, or falls, or for both where crests may
+cover the eye; or in one of these balls."""
+
 BENEATH = "beneath"
 """The target of surface and sky where passes of stage ``after`` follow; those may read it."""
 ABOVE = "above"
@@ -217,6 +229,7 @@ class PassSpec:
     stage: Literal["before", "after"] = "before"
     blend: Blend = "none"
     clear: bool = False
+    view: View = "any"
     under: tuple[str, ...] = ()
     """Files of the fragment shader for eyes that crests may cover; none: the same as for others."""
 

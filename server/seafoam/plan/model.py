@@ -14,6 +14,7 @@ from seafoam.effects.contribution import (
     TargetInput,
     TextureInput,
     Uniform,
+    View,
     WrapMode,
 )
 
@@ -78,6 +79,11 @@ class Pass(PlanPart):
     eye: Eye = Field(
         default="any",
         description="over: drawn for eyes at the plan's top or higher; under: for all lower ones, and right for any",
+    )
+    view: View = Field(
+        default="any",
+        description="Where it can show something. rising, falling: only where a ray of the picture does, or the eye is "
+        "lower than the plan's top; balls: only where one of them is in the picture",
     )
     program: str
     target: str = Field(description="A target of the plan, or 'screen': the RGBA8 picture itself")

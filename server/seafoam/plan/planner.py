@@ -115,10 +115,11 @@ class _Draft:
 def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
     """The frame plan of a scene at a quality.
 
-    ``economy``: leave out what can change no pixel by more than :data:`NEGLIGIBLE`; without it everything that the
-    scene names is there, which is how the bounds are tested. Pure: the same arguments give the same bytes. Raises
-    :class:`seafoam.effects.contribution.PlanError` where the scene asks for what does not exist, such as an unknown
-    mask, or for more effects together than one shader can read the textures of.
+    ``economy``: leave out what can change no pixel by more than :data:`NEGLIGIBLE`, and say of passes where they can
+    be seen; without it everything that the scene names is drawn from everywhere, which is how both are tested. Pure:
+    the same arguments give the same bytes. Raises :class:`seafoam.effects.contribution.PlanError` where the scene asks
+    for what does not exist, such as an unknown mask, or for more effects together than one shader can read the textures
+    of.
     """
     scene = _kept(scene, quality.waves)
     draft = _Draft(scene, quality, economy)
@@ -245,6 +246,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
                 name="surface",
                 when="frame",
                 eye=eye,
+                # Land rises over the horizon.
+                view="any" if shore else "falling",
                 program=program,
                 target=drawn,
                 mesh=mesh_of,
@@ -253,7 +256,16 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             )
             for eye, program, mesh_of in surfaces
         ),
-        Pass(name="sky", when="frame", program="sky", target=drawn, mesh=Fullscreen(), state=State(depth=True)),
+        Pass(
+            name="sky",
+            when="frame",
+            # A mesh ends before the horizon, and a march may go between crests that an eye is among.
+            view="any" if mesh else "rising",
+            program="sky",
+            target=drawn,
+            mesh=Fullscreen(),
+            state=State(depth=True),
+        ),
         *compose,
         *resolve,
         Pass(
@@ -265,6 +277,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             inputs={"u_linear": TargetInput(target=linear)},
         ),
     ]
+    if not economy:
+        passes = [one.model_copy(update={"view": "any"}) for one in passes]
     for program in programs.values():
         _refuse_too_many(program, draft.readers)
     uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.steepest)}
@@ -345,6 +359,7 @@ def _passes(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput], be
         mesh=spec.mesh,
         inputs={**inputs, **spec.inputs} if brings else spec.inputs,
         uniforms=spec.uniforms,
+        view=spec.view,
         state=State(clear=spec.clear, blend=spec.blend),
     )
     if not below or not spec.under:

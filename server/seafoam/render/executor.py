@@ -19,6 +19,7 @@ from seafoam.effects.contribution import Blend, FixedSize, Fullscreen, Grid, Poi
 from seafoam.plan.assemble import declared_uniforms
 from seafoam.plan.model import FramePlan, Pass, Program, Texture
 from seafoam.plan.rules import FrameState, evaluate
+from seafoam.plan.view import drawn_passes
 from seafoam.render.context import NoRendererError, create_context
 from seafoam.scene.models import Camera
 from seafoam.textures import texture
@@ -178,12 +179,11 @@ class Executor:
             ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
         )
         # Setup passes too: plans share the targets, so nothing that was drawn for an earlier frame can be relied on.
-        for index, one in enumerate(plan.passes):
-            if one.target == "screen" and output != "rgba8":
-                continue
-            if one.eye not in ("any", "over" if camera.position[1] >= plan.top else "under"):
-                continue
-            self._draw(plan, one, index, framebuffers, time, camera, width, height)
+        for index, shows in drawn_passes(plan, camera, width, height, target_name).items():
+            if shows:
+                self._draw(plan, plan.passes[index], index, framebuffers, time, camera, width, height)
+            else:
+                self._clear(framebuffers[plan.passes[index].target][0])
         self._context.finish()
         drawn = clock.perf_counter()
         framebuffer = framebuffers[target_name][0]
@@ -237,7 +237,7 @@ class Executor:
         self._context.depth_func = "<"
         self._context.blend_func = _BLENDS[one.state.blend]
         if one.state.clear:
-            framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+            self._clear(framebuffer)
         state = FrameState(time, camera, width, height, framebuffer.width, framebuffer.height, index)
         for unit, (name, source) in enumerate(sorted(one.inputs.items())):
             if name not in program:
@@ -254,6 +254,10 @@ class Executor:
                 uniform = one.uniforms.get(name) or plan.uniforms[name]
                 _member(program, name).write(evaluate(uniform, state).tobytes())
         linked.draw(one.mesh)
+
+    @staticmethod
+    def _clear(framebuffer: Any) -> None:
+        framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
 
     def _program(self, model: Program) -> _Linked:
         def make() -> _Linked:

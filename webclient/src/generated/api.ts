@@ -603,6 +603,20 @@ export interface components {
             status: "alive";
         };
         /**
+         * Ball
+         * @description All that a pass can show, at any time: nothing of it is further than ``radius`` from ``centre`` (x, y, z); m.
+         */
+        Ball: {
+            /** Centre */
+            centre: [
+                number,
+                number,
+                number
+            ];
+            /** Radius */
+            radius: number;
+        };
+        /**
          * Boat
          * @description A boat that floats on the waves and runs round a circle.
          */
@@ -1846,6 +1860,12 @@ export interface components {
              * @enum {string}
              */
             eye: "any" | "over" | "under";
+            /**
+             * View
+             * @description Where it can show something. rising, falling: only where a ray of the picture does, or the eye is lower than the plan's top; balls: only where one of them is in the picture
+             * @default any
+             */
+            view: ("any" | "rising" | "falling") | components["schemas"]["Ball"][];
             /** Program */
             program: string;
             /**
@@ -3625,6 +3645,7 @@ export interface components {
     pathItems: never;
 }
 export type Alive = components['schemas']['Alive'];
+export type Ball = components['schemas']['Ball'];
 export type Boat = components['schemas']['Boat'];
 export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];

@@ -11,6 +11,7 @@ import { makeTexture, textureKey } from "../gl/texture";
 import type { Json } from "../scene/json";
 import { liveRule } from "./live";
 import { fill, type FrameState } from "./rules";
+import { drawnPasses, type Eye, eyeOf, serves } from "./view";
 
 /** Reads the bytes of a texture of the plan. */
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
@@ -60,9 +61,6 @@ interface BoundPass {
   uniforms: BoundUniform[];
   samplers: BoundSampler[];
 }
-
-/** Where the eye is: over all crests, or where one may cover it. */
-type Eye = "over" | "under";
 
 export class Executor {
   /** Settles when what this camera does not need yet is there too. */
@@ -145,11 +143,11 @@ export class Executor {
     // What draws for a low eye draws for any; the other way about it is a moment's stopgap.
     const wanted = eyeOf(this.plan, frame.camera);
     const eye = this.has(wanted) ? wanted : wanted === "over" ? "under" : "over";
-    for (const [index] of this.plan.passes.entries()) {
+    for (const [index, shows] of drawnPasses(this.plan, eye, frame.camera, frame.width, frame.height)) {
       const bound = this.passes.get(index);
-      if (bound === undefined) continue;
-      if (!serves(bound.pass, eye) || (bound.pass.when === "setup" && this.isSetUp)) continue;
-      around(bound.pass, () => this.drawPass(bound, frame));
+      if (bound === undefined || (bound.pass.when === "setup" && this.isSetUp)) continue;
+      if (shows) around(bound.pass, () => this.drawPass(bound, frame));
+      else this.clear(bound.pass);
     }
     this.isSetUp = true;
   }
@@ -184,6 +182,22 @@ export class Executor {
     }
   }
 
+  /** Empties the target of a pass that has nothing to draw into it. */
+  private clear(pass: Pass): void {
+    const { gl } = this.gpu;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, required(this.targets.get(pass.target), `target ${pass.target}`).framebuffer);
+    gl.disable(gl.SCISSOR_TEST);
+    this.empty();
+  }
+
+  private empty(): void {
+    const { gl } = this.gpu;
+    gl.depthMask(true);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clearDepth(1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
   private drawPass({ pass, index, program, mesh, uniforms, samplers }: BoundPass, frame: Frame): void {
     const { gl } = this.gpu;
     const onScreen = pass.target === "screen";
@@ -211,11 +225,7 @@ export class Executor {
     gl.depthFunc(gl.LESS);
     if (pass.state.depth) gl.enable(gl.DEPTH_TEST);
     else gl.disable(gl.DEPTH_TEST);
-    if (pass.state.clear) {
-      gl.clearColor(0, 0, 0, 0);
-      gl.clearDepth(1);
-      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    }
+    if (pass.state.clear) this.empty();
     gl.useProgram(program.handle);
     const state: FrameState = {
       time: frame.time,
@@ -256,14 +266,6 @@ export async function compile(gpu: Gpu, plan: FramePlan): Promise<string[]> {
     lease.release();
   }
   return errors;
-}
-
-function eyeOf(plan: FramePlan, camera: CameraState): Eye {
-  return camera.position[1] >= plan.top ? "over" : "under";
-}
-
-function serves(pass: Pass, eye: Eye): boolean {
-  return pass.eye === "any" || pass.eye === eye;
 }
 
 /** The programs that an eye there needs. */
