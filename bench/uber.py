@@ -11,8 +11,9 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import get_args
+from unittest.mock import patch
 
-from seafoam.effects import EFFECTS
+from seafoam.effects import EFFECTS, front
 from seafoam.effects.contribution import (
     COMPONENTS,
     Const,
@@ -46,7 +47,11 @@ BY_SCENE = (
 )
 """Compile-time numbers that hang on the scene."""
 
-GENERAL: dict[str, Const] = {"PARAMETRIC_KIND": (-1,) * MOST_WAVES, "PARAMETRIC_ALIKE": True}
+GENERAL: dict[str, Const] = {
+    "PARAMETRIC_KIND": (-1,) * MOST_WAVES,
+    "PARAMETRIC_ALIKE": True,
+    "PARAMETRIC_SIGNAL": False,
+}
 """Compile-time numbers of one scene, and what serves them all."""
 
 _FUNCTION = re.compile(r"^(?P<returns>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\) \{", re.MULTILINE)
@@ -93,9 +98,8 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     plan = make_plan(scene, quality)
     running = {note.name for note in plan.effects}
     own = _Parts()
-    for effect in EFFECTS:
-        given = effect.contribute(scene, quality)
-        if given is not None and effect.name in running:
+    for name, given in _given(scene, quality):
+        if name in running:
             own.add(given)
     fixed = own.consts.keys() - set(BY_SCENE) - GENERAL.keys()
     if any(own.consts[name] != uber.parts.consts[name] for name in fixed):
@@ -149,10 +153,8 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
     parts, plans = _Parts(), []
     for scene, asked in _variants(quality, exact_ripples):
         plans.append(make_plan(scene, asked))
-        for effect in EFFECTS:
-            given = effect.contribute(scene, asked)
-            if given is not None:
-                parts.add(given)
+        for _, given in _given(scene, asked):
+            parts.add(given)
     consts: Consts = {
         **parts.consts,
         **GENERAL,
@@ -169,6 +171,13 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
         fragment=assemble([f"={text}"], fixed),
     )
     return _Uber(program, parts, tuple(plans), switches)
+
+
+def _given(scene: Scene, quality: Quality) -> list[tuple[str, Contribution]]:
+    """What each effect gives, fronts with phases of their own, which every scene can have."""
+    with patch.object(front, "shares_phase", return_value=False):
+        given = [(effect.name, effect.contribute(scene, quality)) for effect in EFFECTS]
+    return [(name, one) for name, one in given if one is not None]
 
 
 def _variants(quality: Quality, exact_ripples: bool) -> list[tuple[Scene, Quality]]:

@@ -66,19 +66,9 @@ void front_seen(vec2 p, float height, float along, float across, inout float psi
 }
 
 float front_saturation(vec2 p, float height, Footprint fp) {
-    vec2 signal = vec2(0.0);
-    vec2 by_x = vec2(0.0);
-    vec2 by_z = vec2(0.0);
-    for (int i = 0; i < FRONT_COUNT; ++i) {
-        vec3 wave = u_front_wave[i].xyz;
-        float psi = wrap_phase(u_front_phase[i] - dot(wave.xy, p));
-        vec2 term = wave.z * vec2(cos(psi), sin(psi));
-        signal += term;
-        // d psi / d p = -k
-        vec2 turned = vec2(term.y, -term.x);
-        by_x += wave.x * turned;
-        by_z += wave.y * turned;
-    }
+    vec2 by_x;
+    vec2 by_z;
+    vec2 signal = front_signal(p, by_x, by_z);
     float rho2 = dot(signal, signal);
     vec2 gradient = vec2(signal.x * by_x.y - signal.y * by_x.x, signal.x * by_z.y - signal.y * by_z.x) / max(rho2, 1e-4);
     float width = abs(dot(gradient, fp.x)) + abs(dot(gradient, fp.y));

@@ -55,12 +55,30 @@ vec3 parametric_waves(vec2 p) {
     return sum;
 }
 
+// What fronts read of the place that was shaded last, so that it costs no sine of its own: the waves' sum as an analytic signal (m)
+// and its derivatives by x and z. docs/formulae.md, section 4.
+vec2 parametric_signal;
+vec2 parametric_signal_x;
+vec2 parametric_signal_z;
+
 // Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
 vec4 parametric_shading(vec2 p, Footprint fp) {
     vec4 sum = vec4(0.0);
+    parametric_signal = vec2(0.0);
+    parametric_signal_x = vec2(0.0);
+    parametric_signal_z = vec2(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
-        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w, parametric_kind(i));
+        float theta = parametric_theta(i, p);
+        vec2 profile = wave.z * parametric_profile(theta, wave.w, parametric_kind(i));
+        if (PARAMETRIC_SIGNAL) {
+            vec2 term = wave.z * vec2(cos(theta), sin(theta));
+            // d theta / d p = -k
+            vec2 turned = vec2(term.y, -term.x);
+            parametric_signal += term;
+            parametric_signal_x += wave.x * turned;
+            parametric_signal_z += wave.y * turned;
+        }
         float kept = 1.0;
         if (SURFACE_FILTER) {
             float a = dot(wave.xy, fp.x);

@@ -184,10 +184,9 @@ def test_front_at_its_pole_and_beyond_the_schemas_c(probe: Probe, intensity: flo
         ]
     ).astype(np.float32)
     got = probe(
-        ["common/numbers.glsl", "saturation/front_phase.glsl", "saturation/front_profile.glsl"],
+        ["common/numbers.glsl", "saturation/front_profile.glsl"],
         "y.x = front_profile(x.xy, length(x.xy));",
         signals,
-        consts={"FRONT_COUNT": 1, "FRONT_GATED": False},
         uniforms={"u_front_intensity": intensity, "u_front_log_base": 1.0},
     )[:, 0]
     assert np.isfinite(got).all()

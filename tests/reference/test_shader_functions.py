@@ -12,7 +12,7 @@ from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integr
 
 TOLERANCE = 1e-5
 NUMBERS = "common/numbers.glsl"
-PHASE = ("saturation/front_phase.glsl", "saturation/front_profile.glsl")
+PHASE = ("saturation/front_own.glsl", "saturation/front_gate.glsl", "saturation/front_profile.glsl")
 FILTERED_FRONT = (NUMBERS, "=uniform float u_eye_height;", *PHASE, "saturation/front_filtered.glsl")
 CONSTANTS = {"text": (math.pi / 2, math.e), "listing": (1.07, 2.718)}
 
@@ -176,7 +176,13 @@ def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float, kin
         [NUMBERS, "waves/parametric.glsl"],
         "y.xy = parametric_profile(x.x, x.y, PARAMETRIC_KIND[0]);",
         np.column_stack([theta, np.full_like(theta, exponent)]),
-        consts={"PARAMETRIC_COUNT": 1, "PARAMETRIC_KIND": (kind,), "PARAMETRIC_ALIKE": True, "SURFACE_FILTER": False},
+        consts={
+            "PARAMETRIC_COUNT": 1,
+            "PARAMETRIC_KIND": (kind,),
+            "PARAMETRIC_ALIKE": True,
+            "PARAMETRIC_SIGNAL": False,
+            "SURFACE_FILTER": False,
+        },
     )
     wide, power = theta.astype(np.float64), float(np.float32(exponent))
     assert np.isfinite(got).all()

@@ -114,6 +114,7 @@ def test_births_on_waves_equal_their_float64_form(
                 "PARAMETRIC_COUNT": 2,
                 "PARAMETRIC_KIND": (4, 0),
                 "PARAMETRIC_ALIKE": False,
+                "PARAMETRIC_SIGNAL": False,
                 "SURFACE_FILTER": False,
             },
             uniforms={

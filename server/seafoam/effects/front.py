@@ -20,7 +20,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import front_limit, waves_top
-from seafoam.effects.parametric import profile_means
+from seafoam.effects.parametric import profile_means, shares_phase
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
 from seafoam.scene.models import (
@@ -53,26 +53,25 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     filtered = scene.foam.look == "filtered"
     delta, turn, log_base = _CONSTANTS[front.constants]
     total = waves_top(scene)
-    data: list[Constant] = []
-    phases: list[Phase] = []
-    for wave in scene.waves:
-        kx, kz = (turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
-        weight = wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves)
-        data.append(Constant(value=(kx, kz, weight, 0.0)))
-        phases.append(Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz)))
+    consts: dict[str, Const] = {}
+    if shares_phase(scene):
+        waves_of, own = "saturation/front_shared.glsl", {"u_front_share": number(significant(1.0 / total))}
+    else:
+        waves_of, own = "saturation/front_own.glsl", _own_waves(scene, delta, turn)
+        consts["FRONT_COUNT"] = len(scene.waves)
     gated = front.group != (0.0, 0.0)
     pointer = f"/foam/saturation/{index}"
-    consts: dict[str, Const] = {"FRONT_COUNT": len(data), "FRONT_GATED": gated}
+    consts["FRONT_GATED"] = gated
     uniforms: dict[str, Uniform] = {
-        "u_front_wave": array("vec4", data, len(data)),
-        "u_front_phase": array("float", phases, len(data)),
+        **own,
         # The filtered look reads C from a table as well, so there it is not free to move.
         "u_front_intensity": number(front.intensity, None if filtered else f"{pointer}/intensity"),
         "u_front_log_base": number(log_base),
         "u_front_group": vector((front.group[0], max(front.group[1], front.group[0] + 1e-4))),
     }
-    why = f"front saturation of {len(data)} wave{'s' if len(data) > 1 else ''}, constants of the {front.constants}"
-    needs = ("saturation/front_phase.glsl", "saturation/front_profile.glsl")
+    count = len(scene.waves)
+    why = f"front saturation of {count} wave{'s' if count > 1 else ''}, constants of the {front.constants}"
+    needs = (waves_of, "saturation/front_gate.glsl", "saturation/front_profile.glsl")
     if not filtered:
         return Contribution(
             why=why,
@@ -97,6 +96,22 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},
         bound=bound,
     )
+
+
+def _own_waves(scene: Scene, delta: float, turn: float) -> dict[str, Uniform]:
+    """Wavenumbers, weights and phases of the front's own."""
+    total = waves_top(scene)
+    data: list[Constant] = []
+    phases: list[Phase] = []
+    for wave in scene.waves:
+        kx, kz = (turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
+        weight = wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves)
+        data.append(Constant(value=(kx, kz, weight, 0.0)))
+        phases.append(Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz)))
+    return {
+        "u_front_wave": array("vec4", data, len(data)),
+        "u_front_phase": array("float", phases, len(data)),
+    }
 
 
 def _relief(scene: Scene, spatial: float) -> float:

@@ -24,12 +24,16 @@ from seafoam.scene.models import (
     FrontSaturation,
     ParametricWave,
     Scene,
+    SlopeSaturation,
     Water,
 )
 
 _HELD = 1e-4
 """|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""
 
+
+_LEAST_SHARED = 1e-30
+"""Fronts of lower waves, m, have phases of their own: 1 over their height would overflow."""
 
 _MOST_TWICE = 33
 """Greatest 2K whose power the shader multiplies out."""
@@ -65,6 +69,17 @@ def _kind(exponent: float) -> int:
     return int(twice) if twice <= _MOST_TWICE and twice == int(twice) else 0
 
 
+def shares_phase(scene: Scene) -> bool:
+    """Whether fronts read the waves' own phases, left where the surface was last shaded.
+
+    Where δ is π/2 they are the same. Foam by slope shades other places in between, and a shore other waves.
+    """
+    fronts = () if scene.foam is None else (one for one in scene.foam.saturation if isinstance(one, FrontSaturation))
+    slopes = scene.foam is not None and any(isinstance(one, SlopeSaturation) for one in scene.foam.saturation)
+    like = any(one.constants == "text" for one in fronts) and waves_top(scene) >= _LEAST_SHARED
+    return like and not slopes and scene.shore is None
+
+
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by any parametric wave with height."""
     waves = [wave for wave in scene.waves if wave.amplitude > 0.0]
@@ -92,6 +107,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "PARAMETRIC_COUNT": len(waves),
             "PARAMETRIC_KIND": kinds,
             "PARAMETRIC_ALIKE": len(set(kinds)) == 1,
+            "PARAMETRIC_SIGNAL": shares_phase(scene),
         },
         uniforms={
             "u_parametric": array("vec4", data, len(waves)),
@@ -178,7 +194,7 @@ EFFECT = Effect(
                 foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.4)),), look="halftone"),
             ),
             guard="sums of float32 phases alone: nothing divides by the sum; the gate closes where it is "
-            "noise (saturation/front_phase.glsl)",
+            "noise (saturation/front_gate.glsl)",
             without="foam from the rounding of sums that are 0: 1.2 % of samples flipped",
             times=(0.0, 1.3863),
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
