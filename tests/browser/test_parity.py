@@ -21,7 +21,7 @@ from seafoam.scene.presets import load_preset, preset_names
 TIMES = (0.0, 2.7, 1e9)
 SIZE = (320, 180)
 HARD = {"mean": 3.0, "share_over_2": 0.06}
-SOFT = {"mean": 0.6, "share_over_2": 0.01}
+SOFT = {"mean": 0.6, "share_over_2": 0.015}
 """What SwiftShader may differ by: mean difference in levels, and share of pixels that differ by more than 2 levels.
 
 Its sine is good to 2e-4 only (WebGL asks no more), so phases shift by that much. Filtered and textured foam move by
