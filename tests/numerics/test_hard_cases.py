@@ -37,8 +37,8 @@ LOOSE = {
     "eye under the mirror": (3.5, 0.04),
     # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
     "foam at the centre of a boat's circle": (1.0, 0.01),
-    # The share of foam is rounded by up to 5e-5 where it is nearly 1, and the light under it is 65504.
-    "black foam over the brightest glitter": (12.0, 0.3),
+    # The share of foam is rounded where it is nearly 1, and the light under it is 65504.
+    "black foam over the brightest glitter": (8.0, 0.15),
 }
 """Cases with wider bounds: mean and share."""
 APART = {
