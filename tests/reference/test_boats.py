@@ -58,9 +58,14 @@ BOATS = (
 )
 
 
+def everywhere(plan: FramePlan) -> FramePlan:
+    """The plan with every pass drawn, whether what it shows is in the picture or not."""
+    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)})
+
+
 def poses(executor: Executor, plan: FramePlan, time: float, camera: Camera) -> NDArray[np.float64]:
     """What the pass wrote: height amidships and the slopes of each boat, (n, 3)."""
-    executor.render(plan, time=time, camera=camera, width=16, height=9, output="samples")
+    executor.render(everywhere(plan), time=time, camera=camera, width=16, height=9, output="samples")
     target = plan.targets["boat_pose"]
     raw = executor._target("boat_pose", target, 16, 9)[0].read(components=4, dtype="f4")
     return np.frombuffer(raw, np.float32).reshape(-1, 4)[:, :3].astype(np.float64)
@@ -80,7 +85,7 @@ def drawn_heights(
         update={"fragment": shader.model_copy(update={"text": text, "sha256": assemble(["=" + text], {}).sha256})}
     )
     # Drawn for any eye, whether crests may cover it or not.
-    other = plan.model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})
+    other = everywhere(plan).model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})
     seen = executor.render(other, time=time, camera=camera, width=len(places), height=1, output="samples")
     return seen.pixels[0, :, 0].astype(np.float64)
 
