@@ -425,3 +425,11 @@ def test_whitecaps_counted_in_a_picture(executor: Executor, report: Report, look
     )
     assert abs(np.mean(shares[3:]) / wanted - 1.0) <= 0.2
     assert abs(np.mean(shares[:3]) / wanted - 1.0) <= 0.2
+
+
+@pytest.mark.parametrize("steps", [0, 4, 8])
+def test_any_number_of_earlier_folds_can_be_drawn(executor: Executor, steps: int) -> None:
+    """With none the program reads less of an array than it declares, and drivers shorten it."""
+    plan = make_plan(seen(SEAS["fft"]), QUICK.model_copy(update={"age_steps": steps}))
+    frame = executor.render(plan, time=1.0, camera=Camera(), width=32, height=18, output="linear")
+    assert np.isfinite(frame.pixels).all()

@@ -252,7 +252,10 @@ class Executor:
         for name in declared_uniforms(model.vertex) | declared_uniforms(model.fragment):
             if name in program and name not in one.inputs:
                 uniform = one.uniforms.get(name) or plan.uniforms[name]
-                _member(program, name).write(evaluate(uniform, state).tobytes())
+                member = _member(program, name)
+                # An array whose last elements nothing reads is shorter to the driver.
+                values = evaluate(uniform, state)[: member.array_length * member.dimension]
+                member.write(values.tobytes())
         linked.draw(one.mesh)
 
     @staticmethod
