@@ -12,6 +12,7 @@ from seafoam.effects import boat as effect
 from seafoam.effects.wake import ASIDE
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.assemble import assemble
+from seafoam.plan.view import everywhere
 from seafoam.quality import TIERS, Quality
 from seafoam.reference import boats as reference
 from seafoam.reference import camera as cameras
@@ -56,11 +57,6 @@ BOATS = (
         turn="port",
     ),
 )
-
-
-def everywhere(plan: FramePlan) -> FramePlan:
-    """The plan with every pass drawn, whether what it shows is in the picture or not."""
-    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)})
 
 
 def poses(executor: Executor, plan: FramePlan, time: float, camera: Camera) -> NDArray[np.float64]:

@@ -10,7 +10,7 @@ from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import Effect
 from seafoam.plan import make_plan
 from seafoam.plan.planner import NEGLIGIBLE
-from seafoam.plan.view import drawn_passes
+from seafoam.plan.view import drawn_passes, everywhere
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Scene, Water
@@ -85,14 +85,11 @@ def test_what_is_out_of_view_is_not_drawn_and_would_change_nothing(executor: Exe
     """To the last bit: what is left undrawn has no pixel in the picture."""
     scene = load_preset(preset).scene
     plan = make_plan(scene, TIERS["draft"])
-    everywhere = plan.model_copy(
-        update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)}
-    )
     drawn = set()
     for camera in LOOKED_AT:
         lean, full = (
             executor.render(one, time=1.3, camera=camera, width=64, height=40, output="linear").pixels
-            for one in (plan, everywhere)
+            for one in (plan, everywhere(plan))
         )
         assert np.array_equal(lean, full)
         drawn.add(frozenset(i for i, shows in drawn_passes(plan, camera, 64, 40, plan.linear).items() if shows))

@@ -118,6 +118,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
     over = "boat/over.glsl?boat_hidden=boat_hidden_over&boat_before=boat_before_over"
     under = (over, "shade/optics.glsl", "@ceiling", WATER, "@reach", "boat/under.glsl")
+    top = surface_top(scene)
     picture = PassSpec(
         name="boats",
         program="boat",
@@ -127,7 +128,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         stage="after",
         blend="over",
         # Land would carry it higher.
-        view="any" if ashore else tuple(_reach(boat, surface_top(scene)) for boat in boats),
+        view="any" if ashore else tuple(_reach(boat, top) for boat in boats),
     )
     return Contribution(
         why=f"boats: {', '.join(kinds)}",

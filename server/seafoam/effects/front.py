@@ -52,10 +52,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound = Bound(0.0, "crests foam only above the greatest possible sum of the waves")
     filtered = scene.foam.look == "filtered"
     delta, turn, log_base = _CONSTANTS[front.constants]
-    total = waves_top(scene)
     consts: dict[str, Const] = {}
     if shares_phase(scene):
-        waves_of, own = "saturation/front_shared.glsl", {"u_front_share": number(significant(1.0 / total))}
+        waves_of, own = "saturation/front_shared.glsl", {"u_front_share": number(significant(1.0 / waves_top(scene)))}
     else:
         waves_of, own = "saturation/front_own.glsl", _own_waves(scene, delta, turn)
         consts["FRONT_COUNT"] = len(scene.waves)

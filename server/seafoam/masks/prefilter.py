@@ -33,6 +33,13 @@ def thresholds(ranks: Ranks) -> Field:
     return (ranks + 0.5) / ranks.size
 
 
+def _halved(level: Field) -> Field:
+    """Means of two by two texels; (size / 2, size / 2) and channels as before."""
+    half = level.shape[0] // 2
+    halved: Field = level.reshape(half, 2, half, 2, *level.shape[2:]).mean(axis=(1, 3))
+    return halved
+
+
 def footprint_deviations(ranks: Ranks) -> list[float]:
     """sigma_l: root mean square, over a level's boxes, of the standard deviation of u inside a box of 2^l texels.
 
@@ -46,8 +53,7 @@ def footprint_deviations(ranks: Ranks) -> list[float]:
         deviations.append(float(np.sqrt(max(second - float((mean * mean).mean()), 0.0))))
         if mean.shape[0] == 1:
             return deviations
-        half = mean.shape[0] // 2
-        mean = mean.reshape(half, 2, half, 2).mean(axis=(1, 3))
+        mean = _halved(mean)
 
 
 def bspline_weights(f: float) -> tuple[float, float, float, float]:
@@ -144,8 +150,7 @@ def spans(ranks: Ranks, table: ArrayLike) -> list[Level]:
         chain.append(np.stack((mean - half, 0.5 / half), axis=-1).astype(np.float32))
         if level.shape[0] == 1:
             return chain
-        side = level.shape[0] // 2
-        level = level.reshape(side, 2, side, 2, 2).mean(axis=(1, 3))
+        level = _halved(level)
 
 
 def span_quantiles(chain: Sequence[Level]) -> Field:

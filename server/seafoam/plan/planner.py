@@ -30,6 +30,7 @@ from seafoam.effects.contribution import (
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, Eye, FramePlan, Pass, Program, State, Texture
 from seafoam.plan.slots import MAIN, SKY_PASS_SLOTS, TONE, UNDER_SLOTS, WAVES, Slot, slots_named, surface_slots
+from seafoam.plan.view import everywhere
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
@@ -277,12 +278,10 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             inputs={"u_linear": TargetInput(target=linear)},
         ),
     ]
-    if not economy:
-        passes = [one.model_copy(update={"view": "any"}) for one in passes]
     for program in programs.values():
         _refuse_too_many(program, draft.readers)
     uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.steepest)}
-    return FramePlan(
+    plan = FramePlan(
         effects=tuple(draft.effects),
         skipped=tuple(draft.skipped),
         programs=programs,
@@ -296,6 +295,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         bottom=draft.bottom,
         live=tuple(sorted(_live(_used(uniforms, programs)) - draft.bound_fields)),
     )
+    return plan if economy else everywhere(plan)
 
 
 def _kept(scene: Scene, count: int) -> Scene:

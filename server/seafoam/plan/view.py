@@ -34,6 +34,11 @@ def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, targe
     return dict(sorted(found.items()))
 
 
+def everywhere(plan: FramePlan) -> FramePlan:
+    """The plan with every pass drawn for its eye, whether what it shows is in the picture or not."""
+    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)})
+
+
 def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> bool:
     """Whether a pass of this view can show something. ``top``: the highest that a crest can reach, m."""
     if view == "any":
