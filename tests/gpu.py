@@ -81,7 +81,7 @@ class Probe:
     def _texture(self, stored: str) -> moderngl.Texture:
         data = texture(stored)
         components, dtype = TEXTURE_FORMATS[data.format]
-        bytes_a_texel = components * (4 if dtype == "f4" else 2)
+        bytes_a_texel = components * int(dtype[1])
         made = self._context.texture((data.width, data.height), components, dtype=dtype, alignment=1)
         if data.levels > 1:
             made.build_mipmaps(0, data.levels - 1)
@@ -90,7 +90,7 @@ class Probe:
             size = max(data.width >> level, 1) * max(data.height >> level, 1) * bytes_a_texel
             made.write(data.data[offset : offset + size], level=level, alignment=1)
             offset += size
-        if data.format in ("R16F", "RG16F"):
+        if data.format == "R16F":
             made.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
         else:
             made.filter = (moderngl.NEAREST_MIPMAP_NEAREST if data.levels > 1 else moderngl.NEAREST, moderngl.NEAREST)

@@ -44,7 +44,9 @@ class Quality(Knobs):
 
     surface: SurfaceQuality = SurfaceQuality()
     waves: int = Field(default=16, ge=1, le=16, description="Waves kept, the steepest first")
-    mask: Literal["u8", "half", "u16"] = Field(default="u16", description="Format of the mask's thresholds")
+    mask: Literal["u8", "half", "u16"] = Field(
+        default="u16", description="Format of the mask's thresholds, where a look reads single texels"
+    )
     foam_taps: Literal[4, 16] = Field(
         default=16,
         description="Texels of the mask that the filtered look averages where it is minified: 2 by 2 or 4 by 4",

@@ -1,16 +1,18 @@
 // The area-correct threshold: share of the footprint where s exceeds the mask's B-spline, from a smooth edge on it when magnified,
 // from texels that hold where their thresholds lie when small. docs/formulae.md, section 5. s in [0, 1]; exact at 0 and 1.
-uniform sampler2D u_mask_quantiles; // row 0: of the B-spline; row 1 + level: of a level's texels
-uniform sampler2D u_mask_spans;    // a texel's thresholds lie evenly from .r on, over a width of 1 / .g
-uniform float u_foam_fade;         // width of the ramp, in shares of the plane
+uniform usampler2D u_mask_atlas;    // the mask, its levels below one another beside it; a fetch gets four texels, from the one before on
+uniform sampler2D u_mask_quantiles; // an entry and the next; row 0: of the B-spline; row 1 + level: of a level's texels
+uniform float u_foam_fade;          // width of the ramp, in shares of the plane
 uniform float u_foam_texture_share;
 
 // Where to threshold so that a share s is covered. Table entries crowd toward s = 0 and 1, where the quantiles bend most.
 float quantile(float s, int row) {
     float held = clamp(s, 0.0, 1.0);
-    float x = (held <= 0.5 ? sqrt(0.5 * held) : 1.0 - sqrt(0.5 - 0.5 * held)) * float(QUANTILES - 1);
+    float root = sqrt(0.5 * min(held, 1.0 - held));
+    float x = (held <= 0.5 ? root : 1.0 - root) * float(QUANTILES - 1);
     int i = min(int(x), QUANTILES - 2);
-    return mix(texelFetch(u_mask_quantiles, ivec2(i, row), 0).r, texelFetch(u_mask_quantiles, ivec2(i + 1, row), 0).r, x - float(i));
+    vec2 entry = texelFetch(u_mask_quantiles, ivec2(i, row), 0).rg;
+    return mix(entry.x, entry.y, x - float(i));
 }
 
 vec4 spline_weights(float t) {
@@ -28,46 +30,44 @@ vec4 spline_bends(float t) {
     return vec4(u, 3.0 * t - 2.0, 3.0 * u - 2.0, t);
 }
 
-// Mean of the mask's uniform cubic B-spline over the footprint, to second order, and half its change across it.
-vec2 mask_spline(vec2 uv, vec2 uv_x, vec2 uv_y) {
-    vec2 at = fract(uv) * float(MASK_SIZE) - 0.5;
-    vec2 base = floor(at);
-    vec4 wx = spline_weights(at.x - base.x);
-    vec4 wy = spline_weights(at.y - base.y);
-    vec4 sx = spline_slopes(at.x - base.x);
-    vec4 sy = spline_slopes(at.y - base.y);
-    vec4 bx = spline_bends(at.x - base.x);
-    vec4 by = spline_bends(at.y - base.y);
-    vec3 sum = vec3(0.0);
-    vec3 bend = vec3(0.0);
-    for (int j = 0; j < 4; ++j) {
-        ivec2 row = ivec2(base) + ivec2(-1, j - 1);
-        vec4 m = vec4(mask_texel(row), mask_texel(row + ivec2(1, 0)), mask_texel(row + ivec2(2, 0)), mask_texel(row + ivec2(3, 0)));
-        float along = dot(wx, m);
-        float across = dot(sx, m);
-        sum += vec3(wy[j] * along, wy[j] * across, sy[j] * along);
-        bend += vec3(wy[j] * dot(bx, m), by[j] * along, sy[j] * across);
+// Integral of the ramp clamp(x / fade, 0, 1).
+vec4 ramp_integral(vec4 x, float fade) {
+    vec4 rising = clamp(x, 0.0, fade);
+    // A fade below the least normal float counts as 0 where such floats do: 0/0.
+    return rising * rising * (1.0 / max(2.0 * fade, 1e-30)) + max(x - fade, 0.0);
+}
+
+// Mean of the ramp over thresholds that lie evenly over a width, the lowest of them `above` under the threshold.
+vec4 ramp_mean(vec4 above, vec4 width, float fade) {
+    if (!FOAM_FADES) {
+        return clamp(above / width, 0.0, 1.0);
     }
+    return (ramp_integral(above, fade) - ramp_integral(above - width, fade)) / width;
+}
+
+// From the mask's uniform cubic B-spline: its mean over the footprint, to second order, and its change across it. m: columns are
+// rows of the mask, in steps of 1/65536 that end half a step higher; t: place between its middle texels.
+float magnified_coverage(float s, float threshold, mat4 m, vec2 t, vec2 uv_x, vec2 uv_y) {
+    vec4 wx = spline_weights(t.x);
+    vec4 wy = spline_weights(t.y);
+    vec4 sx = spline_slopes(t.x);
+    vec4 sy = spline_slopes(t.y);
+    vec4 along = wx * m;
+    vec4 across = sx * m;
+    vec2 slope = vec2(dot(across, wy), dot(along, sy));
+    vec3 bend = vec3(dot(spline_bends(t.x) * m, wy), dot(along, spline_bends(t.y)), dot(across, sy));
     vec2 x = uv_x * float(MASK_SIZE);
     vec2 y = uv_y * float(MASK_SIZE);
     float curvature = bend.x * (x.x * x.x + y.x * y.x) + bend.y * (x.y * x.y + y.y * y.y) + 2.0 * bend.z * (x.x * x.y + y.x * y.y);
-    return vec2(sum.x + curvature / 24.0, 0.5 * length(vec2(dot(sum.yz, x), dot(sum.yz, y))));
-}
-
-// Integral of the ramp clamp(x / fade, 0, 1).
-float ramp_integral(float x, float fade) {
-    float rising = clamp(x, 0.0, fade);
-    // A fade below the least normal float counts as 0 where such floats do: 0/0.
-    return rising * rising / max(2.0 * fade, 1e-30) + max(x - fade, 0.0);
-}
-
-// Mean of the ramp over thresholds that lie evenly from low on, over a width of 1 / slope.
-float ramp_mean(float threshold, float low, float slope, float fade) {
-    if (!FOAM_FADES) {
-        return clamp((threshold - low) * slope, 0.0, 1.0);
+    float mean = (dot(along, wy) + curvature / 24.0 + 0.5) / 65536.0;
+    float arm = max(length(vec2(dot(slope, x), dot(slope, y))) / 131072.0, 5e-4);
+    float fade = 0.0;
+    if (FOAM_FADES) {
+        // The ramp runs over shares of the plane; the spline crowds them together.
+        float part = min(s, u_foam_fade);
+        fade = (threshold - quantile(s - part, 0)) * u_foam_fade / max(part, 1e-30);
     }
-    float above = threshold - low;
-    return (ramp_integral(above, fade) - ramp_integral(above - 1.0 / slope, fade)) * slope;
+    return ramp_mean(vec4(threshold - mean + arm), vec4(2.0 * arm), fade).x;
 }
 
 // Shares of the texels about -1, 0, 1 and 2 of a box `width` texels wide about t; of two texels the middle ones.
@@ -77,65 +77,69 @@ vec4 box_shares(float t, float width) {
     return FOAM_SIDE == 4 ? share / width : vec4(0.0, share.yz / (share.y + share.z), 0.0);
 }
 
-// From FOAM_SIDE by FOAM_SIDE texels of a level. size: sides of the footprint, texels of that level.
-float level_coverage(float s, vec2 uv, vec2 size, int level) {
+// Of four texels of a row, in 256ths: where their thresholds begin, and over how much they lie.
+vec4 row_coverage(uvec2 row, float threshold) {
+    uvec4 four = uvec4(row.x, row.x >> 16u, row.y, row.y >> 16u);
+    vec4 low = vec4(four & 255u);
+    return ramp_mean(256.0 * threshold - low, vec4(((four >> 8u) & 255u) + 1u), 256.0 * u_foam_fade);
+}
+
+vec4 row_thresholds(uvec2 row) {
+    return vec4(row.x & 65535u, row.x >> 16u, row.y & 65535u, row.y >> 16u);
+}
+
+// From 16 texels round the footprint: form -1 of the mask itself, form 0 and on of a level. size: its sides, texels of the mask.
+float form_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y, vec2 size, int form) {
+    int level = max(form, 0);
     int texels = MASK_SIZE >> level;
     vec2 at = fract(uv) * float(texels) - 0.5;
-    vec2 base = floor(at);
-    vec2 width = clamp(size, 1e-2, 0.75 * float(FOAM_SIDE));
-    vec4 across = box_shares(at.x - base.x, width.x);
-    vec4 down = box_shares(at.y - base.y, width.y);
-    float threshold = quantile(s, 1 + level);
-    float sum = 0.0;
-    for (int j = 2 - FOAM_SIDE / 2; j < 2 + FOAM_SIDE / 2; ++j) {
-        float row = 0.0;
-        for (int i = 2 - FOAM_SIDE / 2; i < 2 + FOAM_SIDE / 2; ++i) {
-            vec2 span = texelFetch(u_mask_spans, (ivec2(base) + ivec2(i - 1, j - 1)) & (texels - 1), level).rg;
-            row += across[i] * ramp_mean(threshold, span.x, span.y, u_foam_fade);
-        }
-        sum += down[j] * row;
+    ivec2 base = ivec2(floor(at));
+    vec2 t = at - vec2(base);
+    ivec2 corner = form < 0 ? ivec2(0) : level > 0 ? ivec2(2 * MASK_SIZE, MASK_SIZE - 2 * texels) : ivec2(MASK_SIZE, 0);
+    int last = texels - 1;
+    int column = corner.x + (base.x & last);
+    uvec2 a = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y - 1) & last)), 0).rg;
+    uvec2 b = texelFetch(u_mask_atlas, ivec2(column, corner.y + (base.y & last)), 0).rg;
+    uvec2 c = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y + 1) & last)), 0).rg;
+    uvec2 d = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y + 2) & last)), 0).rg;
+    float threshold = quantile(s, 1 + form);
+    if (form < 0) {
+        mat4 m = mat4(row_thresholds(a), row_thresholds(b), row_thresholds(c), row_thresholds(d));
+        return magnified_coverage(s, threshold, m, t, uv_x, uv_y);
     }
-    return sum;
-}
-
-// From the finest level whose texels hold the footprint, led over to the next where they hardly do.
-float minified_coverage(float s, vec2 uv, vec2 size) {
-    float most = max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)));
-    float held = clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)));
-    // Its binary exponent: no driver's logarithm decides on the level.
-    int level = (floatBitsToInt(held) >> 23) - 127;
-    float scale = intBitsToFloat((127 - level) << 23);
-    float next = smoothstep(1.75, 2.0, held * scale);
-    int levels = next > 0.0 ? 2 : 1;
-    float covered = 0.0;
-    for (int i = 0; i < levels; ++i) {
-        covered += (i == 0 ? 1.0 - next : next) * level_coverage(s, uv, scale * size, level + i);
-        scale *= 0.5;
+    vec2 width = clamp(size * intBitsToFloat((127 - level) << 23), 1e-2, 0.75 * float(FOAM_SIDE));
+    vec4 across = box_shares(t.x, width.x);
+    vec4 down = box_shares(t.y, width.y);
+    float middle = down.y * dot(across, row_coverage(b, threshold)) + down.z * dot(across, row_coverage(c, threshold));
+    if (FOAM_SIDE == 2) {
+        return middle;
     }
-    return covered;
-}
-
-float magnified_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
-    vec2 spline = mask_spline(uv, uv_x, uv_y);
-    float arm = max(spline.y, 5e-4);
-    float threshold = quantile(s, 0);
-    float fade = 0.0;
-    if (FOAM_FADES) {
-        // The ramp runs over shares of the plane; the spline crowds them together.
-        float part = min(s, u_foam_fade);
-        fade = (threshold - quantile(s - part, 0)) * u_foam_fade / max(part, 1e-30);
-    }
-    return ramp_mean(threshold, spline.x - arm, 0.5 / arm, fade);
+    return down.x * dot(across, row_coverage(a, threshold)) + middle + down.w * dot(across, row_coverage(d, threshold));
 }
 
 float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     // The sides of the box that has the footprint's variance along the mask's axes.
     vec2 size = float(MASK_SIZE) * sqrt(uv_x * uv_x + uv_y * uv_y);
-    float far = smoothstep(1.0, 1.5, max(size.x, size.y));
-    float covered = minified_coverage(s, uv, size);
-    if (far < 1.0) {
-        covered = mix(magnified_coverage(s, uv, uv_x, uv_y), covered, far);
+    float most = max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)));
+    float held = clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)));
+    // The finest level whose texels hold the footprint, led over to the next where they hardly do: the binary exponent, so that no
+    // driver's logarithm decides on it.
+    int form = (floatBitsToInt(held) >> 23) - 127;
+    float next = smoothstep(1.75, 2.0, held * intBitsToFloat((127 - form) << 23));
+    if (most < 1.0) {
+        form = -1;
+        next = smoothstep(2.0 / 3.0, 1.0, most);
     }
+    float covered = 0.0;
+    float weight = 1.0 - next;
+    // Asked at the end: drivers without branches would run a loop that asks first once more, for nothing.
+    int forms = next > 0.0 ? 2 : 1;
+    do {
+        covered += weight * form_coverage(s, uv, uv_x, uv_y, size, form);
+        weight = next;
+        form += 1;
+        forms -= 1;
+    } while (forms > 0);
     covered *= smoothstep(0.0, 1.0 / 256.0, s);
     float share = FOAM_FADES ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
     // The quotient's rounding passes 1, and foam over glitter would turn negative.

@@ -83,6 +83,19 @@ def test_every_texture_of_every_preset_is_there(client):
         assert response.headers["ETag"] == f'"{described["sha256"]}"'
 
 
+def test_an_atlas_comes_packed_where_that_is_understood(client):
+    url = "/api/textures/mask/vac-24/atlas"
+    plain = client.get(url, headers={"Accept-Encoding": "identity"})
+    packed = client.get(url, headers={"Accept-Encoding": "gzip"})
+    assert "Content-Encoding" not in plain.headers
+    assert packed.headers["Content-Encoding"] == "gzip"
+    assert int(packed.headers["Content-Length"]) < 0.3 * len(plain.content)
+    assert packed.content == plain.content
+    assert plain.headers["Vary"] == packed.headers["Vary"] == "Accept-Encoding"
+    # Ranks are as good as random: there is nothing to gain.
+    assert "Content-Encoding" not in client.get("/api/textures/mask/vac-24/ranks").headers
+
+
 def test_a_texture_asked_for_by_hash_is_kept_for_ever_and_never_another(client):
     digest = client.get("/api/textures/foam").headers["ETag"].strip('"')
     kept = client.get("/api/textures/foam", params={"sha256": digest})

@@ -6,6 +6,7 @@ import pytest
 from seafoam.masks import bspline_weights, footprint_deviations, load_mask, quantile_lookup
 from seafoam.masks.prefilter import (
     QUANTILE_ENTRIES,
+    atlas,
     bspline_samples,
     quantile_position,
     quantile_saturation,
@@ -76,19 +77,40 @@ def test_spans_say_where_the_thresholds_of_a_texel_lie(name):
     assert [level.shape for level in chain] == [(512 >> level, 512 >> level, 2) for level in range(10)]
     for level in chain:
         assert level.dtype == np.float32
-        low, width = level[..., 0].astype(np.float64), 1.0 / level[..., 1].astype(np.float64)
-        assert width.min() >= 1.0 / 256.0 - 1e-9
-        assert low.min() >= -0.5 / 256.0
-        assert (low + width).max() <= 1.0 + 0.5 / 256.0
+        low, width = np.moveaxis(level.astype(np.float64), -1, 0)
+        assert width.min() >= 1.0 / 256.0
+        assert low.min() >= 0.0
+        assert (low + width).max() <= 1.0
+        assert np.array_equal(256.0 * level, np.rint(256.0 * level))
         assert (low + 0.5 * width).mean() == pytest.approx(0.5, abs=1e-3)
     # Of the interpolated mask in the texel's own square, four by four samples in each of 8 x 8 texels.
     samples = np.roll(bspline_samples(mask.ranks, 4), 2, axis=(0, 1))[160:192, 224:256]
     shares = np.linspace(0.0, 1.0, 4001)
     even = np.interp(samples, quantile_lookup(mask.quantile, shares), shares)
-    low, slope = chain[3][5, 7].astype(np.float64)
-    assert low + 0.5 / slope == pytest.approx(even.mean(), abs=1e-4)
-    assert 0.5 / slope == pytest.approx(min(np.sqrt(3.0) * even.std(), even.mean(), 1.0 - even.mean()), abs=1e-3)
+    low, width = chain[3][5, 7].astype(np.float64)
+    # To half a step, and the middle of an odd number of steps to half a step more.
+    assert low + 0.5 * width == pytest.approx(even.mean(), abs=1.01 / 512.0)
+    assert 0.5 * width == pytest.approx(
+        min(np.sqrt(3.0) * even.std(), even.mean(), 1.0 - even.mean()), abs=0.26 / 256.0 + 1e-3
+    )
     assert np.array_equal(spans(mask.ranks, mask.quantile)[2], chain[2])
+
+
+def test_a_fetch_of_the_atlas_gets_four_texels_of_a_level():
+    mask = load_mask("vac-6")
+    image = atlas(mask.ranks, mask.spans)
+    assert image.shape == (512, 1280, 2)
+    assert image.dtype == np.uint32
+    for level, x, y in ((0, 0, 0), (0, 511, 300), (1, 0, 255), (2, 127, 5), (9, 0, 0)):
+        side = 512 >> level
+        column, row = (1024 + x, 512 - 2 * side + y) if level else (512 + x, y)
+        for channel in range(4):
+            at = (y, (x - 1 + channel) % side)
+            word = int(image[row, column, channel // 2]) >> 16 * (channel % 2)
+            assert ((word & 255) / 256, ((word >> 8 & 255) + 1) / 256) == tuple(mask.spans[level][at])
+    for x, y in ((0, 0), (511, 300)):
+        words = [int(image[y, x, channel // 2]) >> 16 * (channel % 2) & 65535 for channel in range(4)]
+        assert words == [int(mask.ranks[y, (x - 1 + channel) % 512]) >> 2 for channel in range(4)]
 
 
 def test_footprint_deviations_grow_from_none_to_the_uniform_one():
@@ -106,8 +128,8 @@ def test_footprint_deviations_grow_from_none_to_the_uniform_one():
 
 def cover(level, thresholds):
     """Mean cover of a level's texels, each thresholded at the same values; as many as there are of these."""
-    low, slope = np.moveaxis(level.astype(np.float64).reshape(-1, 2), -1, 0)
-    return np.array([np.clip((threshold - low) * slope, 0.0, 1.0).mean() for threshold in thresholds])
+    low, width = np.moveaxis(level.astype(np.float64).reshape(-1, 2), -1, 0)
+    return np.array([np.clip((threshold - low) / width, 0.0, 1.0).mean() for threshold in thresholds])
 
 
 @pytest.mark.parametrize("name", ["vac-1.5", "vac-24", "clump", "mix"])
@@ -127,5 +149,5 @@ def test_minified_cover_without_its_own_table_is_too_little():
 
 def test_thresholding_an_averaged_mask_loses_the_cover():
     """The naive way that the tables replace: far away a tenth of cover vanishes."""
-    low, slope = np.moveaxis(load_mask("vac-1.5").spans[4].astype(np.float64), -1, 0)
-    assert float((low + 0.5 / slope < 0.1).mean()) == 0.0
+    low, width = np.moveaxis(load_mask("vac-1.5").spans[4].astype(np.float64), -1, 0)
+    assert float((low + 0.5 * width < 0.1).mean()) == 0.0

@@ -252,7 +252,6 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
         [
             NUMBERS,
             "foam/mask_coordinates.glsl",
-            "foam/mask_texel_u16.glsl",
             "=float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n",
             "look/filtered.glsl",
         ],
@@ -268,8 +267,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
         },
         uniforms={"u_foam_fade": fade},
         textures={
-            "u_mask_ranks": f"mask/{mask_name}/ranks",
-            "u_mask_spans": f"mask/{mask_name}/spans-float",
+            "u_mask_atlas": f"mask/{mask_name}/atlas",
             "u_mask_quantiles": f"mask/{mask_name}/quantiles",
         },
     )[:, 0]

@@ -95,6 +95,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam is None:
         return None
     masked = foam.look != "textured"
+    exact = masked and foam.look != "filtered"
     textured = foam.look in ("textured", "halftone_textured", "listing") or (
         foam.look == "filtered" and foam.texture > 0
     )
@@ -106,10 +107,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if masked:
         mask = _mask(foam)
         needs += (HASH, "foam/cell.glsl") if foam.cells else ("foam/mask_coordinates.glsl",)
-        needs += (f"foam/mask_texel_{quality.mask}.glsl",)
-        needs += () if foam.look == "filtered" else ("foam/mask_exact.glsl",)
         consts["MASK_SIZE"] = mask.ranks.shape[0]
         uniforms |= _cell_uniforms(foam) if foam.cells else _mask_uniforms(foam)
+    if exact:
+        needs += (f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl")
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")
     if textured:
@@ -121,7 +122,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam.look == "filtered":
         if not textured:
             needs += ("foam/no_texture.glsl",)
-        kind = "float" if quality.target == "RGBA32F" else "half"
         consts |= {
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,
@@ -132,10 +132,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms["u_foam_fade"] = number(foam.fade)
         uniforms["u_foam_texture_share"] = number(foam.texture)
         inputs |= {
-            "u_mask_spans": TextureInput(texture="mask_spans"),
+            "u_mask_atlas": TextureInput(texture="mask_atlas"),
             "u_mask_quantiles": TextureInput(texture="mask_quantiles"),
         }
-        textures["mask_spans"] = TextureUse(f"mask/{foam.mask}/spans-{kind}")
+        textures["mask_atlas"] = TextureUse(f"mask/{foam.mask}/atlas")
         textures["mask_quantiles"] = TextureUse(f"mask/{foam.mask}/quantiles", wrap="clamp_to_edge")
     look = f"look/{foam.look}.glsl"
     if masked and foam.cells:

@@ -165,7 +165,7 @@ class Mask:
 
     @cached_property
     def spans(self) -> tuple[prefilter.Level, ...]:
-        """Mip chain of (low, 1/width), see :func:`prefilter.spans`; read-only."""
+        """Mip chain of (low, width), see :func:`prefilter.spans`; read-only."""
         chain = prefilter.spans(self.ranks, self.quantile)
         for level in chain:
             level.setflags(write=False)

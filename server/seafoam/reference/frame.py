@@ -46,7 +46,7 @@ class Assets:
     thresholds: Floats
     """m of the mask, (size, size), row v and column u."""
     spans: list[Floats]
-    """Chain of (low, 1/width): where the thresholds of a level's texels lie; level l is (size/2^l, size/2^l, 2)."""
+    """Chain of (low, width): where the thresholds of a level's texels lie; level l is (size/2^l, size/2^l, 2)."""
     quantiles: Floats
     """Tables of Q, see :func:`sampling.quantile`, (1 + levels, 65): of the B-spline mask, then of each level."""
     texture: list[Floats]

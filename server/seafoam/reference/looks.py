@@ -73,7 +73,7 @@ def magnified_coverage(s: Floats, b: Floats, e: Floats, table: Floats, fade: flo
     b and e come from :func:`spline_over_footprint`, ``table`` (65,) is Q.
     """
     half = np.maximum(e, LEAST_HALF)
-    return _ramp_mean(quantile(table, s), b - half, 0.5 / half, spline_fade(table, s, fade))
+    return _ramp_mean(quantile(table, s), b - half, 2.0 * half, spline_fade(table, s, fade))
 
 
 def minified_coverage(
@@ -81,7 +81,7 @@ def minified_coverage(
 ) -> Floats:
     """Share of a box of sides ``size`` (r, 2) texels round (u, v) that a threshold of the mask covers; (r,).
 
-    ``spans``: a level's texels hold (low, 1/width) of their thresholds; ``tables`` (levels, 65) says where to threshold
+    ``spans``: a level's texels hold (low, width) of their thresholds; ``tables`` (levels, 65) says where to threshold
     them. From the finest level in which the box is at most three texels wide, led over to the next near that.
     """
     held = np.clip(size.max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
@@ -117,7 +117,7 @@ def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floa
 
 
 def _level_coverage(s: Floats, u: Floats, v: Floats, size: Floats, image: Floats, table: Floats, fade: float) -> Floats:
-    """Share of a box of sides ``size`` (r, 2) texels of one level; four by four of them, (low, 1/width) each."""
+    """Share of a box of sides ``size`` (r, 2) texels of one level; four by four of them, (low, width) each."""
     side = image.shape[0]
     threshold = quantile(table, s)
     x, y = u * side - 0.5, v * side - 0.5
@@ -127,8 +127,8 @@ def _level_coverage(s: Floats, u: Floats, v: Floats, size: Floats, image: Floats
     covered = np.zeros_like(s)
     for row in range(4):
         for column in range(4):
-            low, slope = texel(image, i + (column - 1.0), j + (row - 1.0)).T
-            covered += down[row] * across[column] * _ramp_mean(threshold, low, slope, fade)
+            low, spread = texel(image, i + (column - 1.0), j + (row - 1.0)).T
+            covered += down[row] * across[column] * _ramp_mean(threshold, low, spread, fade)
     return covered
 
 
@@ -141,9 +141,9 @@ def _box_shares(t: Floats, width: Floats) -> list[Floats]:
     ]
 
 
-def _ramp_mean(threshold: Floats, low: Floats, slope: Floats, fade: float | Floats) -> Floats:
-    """Mean of the ramp where thresholds lie evenly in [low, low + 1/slope]; (r,)."""
-    result: Floats = (_ramp(threshold - low, fade) - _ramp(threshold - low - 1.0 / slope, fade)) * slope
+def _ramp_mean(threshold: Floats, low: Floats, width: Floats, fade: float | Floats) -> Floats:
+    """Mean of the ramp where thresholds lie evenly in [low, low + width]; (r,)."""
+    result: Floats = (_ramp(threshold - low, fade) - _ramp(threshold - low - width, fade)) / width
     return result
 
 

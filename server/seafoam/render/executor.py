@@ -31,8 +31,8 @@ Output = Literal["rgba8", "linear", "samples"]
 TEXTURE_FORMATS = {
     "R8UI": (1, "u1"),
     "R16UI": (1, "u2"),
+    "RG32UI": (2, "u4"),
     "R16F": (1, "f2"),
-    "RG16F": (2, "f2"),
     "R32F": (1, "f4"),
     "RG32F": (2, "f4"),
     "RGBA32F": (4, "f4"),
@@ -44,7 +44,7 @@ _BLENDS: dict[Blend, tuple[int, int]] = {
     "add": (moderngl.ONE, moderngl.ONE),
     "over": (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA),
 }
-_BYTES = {"u1": 1, "u2": 2, "f2": 2, "f4": 4}
+_BYTES = {"u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
 _FILTERS = {
     "nearest": (moderngl.NEAREST, moderngl.NEAREST),
     "linear": (moderngl.LINEAR, moderngl.LINEAR),

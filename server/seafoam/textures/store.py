@@ -1,10 +1,11 @@
 """Textures by name. A name says all that is needed to make the bytes, so any process can."""
 
+import gzip
 import hashlib
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Literal
 
 import numpy as np
@@ -12,13 +13,17 @@ from numpy.typing import NDArray
 
 from seafoam.masks.catalogue import Mask, UnknownMaskError, custom_mask, load_mask
 from seafoam.masks.formats import quantised, to_u16
+from seafoam.masks.prefilter import atlas
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import front_integral
 from seafoam.textures.sea import UnknownSeaError, fft_twiddles, sea_spectrum
 from seafoam.textures.shore import shore_floor, shore_profiles
 from seafoam.textures.spray import spray_rocks
 
-Format = Literal["R8UI", "R16UI", "R16F", "RG16F", "R32F", "RG32F", "RGBA32F"]
+Format = Literal["R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
+
+
+GZIP_LEVEL = 4
 
 
 class UnknownTextureError(KeyError):
@@ -37,6 +42,12 @@ class TextureData:
     height: int
     levels: int
 
+    @cached_property
+    def gzipped(self) -> bytes | None:
+        """The data as gzip has it, where that takes three quarters or less: atlases hold each texel four times."""
+        packed = gzip.compress(self.data, GZIP_LEVEL, mtime=0)
+        return packed if 4 * len(packed) <= 3 * len(self.data) else None
+
 
 def mask_by_name(name: str) -> Mask:
     """A mask of the catalogue, or ``family:sigma:size:seed`` made on request.
@@ -53,9 +64,9 @@ def mask_by_name(name: str) -> Mask:
 def texture(name: str) -> TextureData:
     """The texture called ``name``.
 
-    ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/spans-half`` and
-    ``-float`` (where a texel's thresholds lie, all levels), ``mask/NAME/quantiles`` (R32F, a row for the magnified mask
-    and one for each level), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
+    ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/atlas`` (RG32UI, see
+    :func:`seafoam.masks.prefilter.atlas`), ``mask/NAME/quantiles`` (RG32F, an entry and the next, a row for the
+    magnified mask and one for each level), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
     ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
     ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F),
     ``spray-rocks/STEEP/GROUND`` (RGBA32F, a row).
@@ -102,12 +113,11 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
             return _data(name, "R8UI", size, size, 1, quantised(mask.ranks, 8).astype(np.uint8).tobytes())
         case "thresholds-half":
             return _pack(name, "R16F", [mask.thresholds[..., None]])
-        case "spans-half":
-            return _pack(name, "RG16F", list(mask.spans))
-        case "spans-float":
-            return _pack(name, "RG32F", list(mask.spans))
+        case "atlas":
+            image = atlas(mask.ranks, mask.spans)
+            return _data(name, "RG32UI", image.shape[1], size, 1, image.astype("<u4").tobytes())
         case "quantiles":
-            return _pack(name, "R32F", [mask.quantiles[..., None]])
+            return _pack(name, "RG32F", [np.stack((mask.quantiles[:, :-1], mask.quantiles[:, 1:]), axis=-1)])
         case _:
             raise UnknownTextureError(name)
 

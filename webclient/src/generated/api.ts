@@ -2082,7 +2082,7 @@ export interface components {
             waves: number;
             /**
              * Mask
-             * @description Format of the mask's thresholds
+             * @description Format of the mask's thresholds, where a look reads single texels
              * @default u16
              * @enum {string}
              */
@@ -3225,7 +3225,7 @@ export interface components {
              * Format
              * @enum {string}
              */
-            format: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F" | "RGBA32F";
+            format: "R8UI" | "R16UI" | "RG32UI" | "R16F" | "R32F" | "RG32F" | "RGBA32F";
             /** Width */
             width: number;
             /** Height */

@@ -3,19 +3,20 @@ import type { Texture as TextureSpec } from "../generated/api";
 
 interface Layout {
   channels: number;
-  bytes: number;
-  internal: "R8UI" | "R16UI" | "R16F" | "RG16F" | "R32F" | "RG32F" | "RGBA32F";
+  pixels: typeof Uint8Array | typeof Uint16Array | typeof Uint32Array | typeof Float32Array;
+  format: "RED" | "RG" | "RGBA" | "RED_INTEGER" | "RG_INTEGER";
+  type: "UNSIGNED_BYTE" | "UNSIGNED_SHORT" | "UNSIGNED_INT" | "HALF_FLOAT" | "FLOAT";
 }
 
-/** Channels and bytes a channel of each format. */
+/** How the bytes of each format are told to WebGL. */
 const LAYOUTS: Record<TextureSpec["format"], Layout> = {
-  R8UI: { channels: 1, bytes: 1, internal: "R8UI" },
-  R16UI: { channels: 1, bytes: 2, internal: "R16UI" },
-  R16F: { channels: 1, bytes: 2, internal: "R16F" },
-  RG16F: { channels: 2, bytes: 2, internal: "RG16F" },
-  R32F: { channels: 1, bytes: 4, internal: "R32F" },
-  RG32F: { channels: 2, bytes: 4, internal: "RG32F" },
-  RGBA32F: { channels: 4, bytes: 4, internal: "RGBA32F" },
+  R8UI: { channels: 1, pixels: Uint8Array, format: "RED_INTEGER", type: "UNSIGNED_BYTE" },
+  R16UI: { channels: 1, pixels: Uint16Array, format: "RED_INTEGER", type: "UNSIGNED_SHORT" },
+  RG32UI: { channels: 2, pixels: Uint32Array, format: "RG_INTEGER", type: "UNSIGNED_INT" },
+  R16F: { channels: 1, pixels: Uint16Array, format: "RED", type: "HALF_FLOAT" },
+  R32F: { channels: 1, pixels: Float32Array, format: "RED", type: "FLOAT" },
+  RG32F: { channels: 2, pixels: Float32Array, format: "RG", type: "FLOAT" },
+  RGBA32F: { channels: 4, pixels: Float32Array, format: "RGBA", type: "FLOAT" },
 };
 
 /** Same bytes, same sampling: same texture. */
@@ -24,26 +25,18 @@ export function textureKey(spec: TextureSpec): string {
 }
 
 export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data: ArrayBuffer): WebGLTexture {
-  const { channels, bytes, internal } = LAYOUTS[spec.format];
+  const { channels, pixels, format, type } = LAYOUTS[spec.format];
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, spec.levels, gl[internal], spec.width, spec.height);
+  gl.texStorage2D(gl.TEXTURE_2D, spec.levels, gl[spec.format], spec.width, spec.height);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  const whole = internal === "R8UI" || internal === "R16UI";
-  const format = whole ? gl.RED_INTEGER : channels === 4 ? gl.RGBA : channels === 2 ? gl.RG : gl.RED;
   let offset = 0;
   for (let level = 0; level < spec.levels; level++) {
     const width = Math.max(1, spec.width >> level);
     const height = Math.max(1, spec.height >> level);
-    const count = width * height * channels;
-    const [type, pixels] =
-      bytes === 4
-        ? [gl.FLOAT, new Float32Array(data, offset, count)]
-        : bytes === 1
-          ? [gl.UNSIGNED_BYTE, new Uint8Array(data, offset, count)]
-          : [whole ? gl.UNSIGNED_SHORT : gl.HALF_FLOAT, new Uint16Array(data, offset, count)];
-    gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, width, height, format, type, pixels);
-    offset += count * bytes;
+    const values = new pixels(data, offset, width * height * channels);
+    gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, width, height, gl[format], gl[type], values);
+    offset += values.byteLength;
   }
   if (offset !== data.byteLength) {
     throw new RangeError(`${spec.url}: ${data.byteLength} bytes came where ${offset} are described`);

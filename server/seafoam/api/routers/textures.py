@@ -52,8 +52,14 @@ async def get_texture(
     if asked.sha256 not in (None, found.sha256):
         detail = f"sha256: {name!r} has the hash {found.sha256}: the plan is of another version"
         raise BadRequestError(FieldProblem(parameter="sha256", detail=detail, allowed={"enum": [found.sha256]}))
-    headers = {"Cache-Control": IMMUTABLE if asked.sha256 else REVALIDATE}
+    headers = {"Cache-Control": IMMUTABLE if asked.sha256 else REVALIDATE, "Vary": "Accept-Encoding"}
     tag = f'"{found.sha256}"'
-    return not_modified(request, tag, headers) or Response(
-        found.data, headers={"ETag": tag, **headers}, media_type="application/octet-stream"
-    )
+    current = not_modified(request, tag, headers)
+    if current is not None:
+        return current
+    packed = None
+    if "gzip" in request.headers.get("accept-encoding", ""):
+        packed = await context.masks.run(lambda: found.gzipped)
+    if packed is not None:
+        headers["Content-Encoding"] = "gzip"
+    return Response(packed or found.data, headers={"ETag": tag, **headers}, media_type="application/octet-stream")
