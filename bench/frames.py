@@ -15,7 +15,7 @@ from seafoam.plan.model import FramePlan
 from seafoam.quality import TIERS, Tier
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, HeightSaturation, Look, Scene
-from seafoam.scene.presets import load_preset
+from seafoam.scene.presets import load_preset, preset_names
 
 PRESET = "paper-benchmark"
 SIZE = (1280, 720)
@@ -83,7 +83,12 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
     scene = load_preset(PRESET).scene
     tiers = {tier: make_plan(scene, quality) for tier, quality in TIERS.items()}
     tier_costs = side_by_side(executor, tiers, scene.camera, TIER_SIZE, watch.rounds("tiers", 7, 25.0))
-    return [_comparisons(costs, basis), *(_looks(view, costs[view.name]) for view in views()), _tiers(tier_costs)]
+    return [
+        _comparisons(costs, basis),
+        *(_looks(view, costs[view.name]) for view in views()),
+        _presets(executor, watch),
+        _tiers(tier_costs),
+    ]
 
 
 def is_software(executor: Executor) -> bool:
@@ -197,6 +202,37 @@ def _looks(view: View, costs: Mapping[Look, list[Cost]]) -> Table:
             )
             for look, taken in costs.items()
         ],
+    )
+
+
+def _presets(executor: Executor, watch: Watch) -> Table:
+    """Filtered foam against halftoned, each once a pixel, in every preset that foams."""
+    looks: tuple[Look, Look] = ("halftone", "filtered")
+    # What halftone has not, filtered is to do without.
+    plain = {"texture": 0.0, "fade": 0.0}
+    rows = []
+    for name in preset_names():
+        scene = load_preset(name).scene
+        if scene.foam is None:
+            continue
+        bare = scene.model_copy(update={"foam": scene.foam.model_copy(update=plain)})
+        plans = {look: make_plan(with_look(bare, look), TIERS["standard"]) for look in looks}
+        rounds = watch.rounds(f"filtered, {name}", 15, 12.0, least=3)
+        hard, soft = side_by_side(executor, plans, scene.camera, TIER_SIZE, rounds).values()
+        rows.append((name, *ratios(soft, hard), median(_values(hard, "cpu")), median(_values(soft, "cpu")), len(hard)))
+    return Table(
+        "Filtered against halftone, every preset",
+        f"Both once a pixel, without foam texture or fade, {TIER_SIZE[0]} x {TIER_SIZE[1]}, quality standard; medians "
+        "of per-round ratios (interquartile range).",
+        (
+            Column("preset", "preset"),
+            Column("cpu_ratio", "processor time", extra),
+            Column("wall_ratio", "wall time", extra),
+            Column("halftone", "halftone, ms", ms),
+            Column("filtered", "filtered, ms", ms),
+            Column("rounds", "rounds", count),
+        ),
+        rows,
     )
 
 
