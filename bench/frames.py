@@ -7,8 +7,11 @@ from dataclasses import dataclass
 from statistics import median
 from typing import Literal, TypeVar, get_args
 
+import numpy as np
+
 from bench.report import Column, Spread, Table, count, extra, ms, percent, times
 from bench.watch import Watch
+from seafoam.accuracy.metrics import Picture, coverage
 from seafoam.doctor import SOFTWARE
 from seafoam.plan import make_plan
 from seafoam.plan.model import FramePlan
@@ -20,6 +23,10 @@ from seafoam.scene.presets import load_preset, preset_names
 PRESET = "paper-benchmark"
 SIZE = (1280, 720)
 TIER_SIZE = (640, 360)
+COVERAGE_SIZE = (160, 90)
+FINER = 4
+"""Frames that coverage is held against are this many times as wide and high, with 16 samples a pixel."""
+COVERAGE_TIME = 2.7
 BASE: Look = "textured"
 COMPARED: tuple[tuple[Look, Look], ...] = (
     ("halftone_textured", "textured"),
@@ -219,11 +226,26 @@ def _presets(executor: Executor, watch: Watch) -> Table:
         plans = {look: make_plan(with_look(bare, look), TIERS["standard"]) for look in looks}
         rounds = watch.rounds(f"filtered, {name}", 15, 12.0, least=3)
         hard, soft = side_by_side(executor, plans, scene.camera, TIER_SIZE, rounds).values()
-        rows.append((name, *ratios(soft, hard), median(_values(hard, "cpu")), median(_values(soft, "cpu")), len(hard)))
+        with watch.step(f"coverage, {name}"):
+            hard_error = _coverage_error(executor, with_look(bare, "halftone"), 16)
+            soft_error = _coverage_error(executor, with_look(bare, "filtered"), 1)
+        rows.append(
+            (
+                name,
+                *ratios(soft, hard),
+                median(_values(hard, "cpu")),
+                median(_values(soft, "cpu")),
+                len(hard),
+                hard_error,
+                soft_error,
+                soft_error / hard_error if hard_error > 0.0 else None,
+            )
+        )
     return Table(
         "Filtered against halftone, every preset",
         f"Both once a pixel, without foam texture or fade, {TIER_SIZE[0]} x {TIER_SIZE[1]}, quality standard; medians "
-        "of per-round ratios (interquartile range).",
+        f"of per-round ratios (interquartile range). Coverage: root mean square error at {COVERAGE_SIZE[0]} x "
+        f"{COVERAGE_SIZE[1]} against the same look {16 * FINER * FINER} times a pixel.",
         (
             Column("preset", "preset"),
             Column("cpu_ratio", "processor time", extra),
@@ -231,9 +253,27 @@ def _presets(executor: Executor, watch: Watch) -> Table:
             Column("halftone", "halftone, ms", ms),
             Column("filtered", "filtered, ms", ms),
             Column("rounds", "rounds", count),
+            Column("halftone_error", "coverage, halftone 16 times", lambda value: f"{value:.4f}"),
+            Column("filtered_error", "filtered once", lambda value: f"{value:.4f}"),
+            Column("error_ratio", "ratio", lambda value: f"{value:.2f}"),
         ),
         rows,
     )
+
+
+def _coverage_error(executor: Executor, scene: Scene, samples: int) -> float:
+    """Root mean square error of foam coverage, 0 to 1, with so many samples a pixel."""
+    width, height = COVERAGE_SIZE
+    many = _picture(executor, scene, 16, (FINER * width, FINER * height))
+    means = many.reshape(height, FINER, width, FINER, 4).mean(axis=(1, 3))
+    return coverage(_picture(executor, scene, samples, COVERAGE_SIZE), means)
+
+
+def _picture(executor: Executor, scene: Scene, samples: int, size: tuple[int, int]) -> Picture:
+    plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": samples}))
+    width, height = size
+    drawn = executor.render(plan, time=COVERAGE_TIME, camera=scene.camera, width=width, height=height, output="linear")
+    return drawn.pixels.astype(np.float64)
 
 
 def _tiers(costs: Mapping[Tier, list[Cost]]) -> Table:
