@@ -11,7 +11,7 @@ from statistics import median
 import numpy as np
 
 from bench.frames import Cost, cost, ratios, side_by_side
-from bench.report import Column, Table, count, extra, ms, times
+from bench.report import Column, Table, count, extra, ms, ratio_columns, times
 from bench.uber import held_effects, slot_files, uber_plan
 from bench.watch import Watch
 from seafoam.effects import EFFECTS
@@ -125,8 +125,7 @@ def _presets(executor: Executor, watch: Watch) -> list[Table]:
             "lacks the ripples of the better tiers. Difference: the greatest of any pixel, levels of 255.",
             (
                 Column("preset", "preset"),
-                Column("cpu_ratio", "processor time", times),
-                Column("wall_ratio", "wall time", times),
+                *ratio_columns(times),
                 Column("cpu_ratio_without_sums", "without sums, processor", times),
                 Column("wall_ratio_without_sums", "wall", times),
                 Column("cpu", "the plan's, ms", ms),
@@ -191,8 +190,7 @@ def _bounds(executor: Executor, watch: Watch) -> Table:
             Column("effect", "effect"),
             Column("why", "why it is left out"),
             Column("others", "left out with it"),
-            Column("cpu_ratio", "processor time", extra),
-            Column("wall_ratio", "wall time", extra),
+            *ratio_columns(extra),
             Column("bytes", "bytes", count),
             Column("rounds", "rounds", count),
         ),

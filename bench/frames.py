@@ -9,7 +9,7 @@ from typing import Literal, TypeVar, get_args
 
 import numpy as np
 
-from bench.report import Column, Spread, Table, count, extra, ms, percent, times
+from bench.report import Column, Spread, Table, count, extra, ms, percent, ratio_columns, times
 from bench.watch import Watch
 from seafoam.accuracy.metrics import Picture, coverage
 from seafoam.doctor import SOFTWARE
@@ -179,8 +179,7 @@ def _comparisons(costs: Mapping[str, Mapping[Look, list[Cost]]], basis: Basis) -
         (
             Column("view", "view"),
             Column("compared", "compared"),
-            Column("cpu_ratio", "processor time", extra),
-            Column("wall_ratio", "wall time", extra),
+            *ratio_columns(extra),
             Column("added_ns_per_pixel", "added, ns/pixel", lambda value: f"{value:+.1f}"),
             Column("added_share_of_sea", "added, of the sea", percent),
             Column("rounds", "rounds", count),
@@ -195,8 +194,7 @@ def _looks(view: View, costs: Mapping[Look, list[Cost]]) -> Table:
         f"{view.title}; {SIZE[0]} x {SIZE[1]}, quality standard, against {BASE}; {len(costs[BASE])} rounds.",
         (
             Column("look", "look"),
-            Column("cpu_ratio", "processor time", extra),
-            Column("wall_ratio", "wall time", extra),
+            *ratio_columns(extra),
             Column("cpu", "processor, ms", ms),
             Column("wall", "wall, ms", ms),
         ),
@@ -248,8 +246,7 @@ def _presets(executor: Executor, watch: Watch) -> Table:
         f"{COVERAGE_SIZE[1]} against the same look {16 * FINER * FINER} times a pixel.",
         (
             Column("preset", "preset"),
-            Column("cpu_ratio", "processor time", extra),
-            Column("wall_ratio", "wall time", extra),
+            *ratio_columns(extra),
             Column("halftone", "halftone, ms", ms),
             Column("filtered", "filtered, ms", ms),
             Column("rounds", "rounds", count),
@@ -283,8 +280,7 @@ def _tiers(costs: Mapping[Tier, list[Cost]]) -> Table:
         (
             Column("tier", "tier"),
             Column("samples", "samples a pixel", count),
-            Column("cpu_ratio", "processor time", times),
-            Column("wall_ratio", "wall time", times),
+            *ratio_columns(times),
             Column("cpu", "processor, ms", ms),
             Column("wall", "wall, ms", ms),
         ),

@@ -59,6 +59,11 @@ class Column:
     show: Callable[[Any], str] = str
 
 
+def ratio_columns(show: Callable[[Any], str]) -> tuple[Column, Column]:
+    """Columns of what ``bench.frames.ratios`` gives."""
+    return Column("cpu_ratio", "processor time", show), Column("wall_ratio", "wall time", show)
+
+
 @dataclass(frozen=True)
 class Table:
     """Rows of figures. ``note`` says what they are."""

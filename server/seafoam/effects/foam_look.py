@@ -95,7 +95,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam is None:
         return None
     masked = foam.look != "textured"
-    exact = masked and foam.look != "filtered"
     textured = foam.look in ("textured", "halftone_textured", "listing") or (
         foam.look == "filtered" and foam.texture > 0
     )
@@ -109,7 +108,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         needs += (HASH, "foam/cell.glsl") if foam.cells else ("foam/mask_coordinates.glsl",)
         consts["MASK_SIZE"] = mask.ranks.shape[0]
         uniforms |= _cell_uniforms(foam) if foam.cells else _mask_uniforms(foam)
-    if exact:
+    if masked and foam.look != "filtered":
         needs += (f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl")
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")

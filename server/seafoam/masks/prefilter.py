@@ -169,10 +169,11 @@ def span_quantiles(chain: Sequence[Level]) -> Field:
     grid = quantile_saturation(np.linspace(0.0, 1.0, 16 * QUANTILE_ENTRIES))
     rows = []
     for level in chain:
-        low, slope = level[..., 0].astype(np.float64).ravel(), 1.0 / level[..., 1].astype(np.float64).ravel()
+        low, width = np.moveaxis(level.astype(np.float64).reshape(-1, 2), -1, 0)
+        slope = 1.0 / width
         covered = np.zeros_like(grid)
         # Each texel covers a ramp from its lowest threshold on, less the same ramp from its highest on.
-        for sign, ends in ((1.0, low), (-1.0, low + 1.0 / slope)):
+        for sign, ends in ((1.0, low), (-1.0, low + width)):
             order = np.argsort(ends, kind="stable")
             passed = np.searchsorted(ends[order], grid)
             slopes = np.concatenate(([0.0], np.cumsum(slope[order])))
