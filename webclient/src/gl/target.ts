@@ -12,9 +12,9 @@ export interface Target {
 
 /** Size of a target for a picture of the given size. */
 export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
-  return spec.size.rule === "fixed"
-    ? [spec.size.width, spec.size.height]
-    : [width * spec.size.scale, height * spec.size.scale];
+  const size = spec.size;
+  if (size.rule === "fixed") return [size.width, size.height];
+  return [Math.ceil((width * size.scale) / size.part), Math.ceil((height * size.scale) / size.part)];
 }
 
 export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {
