@@ -19,6 +19,9 @@ vec4 boat_seen(vec3 ray) {
 }
 
 void main() {
+    if (!near_boats(camera_ray(gl_FragCoord.xy), length(u_ray_x) / u_viewport.x + length(u_ray_y) / u_viewport.y)) {
+        discard;
+    }
     vec4 sum = vec4(0.0);
     for (int i = 0; i < BOAT_SIDE * BOAT_SIDE; ++i) {
         vec2 offset = (vec2(i % BOAT_SIDE, i / BOAT_SIDE) + 0.5) / float(BOAT_SIDE) - 0.5;

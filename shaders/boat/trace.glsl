@@ -23,6 +23,32 @@ BoatFrame boat_frame(int i) {
     return BoatFrame(vec3(place.x, pose.x, place.y), ahead, heel.x * up + heel.y * right, heel.x * right - heel.y * up);
 }
 
+// Whether a ray from the eye, or one `aside` of it by so many metres a unit, can meet a boat's box; ray: not normalised.
+bool near_boats(vec3 ray, float aside) {
+    float size = length(ray);
+    vec3 d = ray / size;
+    for (int i = 0; i < BOAT_COUNT; ++i) {
+        float scale = u_boat_form[i].x;
+        BoatFrame f = boat_frame(i);
+        vec3 from = vec3(0.0, u_eye_height, 0.0) - f.at;
+        vec3 local = vec3(dot(from, f.ahead), dot(from, f.up), dot(from, f.right)) / scale;
+        vec3 way = vec3(dot(d, f.ahead), dot(d, f.up), dot(d, f.right));
+        // As much wider as the rays are apart where the boat ends.
+        float margin = aside / size * (length(local) + 1.3);
+        vec3 middle = vec3(0.03, 0.5, 0.0);
+        vec3 half_box = vec3(0.56, 0.74, 0.46) + margin;
+        vec3 over = 1.0 / (sign(way) * max(abs(way), vec3(1e-6)) + vec3(equal(way, vec3(0.0))) * 1e-6);
+        vec3 one = (middle - half_box - local) * over;
+        vec3 two = (middle + half_box - local) * over;
+        vec3 enter = min(one, two);
+        vec3 leave = max(one, two);
+        if (max(max(enter.x, enter.y), max(enter.z, 0.0)) < min(min(leave.x, leave.y), leave.z)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // First boat on the ray o + t d, d a unit vector, from `least` on and before `farthest` (m): which, and where; -1: none.
 // dry: what is under the water line does not count.
 int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float t, out BoatHit hit) {

@@ -27,7 +27,10 @@ def measured_bounds(
         PassSpec(
             name=f"{source}, greatest of blocks",
             program=f"bounds_{stride}",
-            fragment=(f"=const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n", "surface/bounds_pass.glsl"),
+            fragment=(
+                f"=const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n",
+                "surface/bounds_pass.glsl",
+            ),
             target=blocks,
             inputs={"u_bounded": TargetInput(target=source)},
             uniforms={"u_bounded_texel": number(texel)},

@@ -7,12 +7,12 @@ import math
 from collections.abc import Iterable
 
 from seafoam.effects.contribution import (
+    HALF_FLOAT,
     Bound,
     Const,
     Constant,
     Contribution,
     Effect,
-    HALF_FLOAT,
     FixedSize,
     HardCase,
     Held,
@@ -154,7 +154,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_ring_side": number(side),
             "u_ring_level": number(level),
         },
-        inputs={"u_ring_map": TargetInput(target="rings"), "u_ring_grain": TargetInput(target="rings_grain"),
+        inputs={
+            "u_ring_map": TargetInput(target="rings"),
+            "u_ring_grain": TargetInput(target="rings_grain"),
             "u_ring_bounds": TargetInput(target="rings_bounds"),
         },
         targets=targets

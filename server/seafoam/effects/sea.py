@@ -5,11 +5,11 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.contribution import (
+    HALF_FLOAT,
     Bound,
     Constant,
     Contribution,
     Effect,
-    HALF_FLOAT,
     FixedSize,
     HardCase,
     Knob,

@@ -293,7 +293,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "shore/through.glsl",
                 needs=("shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
             ),
-            SlotFile("land", "shore/before.glsl", needs=("surface/begin.glsl", "shore/find_land.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl")),
+            SlotFile(
+                "land",
+                "shore/before.glsl",
+                needs=("surface/begin.glsl", "shore/find_land.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl"),
+            ),
             SlotFile("start", "shore/start.glsl", prefix="land", needs=("shore/ground.glsl",)),
             *(under if lit else ()),
         ),

@@ -118,7 +118,6 @@ class Wake:
         # Inside the circle a wake is drawn together, at most to 0.75 of its length.
         return (waves + windows) / 0.75
 
-
     @property
     def curvature(self) -> float:
         """No second derivative is greater, 1/m: a·k² of both systems, and the window at the bow, where the wake opens.
@@ -133,11 +132,11 @@ class Wake:
         window = _OPENING * self.level * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
         return (waves + window) / 0.75**2
 
-
     def grain(self, texel: float) -> float:
         """How far a map of ``texel`` m, read bilinearly, stands over what its slopes and its curvature say, m.
 
-        The unit is the second derivative of its shortest waves times texel²; the factor is measured, with a tenth to spare.
+        The unit is the second derivative of its shortest waves times texel²; the factor is measured, with a tenth to
+        spare.
         """
         return 0.01 * self.level * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
 
