@@ -29,6 +29,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, Eye, FramePlan, Pass, Program, State, Texture
+from seafoam.plan.setup import with_setup
 from seafoam.plan.slots import MAIN, SKY_PASS_SLOTS, TONE, UNDER_SLOTS, WAVES, Slot, slots_named, surface_slots
 from seafoam.plan.view import everywhere
 from seafoam.quality import Quality
@@ -281,13 +282,16 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     for program in programs.values():
         _refuse_too_many(program, draft.readers)
     uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.steepest)}
+    textures = {name: _texture(use) for name, use in draft.textures.items()}
+    timed, kept = with_setup([_bound(one, programs, uniforms) for one in passes], programs, uniforms, targets, textures)
     plan = FramePlan(
         effects=tuple(draft.effects),
         skipped=tuple(draft.skipped),
         programs=programs,
-        textures={name: _texture(use) for name, use in draft.textures.items()},
+        textures=textures,
         targets=targets,
-        passes=tuple(_bound(one, programs, uniforms) for one in passes),
+        passes=timed,
+        kept=kept,
         uniforms=_used(uniforms, programs),
         linear=linear,
         samples=quality.samples,
