@@ -281,6 +281,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     ]
     for program in programs.values():
         _refuse_too_many(program, draft.readers)
+    for one in passes:
+        _refuse_whole_numbers(one, targets)
     uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.steepest)}
     textures = {name: _texture(use) for name, use in draft.textures.items()}
     timed, kept = with_setup([_bound(one, programs, uniforms) for one in passes], programs, uniforms, targets, textures)
@@ -345,6 +347,17 @@ def _refuse_too_many(program: Program, readers: Mapping[str, str]) -> None:
             "",
             f"too much at once: one shader would read {len(samplers)} textures, and at most {MOST_SAMPLERS} are "
             f"promised by every WebGL2 ({most}); leave out one of these",
+        )
+
+
+def _refuse_whole_numbers(one: Pass, targets: Mapping[str, Target]) -> None:
+    """GL leaves open what clearing, blending and filtering make of targets that hold integers."""
+    target = targets.get(one.target)
+    if target is None or target.format != "RG32UI":
+        return
+    if one.state != State() or one.mesh != Fullscreen() or target.depth or target.filter != "nearest":
+        raise AssemblyError(
+            f"pass {one.name}: whole numbers are drawn all over, without depth, and read texel by texel"
         )
 
 

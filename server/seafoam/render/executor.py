@@ -39,7 +39,7 @@ TEXTURE_FORMATS = {
     "RGBA32F": (4, "f4"),
 }
 """Components and moderngl dtype of each texture format."""
-_TARGET_FORMATS = {"RGBA16F": "f2", "RGBA32F": "f4", "RGBA8": "f1"}
+_TARGET_FORMATS = {"RGBA16F": (4, "f2"), "RGBA32F": (4, "f4"), "RGBA8": (4, "f1"), "RG32UI": (2, "u4")}
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "none": (moderngl.ONE, moderngl.ZERO),
     "add": (moderngl.ONE, moderngl.ONE),
@@ -368,7 +368,8 @@ class Executor:
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
         if max(size) > self.max_side:
             raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's {self.max_side} pixels a side")
-        color = self._context.texture(size, 4, dtype=_TARGET_FORMATS[kind], alignment=1)
+        components, dtype = _TARGET_FORMATS[kind]
+        color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]
         color.repeat_x = color.repeat_y = False
         if not depth:

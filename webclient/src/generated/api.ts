@@ -3186,7 +3186,7 @@ export interface components {
              * Format
              * @enum {string}
              */
-            format: "RGBA16F" | "RGBA32F" | "RGBA8";
+            format: "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
             /**
              * Depth
              * @default false
