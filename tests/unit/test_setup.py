@@ -32,6 +32,8 @@ from seafoam.scene.presets import load_preset, preset_names
 STANDARD = TIERS["standard"]
 SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]
 
+FLOWING = ("flow of drift", "drift, quarters of a brood back", "drift, two broods further back")
+
 FIXED = Target.model_validate({"size": {"rule": "fixed", "width": 4, "height": 4}, "format": "RGBA16F"})
 SHADER = assemble(
     ["=uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n"], {}
@@ -132,12 +134,13 @@ def test_a_shores_map_is_drawn_once_but_for_its_last_pass(preset: str, tier: str
     assert not plan.kept.keys() & {"shore_near_0", "shore_near_1", "shore_rough", "shore_half", "shore_map"}
 
 
-def test_the_flow_of_drift_is_drawn_once() -> None:
+def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
     plan = make_plan(load_preset("drift-vortices").scene, STANDARD)
     when = {one.name: one.when for one in plan.passes}
     assert when["flow of drift"] == "setup"
+    assert when["drift, quarters of a brood back"] == when["drift, two broods further back"] == "setup"
     assert when["drift, ways of the youngest"] == when["drift, followed back"] == "frame"
-    assert "drift_flow" in plan.kept
+    assert plan.kept.keys() == {"drift_flow", "drift_still", "drift_older", "mask_atlas"}
 
 
 @pytest.mark.parametrize("preset", preset_names())
@@ -145,7 +148,7 @@ def test_nothing_else_is_taken_for_still(preset: str) -> None:
     """By name: a pass that became still by mistake would freeze what it draws."""
     plan = make_plan(load_preset(preset).scene, STANDARD)
     still = {one.name for one in plan.passes if one.when == "setup"}
-    assert all(name.startswith(("shore: ", "mask: ")) or name == "flow of drift" for name in still), still
+    assert all(name.startswith(("shore: ", "mask: ")) or name in FLOWING for name in still), still
 
 
 def test_plans_share_what_hangs_on_the_same() -> None:
