@@ -16,15 +16,14 @@ void main() {
             bool moves = from + bit == i && ring_here(p + u_ring_now[i].xy, u_ring_now[i], u_ring_shape[i]);
             here |= moves ? 1u << uint(bit) : 0u;
         }
-        do {
+        for (; here != 0u; here &= here - 1u) {
             int i = from + ring_first(here);
             vec2 way = p + u_ring_now[i].xy;
             vec4 ring = ring_profile(way, u_ring_now[i], u_ring_shape[i]);
             float steepness = u_ring_shape[i].y * ring.w;
             vec2 k = u_ring_shape[i].y * ring.z * way;
             sum += 0.5 * steepness * steepness * vec4(k.x * k.x, k.x * k.y, k.y * k.y, 1.0);
-            here &= here - 1u;
-        } while (here != 0u);
+        }
     }
     o_grain = sum;
 }

@@ -16,13 +16,12 @@ void main() {
             bool moves = from + bit == i && ring_here(p + u_ring_now[i].xy, u_ring_now[i], u_ring_shape[i]);
             here |= moves ? 1u << uint(bit) : 0u;
         }
-        do {
+        for (; here != 0u; here &= here - 1u) {
             int i = from + ring_first(here);
             vec2 way = p + u_ring_now[i].xy;
             vec4 ring = ring_profile(way, u_ring_now[i], u_ring_shape[i]);
             sum += vec3(ring.x, ring.y * ring.z * way);
-            here &= here - 1u;
-        } while (here != 0u);
+        }
     }
     o_ring = vec4(sum, 0.0);
 }
