@@ -21,6 +21,7 @@ from seafoam.effects.contribution import (
     Target,
     TargetFormat,
     TargetInput,
+    TextureInput,
     Uniform,
     array,
     number,
@@ -242,7 +243,7 @@ class _Given:
         return (flow, *(self._forward() if self.forward else self._backward()), coarse)
 
     def _backward(self) -> tuple[PassSpec, ...]:
-        flow = {"u_drift_flow": TargetInput(target="drift_flow")}
+        flow: dict[str, TextureInput | TargetInput] = {"u_drift_flow": TargetInput(target="drift_flow")}
         back = (*_NUMBERS, "drift/clock.glsl", "drift/flow_map.glsl", "drift/ago.glsl", "drift/back.glsl")
         # Without the clock, whose hands would have them drawn in every frame.
         still = (*_NUMBERS, "drift/flow_map.glsl", "drift/ago.glsl")
