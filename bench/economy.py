@@ -319,8 +319,8 @@ def _with_numbers(plan: FramePlan) -> FramePlan:
 def _alone(plan: FramePlan) -> FramePlan:
     """The plan with no pass but the surface's; what that reads is there from earlier frames."""
     alone = (one for one in plan.passes if one.program == "surface")
-    # What only sets up is drawn whatever reads it.
-    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"when": "setup"}) for one in alone)})
+    # Straight into the picture: a pass that nothing reads is not drawn.
+    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"target": "screen"}) for one in alone)})
 
 
 def same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:

@@ -1,17 +1,18 @@
 // Backward mapping: each texel goes back along the flow to where its water was when each brood came up, and takes what came up
 // there. Every texel gets a value, whatever the step. r, g, b, a: the broods, the youngest first.
-uniform sampler2D u_drift_way;  // the ways to the two youngest broods
-uniform float u_drift_texel;    // m
-uniform float u_drift_coverage; // mean of a patch
+uniform sampler2D u_drift_way;   // the ways to the two youngest broods
+uniform sampler2D u_drift_older; // where the others' water was whole quarters of a brood ago
+uniform float u_drift_texel;     // m
+uniform float u_drift_coverage;  // mean of a patch
 out vec4 o_drift;
 
 void main() {
     vec2 here = gl_FragCoord.xy * u_drift_texel - u_drift_half;
     vec4 way = texelFetch(u_drift_way, ivec2(gl_FragCoord.xy), 0);
-    vec2 q = here;
+    vec4 older = DRIFT_BROODS > 2 ? texelFetch(u_drift_older, drift_still_texel(), 0) : vec4(0.0);
     vec4 found = vec4(0.0);
     for (int j = 0; j < DRIFT_BROODS; ++j) {
-        q = j == 0 ? here + way.xy : j == 1 ? here + way.zw : drift_origin(q, j);
+        vec2 q = j == 0 ? here + way.xy : j == 1 ? here + way.zw : drift_rest(j == 2 ? older.xy : older.zw);
         // Four places of the texel, whose ways differ as their neighbours' do: filaments finer than texels would break into beads.
         vec2 x = dFdx(q);
         vec2 y = dFdy(q);

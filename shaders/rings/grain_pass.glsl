@@ -8,12 +8,22 @@ out vec4 o_grain;
 void main() {
     vec2 p = gl_FragCoord.xy * u_ring_texel;
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < RING_COUNT; ++i) {
-        vec2 way = p + u_ring_now[i].xy;
-        vec4 ring = ring_profile(way, u_ring_now[i], u_ring_shape[i]);
-        float steepness = u_ring_shape[i].y * ring.w;
-        vec2 k = u_ring_shape[i].y * ring.z * way;
-        sum += 0.5 * steepness * steepness * vec4(k.x * k.x, k.x * k.y, k.y * k.y, 1.0);
+    // Few rings reach a texel, and drivers without branches take both sides of one: so first which, then these one by one.
+    for (int from = 0; from < RING_COUNT; from += RING_BLOCK) {
+        uint here = 0u;
+        for (int bit = 0; bit < RING_BLOCK; ++bit) {
+            int i = min(from + bit, RING_COUNT - 1);
+            bool moves = from + bit == i && ring_here(p + u_ring_now[i].xy, u_ring_now[i], u_ring_shape[i]);
+            here |= moves ? 1u << uint(bit) : 0u;
+        }
+        for (; here != 0u; here &= here - 1u) {
+            int i = from + ring_first(here);
+            vec2 way = p + u_ring_now[i].xy;
+            vec4 ring = ring_profile(way, u_ring_now[i], u_ring_shape[i]);
+            float steepness = u_ring_shape[i].y * ring.w;
+            vec2 k = u_ring_shape[i].y * ring.z * way;
+            sum += 0.5 * steepness * steepness * vec4(k.x * k.x, k.x * k.y, k.y * k.y, 1.0);
+        }
     }
     o_grain = sum;
 }

@@ -30,3 +30,18 @@ vec4 ring_profile(vec2 way, vec4 now, vec4 shape) {
         1.0 / far,
         amplitude * head * tail);
 }
+
+// Whether a ring moves the water there: between tail and front, where all else is still.
+bool ring_here(vec2 way, vec4 now, vec4 shape) {
+    float wavelength = TAU / shape.y;
+    float front = shape.z / shape.y * now.z;
+    float end = max(front - now.w - 2.0 * RING_FRONT * wavelength, 0.0);
+    // rho = x where r^2 = x (x + 2 a).
+    float square = dot(way, way);
+    return square < front * (front + 2.0 * RING_SOFT * wavelength) && square >= end * (end + 2.0 * RING_SOFT * wavelength);
+}
+
+// Position of the lowest bit, 0 where there is none: the exponent of the power of two that it is.
+int ring_first(uint bits) {
+    return max((floatBitsToInt(float(bits & (~bits + 1u))) >> 23) - 127, 0);
+}

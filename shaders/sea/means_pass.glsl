@@ -6,13 +6,15 @@ uniform sampler2D u_sea_full_2;
 uniform sampler2D u_sea_full_3;
 out vec4 o_mean;
 
-vec4 full(int tile, ivec2 at) {
-    switch (tile) {
-        case 0: return texelFetch(u_sea_full_0, at, 0);
-        case 1: return texelFetch(u_sea_full_1, at, 0);
-        case 2: return texelFetch(u_sea_full_2, at, 0);
-        default: return texelFetch(u_sea_full_3, at, 0);
+vec4 sum_of(sampler2D full, ivec2 from, int side) {
+    vec4 sum = vec4(0.0);
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            vec4 texel = texelFetch(full, from + ivec2(i, j), 0);
+            sum += vec4(texel.yz, dot(texel.yz, texel.yz), texel.w);
+        }
     }
+    return sum;
 }
 
 void main() {
@@ -31,11 +33,11 @@ void main() {
     if (max(at.x, at.y) >= SEA_SIZE >> level) {
         return;
     }
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            vec4 texel = full(tile, side * at + ivec2(i, j));
-            o_mean += vec4(texel.yz, dot(texel.yz, texel.yz), texel.w);
-        }
-    }
+    // Drivers without branches go through every case: each is asked once, and three of the loops are over at once.
+    ivec2 from = side * at;
+    o_mean = sum_of(u_sea_full_0, from, tile == 0 ? side : 0)
+        + sum_of(u_sea_full_1, from, tile == 1 ? side : 0)
+        + sum_of(u_sea_full_2, from, tile == 2 ? side : 0)
+        + sum_of(u_sea_full_3, from, tile == 3 ? side : 0);
     o_mean /= float(side * side);
 }

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from seafoam.masks import bspline_weights, footprint_deviations, load_mask, quantile_lookup
+from seafoam.masks import bspline_weights, footprint_deviations, load_mask, prefilter, quantile_lookup
 from seafoam.masks.prefilter import (
     QUANTILE_ENTRIES,
     atlas,
@@ -94,6 +94,39 @@ def test_spans_say_where_the_thresholds_of_a_texel_lie(name):
         min(np.sqrt(3.0) * even.std(), even.mean(), 1.0 - even.mean()), abs=0.26 / 256.0 + 1e-3
     )
     assert np.array_equal(spans(mask.ranks, mask.quantile)[2], chain[2])
+
+
+@pytest.mark.parametrize("name", ["vac-1.5", "vac-24", "blur-24", "mix"])
+def test_whole_numbers_say_what_endless_digits_do(name):
+    mask = load_mask(name)
+    places = np.interp(bspline_samples(mask.ranks, 4), mask.quantile, np.linspace(0.0, 1.0, QUANTILE_ENTRIES))
+    even = np.roll(quantile_saturation(places), 2, axis=(0, 1))
+    for level, chain in enumerate(mask.spans[:5]):
+        side = 512 >> level
+        blocks = even.reshape(side, 2048 // side, side, 2048 // side)
+        mean, half = blocks.mean(axis=(1, 3)), np.sqrt(3.0) * blocks.std(axis=(1, 3))
+        half = np.minimum(half, np.minimum(mean, 1.0 - mean))
+        width = np.clip(np.rint(512.0 * half), 1.0, 256.0)
+        low = np.clip(np.rint(256.0 * mean - 0.5 * width), 0.0, 256.0 - width)
+        off = np.abs(256.0 * chain - np.stack((low, width), axis=-1))
+        assert off.max() <= 1.0
+        assert (off > 0.0).mean() < 0.006
+
+
+@pytest.mark.parametrize("name", ["vac-1.5", "bubble"])
+def test_whole_numbers_fit_32_bits(name):
+    """What GLSL holds on the way: the least room is 1/16."""
+    mask = load_mask(name)
+    doubled = 2 * 65535 + 1
+    rows = (doubled * prefilter.SPLINE_SCALE + 256) >> 9
+    assert rows * prefilter.SPLINE_SCALE + 576 < 1 << 32
+    parts = prefilter._spline_quarters(mask.ranks)
+    assert max(int(part.max()) for part in parts) < 1 << prefilter.ENTRY_BITS
+    even = np.stack([prefilter._even(part, mask.quantile) for part in parts])
+    assert even.min() >= 0
+    assert even.max() <= 16383
+    # At the most, where half of the thresholds are 0 and half 1: 16 (2^13)^2, of which 3 and 4 times are taken.
+    assert 4 * 16 * 8192**2 <= 1 << 32
 
 
 def test_a_fetch_of_the_atlas_gets_four_texels_of_a_level():

@@ -30,6 +30,7 @@ FILES = (
     "noise/hash.glsl",
     "noise/value.glsl",
     "drift/patches.glsl",
+    "drift/ago.glsl",
     "drift/back.glsl",
     "saturation/drift_rim.glsl",
     "saturation/drift_exact.glsl",

@@ -251,3 +251,45 @@ def test_the_map_does_not_swim(executor: Executor) -> None:
     for name, uniform in drawn.uniforms.items():
         values = [evaluate(uniform, state) for state in states]
         assert (values[0] == values[1]).all(), name
+
+
+@pytest.mark.parametrize("origin", ORIGINS)
+def test_rings_are_still_where_the_map_leaves_them_out(probe: Probe, origin: tuple[float, float]) -> None:
+    scene = Scene(rings=some_rings(100.0, origin, 5))
+    state = FrameState(100.0, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+    uniforms = {name: evaluate(uniform, state) for name, uniform in given(scene).uniforms.items()}
+    body = (
+        "y = vec4(0.0);\nfor (int i = 0; i < RING_COUNT; ++i) {\n"
+        "    vec2 way = x.xy + u_ring_now[i].xy;\n"
+        "    vec4 ring = abs(ring_profile(way, u_ring_now[i], u_ring_shape[i]));\n"
+        "    bool here = ring_here(way, u_ring_now[i], u_ring_shape[i]);\n"
+        "    y = here ? vec4(y.x, max(y.y, ring.x), y.z + 1.0, 0.0) : vec4(max(y.x, max(ring.x, ring.w)), y.yzw);\n}"
+    )
+    got = probe(
+        FILES,
+        body,
+        points(scene, origin, 6, 20000),
+        consts={**given(scene).consts, "SURFACE_FILTER": False},
+        uniforms=uniforms,
+    )
+    assert got[:, 0].max() < 1e-9
+    assert got[:, 1].max() > 0.01
+    # Of the rings next to none reaches a place: that is what it is for.
+    assert got[:, 2].mean() < 0.5 * len(scene.rings)
+
+
+def test_bits_are_found_one_by_one(probe: Probe) -> None:
+    at = np.array([[float(i)] for i in range(32)], np.float32)
+    body = "uint bits = 0xffffffffu << uint(int(x.x));\ny.x = float(ring_first(bits));\ny.y = float(ring_first(0u));"
+    got = probe(("common/numbers.glsl", "rings/ring.glsl"), body, at, consts=given(Scene(rings=(Ring(),))).consts)
+    assert (got[:, 0] == np.arange(32)).all()
+    assert (got[:, 1] == 0.0).all()
+
+
+def test_more_rings_than_a_word_has_bits_are_all_in_the_map(executor: Executor) -> None:
+    rings = tuple(
+        Ring(place=(8.0 * (i % 8), -8.0 * (i // 8)), birth=-1.0, amplitude=0.2, decay=0.4, wavelength=3.0)
+        for i in range(40)
+    )
+    above = Camera(position=(28.0, 60.0, -16.0), pitch=-math.pi / 2)
+    assert apart(executor, Scene(rings=rings), above, 0.0, 2048) < 1.0

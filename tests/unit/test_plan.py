@@ -92,8 +92,8 @@ def test_a_look_brings_its_own_textures_only(look: Look) -> None:
     scene = load_preset("paper-halftone").scene
     assert scene.foam is not None
     plan = make_plan(scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})}), STANDARD)
-    assert ("mask_ranks" in plan.textures) == (look not in ("textured", "filtered"))
-    assert ("mask_atlas" in plan.textures) == (look == "filtered")
+    assert ("mask_ranks" in plan.textures) == (look != "textured")
+    assert ("mask_quantiles" in plan.textures) == ("mask_atlas" in plan.kept) == (look == "filtered")
     assert ("foam_texture" in plan.textures) == (look in ("textured", "halftone_textured", "listing"))
 
 

@@ -11,6 +11,7 @@ const plan: FramePlan = {
   textures: {},
   targets: {},
   passes: [],
+  kept: {},
   uniforms: {},
   linear: "linear",
   samples: 1,

@@ -134,7 +134,8 @@ class FixedSize(PlanPart):
     height: int
 
 
-TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8"]
+TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
+"""RG32UI: whole numbers, which no pass clears or blends, nor tests for depth; read texel by texel."""
 Filter = Literal["nearest", "linear", "linear_mipmap_linear"]
 WrapMode = Literal["repeat", "clamp_to_edge"]
 

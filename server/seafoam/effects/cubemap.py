@@ -24,6 +24,7 @@ from seafoam.scene.sky import Clouds, Sky
 
 SHORE = (
     "shore/place.glsl",
+    "shore/square.glsl",
     "shore/spline.glsl",
     "shore/floor.glsl",
     *VALUE_NOISE,

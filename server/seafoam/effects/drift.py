@@ -21,6 +21,7 @@ from seafoam.effects.contribution import (
     Target,
     TargetFormat,
     TargetInput,
+    TextureInput,
     Uniform,
     array,
     number,
@@ -36,6 +37,8 @@ from seafoam.scene.stokes import steady_drift
 
 BROODS = 4
 """Broods of patches that are alive together."""
+PARTS = 4
+"""Parts of a brood at which ways back are known beforehand: a frame follows the rest, an eighth in the mean."""
 COUNTED = 1024
 """Broods after which the same patches come up again."""
 REACH = (3.0, 6.0)
@@ -104,6 +107,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                         "drift/flow.glsl",
                         *VALUE_NOISE,
                         "drift/patches.glsl",
+                        "drift/ago.glsl",
                         "drift/back.glsl",
                         "saturation/drift_rim.glsl",
                     ),
@@ -165,6 +169,7 @@ class _Given:
             "DRIFT_STEPS": steps,
             "DRIFT_MOVES": self.moves,
             "DRIFT_SIZE": self.size,
+            "DRIFT_PARTS": PARTS,
             "DRIFT_SEED": source.seed,
             "DRIFT_CUT": quality.drift_window < source.life,
             "DRIFT_WINDOW": quality.drift_window,
@@ -215,6 +220,9 @@ class _Given:
             made["drift_moved"] = square(self.size, "RGBA16F")
         else:
             made["drift_way"] = square(self.size, "RGBA32F")
+            parts = FixedSize(width=self.size, height=PARTS * self.size)
+            for name in ("drift_still", "drift_older"):
+                made[name] = Target(size=parts, format="RGBA32F")
         return made
 
     def passes(self) -> tuple[PassSpec, ...]:
@@ -235,38 +243,44 @@ class _Given:
         return (flow, *(self._forward() if self.forward else self._backward()), coarse)
 
     def _backward(self) -> tuple[PassSpec, ...]:
-        ways = PassSpec(
-            name="drift, ways of the youngest",
-            program="drift_way",
-            fragment=(
-                *_NUMBERS,
-                "drift/clock.glsl",
-                "drift/flow_map.glsl",
-                "drift/back.glsl",
-                "drift/way_pass.glsl",
-            ),
-            target="drift_way",
-            inputs={"u_drift_flow": TargetInput(target="drift_flow")},
-            uniforms={**self.square, **self.clock, **self.texel},
-        )
+        flow: dict[str, TextureInput | TargetInput] = {"u_drift_flow": TargetInput(target="drift_flow")}
+        back = (*_NUMBERS, "drift/clock.glsl", "drift/flow_map.glsl", "drift/ago.glsl", "drift/back.glsl")
+        # Without the clock, whose hands would have them drawn in every frame.
+        still = (*_NUMBERS, "drift/flow_map.glsl", "drift/ago.glsl")
         return (
-            ways,
+            PassSpec(
+                name="drift, quarters of a brood back",
+                program="drift_still",
+                fragment=(*still, "drift/still_pass.glsl"),
+                target="drift_still",
+                inputs=flow,
+                uniforms={**self.square, **self.texel},
+            ),
+            PassSpec(
+                name="drift, two broods further back",
+                program="drift_still_older",
+                fragment=(*still, "drift/still_older_pass.glsl"),
+                target="drift_older",
+                inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
+                uniforms=self.square,
+            ),
+            PassSpec(
+                name="drift, ways of the youngest",
+                program="drift_way",
+                fragment=(*back, "drift/rest.glsl", "drift/way_pass.glsl"),
+                target="drift_way",
+                inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
+                uniforms={**self.square, **self.clock, **self.texel},
+            ),
             PassSpec(
                 name="drift, followed back",
                 program="drift",
-                fragment=(
-                    *_NUMBERS,
-                    "drift/clock.glsl",
-                    "drift/flow_map.glsl",
-                    *VALUE_NOISE,
-                    "drift/patches.glsl",
-                    "drift/back.glsl",
-                    "drift/backward_pass.glsl",
-                ),
+                fragment=(*back, "drift/rest.glsl", *VALUE_NOISE, "drift/patches.glsl", "drift/backward_pass.glsl"),
                 target="drift",
                 inputs={
-                    "u_drift_flow": TargetInput(target="drift_flow"),
+                    **flow,
                     "u_drift_way": TargetInput(target="drift_way"),
+                    "u_drift_older": TargetInput(target="drift_older"),
                 },
                 uniforms={**self.square, **self.clock, **self.patches, **self.texel, **self.coverage},
             ),

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects import drift
+from seafoam.effects import drift, mask_atlas
 from seafoam.effects.contribution import (
     Bound,
     Const,
@@ -12,6 +12,7 @@ from seafoam.effects.contribution import (
     Knob,
     PlanError,
     SlotFile,
+    TargetInput,
     TextureInput,
     TextureUse,
     Uniform,
@@ -101,7 +102,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     needs: tuple[str, ...] = ()
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {"u_foam_albedo": number(foam.albedo, "/foam/albedo")}
-    inputs: dict[str, TextureInput] = {}
+    inputs: dict[str, TextureInput | TargetInput] = {}
     textures: dict[str, TextureUse] = {}
     if masked:
         mask = _mask(foam)
@@ -131,10 +132,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms["u_foam_fade"] = number(foam.fade)
         uniforms["u_foam_texture_share"] = number(foam.texture)
         inputs |= {
-            "u_mask_atlas": TextureInput(texture="mask_atlas"),
+            "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
             "u_mask_quantiles": TextureInput(texture="mask_quantiles"),
         }
-        textures["mask_atlas"] = TextureUse(f"mask/{foam.mask}/atlas")
+        consts |= mask_atlas.consts(mask)
+        textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/ranks")
         textures["mask_quantiles"] = TextureUse(f"mask/{foam.mask}/quantiles", wrap="clamp_to_edge")
     look = f"look/{foam.look}.glsl"
     if masked and foam.cells:
@@ -156,8 +158,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts=consts,
         uniforms=uniforms,
-        inputs=dict(inputs),
+        inputs=inputs,
         textures=textures,
+        targets=mask_atlas.targets(mask) if foam.look == "filtered" else {},
+        passes=mask_atlas.passes(mask) if foam.look == "filtered" else (),
         bound=_bound(foam, scene),
     )
 

@@ -96,6 +96,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     count = len(shown)
     consts: dict[str, Const] = {
         "RING_COUNT": count,
+        "RING_BLOCK": min(count, 32),
         "RING_DEAD": DEAD,
         "RING_DEAD_SHARE": DEAD_SHARE,
         "RING_SOFT": SOFT,

@@ -46,8 +46,8 @@ PERIOD = 2.0**18
 MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
 """The mask that breaks the rhythm: wavelength (m), heading (rad) and period (s) of its four sines."""
 
-_PLACE = ("common/numbers.glsl", "shore/place.glsl", "shore/spline.glsl", "shore/floor.glsl")
-_NUMBERS = "common/numbers.glsl"
+_GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
+"""The height field. Without the eye's place, so that the map's passes are drawn once."""
 
 
 def _smooth(low: float, high: float, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -186,7 +186,7 @@ def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
             uniforms=uniforms or {},
         )
 
-    passes = [one("seed", (*_PLACE, "shore/seed_pass.glsl"), "shore_near_0", {})]
+    passes = [one("seed", (*_GROUND, "shore/seed_pass.glsl"), "shore_near_0", {})]
     steps = [1]
     while (step := texels >> len(steps)) >= 1:
         steps.append(step)
@@ -203,7 +203,7 @@ def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
     passes.append(
         one(
             "distance",
-            (*_PLACE, "shore/distance_pass.glsl"),
+            (*_GROUND, "shore/distance_pass.glsl"),
             "shore_rough",
             {"u_nearest": f"shore_near_{len(steps) % 2}"},
         )
@@ -281,8 +281,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "shore/waves.glsl",
                 needs=(
                     "shore/place.glsl",
-                    "shore/spline.glsl",
-                    "shore/floor.glsl",
+                    *_GROUND,
                     *VALUE_NOISE,
                     "shore/field.glsl",
                 ),

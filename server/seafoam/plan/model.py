@@ -75,7 +75,11 @@ class Pass(PlanPart):
     """One draw call."""
 
     name: str
-    when: Literal["setup", "frame"] = Field(description="setup: once when the plan is loaded; frame: every frame")
+    when: Literal["setup", "frame"] = Field(
+        description="setup: no rule of time, camera or picture size reaches the pass or what it reads: drawn when its "
+        "target is first needed, and again only where a live field among its numbers, or among those of what it reads, "
+        "moves; frame: in every frame that needs its target. All passes into one target are of one kind"
+    )
     eye: Eye = Field(
         default="any",
         description="over: drawn for eyes at the plan's top or higher; under: for all lower ones, and right for any",
@@ -118,6 +122,11 @@ class FramePlan(PlanPart):
     textures: dict[str, Texture]
     targets: dict[str, Target]
     passes: tuple[Pass, ...]
+    kept: dict[str, str] = Field(
+        description="Targets of setup passes that other passes read -> SHA-256 of all that their pixels hang on: "
+        "programs, numbers, textures, meshes, states and formats, those of what is read included. Plans with the same "
+        "may share the target, as long as no live field moves. All other targets of setup passes are only on the way"
+    )
     uniforms: dict[str, Uniform]
     linear: str = Field(description="The target that holds the finished linear frame: exposed RGB, A = foam coverage")
     samples: int = Field(description="Samples a pixel")

@@ -31,6 +31,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, Eye, FramePlan, Pass, Program, State, Texture
+from seafoam.plan.setup import with_setup
 from seafoam.plan.slots import MAIN, SKY_PASS_SLOTS, TONE, UNDER_SLOTS, WAVES, Slot, slots_named, surface_slots
 from seafoam.plan.view import everywhere
 from seafoam.quality import Quality
@@ -48,7 +49,12 @@ NEGLIGIBLE = 0.5 / 255.0
 
 
 START_TILE = 4
+"""Pixels along a side of the tiles for whose rays one start is found."""
+
+
 START_SHARE = 0.25
+"""Of its tile's height: a shorter step ends the search for a start."""
+
 
 LOWEST = -100.0
 """Where there is no floor an eye may dive so deep, m: there is nothing more to see."""
@@ -77,7 +83,7 @@ class _Draft:
         self.passes: list[PassSpec] = []
         self.top = 0.0
         self.grain = 0.0
-        self.bounds = (0.0, 0.0, 0.0)
+        self.bounds = [0.0, 0.0, 0.0]
         """Height, slope and curvature at most of what does not measure its own."""
         self.bottom = LOWEST
         self.march = 1
@@ -107,7 +113,7 @@ class _Draft:
         self.grain += given.grain
         if not any(file.slot == "bounds" for file in files):
             more = (given.top, given.steepest, given.curvature)
-            self.bounds = tuple(a + b for a, b in zip(self.bounds, more, strict=True))
+            self.bounds = [a + b for a, b in zip(self.bounds, more, strict=True)]
         self.bottom = given.bottom if given.bottom is not None else self.bottom
         self.march = max(self.march, given.march)
         for mine, theirs in (
@@ -308,14 +314,19 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     ]
     for program in programs.values():
         _refuse_too_many(program, draft.readers)
+    for one in passes:
+        _refuse_whole_numbers(one, targets)
     uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.grain, draft.bounds)}
+    textures = {name: _texture(use) for name, use in draft.textures.items()}
+    timed, kept = with_setup([_bound(one, programs, uniforms) for one in passes], programs, uniforms, targets, textures)
     plan = FramePlan(
         effects=tuple(draft.effects),
         skipped=tuple(draft.skipped),
         programs=programs,
-        textures={name: _texture(use) for name, use in draft.textures.items()},
+        textures=textures,
         targets=targets,
-        passes=tuple(_bound(one, programs, uniforms) for one in passes),
+        passes=timed,
+        kept=kept,
         uniforms=_used(uniforms, programs),
         linear=linear,
         samples=quality.samples,
@@ -334,7 +345,7 @@ def _kept(scene: Scene, count: int) -> Scene:
     return scene.model_copy(update={"waves": tuple(scene.waves[i] for i in sorted(order[:count]))})
 
 
-def _camera_uniforms(top: float, grain: float, bounds: tuple[float, ...]) -> dict[str, Uniform]:
+def _camera_uniforms(top: float, grain: float, bounds: Sequence[float]) -> dict[str, Uniform]:
     return {
         "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
         "u_eye_height": Uniform(type="float", rules=(CameraRule(what="eye_height"),)),
@@ -343,7 +354,7 @@ def _camera_uniforms(top: float, grain: float, bounds: tuple[float, ...]) -> dic
         "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
         "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
         "u_surface_top": number(top),
-        "u_surface_bounds": vector(bounds),
+        "u_surface_bounds": vector(tuple(bounds)),
         "u_surface_grain": number(significant(grain)),
     }
 
@@ -369,6 +380,17 @@ def _refuse_too_many(program: Program, readers: Mapping[str, str]) -> None:
             "",
             f"too much at once: one shader would read {len(samplers)} textures, and at most {MOST_SAMPLERS} are "
             f"promised by every WebGL2 ({most}); leave out one of these",
+        )
+
+
+def _refuse_whole_numbers(one: Pass, targets: Mapping[str, Target]) -> None:
+    """GL leaves open what clearing, blending and filtering make of targets that hold integers."""
+    target = targets.get(one.target)
+    if target is None or target.format != "RG32UI":
+        return
+    if one.state != State() or one.mesh != Fullscreen() or target.depth or target.filter != "nearest":
+        raise AssemblyError(
+            f"pass {one.name}: whole numbers are drawn all over, without depth, and read texel by texel"
         )
 
 

@@ -4,9 +4,10 @@ The web client carries the same few lines; ``tests/golden/views.json`` pins both
 """
 
 import math
+from collections.abc import Iterable, Mapping
 
 from seafoam.effects.contribution import Ball, TargetInput, View
-from seafoam.plan.model import FramePlan
+from seafoam.plan.model import FramePlan, Pass
 from seafoam.plan.rules import axes
 from seafoam.scene.models import Camera
 
@@ -24,14 +25,30 @@ def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, targe
     needed = {target}
     found: dict[int, bool] = {}
     for index, one in reversed([*enumerate(plan.passes)]):
-        if one.eye not in ("any", eye) or (one.when == "frame" and one.target not in needed):
+        if one.eye not in ("any", eye) or one.target not in needed:
             continue
         shows = in_view(one.view, plan.top, camera, width, height)
         if shows or one.state.clear:
             found[index] = shows
         if shows:
-            needed |= {source.target for source in one.inputs.values() if isinstance(source, TargetInput)}
+            needed |= reads(one)
     return dict(sorted(found.items()))
+
+
+def passes_into(passes: Mapping[int, Pass], targets: Iterable[str]) -> dict[int, Pass]:
+    """Of ``passes`` by position those that draw into ``targets`` or into what these read, in drawing order."""
+    needed = set(targets)
+    found: dict[int, Pass] = {}
+    for index, one in sorted(passes.items(), reverse=True):
+        if one.target in needed:
+            found[index] = one
+            needed |= reads(one)
+    return dict(sorted(found.items()))
+
+
+def reads(one: Pass) -> set[str]:
+    """The targets that a pass reads."""
+    return {source.target for source in one.inputs.values() if isinstance(source, TargetInput)}
 
 
 def everywhere(plan: FramePlan) -> FramePlan:

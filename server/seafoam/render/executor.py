@@ -7,8 +7,9 @@ and zeros), every object released by hand (moderngl's collected release fails on
 import threading
 import time as clock
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Literal
 
 import moderngl
@@ -19,7 +20,7 @@ from seafoam.effects.contribution import Blend, FixedSize, Fullscreen, Grid, Poi
 from seafoam.plan.assemble import declared_uniforms
 from seafoam.plan.model import FramePlan, Pass, Program, Texture
 from seafoam.plan.rules import FrameState, evaluate
-from seafoam.plan.view import drawn_passes
+from seafoam.plan.view import drawn_passes, passes_into, reads
 from seafoam.render.context import NoRendererError, create_context
 from seafoam.scene.models import Camera
 from seafoam.textures import texture
@@ -38,13 +39,13 @@ TEXTURE_FORMATS = {
     "RGBA32F": (4, "f4"),
 }
 """Components and moderngl dtype of each texture format."""
-_TARGET_FORMATS = {"RGBA16F": "f2", "RGBA32F": "f4", "RGBA8": "f1"}
+_TARGET_FORMATS = {"RGBA16F": (4, "f2"), "RGBA32F": (4, "f4"), "RGBA8": (4, "f1"), "RG32UI": (2, "u4")}
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "none": (moderngl.ONE, moderngl.ZERO),
     "add": (moderngl.ONE, moderngl.ONE),
     "over": (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA),
 }
-_BYTES = {"u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
+_BYTES = {"f1": 1, "u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
 _FILTERS = {
     "nearest": (moderngl.NEAREST, moderngl.NEAREST),
     "linear": (moderngl.LINEAR, moderngl.LINEAR),
@@ -53,6 +54,8 @@ _FILTERS = {
 _PROGRAMS_KEPT = 96
 _TEXTURES_KEPT = 48
 _TARGETS_KEPT = 48
+_STATIC_BYTES = 64 << 20
+"""Of targets that setup passes drew, for this plan and earlier ones."""
 
 
 class ShaderError(RuntimeError):
@@ -73,30 +76,40 @@ class Rendered:
 
 
 class _Cache:
-    """GL objects by key, the least lately used released first."""
+    """GL objects by key, the least lately used released first; ``weigh``: how much of ``size`` each takes."""
 
-    def __init__(self, size: int) -> None:
+    def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
         self._size = size
+        self._weigh = weigh
         self._items: OrderedDict[Any, Any] = OrderedDict()
 
-    def get(self, key: Any, make: Callable[[], Any]) -> Any:
-        if key in self._items:
-            self._items.move_to_end(key)
-            return self._items[key]
-        item = self._items[key] = make()
-        return item
+    def __contains__(self, key: Any) -> bool:
+        return key in self._items
+
+    def get(self, key: Any, make: Callable[[], Any] | None = None) -> Any:
+        """What is there, made if there is nothing; raises ``KeyError`` where nothing can be made."""
+        if make is not None and key not in self._items:
+            self._items[key] = make()
+        self._items.move_to_end(key)
+        return self._items[key]
+
+    def put(self, key: Any, item: Any) -> None:
+        self._items[key] = item
 
     def trim(self) -> None:
         """Release what is over the limit; called between frames, when nothing is in use."""
-        while len(self._items) > self._size:
-            self._release(self._items.popitem(last=False)[1])
+        held = sum(map(self._weigh, self._items.values()))
+        while held > self._size:
+            item = self._items.popitem(last=False)[1]
+            held -= self._weigh(item)
+            self.release(item)
 
     def clear(self) -> None:
         while self._items:
-            self._release(self._items.popitem()[1])
+            self.release(self._items.popitem()[1])
 
     @staticmethod
-    def _release(item: Any) -> None:
+    def release(item: Any) -> None:
         for part in item if isinstance(item, tuple) else (item,):
             part.release()
 
@@ -155,6 +168,7 @@ class Executor:
         self._programs = _Cache(_PROGRAMS_KEPT)
         self._textures = _Cache(_TEXTURES_KEPT)
         self._targets = _Cache(_TARGETS_KEPT)
+        self._static = _Cache(_STATIC_BYTES, _bytes)
 
     def render(
         self,
@@ -174,18 +188,28 @@ class Executor:
         self._own_thread()
         start = clock.perf_counter()
         target_name = {"rgba8": "screen", "linear": plan.linear, "samples": "samples"}[output]
-        framebuffers = {name: self._target(name, target, width, height) for name, target in plan.targets.items()}
+        drawn = drawn_passes(plan, camera, width, height, target_name)
+        setup = {one.target for one in plan.passes if one.when == "setup"}
+        framebuffers = {
+            name: self._target(name, target, width, height)
+            for name, target in plan.targets.items()
+            if name not in setup
+        }
         framebuffers["screen"] = self._targets.get(
             ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
         )
-        # Setup passes too: plans share the targets, so nothing that was drawn for an earlier frame can be relied on.
-        for index, shows in drawn_passes(plan, camera, width, height, target_name).items():
+        framebuffers |= self._set_up(plan, drawn, camera)
+        # Every frame pass: plans share their targets, so nothing that was drawn for an earlier frame can be relied on.
+        for index, shows in drawn.items():
+            one = plan.passes[index]
+            if one.when == "setup":
+                continue
             if shows:
-                self._draw(plan, plan.passes[index], index, framebuffers, time, camera, width, height)
+                self._draw(plan, one, index, framebuffers, time, camera, width, height)
             else:
-                self._clear(framebuffers[plan.passes[index].target][0])
+                self._clear(framebuffers[one.target][0])
         self._context.finish()
-        drawn = clock.perf_counter()
+        finished = clock.perf_counter()
         framebuffer = framebuffers[target_name][0]
         dtype: Literal["f1", "f4"] = "f1" if output == "rgba8" else "f4"
         raw = framebuffer.read(components=4, alignment=1, dtype=dtype)
@@ -193,10 +217,13 @@ class Executor:
         pixels = np.frombuffer(raw, np.uint8 if output == "rgba8" else np.float32).reshape(shape)[::-1]
         error = self._context.error
         if error != "GL_NO_ERROR":
+            # What it spoilt must not be kept.
+            self._static.clear()
             raise RuntimeError(f"{error} while drawing")
-        for cache in (self._programs, self._textures, self._targets):
+        for cache in self._caches():
             cache.trim()
-        return Rendered(np.ascontiguousarray(pixels), {"render": drawn - start, "read": clock.perf_counter() - drawn})
+        timings = {"render": finished - start, "read": clock.perf_counter() - finished}
+        return Rendered(np.ascontiguousarray(pixels), timings)
 
     def compile(self, program: Program) -> None:
         """Compile a program, or raise :class:`ShaderError`."""
@@ -206,13 +233,42 @@ class Executor:
     def close(self) -> None:
         """Release everything, the context last."""
         self._own_thread()
-        for cache in (self._programs, self._textures, self._targets):
+        for cache in self._caches():
             cache.clear()
         self._context.release()
+
+    def _caches(self) -> tuple[_Cache, ...]:
+        return self._programs, self._textures, self._targets, self._static
 
     def _own_thread(self) -> None:
         if threading.get_ident() != self._thread:
             raise RuntimeError("a GL context belongs to the thread that made it; elsewhere it draws nothing, silently")
+
+    def _set_up(self, plan: FramePlan, drawn: Iterable[int], camera: Camera) -> dict[str, tuple[Any, ...]]:
+        """The kept targets that passes of ``drawn`` read, with what setup passes leave in them.
+
+        Those are drawn that no frame of this plan or of one like it has left; nothing of the frame reaches them.
+        """
+        setup = {index: plan.passes[index] for index in drawn if plan.passes[index].when == "setup"}
+        wanted = {name for index in drawn if index not in setup for name in reads(plan.passes[index])}
+        needed = {name: digest for name, digest in plan.kept.items() if name in wanted}
+        missing = {digest: name for name, digest in needed.items() if digest not in self._static}
+        if missing:
+            steps = passes_into(setup, missing.values())
+            into = {one.target: self._target(one.target, plan.targets[one.target]) for one in steps.values()}
+            made = {digest: self._made(plan.targets[name]) for digest, name in missing.items()}
+            into |= {name: made[digest] for digest, name in missing.items()}
+            try:
+                for index, one in steps.items():
+                    self._draw(plan, one, index, into, 0.0, camera, 1, 1)
+            except BaseException:
+                for target in made.values():
+                    _Cache.release(target)
+                raise
+            for digest, target in made.items():
+                self._static.put(digest, target)
+        found = {name: self._static.get(digest) for name, digest in needed.items()}
+        return found
 
     def _draw(
         self,
@@ -296,33 +352,44 @@ class Executor:
         made: moderngl.Texture = self._textures.get((model.sha256, model.filter, model.wrap), make)
         return made
 
-    def _target(self, name: str, target: Target, width: int, height: int) -> tuple[Any, ...]:
-        if isinstance(target.size, FixedSize):
-            size = (target.size.width, target.size.height)
-        else:
-            scale, part = target.size.scale, target.size.part
-            size = (-(-width * scale // part), -(-height * scale // part))
-
-        def make() -> tuple[Any, ...]:
-            made = self._framebuffer(size, target.format, depth=target.depth)
-            made[1].filter = _FILTERS[target.filter]
-            made[1].repeat_x = made[1].repeat_y = target.wrap == "repeat"
-            return made
-
+    def _target(self, name: str, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
+        size = _size(target, width, height)
         key = (name, size, target.format, target.depth, target.filter, target.wrap)
-        found: tuple[Any, ...] = self._targets.get(key, make)
+        found: tuple[Any, ...] = self._targets.get(key, partial(self._made, target, width, height))
         return found
+
+    def _made(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
+        """A target for a picture of ``width`` × ``height`` pixels, which those of fixed size do not ask for."""
+        made = self._framebuffer(_size(target, width, height), target.format, depth=target.depth)
+        made[1].filter = _FILTERS[target.filter]
+        made[1].repeat_x = made[1].repeat_y = target.wrap == "repeat"
+        return made
 
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
         if max(size) > self.max_side:
             raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's {self.max_side} pixels a side")
-        color = self._context.texture(size, 4, dtype=_TARGET_FORMATS[kind], alignment=1)
+        components, dtype = _TARGET_FORMATS[kind]
+        color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]
         color.repeat_x = color.repeat_y = False
         if not depth:
             return self._context.framebuffer([color]), color
         buffer = self._context.depth_renderbuffer(size)
         return self._context.framebuffer([color], buffer), color, buffer
+
+
+def _size(target: Target, width: int, height: int) -> tuple[int, int]:
+    if isinstance(target.size, FixedSize):
+        return target.size.width, target.size.height
+    scale, part = target.size.scale, target.size.part
+    return -(-width * scale // part), -(-height * scale // part)
+
+
+def _bytes(target: tuple[Any, ...]) -> int:
+    """Of the pixels of a target as :meth:`Executor._framebuffer` makes it."""
+    framebuffer, color, *depth = target
+    texel = color.components * _BYTES[color.dtype] + 4 * len(depth)
+    return int(framebuffer.width * framebuffer.height * texel)
 
 
 def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:

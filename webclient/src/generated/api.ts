@@ -1264,6 +1264,13 @@ export interface components {
             };
             /** Passes */
             passes: components["schemas"]["Pass"][];
+            /**
+             * Kept
+             * @description Targets of setup passes that other passes read -> SHA-256 of all that their pixels hang on: programs, numbers, textures, meshes, states and formats, those of what is read included. Plans with the same may share the target, as long as no live field moves. All other targets of setup passes are only on the way
+             */
+            kept: {
+                [key: string]: string;
+            };
             /** Uniforms */
             uniforms: {
                 [key: string]: components["schemas"]["Uniform"];
@@ -1849,7 +1856,7 @@ export interface components {
             name: string;
             /**
              * When
-             * @description setup: once when the plan is loaded; frame: every frame
+             * @description setup: no rule of time, camera or picture size reaches the pass or what it reads: drawn when its target is first needed, and again only where a live field among its numbers, or among those of what it reads, moves; frame: in every frame that needs its target. All passes into one target are of one kind
              * @enum {string}
              */
             when: "setup" | "frame";
@@ -3179,7 +3186,7 @@ export interface components {
              * Format
              * @enum {string}
              */
-            format: "RGBA16F" | "RGBA32F" | "RGBA8";
+            format: "RGBA16F" | "RGBA32F" | "RGBA8" | "RG32UI";
             /**
              * Depth
              * @default false

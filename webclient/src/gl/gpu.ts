@@ -3,14 +3,17 @@ import { type Capabilities, CapabilityError, detect } from "./capabilities";
 import type { Mesh } from "./mesh";
 import { Pool } from "./pool";
 import { deleteProgram, type Program } from "./program";
+import { deleteTarget, type StillTarget } from "./target";
 
 /** Unused resources that stay on the GPU. */
-const SPARE = { programs: 32, textures: 12, meshes: 4 };
+const SPARE = { programs: 32, textures: 12, meshes: 4, stills: 4 };
 
 export class Gpu {
   readonly programs: Pool<Program>;
   readonly textures: Pool<Promise<WebGLTexture>>;
   readonly meshes: Pool<Mesh>;
+  /** What setup passes leave in their targets, by what it hangs on. */
+  readonly stills: Pool<StillTarget>;
 
   /** After a lost context is restored, a new one is made on the same `gl`: nothing of the old survives. */
   constructor(
@@ -25,6 +28,7 @@ export class Gpu {
       );
     this.textures = new Pool(deleteTexture, SPARE.textures);
     this.meshes = new Pool((mesh) => mesh.dispose(), SPARE.meshes);
+    this.stills = new Pool((target) => deleteTarget(gl, target), SPARE.stills);
   }
 }
 

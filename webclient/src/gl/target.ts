@@ -10,6 +10,11 @@ export interface Target {
   height: number;
 }
 
+/** A target that setup passes draw once, for every plan that asks for the same. */
+export interface StillTarget extends Target {
+  drawn: boolean;
+}
+
 /** Size of a target for a picture of the given size. */
 export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
   const size = spec.size;

@@ -6,12 +6,12 @@ import type { Gpu } from "../gl/gpu";
 import { makeMesh, type Mesh, meshKey } from "../gl/mesh";
 import type { Lease } from "../gl/pool";
 import { type ActiveUniform, finishProgram, type Program, startProgram, whenReady } from "../gl/program";
-import { deleteTarget, makeTarget, type Target, targetSize } from "../gl/target";
+import { deleteTarget, makeTarget, type StillTarget, type Target, targetSize } from "../gl/target";
 import { makeTexture, textureKey } from "../gl/texture";
 import type { Json } from "../scene/json";
 import { liveRule } from "./live";
 import { fill, type FrameState } from "./rules";
-import { drawnPasses, type Eye, eyeOf, serves } from "./view";
+import { drawnPasses, type Eye, eyeOf, passesInto, serves, targetsRead } from "./view";
 
 /** Reads the bytes of a texture of the plan. */
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
@@ -62,13 +62,21 @@ interface BoundPass {
   samplers: BoundSampler[];
 }
 
+/** A share in a kept target. */
+interface Kept {
+  key: string;
+  lease: Lease<StillTarget>;
+}
+
 export class Executor {
   /** Settles when what this camera does not need yet is there too. */
   whole: Promise<void> = Promise.resolve();
   private readonly passes = new Map<number, BoundPass>();
+  /** Those that are drawn in every frame. */
   private readonly targets = new Map<string, Target>();
-  /** Whether the setup passes have run since the targets were made. */
-  private isSetUp = false;
+  private readonly kept = new Map<string, Kept>();
+  /** Positions of the passes that are drawn once. */
+  private readonly setup: readonly number[];
   private disposed = false;
   readonly programs = new Map<string, Program>();
 
@@ -77,7 +85,9 @@ export class Executor {
     readonly plan: FramePlan,
     private readonly textures: ReadonlyMap<string, WebGLTexture>,
     private readonly leases: Lease<unknown>[],
-  ) {}
+  ) {
+    this.setup = [...plan.passes.keys()].filter((index) => plan.passes[index]?.when === "setup");
+  }
 
   /** Compiles and loads what the plan needs for an eye there, without stopping the page; `rest`: then what others need. */
   static async load(gpu: Gpu, plan: FramePlan, bytes: LoadBytes, camera: CameraState, rest: boolean): Promise<Executor> {
@@ -143,25 +153,28 @@ export class Executor {
     // What draws for a low eye draws for any; the other way about it is a moment's stopgap.
     const wanted = eyeOf(this.plan, frame.camera);
     const eye = this.has(wanted) ? wanted : wanted === "over" ? "under" : "over";
-    for (const [index, shows] of drawnPasses(this.plan, eye, frame.camera, frame.width, frame.height)) {
+    const drawn = [...drawnPasses(this.plan, eye, frame.camera, frame.width, frame.height)].flatMap(([index, shows]) => {
       const bound = this.passes.get(index);
-      if (bound === undefined || (bound.pass.when === "setup" && this.isSetUp)) continue;
-      if (shows) around(bound.pass, () => this.drawPass(bound, frame));
+      return bound === undefined || bound.pass.when === "setup" ? [] : [{ bound, shows }];
+    });
+    this.setUp(new Set(drawn.flatMap(({ bound, shows }) => (shows ? targetsRead(bound.pass) : []))), frame);
+    for (const { bound, shows } of drawn) {
+      if (shows) around(bound.pass, () => this.drawPass(bound, frame, (name) => this.target(name)));
       else this.clear(bound.pass);
     }
-    this.isSetUp = true;
   }
 
   /** A target as the latest frame left it. */
   target(name: string): Target | undefined {
-    return this.targets.get(name);
+    return this.targets.get(name) ?? this.kept.get(name)?.lease.value;
   }
 
   /** Gives the targets' memory back until the next frame. */
   rest(): void {
     for (const target of this.targets.values()) deleteTarget(this.gpu.gl, target);
     this.targets.clear();
-    this.isSetUp = false;
+    for (const { lease } of this.kept.values()) lease.release();
+    this.kept.clear();
   }
 
   dispose(): void {
@@ -172,14 +185,57 @@ export class Executor {
 
   private resize(width: number, height: number): void {
     const { gl } = this.gpu;
+    const drawnOnce = new Set(this.setup.map((index) => this.plan.passes[index]?.target));
     for (const [name, spec] of Object.entries(this.plan.targets)) {
+      if (drawnOnce.has(name)) continue;
       const [w, h] = targetSize(spec, width, height);
       const target = this.targets.get(name);
       if (target?.width === w && target.height === h) continue;
       if (target) deleteTarget(gl, target);
       this.targets.set(name, makeTarget(gl, spec, w, h));
-      this.isSetUp = false;
     }
+  }
+
+  /** Takes hold of the kept targets that are read, and draws those that no plan has drawn with these numbers. */
+  private setUp(read: ReadonlySet<string>, frame: Frame): void {
+    const { gl, stills } = this.gpu;
+    for (const [name, digest] of Object.entries(this.plan.kept)) {
+      if (!read.has(name)) continue;
+      const key = this.stillKey(name, digest, frame.scene);
+      const held = this.kept.get(name);
+      if (held?.key === key) continue;
+      const make = () => ({ ...this.makeFixed(name), drawn: false });
+      this.kept.set(name, { key, lease: stills.acquire(key, make) });
+      held?.lease.release();
+    }
+    const fresh = new Map([...this.kept].map(([name, { lease }]) => [name, lease.value] as const).filter(([, { drawn }]) => !drawn));
+    if (fresh.size === 0) return;
+    const steps = passesInto(this.plan, this.setup, fresh.keys());
+    const onTheWay = new Map<string, Target>();
+    try {
+      for (const index of steps) {
+        const bound = required(this.passes.get(index), `program for pass ${index} yet`);
+        const { target } = bound.pass;
+        if (!fresh.has(target) && !onTheWay.has(target)) onTheWay.set(target, this.makeFixed(target));
+        this.drawPass(bound, frame, (name) => fresh.get(name) ?? onTheWay.get(name));
+      }
+      for (const still of fresh.values()) still.drawn = true;
+    } finally {
+      for (const target of onTheWay.values()) deleteTarget(gl, target);
+    }
+  }
+
+  /** What a kept target's pixels hang on: what the plan says, and the live numbers as the scene has them. */
+  private stillKey(name: string, digest: string, scene: Json | null): string {
+    const live = passesInto(this.plan, this.setup, [name]).flatMap((index) =>
+      (this.passes.get(index)?.uniforms ?? []).filter(({ live }) => live).flatMap(({ uniform }) => uniform.rules),
+    );
+    return live.length === 0 ? digest : `${digest} ${JSON.stringify(live.map((rule) => liveRule(rule, scene)))}`;
+  }
+
+  private makeFixed(name: string): Target {
+    const spec = required(this.plan.targets[name], `target ${name}`);
+    return makeTarget(this.gpu.gl, spec, ...targetSize(spec, 0, 0));
   }
 
   /** Empties the target of a pass that has nothing to draw into it. */
@@ -198,12 +254,16 @@ export class Executor {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  private drawPass({ pass, index, program, mesh, uniforms, samplers }: BoundPass, frame: Frame): void {
+  private drawPass(
+    { pass, index, program, mesh, uniforms, samplers }: BoundPass,
+    frame: Frame,
+    find: (name: string) => Target | undefined,
+  ): void {
     const { gl } = this.gpu;
     const onScreen = pass.target === "screen";
     const target = onScreen
       ? { framebuffer: frame.screen, width: frame.width, height: frame.height }
-      : required(this.targets.get(pass.target), `target ${pass.target}`);
+      : required(find(pass.target), `target ${pass.target}`);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     gl.viewport(0, 0, target.width, target.height);
     // Only the screen is cut: a later pass may read any pixel of a target.
@@ -243,7 +303,7 @@ export class Executor {
     }
     for (const { location, unit, reads } of samplers) {
       gl.activeTexture(gl.TEXTURE0 + unit);
-      const texture = typeof reads === "string" ? (this.targets.get(reads)?.texture ?? null) : reads;
+      const texture = typeof reads === "string" ? (find(reads)?.texture ?? null) : reads;
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.uniform1i(location, unit);
     }

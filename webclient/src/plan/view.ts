@@ -33,13 +33,30 @@ export function drawnPasses(
   const needed = new Set(["screen"]);
   const found: [number, boolean][] = [];
   for (const [index, pass] of [...plan.passes.entries()].reverse()) {
-    if (!serves(pass, eye) || (pass.when === "frame" && !needed.has(pass.target))) continue;
+    if (!serves(pass, eye) || !needed.has(pass.target)) continue;
     const shows = inView(pass.view, plan.top, camera, width, height);
     if (shows || pass.state.clear) found.push([index, shows]);
     if (!shows) continue;
-    for (const source of Object.values(pass.inputs ?? {})) if ("target" in source) needed.add(source.target);
+    for (const name of targetsRead(pass)) needed.add(name);
   }
   return new Map(found.reverse());
+}
+
+/** Of the passes at these positions those that draw into `targets` or into what these read, in drawing order. */
+export function passesInto(plan: Pick<FramePlan, "passes">, among: readonly number[], targets: Iterable<string>): number[] {
+  const needed = new Set(targets);
+  const found: number[] = [];
+  for (const index of among.toSorted((a, b) => b - a)) {
+    const pass = plan.passes[index];
+    if (pass === undefined || !needed.has(pass.target)) continue;
+    found.push(index);
+    for (const name of targetsRead(pass)) needed.add(name);
+  }
+  return found.reverse();
+}
+
+export function targetsRead(pass: Pick<Pass, "inputs">): string[] {
+  return Object.values(pass.inputs ?? {}).flatMap((source) => ("target" in source ? [source.target] : []));
 }
 
 function inView(view: Pass["view"], top: number, camera: CameraState, width: number, height: number): boolean {

@@ -1,0 +1,86 @@
+"""The atlas that a browser draws of a mask is the one that Python makes, to the last bit, on either renderer."""
+
+import base64
+import json
+
+import numpy as np
+import pytest
+
+from browsers import Lane, opened
+from seafoam.effects.contribution import Fullscreen, TargetInput, TextureInput
+from seafoam.plan import FramePlan, make_plan
+from seafoam.plan.assemble import assemble
+from seafoam.plan.model import Pass, Program, Texture
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
+from seafoam.textures import texture
+
+COMPARE = """=uniform usampler2D u_drawn;
+uniform usampler2D u_made;
+out vec4 o_color;
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    uvec2 drawn = texelFetch(u_drawn, at, 0).rg;
+    bool same = drawn == texelFetch(u_made, at, 0).rg;
+    o_color = vec4(same ? 0.0 : 1.0, float(drawn.x & 255u) / 255.0, float(drawn.y & 255u) / 255.0, 1.0);
+}
+"""
+
+
+def comparing(mask: str) -> FramePlan:
+    """A plan whose picture is red where the drawn atlas is not the one of the server's resource."""
+    foam = Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask)
+    plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"])
+    made = texture(f"mask/{mask}/atlas")
+    vertex = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
+    compare = Pass(
+        name="compare",
+        when="frame",
+        program="compare",
+        target="screen",
+        mesh=Fullscreen(),
+        inputs={"u_drawn": TargetInput(target="mask_atlas"), "u_made": TextureInput(texture="made")},
+    )
+    given = Texture(
+        url=f"/api/textures/mask/{mask}/atlas",
+        sha256=made.sha256,
+        format="RG32UI",
+        width=made.width,
+        height=made.height,
+        levels=1,
+        filter="nearest",
+        wrap="repeat",
+    )
+    return plan.model_copy(
+        update={
+            "passes": (*(one for one in plan.passes if one.when == "setup"), compare),
+            "programs": {**plan.programs, "compare": Program(vertex=vertex, fragment=assemble([COMPARE], {}))},
+            "textures": {**plan.textures, "made": given},
+        }
+    )
+
+
+@pytest.mark.parametrize("mask", ["vac-24", "clump"])
+@pytest.mark.parametrize("lane", ["llvmpipe", "swiftshader"])
+def test_the_drawn_atlas_is_the_made_one(
+    lane: str, mask: str, executor: Executor, server: str, request: pytest.FixtureRequest
+) -> None:
+    browser: Lane = request.getfixturevalue(lane)
+    plan, camera = comparing(mask), Camera()
+    made = texture(f"mask/{mask}/atlas")
+    page = opened(browser, server)
+    answer = page.evaluate(
+        "([plan, options]) => window.seafoam.render(plan, options)",
+        [
+            json.loads(plan.canonical_json()),
+            {"time": 0.0, "width": made.width, "height": made.height, "camera": camera.model_dump(mode="json")},
+        ],
+    )
+    page.close()
+    assert answer["glError"] == 0
+    pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(made.height, made.width, 4)
+    assert not pixels[..., 0].any()
+    assert pixels[:, :512, 1].std() > 50.0
+    here = executor.render(plan, time=0.0, camera=camera, width=made.width, height=made.height).pixels
+    assert np.array_equal(pixels, here)

@@ -1,0 +1,274 @@
+"""Passes that are drawn once: which they are, what their targets hang on, and how often they are drawn."""
+
+from collections.abc import Callable
+
+import pytest
+
+from seafoam.effects.contribution import (
+    Fullscreen,
+    Held,
+    Loop,
+    Phase,
+    Points,
+    Rule,
+    Target,
+    TargetInput,
+    Uniform,
+    Viewport,
+    ViewportSize,
+    Wrap,
+    number,
+)
+from seafoam.plan import FramePlan, make_plan
+from seafoam.plan.assemble import assemble
+from seafoam.plan.model import Pass, Program, State
+from seafoam.plan.setup import with_setup
+from seafoam.quality import TIERS
+from seafoam.render import executor as module
+from seafoam.render.executor import Executor, ShaderError
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+STANDARD = TIERS["standard"]
+SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]
+
+FLOWING = ("flow of drift", "drift, quarters of a brood back", "drift, two broods further back")
+
+FIXED = Target.model_validate({"size": {"rule": "fixed", "width": 4, "height": 4}, "format": "RGBA16F"})
+SHADER = assemble(
+    ["=uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n"], {}
+)
+BLIND = assemble(["=uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n"], {})
+PROGRAMS = {
+    "read": Program(vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}), fragment=SHADER),
+    "blind": Program(vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}), fragment=BLIND),
+}
+STILL = number(1.0)
+
+
+def one(target: str, *read: str, **fields: object) -> Pass:
+    inputs = {"u_read": TargetInput(target=read[0])} if read else {}
+    given = {"name": target, "when": "frame", "program": "read" if read else "blind", "mesh": Fullscreen(), **fields}
+    return Pass(target=target, inputs=inputs, **given)  # type: ignore[arg-type]
+
+
+def settled(*passes: Pass, number: Uniform = STILL, targets: dict[str, Target] | None = None) -> tuple[str, set[str]]:
+    """What each pass is, s for setup or f for frame, and the targets that are kept."""
+    found = {"a": FIXED, "b": FIXED, "c": FIXED, **(targets or {})}
+    timed, kept = with_setup(passes, PROGRAMS, {"u_number": number}, found, {})
+    return "".join(one.when[0] for one in timed), set(kept)
+
+
+def rules(rule: Rule) -> Uniform:
+    return Uniform(type="float", rules=(rule,))
+
+
+class TestInference:
+    def test_what_nothing_moves_is_drawn_once(self) -> None:
+        assert settled(one("a"), one("b", "a"), one("screen", "b")) == ("ssf", {"b"})
+
+    @pytest.mark.parametrize(
+        ("rule", "still"),
+        [
+            (Phase(offset=1.0, rate=0.0, k=(0.0, 0.0)), True),
+            (Phase(offset=0.0, rate=1.0, k=(0.0, 0.0)), False),
+            (Phase(offset=0.0, rate=0.0, k=(0.0, 1e-9)), False),
+            (Wrap(k=(0.0, 0.0)), True),
+            (Wrap(k=(1.0, 0.0)), False),
+            (Held(offset=2.0, low=0.0, high=1.0), True),
+            (Held(offset=2.0, rate=1.0, low=0.0, high=1.0), False),
+            (Held(offset=2.0, k=(0.0, 1.0), low=0.0, high=1.0), False),
+            (Loop(period=3.0), False),
+        ],
+    )
+    def test_a_rule_of_time_or_place_moves_a_pass_and_all_that_reads_it(self, rule: Rule, still: bool) -> None:
+        found, kept = settled(one("a"), one("b", "a"), one("screen", "b"), number=rules(rule))
+        assert (found, kept) == (("ssf", {"b"}) if still else ("fff", set()))
+        own = one("b", "a", uniforms={"u_number": rules(rule)})
+        found, kept = settled(one("a"), own, one("screen", "b"))
+        assert (found, kept) == (("ssf", {"b"}) if still else ("sff", {"a"}))
+
+    def test_a_target_as_large_as_the_picture_is_drawn_in_every_frame(self) -> None:
+        large = Target(size=ViewportSize(), format="RGBA16F")
+        assert settled(one("a"), one("screen", "a"), targets={"a": large}) == ("ff", set())
+        size = Uniform(type="vec2", rules=(Viewport(),))
+        assert settled(one("a", uniforms={"u_number": size}), one("screen", "a")) == ("sf", {"a"})
+
+    def test_what_is_drawn_for_some_eyes_or_views_alone_is_not_kept(self) -> None:
+        assert settled(one("a", eye="over"), one("screen", "a")) == ("ff", set())
+        assert settled(one("a", view="rising"), one("screen", "a")) == ("ff", set())
+
+    def test_every_writer_counts(self) -> None:
+        moved = {"u_number": rules(Loop(period=1.0))}
+        added = State(blend="add")
+        assert settled(one("a"), one("a", state=added), one("screen", "a")) == ("ssf", {"a"})
+        assert settled(one("a"), one("a", state=added, uniforms=moved), one("screen", "a")) == ("fff", set())
+        assert settled(one("a", uniforms=moved), one("a"), one("screen", "a")) == ("fff", set())
+
+    @pytest.mark.parametrize(
+        "first", [{"state": State(blend="add")}, {"mesh": Points(count=3)}, {"state": State(depth=True)}]
+    )
+    def test_the_first_writer_must_leave_nothing_of_what_was_there(self, first: dict[str, object]) -> None:
+        assert settled(one("a", **first), one("screen", "a")) == ("ff", set())
+        state = first.get("state", State())
+        assert isinstance(state, State)
+        cleared = {**first, "state": state.model_copy(update={"clear": True})}
+        assert settled(one("a", **cleared), one("screen", "a")) == ("sf", {"a"})
+
+    def test_a_target_that_is_drawn_again_after_a_frame_pass_read_it_is_not_kept(self) -> None:
+        assert settled(one("a"), one("screen", "a"), one("a"), one("screen", "a")) == ("ffff", set())
+        # Among setup passes the order is kept.
+        assert settled(one("a"), one("b", "a"), one("a", "b"), one("b", "a"), one("screen", "b")) == ("ssssf", {"b"})
+
+    def test_what_the_last_frame_left_is_no_still_picture(self) -> None:
+        assert settled(one("a", "b"), one("b", "a"), one("screen", "b")) == ("fff", set())
+
+
+@pytest.mark.parametrize("tier", TIERS)
+@pytest.mark.parametrize("preset", SHORES)
+def test_a_shores_map_is_drawn_once_but_for_its_last_pass(preset: str, tier: str) -> None:
+    plan = make_plan(load_preset(preset).scene, TIERS[tier])  # type: ignore[index]
+    passes = [one for one in plan.passes if one.name.startswith("shore: ")]
+    assert [one.when for one in passes] == ["setup"] * (len(passes) - 1) + ["frame"]
+    assert "shore_smooth" in plan.kept
+    assert not plan.kept.keys() & {"shore_near_0", "shore_near_1", "shore_rough", "shore_half", "shore_map"}
+
+
+def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
+    plan = make_plan(load_preset("drift-vortices").scene, STANDARD)
+    when = {one.name: one.when for one in plan.passes}
+    assert when["flow of drift"] == "setup"
+    assert when["drift, quarters of a brood back"] == when["drift, two broods further back"] == "setup"
+    assert when["drift, ways of the youngest"] == when["drift, followed back"] == "frame"
+    assert plan.kept.keys() == {"drift_flow", "drift_still", "drift_older", "mask_atlas"}
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_nothing_else_is_taken_for_still(preset: str) -> None:
+    """By name: a pass that became still by mistake would freeze what it draws."""
+    plan = make_plan(load_preset(preset).scene, STANDARD)
+    still = {one.name for one in plan.passes if one.when == "setup"}
+    assert all(name.startswith(("shore: ", "mask: ")) or name in FLOWING for name in still), still
+
+
+def test_plans_share_what_hangs_on_the_same() -> None:
+    scene = load_preset("island-surf").scene
+    assert scene.shore is not None
+
+    def kept(**changes: object) -> str:
+        shore = scene.shore
+        assert shore is not None
+        return make_plan(
+            Scene(shore=shore.model_copy(update=changes), light=scene.light, water=scene.water), STANDARD
+        ).kept["shore_smooth"]
+
+    assert kept() == make_plan(scene, STANDARD).kept["shore_smooth"]
+    assert kept() == kept(sand=(0.1, 0.1, 0.1), place=(9.0, 9.0), plants_from=99.0)
+    assert len({kept(), kept(smoothing=9.0), kept(level=0.1), kept(size=400.0)}) == 4
+    finer = STANDARD.model_copy(update={"shore_map": 128})
+    assert make_plan(scene, finer).kept["shore_smooth"] != kept()
+
+
+@pytest.fixture
+def fresh(executor: Executor) -> Executor:
+    """The executor with nothing kept."""
+    executor._static.clear()
+    return executor
+
+
+@pytest.fixture
+def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePlan], list[str]]:
+    """Draws a frame and gives the names of its passes."""
+    names: list[str] = []
+    draw = fresh._draw
+
+    def counted(plan: FramePlan, one: Pass, *rest: object) -> None:
+        names.append(one.name)
+        draw(plan, one, *rest)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(fresh, "_draw", counted)
+    times = iter(range(100))
+
+    def frame(plan: FramePlan) -> list[str]:
+        names.clear()
+        camera = load_preset("island-surf").scene.camera
+        fresh.render(plan, time=float(next(times)), camera=camera, width=16, height=9)
+        return list(names)
+
+    return frame
+
+
+def shore_passes(names: list[str]) -> int:
+    return sum(name.startswith("shore: ") for name in names)
+
+
+def mask_passes(names: list[str]) -> int:
+    return sum(name.startswith("mask: ") for name in names)
+
+
+class TestDraws:
+    def test_setup_passes_are_drawn_for_the_first_frame_alone(self, drawn: Callable[[FramePlan], list[str]]) -> None:
+        plan = make_plan(load_preset("island-surf").scene, STANDARD)
+        first, second, third = (drawn(plan) for _ in range(3))
+        assert (shore_passes(first), shore_passes(second)) == (14, 1)
+        assert (mask_passes(first), mask_passes(second)) == (11, 0)
+        still = {one.name for one in plan.passes if one.when == "setup"}
+        assert second == third == [name for name in first if name not in still]
+
+    def test_another_plan_of_the_same_shore_draws_no_map_of_its_own(
+        self, drawn: Callable[[FramePlan], list[str]]
+    ) -> None:
+        scene = load_preset("island-surf").scene
+        assert scene.shore is not None
+        drawn(make_plan(scene, STANDARD))
+        painted = scene.model_copy(update={"shore": scene.shore.model_copy(update={"rock": (0.2, 0.1, 0.1)})})
+        assert shore_passes(drawn(make_plan(painted, STANDARD))) == 1
+        smoother = scene.model_copy(update={"shore": scene.shore.model_copy(update={"smoothing": 9.0})})
+        assert shore_passes(drawn(make_plan(smoother, STANDARD))) == 14
+        assert shore_passes(drawn(make_plan(scene, STANDARD))) == 1
+
+    def test_what_is_kept_is_bounded_in_bytes(
+        self, fresh: Executor, drawn: Callable[[FramePlan], list[str]], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        plan = make_plan(load_preset("island-surf").scene, STANDARD)
+        drawn(plan)
+        sizes = [module._bytes(target) for target in fresh._static._items.values()]
+        assert sorted(sizes) == [256 * 256 * 16, 1280 * 512 * 8]
+        monkeypatch.setattr(fresh._static, "_size", sum(sizes) - 1)
+        drawn(plan)
+        assert len(fresh._static._items) == 1
+        monkeypatch.setattr(fresh._static, "_size", 0)
+        drawn(plan)
+        again = drawn(plan)
+        assert (shore_passes(again), mask_passes(again)) == (14, 11)
+
+    def test_a_target_whose_passes_failed_is_not_kept(self, fresh: Executor) -> None:
+        scene = load_preset("island-surf").scene
+        plan = make_plan(scene, STANDARD)
+        broken = plan.programs["shore_blur"]
+        fragment = broken.fragment.model_copy(update={"text": "#version 300 es\nbroken", "sha256": "0" * 64})
+        programs = {**plan.programs, "shore_blur": broken.model_copy(update={"fragment": fragment})}
+        with pytest.raises(ShaderError):
+            fresh.render(
+                plan.model_copy(update={"programs": programs}), time=0.0, camera=scene.camera, width=16, height=9
+            )
+        assert not fresh._static._items
+
+
+@pytest.mark.parametrize("preset", ["island-surf", "drift-vortices"])
+def test_a_frame_after_others_is_that_of_a_fresh_executor(preset: str, fresh: Executor) -> None:
+    scene = load_preset(preset).scene
+    plan = make_plan(scene, STANDARD)
+
+    def draw(time: float, one: FramePlan = plan) -> bytes:
+        return fresh.render(one, time=time, camera=scene.camera, width=48, height=27).pixels.tobytes()
+
+    alone = draw(7.3)
+    fresh._static.clear()
+    for other in SHORES[:2]:
+        draw(1.0, make_plan(load_preset(other).scene, STANDARD))
+    draw(2.0)
+    assert draw(7.3) == alone
+    # And as it was where every pass is drawn in every frame.
+    each = tuple(one.model_copy(update={"when": "frame"}) for one in plan.passes)
+    assert draw(7.3, plan.model_copy(update={"passes": each, "kept": {}})) == alone
