@@ -1,20 +1,36 @@
 """Fixtures that every level shares."""
 
-from collections.abc import Iterator
+from functools import cache
 
 import pytest
 
+import inputs
 from gpu import Probe
 from report import REPORT, Report
 from seafoam.render.executor import Executor
 
 
+@cache
+def _executor() -> Executor:
+    return Executor()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Remember checks that passed."""
+    config.pluginmanager.register(inputs.memo(lambda: _executor().info))
+
+
+def pytest_unconfigure() -> None:
+    """Give the context back."""
+    if _executor.cache_info().currsize:
+        _executor().close()
+        _executor.cache_clear()
+
+
 @pytest.fixture(scope="session")
-def executor() -> Iterator[Executor]:
+def executor() -> Executor:
     """The one GL context of the test process."""
-    made = Executor()
-    yield made
-    made.close()
+    return _executor()
 
 
 @pytest.fixture(scope="session")
