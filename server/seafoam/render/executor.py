@@ -202,12 +202,17 @@ class Executor:
         """Compile a program, or raise :class:`ShaderError`."""
         self._own_thread()
         self._program(program)
+        self._programs.trim()
 
-    def close(self) -> None:
-        """Release everything, the context last."""
+    def forget(self) -> None:
+        """Release all that is kept for later frames: programs, textures and targets."""
         self._own_thread()
         for cache in (self._programs, self._textures, self._targets):
             cache.clear()
+
+    def close(self) -> None:
+        """Release everything, the context last."""
+        self.forget()
         self._context.release()
 
     def _own_thread(self) -> None:
