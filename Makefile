@@ -1,4 +1,5 @@
 # make demo: everything it takes, then the page.   make test: everything it takes, then every test.
+# make quick: what to run while working, under a minute on two cores.   With CI=1 nothing is left out for having passed before.
 SHELL := /bin/bash
 PYTHON ?= python3
 VENV := .venv
@@ -14,12 +15,36 @@ WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public -type f 2>/dev/null) $(WEB)
 LIVE := tests/accuracy tests/api tests/browser tests/cli
 NUMBERS := $(filter-out $(addsuffix /,$(LIVE) tests/references tests/golden),$(wildcard tests/*/))
 
-.PHONY: demo test lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs lock clean
+# What needs no browser, no server process and next to no drawing; in two halves.
+QUICK := tests/masks tests/smoke $(filter-out %_pool.py %_accuracy.py,$(wildcard tests/api/test_*.py))
+
+.PHONY: demo test quick quick-unit quick-rest quick-lint lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
 
 test: lint test-web test-python
+
+quick: setup-test
+	@$(MAKE) --no-print-directory -j2 quick-unit quick-rest quick-lint
+
+quick-unit:
+	$(BIN)/pytest -q -p no:cacheprovider tests/unit
+
+quick-rest:
+	$(BIN)/pytest -q -p no:cacheprovider -m "not real" $(QUICK)
+
+quick-lint: $(WEB)/node_modules/.checked
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+# Types, lint and unit tests of the client, unless nothing of it changed since they passed.
+$(WEB)/node_modules/.checked: $(WEB_SOURCES) $(wildcard $(WEB)/tests/*) $(WEB)/eslint.config.js | $(WEB)/dist/index.html
+	cd $(WEB) && ../$(NODE) npm run lint --silent
+	cd $(WEB) && ../$(NODE) npm test --silent
+	@touch $@
 
 setup: $(VENV)/.installed webclient
 	@scripts/system.sh

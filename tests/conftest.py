@@ -1,20 +1,47 @@
 """Fixtures that every level shares."""
 
 from collections.abc import Iterator
+from functools import cache
 
 import pytest
 
+import inputs
 from gpu import Probe
 from report import REPORT, Report
+from room import LIMIT, Room, resident
 from seafoam.render.executor import Executor
 
 
+@cache
+def _executor() -> Executor:
+    return Executor()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Remember checks that passed; let no process grow too large."""
+    config.pluginmanager.register(inputs.memo(lambda: _executor().info))
+    config.pluginmanager.register(Room())
+
+
+def pytest_unconfigure() -> None:
+    """Give the context back."""
+    if _executor.cache_info().currsize:
+        _executor().close()
+        _executor.cache_clear()
+
+
 @pytest.fixture(scope="session")
-def executor() -> Iterator[Executor]:
+def executor() -> Executor:
     """The one GL context of the test process."""
-    made = Executor()
-    yield made
-    made.close()
+    return _executor()
+
+
+@pytest.fixture(autouse=True)
+def _room() -> Iterator[None]:
+    """After a test, have the executor forget what it keeps for later frames, once that is too much."""
+    yield
+    if _executor.cache_info().currsize and resident() > LIMIT // 2:
+        _executor().forget()
 
 
 @pytest.fixture(scope="session")

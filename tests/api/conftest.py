@@ -9,6 +9,13 @@ from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark what draws; the rest has renderers that only pretend to."""
+    for item in items:
+        if isinstance(item, pytest.Function) and "real" in item.fixturenames:
+            item.add_marker("real")
+
+
 @contextmanager
 def serving(renderer=FakeRenderer, **settings) -> Iterator[TestClient]:
     """A running app, ready or found unable."""

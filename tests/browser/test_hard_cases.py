@@ -21,6 +21,7 @@ from seafoam.scene.presets import load_preset
 
 SIZE = (48, 27)
 CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.hard_cases]
+FIRST = [pytest.param(effect.hard_cases[0], id=effect.name) for effect in EFFECTS]
 HARD = {"mean": 3.0, "share_over_2": 0.06}
 SOFT = {"mean": 1.5, "share_over_2": 0.04}
 """What SwiftShader may differ by, as for the presets (test_parity.py); but soft
@@ -72,8 +73,10 @@ def both(
     return got, want, np.abs(got.astype(int) - want.astype(int)).max(axis=-1)  # type: ignore[return-value]
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.remembered(by="answers")
+@pytest.mark.parametrize("case", FIRST)
 def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, case: HardCase) -> None:
+    """One case of each effect: so is every preset (test_parity.py), and every rule of a uniform by numbers."""
     for time in case.times:
         _, _, difference = both(page, executor, case, time)
         assert (difference == 0).mean() >= 0.999
@@ -95,6 +98,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
     made.close()
 
 
+@pytest.mark.remembered(by="answers")
 @pytest.mark.parametrize("case", CASES)
 def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCase) -> None:
     foam = case.scene.foam

@@ -67,6 +67,9 @@ def places(scene: Scene, plan: FramePlan, time: float) -> Iterator[Place]:
     yield at("a hand over the ground", plan.bottom + 0.1, 0.3, dark=True)
     yield at("under the ground", plan.bottom - 5.0, 0.3, dark=True)
     yield at("ten thousand kilometres away", start.position[1], start.pitch, dark=True)
+    away = start.model_copy(update={"position": (1e7, crest + 8.0, -1e7), "pitch": -0.2, "roll": 1.0})
+    yield Place("the far corner of the map, askew", away, dark=True)
+    yield at("a hundred kilometres up", 1e5, -0.5, dark=True, fov=2.6)
     for boat in scene.boats[:1]:
         turned = boat.bearing + boat.speed / boat.radius * time * (1.0 if boat.turn == "starboard" else -1.0)
         middle = boat.centre[0] + boat.radius * math.cos(turned), boat.centre[1] + boat.radius * math.sin(turned)
@@ -92,6 +95,7 @@ def test_a_preset_flown_anywhere(executor: Executor, report: Report, name: str) 
         first = shown(executor, plan, preset.time, place.camera)
         assert np.isfinite(first).all(), place.name
         assert (first >= 0.0).all(), place.name
+        assert (first[..., 3] <= 1.0).all(), place.name
         if not place.dark:
             light = np.clip(first[..., :3], 0.0, 1.0)
             assert light.max() > 0.02, place.name

@@ -1,6 +1,7 @@
 """Sun, sky and haze. docs/formulae.md, section 6."""
 
 import math
+from functools import lru_cache
 
 from seafoam.effects import layered
 from seafoam.effects.contribution import (
@@ -92,6 +93,7 @@ def air_light(light: Light) -> Rgb:
     )
 
 
+@lru_cache(maxsize=64)
 def sky_irradiance(light: Light) -> Rgb:
     """E_sky: irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
     if light.sky is not None:

@@ -233,7 +233,7 @@ class SeaSurface:
         return result
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=1)
 def _drawn(
     sea: Sea, depth: float | None, time: float, texels: int
 ) -> tuple[tuple[Tile, ...], tuple[tuple[Floats, ...], ...]]:

@@ -229,12 +229,17 @@ class Executor:
         """Compile a program, or raise :class:`ShaderError`."""
         self._own_thread()
         self._program(program)
+        self._programs.trim()
 
-    def close(self) -> None:
-        """Release everything, the context last."""
+    def forget(self) -> None:
+        """Release all that is kept for later frames: programs, textures and targets."""
         self._own_thread()
         for cache in self._caches():
             cache.clear()
+
+    def close(self) -> None:
+        """Release everything, the context last."""
+        self.forget()
         self._context.release()
 
     def _caches(self) -> tuple[_Cache, ...]:

@@ -1,0 +1,22 @@
+"""Every preset once, small and at the cheapest tier: there is a picture. Part of ``make quick``."""
+
+import numpy as np
+import pytest
+
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.presets import load_preset, preset_names
+
+SIZE = (64, 36)
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_a_preset_draws(executor: Executor, preset: str) -> None:
+    found = load_preset(preset)
+    plan = make_plan(found.scene, TIERS["draft"])
+    camera = found.scene.camera
+    frame = executor.render(plan, time=found.time, camera=camera, width=SIZE[0], height=SIZE[1], output="samples")
+    assert np.isfinite(frame.pixels).all()
+    assert (frame.pixels >= 0.0).all()
+    assert np.clip(frame.pixels[..., :3], 0.0, 1.0).std() > 0.01, "a blank picture"
