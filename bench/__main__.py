@@ -10,12 +10,13 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from bench import budget, economy, effects, frames, http, machine, page, server
+from bench import budget, economy, effects, frames, http, machine, page, server, water_page, yardstick
 from bench.report import Table
 from bench.watch import Watch
 from seafoam.render.executor import Executor
+from seafoam.scene.presets import preset_names
 
-SECTIONS = ("frames", "economy", "effects", "budget", "http", "page")
+SECTIONS = ("frames", "economy", "effects", "budget", "yardstick", "http", "page")
 QUICK = 0.2
 
 
@@ -25,6 +26,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--quick", action="store_true", help="a fifth of the rounds, rougher figures")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures as JSON, times in seconds")
     parser.add_argument("--only", choices=SECTIONS, nargs="+", default=SECTIONS, help="measure only these parts")
+    parser.add_argument(
+        "--presets", type=_presets, default=preset_names(), metavar="A,B", help="of yardstick: only these presets"
+    )
     asked = parser.parse_args(arguments)
 
     about = machine.describe()
@@ -35,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         watch = Watch(progress, QUICK if asked.quick else 1.0)
         try:
-            if {"frames", "economy", "effects", "budget"} & set(asked.only):
+            if {"frames", "economy", "effects", "budget", "yardstick"} & set(asked.only):
                 executor = Executor()
                 try:
                     about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
@@ -47,11 +51,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         tables += effects.measure(executor, watch)
                     if "budget" in asked.only:
                         tables += budget.measure(executor, watch)
+                    if "yardstick" in asked.only:
+                        with water_page.opened() as three:
+                            about |= {"three.js": three.revision, "three.js's renderer": three.renderer}
+                            tables += yardstick.measure(executor, three, asked.presets, watch)
                 finally:
                     executor.close()
                 about["load after the frames"] = machine.load()
-            if {"http", "page"} & set(asked.only):
+            if {"yardstick", "http", "page"} & set(asked.only):
                 with server.running() as port:
+                    if "yardstick" in asked.only:
+                        with water_page.opened() as three:
+                            tables.append(yardstick.pictures(port, three, watch))
                     if "http" in asked.only:
                         tables += http.measure(port, watch)
                         about["load after HTTP"] = machine.load()
@@ -74,6 +85,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if failure:
         print(failure, file=sys.stderr)
     return 1 if failure else 0
+
+
+def _presets(text: str) -> tuple[str, ...]:
+    """Names of presets with commas between them."""
+    names = tuple(text.split(","))
+    unknown = [name for name in names if name not in preset_names()]
+    if unknown:
+        raise argparse.ArgumentTypeError(f"no preset {', '.join(unknown)}; there are {', '.join(preset_names())}")
+    return names
 
 
 sys.exit(main())
