@@ -10,13 +10,13 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from bench import budget, economy, effects, frames, http, machine, page, server, water_page, yardstick
+from bench import budget, compiler, economy, effects, frames, http, machine, page, server, water_page, yardstick
 from bench.report import Table
 from bench.watch import Watch
 from seafoam.render.executor import Executor
 from seafoam.scene.presets import preset_names
 
-SECTIONS = ("frames", "economy", "effects", "budget", "yardstick", "http", "page")
+SECTIONS = ("frames", "economy", "effects", "budget", "yardstick", "compiler", "http", "page")
 QUICK = 0.2
 
 
@@ -27,9 +27,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures as JSON, times in seconds")
     parser.add_argument("--only", choices=SECTIONS, nargs="+", default=SECTIONS, help="measure only these parts")
     parser.add_argument(
-        "--presets", type=_presets, default=preset_names(), metavar="A,B", help="of yardstick: only these presets"
+        "--presets",
+        type=_presets,
+        default=preset_names(),
+        metavar="A,B",
+        help="of yardstick and compiler: only these presets",
+    )
+    parser.add_argument(
+        "--write-table", action="store_true", help="of compiler: write bench/compiler.json, what its test admits"
     )
     asked = parser.parse_args(arguments)
+    if asked.write_table and ("compiler" not in asked.only or asked.presets != preset_names()):
+        parser.error("--write-table needs --only compiler with all presets")
 
     about = machine.describe()
     tables: list[Table] = []
@@ -58,6 +67,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 finally:
                     executor.close()
                 about["load after the frames"] = machine.load()
+            if "compiler" in asked.only:
+                compiler_info, found = compiler.measure(asked.presets, watch, write=asked.write_table)
+                about |= compiler_info
+                tables += found
             if {"yardstick", "http", "page"} & set(asked.only):
                 with server.running() as port:
                     if "yardstick" in asked.only:
