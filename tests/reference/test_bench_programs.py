@@ -5,10 +5,14 @@ from pathlib import Path
 import bench
 import pytest
 from bench.economy import QUALITY, ByHand, by_hand, same_picture, with_surface
+from bench.passes import SIZE, measure
 from bench.steps import Steps, steps
 from bench.uber import uber_plan
+from bench.watch import Watch
+from rich.progress import Progress
 
 from seafoam.plan import make_plan
+from seafoam.plan.view import drawn_passes
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Scene
@@ -49,3 +53,14 @@ def test_evaluations_of_waves_are_counted(executor: Executor, name: str) -> None
     assert 0.1 < found[0].water < 1.0
     assert 1.0 <= found[0].mean < found[0].most
     assert found[0].mean < found[1].mean
+
+
+def test_every_pass_of_a_frame_is_timed(executor: Executor) -> None:
+    """By name and in drawing order, however the executor keeps what it has drawn."""
+    (frame,), table = measure(executor, ["paper-wake"], Watch(Progress(disable=True), 0.01))
+    plan = make_plan(load_preset("paper-wake").scene, QUALITY)
+    shown = drawn_passes(plan, load_preset("paper-wake").scene.camera, *SIZE, "screen")
+    assert [one.name for one in frame.passes] == [plan.passes[index].name for index, shows in shown.items() if shows]
+    assert all(one.seconds > 0.0 for one in frame.passes)
+    assert (frame.passes[-1].width, frame.passes[-1].height) == SIZE
+    assert len(table.rows) == len(frame.passes)
