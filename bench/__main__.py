@@ -138,6 +138,7 @@ def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
                 run.add(name, section.measure(executor, watch))
         if "yardstick" in asked.only:
             with water_page.opened() as three:
+                three.require(executor.info["renderer"])
                 run.about |= {"three.js": three.revision, "three.js's renderer": three.renderer}
                 run.add("yardstick", yardstick.measure(executor, three, asked.presets, watch))
         if "passes" in asked.only:

@@ -9,9 +9,9 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import CDPSession, Page, sync_playwright
+from playwright.sync_api import Browser, CDPSession, Page, TimeoutError, sync_playwright
 
-from bench.page import COMMON, LANES, chromium
+from bench.page import launched
 from bench.server import HOST
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -45,6 +45,16 @@ class WaterPage:
         if info["variety"] < LEAST_VARIETY:
             raise RuntimeError(f"three.js's page shows no water: its values spread by {info['variety']:.1f} levels")
         self.frames(4)
+
+    def require(self, renderer: str) -> None:
+        """Raise ``RuntimeError`` unless the browser draws with the renderer of this name, as GL tells it."""
+        # ANGLE leaves commas out of the names that it passes on.
+        if renderer.replace(",", "") not in self.renderer:
+            raise RuntimeError(f"three.js draws on {self.renderer}, and not on {renderer}")
+
+    def close(self) -> None:
+        """Close the page."""
+        self._page.close()
 
     def frames(self, count: int) -> Frames:
         """Draw so many frames, and one before them that does not count. Gives what they took."""
@@ -99,20 +109,25 @@ def served() -> Iterator[str]:
         thread.join()
 
 
+def shown(browser: Browser, address: str) -> WaterPage:
+    """The page in a browser, warm. Raises ``RuntimeError`` where it does not come up or shows nothing."""
+    page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]}, device_scale_factor=1)
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(address, wait_until="load", timeout=1000 * READY_SECONDS)
+    try:
+        page.wait_for_function("() => window.yardstick !== undefined", timeout=1000 * READY_SECONDS)
+    except TimeoutError as error:
+        raise RuntimeError(f"three.js's page did not come up: {errors or 'it said nothing'}") from error
+    return WaterPage(page, browser.new_browser_cdp_session())
+
+
 @contextmanager
 def opened() -> Iterator[WaterPage]:
     """The page in a Chromium of its own while the context lasts."""
     with served() as address, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES["llvmpipe"]])
+        browser = launched(playwright, "llvmpipe")
         try:
-            page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]}, device_scale_factor=1)
-            errors: list[str] = []
-            page.on("pageerror", lambda error: errors.append(str(error)))
-            page.goto(address, wait_until="load", timeout=1000 * READY_SECONDS)
-            try:
-                page.wait_for_function("() => window.yardstick !== undefined", timeout=1000 * READY_SECONDS)
-            except Exception as error:
-                raise RuntimeError(f"three.js's page did not come up: {errors or 'it said nothing'}") from error
-            yield WaterPage(page, browser.new_browser_cdp_session())
+            yield shown(browser, address)
         finally:
             browser.close()
