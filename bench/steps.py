@@ -1,7 +1,8 @@
 """What the surface's pass does for a pixel: whether it shows water, and how often the waves are evaluated to find it.
 
-The plan's own program is drawn, with a counter in every function that evaluates the waves and with another ``main``
-that finds the surface and writes the counter. Where the text no longer has these functions, it raises.
+The plan's own program is drawn, with a counter in every function that evaluates the waves. Its ``main`` is cut off
+where it has found the surface and knows whether land stands before it, and writes the counter. Where the text no longer
+has these places, it raises.
 """
 
 import hashlib
@@ -18,18 +19,13 @@ from seafoam.scene.models import Camera
 COUNTER = "bench_evaluations"
 _WAVES = re.compile(r"^(?P<head>\w+ (?:waves|waves_\w+)\(vec2 \w+[^)]*\) \{)$", re.MULTILINE)
 _MAIN = re.compile(r"^void main\(\) \{$", re.MULTILINE)
-_COUNTING_MAIN = f"""
-void main() {{
-    vec3 ray = camera_ray(gl_FragCoord.xy);
-    float tau;
-    vec3 wave;
-    bool wet = find_surface(ray, tau, wave);
-    float evaluations = float({COUNTER});
-    vec4 land;
-    bool dry = find_land_before(ray, normalize(ray), wet, tau, land);
-    o_color = vec4(wet && !dry ? 1.0 : 0.0, evaluations, 0.0, 1.0);
-}}
-"""
+_DRAWN = re.compile(
+    r"^void (?:main|seen_from_above)\(\) \{\n"
+    r"(?P<find>(?:(?!^\}).)*?^    bool wet = find_surface\([^;]*\);\n)"
+    r"(?P<land>(?:(?!^\}).)*?)^    if \((?P<before>find_land_before\([^;]*?\))\) \{\n",
+    re.MULTILINE | re.DOTALL,
+)
+"""What draws the surface: all until the surface is found, all until land is, and the call that finds it."""
 
 
 @dataclass(frozen=True)
@@ -89,14 +85,23 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
 
 def counting_shader(shader: Shader) -> Shader:
     """The surface's fragment shader as one that counts. Raises ``RuntimeError`` where its text is not as expected."""
-    text, mains = _MAIN.subn("void bench_drawn() {", shader.text)
+    text = shader.text
+    drawn = list(_DRAWN.finditer(text))
+    if len(drawn) != 1:
+        raise RuntimeError(f"{len(drawn)} functions find surface and land as surface/main.glsl does, not one")
+    text, mains = _MAIN.subn("void bench_drawn() {", text)
     if mains != 1:
         raise RuntimeError(f"the surface's text has {mains} main functions, not one")
     first = _WAVES.search(text)
-    if first is not None:
-        counted = _WAVES.sub(rf"\g<head>\n    ++{COUNTER};", text[first.start() :])
-        text = f"{text[: first.start()]}int {COUNTER} = 0;\n\n{counted}"
-    else:
+    if first is None:
         raise RuntimeError("the surface's text has no function that evaluates the waves")
-    text += _COUNTING_MAIN
+    counted = _WAVES.sub(rf"\g<head>\n    ++{COUNTER};", text[first.start() :])
+    text = f"{text[: first.start()]}int {COUNTER} = 0;\n\n{counted}"
+    text += f"""
+void main() {{
+{drawn[0]["find"]}    float bench_found = float({COUNTER});
+{drawn[0]["land"]}    bool bench_dry = {drawn[0]["before"]};
+    o_color = vec4(wet && !bench_dry ? 1.0 : 0.0, bench_found, 0.0, 1.0);
+}}
+"""
     return shader.model_copy(update={"text": text, "sha256": hashlib.sha256(text.encode()).hexdigest()})

@@ -17,10 +17,8 @@ from bench.yardstick import GROUPS, Measured
 from PIL import Image
 
 from seafoam.plan import make_plan
-from seafoam.plan.model import Shader
 from seafoam.quality import TIERS
-from seafoam.scene.models import Scene
-from seafoam.scene.presets import preset_names
+from seafoam.scene.presets import load_preset, preset_names
 
 
 def _cost(*seconds: float) -> list[Cost]:
@@ -48,16 +46,34 @@ def test_every_preset_but_the_mask_alone_is_in_one_group_of_the_yardstick() -> N
     assert all(1.0 < group.aim < group.must for group in GROUPS)
 
 
-def test_a_text_without_one_main_function_is_not_counted() -> None:
-    shader = make_plan(Scene(), TIERS["standard"]).programs["surface"].fragment
-    for text in (shader.text.replace("void main() {", "void other() {"), shader.text * 2):
-        with pytest.raises(RuntimeError, match="main functions"):
-            counting_shader(shader.model_copy(update={"text": text}))
+SURFACE = make_plan(load_preset("default").scene, TIERS["standard"]).programs
 
 
-def test_a_text_without_waves_is_not_counted() -> None:
-    with pytest.raises(RuntimeError, match="no function that evaluates the waves"):
-        counting_shader(Shader(text="void main() {\n}\n", sha256="", files=()))
+@pytest.mark.parametrize("name", ["surface", "surface, low eye"])
+def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str) -> None:
+    """And its main is what drew before, up to where the surface is found and land is not."""
+    text = counting_shader(SURFACE[name].fragment).text
+    assert text.count("++bench_evaluations;") == 2, "waves and waves_shading"
+    _, _, main = text.partition("void main() {")
+    assert re.search(r"find_surface\(.*bench_found = .*bench_dry = find_land_before\(", main, re.DOTALL)
+    assert "foam" not in main
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("bool wet = find_surface(", "bool found = find_surface(", "0 functions find surface and land"),
+        ("if (find_land_before(", "if (land_before(", "0 functions find surface and land"),
+        ("waves", "heights", "no function that evaluates the waves"),
+        ("void main() {", "void main() {\n}\n\nvoid main() {", "2 main functions"),
+    ],
+)
+def test_a_text_that_is_not_as_expected_is_not_counted(old: str, new: str, said: str) -> None:
+    shader = SURFACE["surface"].fragment
+    assert old in shader.text
+    text = shader.text.replace(old, new).replace("vec4 waves_shading(" if "heights" in new else "\0", "vec4 shading(")
+    with pytest.raises(RuntimeError, match=said):
+        counting_shader(shader.model_copy(update={"text": text}))
 
 
 def test_notes_of_tables_are_wrapped_and_columns_lined_up() -> None:
