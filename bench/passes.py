@@ -108,7 +108,7 @@ def _frame(executor: Executor, name: str, watch: Watch) -> Frame:
         cost(executor, plan, camera, SIZE, preset.time)
     each = _Clock(executor)
     whole = []
-    for index in watch.rounds(f"passes of {name}", ROUNDS, ROUNDS_SECONDS):
+    for index in watch.rounds(f"passes of {name}", ROUNDS, ROUNDS_SECONDS, least=1):
         at = preset.time + STEP * (index + 1)
         whole.append(cost(executor, plan, camera, SIZE, at).wall)
         with each.running():
