@@ -50,7 +50,7 @@ setup: $(VENV)/.installed webclient
 	@scripts/system.sh
 
 setup-test: setup
-	@scripts/system.sh browser
+	@scripts/system.sh test
 
 $(VENV)/.installed: requirements.lock pyproject.toml hatch_build.py
 	@scripts/system.sh

@@ -5,75 +5,165 @@ import json
 import sys
 import traceback
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from bench import budget, economy, effects, frames, http, machine, page, server
+from bench import (
+    budget,
+    compiler,
+    document,
+    economy,
+    effects,
+    frames,
+    http,
+    machine,
+    page,
+    passes,
+    server,
+    water_page,
+    yardstick,
+)
+from bench.passes import Frame
 from bench.report import Table
 from bench.watch import Watch
 from seafoam.render.executor import Executor
+from seafoam.scene.presets import preset_names
 
-SECTIONS = ("frames", "economy", "effects", "budget", "http", "page")
+DRAWN = ("frames", "economy", "effects", "budget", "yardstick", "passes")
+SERVED = ("yardstick", "http", "page")
+SECTIONS = (*DRAWN, "compiler", "http", "page")
 QUICK = 0.2
+
+
+@dataclass
+class Run:
+    """What was measured until now, and on what."""
+
+    about: dict[str, str] = field(default_factory=machine.describe)
+    sections: dict[str, list[Table]] = field(default_factory=dict)
+    frames: list[Frame] = field(default_factory=list)
+
+    def add(self, section: str, tables: Sequence[Table]) -> None:
+        """Add tables to a section."""
+        self.sections.setdefault(section, []).extend(tables)
+
+    @property
+    def tables(self) -> list[Table]:
+        """All tables, in the order of the sections."""
+        return [table for section in SECTIONS for table in self.sections.get(section, [])]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run what was asked for; 1 where a part of it could not be measured."""
-    parser = argparse.ArgumentParser(prog="python -m bench", description="Measure what Seafoam costs here.")
-    parser.add_argument("--quick", action="store_true", help="a fifth of the rounds, rougher figures")
-    parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures as JSON, times in seconds")
-    parser.add_argument("--only", choices=SECTIONS, nargs="+", default=SECTIONS, help="measure only these parts")
-    asked = parser.parse_args(arguments)
-
-    about = machine.describe()
-    tables: list[Table] = []
+    asked = _asked(arguments)
+    run = Run()
     failure = ""
     console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         watch = Watch(progress, QUICK if asked.quick else 1.0)
         try:
-            if {"frames", "economy", "effects", "budget"} & set(asked.only):
-                executor = Executor()
-                try:
-                    about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
-                    if "frames" in asked.only:
-                        tables += frames.measure(executor, watch)
-                    if "economy" in asked.only:
-                        tables += economy.measure(executor, watch)
-                    if "effects" in asked.only:
-                        tables += effects.measure(executor, watch)
-                    if "budget" in asked.only:
-                        tables += budget.measure(executor, watch)
-                finally:
-                    executor.close()
-                about["load after the frames"] = machine.load()
-            if {"http", "page"} & set(asked.only):
-                with server.running() as port:
-                    if "http" in asked.only:
-                        tables += http.measure(port, watch)
-                        about["load after HTTP"] = machine.load()
-                    if "page" in asked.only:
-                        browser, found = page.measure(port, watch)
-                        about |= browser
-                        tables += found
-                        about["load after the page"] = machine.load()
+            if set(DRAWN) & set(asked.only):
+                _draw(run, asked, watch)
+            if "compiler" in asked.only:
+                about, tables = compiler.measure(asked.presets, watch, write=asked.write_table)
+                run.about |= about
+                run.add("compiler", tables)
+            if set(SERVED) & set(asked.only):
+                _serve(run, asked, watch)
         except Exception:
             # What was measured until then is still worth printing.
             failure = traceback.format_exc()
 
-    width = max(map(len, about))
-    print("\n".join(f"{name.ljust(width)}  {value}" for name, value in about.items()))
-    for table in tables:
+    print(document.lines(run.about))
+    for table in run.tables:
         print(f"\n{table.text()}")
     if asked.json:
-        figures = {"machine": about, "tables": [table.json() for table in tables]}
+        figures = {"machine": run.about, "tables": [table.json() for table in run.tables]}
         asked.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
     if failure:
         print(failure, file=sys.stderr)
+    elif asked.docs:
+        document.write(run.about, run.sections, run.frames)
     return 1 if failure else 0
 
 
-sys.exit(main())
+def _asked(arguments: Sequence[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m bench", description="Measure what Seafoam costs here.")
+    parser.add_argument("--quick", action="store_true", help="a fifth of the rounds, rougher figures")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures as JSON, times in seconds")
+    parser.add_argument("--only", choices=SECTIONS, nargs="+", default=SECTIONS, help="measure only these parts")
+    parser.add_argument(
+        "--presets",
+        type=_presets,
+        default=preset_names(),
+        metavar="A,B",
+        help="of yardstick, passes and compiler: only these presets",
+    )
+    parser.add_argument(
+        "--docs",
+        action="store_true",
+        help="write the figures into docs/performance.md and the passes into docs/passes.md",
+    )
+    parser.add_argument(
+        "--write-table", action="store_true", help="of compiler: write bench/compiler.json, what its test admits"
+    )
+    asked = parser.parse_args(arguments)
+    if (asked.docs or asked.write_table) and asked.presets != preset_names():
+        parser.error("--docs and --write-table need all presets")
+    if asked.write_table and "compiler" not in asked.only:
+        parser.error("--write-table needs --only compiler")
+    return asked
+
+
+def _presets(text: str) -> tuple[str, ...]:
+    """Names of presets with commas between them."""
+    names = tuple(text.split(","))
+    unknown = [name for name in names if name not in preset_names()]
+    if unknown:
+        raise argparse.ArgumentTypeError(f"no preset {', '.join(unknown)}; there are {', '.join(preset_names())}")
+    return names
+
+
+def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
+    """What one executor draws."""
+    executor = Executor()
+    try:
+        run.about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
+        for name, section in (("frames", frames), ("economy", economy), ("effects", effects), ("budget", budget)):
+            if name in asked.only:
+                run.add(name, section.measure(executor, watch))
+        if "yardstick" in asked.only:
+            with water_page.opened() as three:
+                three.require(executor.info["renderer"])
+                run.about |= {"three.js": three.revision, "three.js's renderer": three.renderer}
+                run.add("yardstick", yardstick.measure(executor, three, asked.presets, watch))
+        if "passes" in asked.only:
+            run.frames, table = passes.measure(executor, asked.presets, watch)
+            run.add("passes", [table])
+    finally:
+        executor.close()
+    run.about["load after the frames"] = machine.load()
+
+
+def _serve(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
+    """What a running server answers, and a browser shows."""
+    with server.running() as port:
+        if "yardstick" in asked.only:
+            with water_page.opened() as three:
+                run.add("yardstick", [yardstick.pictures(port, three, watch)])
+        if "http" in asked.only:
+            run.add("http", http.measure(port, watch))
+            run.about["load after HTTP"] = machine.load()
+        if "page" in asked.only:
+            browser, tables = page.measure(port, watch)
+            run.about |= browser
+            run.add("page", tables)
+            run.about["load after the page"] = machine.load()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

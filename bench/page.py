@@ -16,7 +16,9 @@ from bench.watch import Watch
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
-from browsers import COMMON, LANES, chromium
+from browsers import COMMON, LANES, chromium, launched
+
+__all__ = ["launched", "measure"]
 
 SIZE = (1280, 720)
 READY_SECONDS = 60.0

@@ -3,7 +3,11 @@
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, is_dataclass
 from statistics import median, quantiles
+from textwrap import wrap
 from typing import Any
+
+WIDTH = 116
+"""Columns of running text."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +93,7 @@ class Table:
             for line in shown
         ]
         rule = "  ".join("-" * width for width in widths)
-        return "\n".join([self.title, self.note, "", lines[0], rule, *lines[1:]])
+        return "\n".join([self.title, *wrap(self.note, WIDTH), "", lines[0], rule, *lines[1:]])
 
     def json(self) -> dict[str, Any]:
         """The table as JSON values; times in seconds, ratios as ratios."""

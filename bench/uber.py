@@ -19,6 +19,7 @@ from seafoam.effects.contribution import (
     Const,
     Constant,
     Contribution,
+    Fullscreen,
     SlotFile,
     TargetInput,
     TextureInput,
@@ -27,7 +28,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.plan import make_plan
 from seafoam.plan.assemble import assemble, declared_uniforms, read_file
-from seafoam.plan.model import FramePlan, Program
+from seafoam.plan.model import FramePlan, Pass, Program, State
 from seafoam.plan.slots import SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Chop, Foam, FrontSaturation, HeightSaturation, Look, ParametricWave, Scene, Water
@@ -35,6 +36,17 @@ from seafoam.scene.models import Chop, Foam, FrontSaturation, HeightSaturation, 
 SWITCH = "u_uber_"
 COMBINE = f"{SWITCH}combine"
 """0: the greatest saturation, 1: the product."""
+START = "u_start"
+NO_START = Pass(
+    name="where rays begin",
+    when="frame",
+    view=(),
+    program="surface",
+    target="start",
+    mesh=Fullscreen(),
+    state=State(clear=True),
+)
+"""Draws nothing from anywhere, and clears its target."""
 MOST_WAVES = 16
 BY_SCENE = (
     "PARAMETRIC_COUNT",
@@ -119,18 +131,23 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     declared = declared_uniforms(uber.program.fragment)
     textures = {name: texture for one in uber.plans for name, texture in one.textures.items()}
     targets = {name: target for one in uber.plans for name, target in one.targets.items()}
-    inputs = {name: source for name, source in (uber.parts.inputs | own.inputs).items() if name in declared}
+    given = {START: TargetInput(target="start")} | uber.parts.inputs | own.inputs
+    inputs = {name: source for name, source in given.items() if name in declared}
+    # A plan of level water finds a plane and knows nothing of a start: all its rays begin at 0.
+    free = () if any(one.target == "start" for one in plan.passes) else (NO_START,)
     return plan.model_copy(
         update={
             "programs": {**plan.programs, "surface": uber.program},
-            # A plan of level water finds a plane and knows neither.
-            "uniforms": {name: number(0.0) for name in ("u_surface_top", "u_surface_steepest")}
-            | plan.uniforms
-            | uniforms,
+            # Nor do these mean anything to it.
+            "uniforms": {name: number(0.0) for name in ("u_surface_top", "u_surface_grain")} | plan.uniforms | uniforms,
             "textures": textures | plan.textures,
             "targets": targets | plan.targets,
-            "passes": tuple(
-                one.model_copy(update={"inputs": inputs}) if one.program == "surface" else one for one in plan.passes
+            "passes": (
+                *free,
+                *(
+                    one.model_copy(update={"inputs": inputs}) if one.program == "surface" else one
+                    for one in plan.passes
+                ),
             ),
         }
     )
@@ -204,7 +221,7 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
     for slot in surface_slots("max"):
         files = [file for file in parts.files.values() if file.slot == slot.name]
         if slot.name == "find":
-            texts.append(read_file("surface/march.glsl"))
+            texts += [read_file(f"surface/{name}.glsl") for name in ("step", "begin", "march")]
             continue
         if slot.name == "main":
             continue

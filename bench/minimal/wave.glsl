@@ -10,7 +10,7 @@ uniform float u_eye_height;
 uniform vec3 u_ray_x;
 uniform vec3 u_ray_y;
 uniform vec3 u_ray_z;
-uniform float u_surface_steepest;
+uniform sampler2D u_start;
 uniform vec4 u_parametric[1];
 uniform float u_parametric_phase[1];
 uniform vec2 u_parametric_mean[1];
@@ -73,13 +73,15 @@ void main() {
     float size = length(ray);
     vec3 d = ray / size;
 
-    // The surface: steps that cannot pass it, then Newton.
+    // The surface: from where the tile's rays are free by steps that cannot pass it, then Newton.
+    vec4 start = texelFetch(u_start, ivec2(gl_FragCoord.xy * vec2(textureSize(u_start, 0)) / u_viewport), 0);
     float along = dot(k, ray.xz);
     float farthest = 1e5 / speed;
     float leave = min(u_eye_height / -ray.y, farthest);
     float fine = 0.1 * length(u_ray_y) * 2.0 / u_viewport.y;
-    float step_size = 1.0 / (u_surface_steepest * speed - ray.y);
-    float enter = min((u_eye_height - amplitude) / -ray.y, leave);
+    float step_size = 1.0 / (start.b * speed - ray.y);
+    float curvature = start.a * speed * speed;
+    float enter = min(max((u_eye_height - amplitude) / -ray.y, start.r), leave);
     float tau = enter;
     float gap = 0.0;
     float rate = 0.0;
@@ -93,7 +95,9 @@ void main() {
         if (tau >= leave || (gap < fine * tau && (gap < 0.0 || rate < 0.0))) {
             break;
         }
-        tau += max(gap, 0.5 * fine * tau) * step_size;
+        float free = max(gap, 0.0) + fine * tau;
+        float root = sqrt(rate * rate + 2.0 * curvature * free);
+        tau += max(free * step_size, rate < 0.0 ? 2.0 * free / (root - rate) : (root + rate) / curvature);
     }
     float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * size);
     if (rate < -1e-3 * size) {

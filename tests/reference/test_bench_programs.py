@@ -5,10 +5,17 @@ from pathlib import Path
 import bench
 import pytest
 from bench.economy import QUALITY, ByHand, by_hand, same_picture, with_surface
+from bench.passes import SIZE, measure
+from bench.steps import Steps, steps
 from bench.uber import uber_plan
+from bench.watch import Watch
+from rich.progress import Progress
 
 from seafoam.plan import make_plan
+from seafoam.plan.view import drawn_passes
+from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset
 
 MINIMAL = Path(bench.__file__).with_name("minimal")
@@ -26,3 +33,34 @@ def test_programs_by_hand_draw_what_the_plan_draws(executor: Executor, case: ByH
 def test_the_program_with_every_effect_draws_what_the_plan_draws(executor: Executor, name: str) -> None:
     scene = load_preset(name).scene
     same_picture(executor, uber_plan(scene, QUALITY), make_plan(scene, QUALITY), scene.camera)
+
+
+def test_pixels_of_water_are_counted(executor: Executor) -> None:
+    """Half of a level look at a level sea is water, and nothing is evaluated to find it."""
+    scene = Scene(camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.0))
+    found = steps(executor, make_plan(scene, QUALITY), time=0.0, camera=scene.camera, size=(64, 36))
+    assert found == Steps(water=0.5, mean=0.0, most=0.0, everywhere=0.0)
+
+
+@pytest.mark.parametrize("name", ["default", "beach"])
+def test_evaluations_of_waves_are_counted(executor: Executor, name: str) -> None:
+    """A pixel of water takes at least one, and a better one takes more."""
+    scene = load_preset(name).scene
+    found = [
+        steps(executor, make_plan(scene, TIERS[tier]), time=2.7, camera=scene.camera, size=(64, 36))
+        for tier in ("standard", "reference")
+    ]
+    assert 0.1 < found[0].water < 1.0
+    assert 1.0 <= found[0].mean < found[0].most
+    assert found[0].mean < found[1].mean
+
+
+def test_every_pass_of_a_frame_is_timed(executor: Executor) -> None:
+    """By name and in drawing order, however the executor keeps what it has drawn."""
+    (frame,), table = measure(executor, ["paper-wake"], Watch(Progress(disable=True), 0.01))
+    plan = make_plan(load_preset("paper-wake").scene, QUALITY)
+    shown = drawn_passes(plan, load_preset("paper-wake").scene.camera, *SIZE, "screen")
+    assert [one.name for one in frame.passes] == [plan.passes[index].name for index, shows in shown.items() if shows]
+    assert all(one.seconds > 0.0 for one in frame.passes)
+    assert (frame.passes[-1].width, frame.passes[-1].height) == SIZE
+    assert len(table.rows) == len(frame.passes)

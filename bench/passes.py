@@ -1,0 +1,151 @@
+"""What a frame is made of: milliseconds of every pass of every preset, GL finished around each."""
+
+import re
+import time as clock
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from statistics import median
+from typing import Any
+from unittest.mock import patch
+
+from bench.frames import STEP, cost
+from bench.report import Column, Table, ms
+from bench.watch import Watch
+from seafoam.plan import make_plan
+from seafoam.plan.model import FramePlan, Pass
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.presets import load_preset
+
+SIZE = (1280, 720)
+ROUNDS = 7
+ROUNDS_SECONDS = 6.0
+
+_KIND = re.compile(r"^(?P<kind>[^:,]*?)(?: \d+)?(?:[:,].*)?$")
+
+
+@dataclass(frozen=True)
+class Taken:
+    """A pass and the seconds it took, the median of the frames that drew it; ``kept``: drawn once, and then kept."""
+
+    name: str
+    program: str
+    width: int
+    height: int
+    seconds: float
+    kept: bool
+
+    @property
+    def kind(self) -> str:
+        """The name without what numbers it, so that the passes of one transform are one."""
+        found = _KIND.match(self.name)
+        assert found
+        return found["kind"]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A preset's frame: seconds of the whole, as it is drawn otherwise, and of its passes."""
+
+    preset: str
+    whole: float
+    passes: tuple[Taken, ...]
+
+    @property
+    def drawn(self) -> float:
+        """Seconds of the passes that every frame draws."""
+        return sum(one.seconds for one in self.passes if not one.kept)
+
+    def kinds(self) -> list[tuple[str, int, float, bool]]:
+        """Passes of a kind together: its name, how many, their seconds, whether they are kept. In drawing order."""
+        found: dict[tuple[str, bool], list[float]] = {}
+        for one in self.passes:
+            found.setdefault((one.kind, one.kept), []).append(one.seconds)
+        return [(kind, len(seconds), sum(seconds), kept) for (kind, kept), seconds in found.items()]
+
+
+def measure(executor: Executor, presets: Sequence[str], watch: Watch) -> tuple[list[Frame], Table]:
+    """Draw each preset, whole and pass by pass, in turn; gives the frames, and all of them as a table."""
+    frames = [_frame(executor, name, watch) for name in presets]
+    rows = [
+        (
+            frame.preset,
+            one.name,
+            one.program,
+            f"{one.width} x {one.height}",
+            "once" if one.kept else "",
+            one.seconds,
+            None if one.kept else one.seconds / frame.drawn,
+        )
+        for frame in frames
+        for one in frame.passes
+    ]
+    table = Table(
+        "Passes",
+        f"Frames of {SIZE[0]} x {SIZE[1]}, quality standard, each preset from its own camera; GL is finished before "
+        "and after each pass. Medians. Once: drawn with a plan's first frame and kept, so that no later frame pays for "
+        "it (what an earlier preset drew is listed there). Shares: of all that every frame draws.",
+        (
+            Column("preset", "preset"),
+            Column("pass", "pass"),
+            Column("program", "program"),
+            Column("size", "pixels"),
+            Column("when", "when"),
+            Column("wall", "ms", ms),
+            Column("share", "share", lambda share: f"{100.0 * share:.1f} %"),
+        ),
+        rows,
+    )
+    return frames, table
+
+
+def _frame(executor: Executor, name: str, watch: Watch) -> Frame:
+    preset = load_preset(name)
+    plan = make_plan(preset.scene, TIERS["standard"])
+    camera = preset.scene.camera
+    once = _Clock(executor)
+    with once.running():
+        cost(executor, plan, camera, SIZE, preset.time)
+    each = _Clock(executor)
+    whole = []
+    for index in watch.rounds(f"passes of {name}", ROUNDS, ROUNDS_SECONDS, least=1):
+        at = preset.time + STEP * (index + 1)
+        whole.append(cost(executor, plan, camera, SIZE, at).wall)
+        with each.running():
+            cost(executor, plan, camera, SIZE, at)
+    if not each.taken:
+        raise RuntimeError(f"no pass of {name} was seen: the executor draws passes in another way, see bench/passes.py")
+    passes = []
+    for index, one in enumerate(plan.passes):
+        seen_by = each if index in each.taken else once
+        if index in seen_by.taken:
+            width, height = seen_by.sizes[index]
+            seconds = median(seen_by.taken[index])
+            passes.append(Taken(one.name, one.program, width, height, seconds, kept=seen_by is once))
+    return Frame(name, median(whole), tuple(passes))
+
+
+class _Clock:
+    """Seconds of each pass drawn while it runs, and the size of what it draws into, by its place in the plan."""
+
+    def __init__(self, executor: Executor) -> None:
+        self._executor = executor
+        self.taken: dict[int, list[float]] = {}
+        self.sizes: dict[int, tuple[int, int]] = {}
+
+    def running(self) -> Any:
+        """A context in which the executor's passes are timed."""
+        draw, finish = self._executor._draw, self._executor._context.finish
+
+        def timed(plan: FramePlan, one: Pass, index: int, targets: Mapping[str, Any], *rest: Any) -> None:
+            if one.when == "setup" and (one.state.clear or one.state.blend == "none"):
+                # It is drawn once in all: a first time for the compiler, and the same again for the clock.
+                draw(plan, one, index, targets, *rest)
+            finish()
+            began = clock.perf_counter()
+            draw(plan, one, index, targets, *rest)
+            finish()
+            self.taken.setdefault(index, []).append(clock.perf_counter() - began)
+            self.sizes[index] = targets[one.target][0].size
+
+        return patch.object(self._executor, "_draw", timed)

@@ -1,0 +1,107 @@
+"""What the surface's pass does for a pixel: whether it shows water, and how often the waves are evaluated to find it.
+
+The plan's own program is drawn, with a counter in every function that evaluates the waves. Its ``main`` is cut off
+where it has found the surface and knows whether land stands before it, and writes the counter. Where the text no longer
+has these places, it raises.
+"""
+
+import hashlib
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from seafoam.plan.model import FramePlan, Shader
+from seafoam.plan.view import drawn_passes
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera
+
+COUNTER = "bench_evaluations"
+_WAVES = re.compile(r"^(?P<head>\w+ (?:waves|waves_\w+)\(vec2 \w+[^)]*\) \{)$", re.MULTILINE)
+_MAIN = re.compile(r"^void main\(\) \{$", re.MULTILINE)
+_DRAWN = re.compile(
+    r"^void (?:main|seen_from_above)\(\) \{\n"
+    r"(?P<find>(?:(?!^\}).)*?^    bool wet = find_surface\([^;]*\);\n)"
+    r"(?P<land>(?:(?!^\}).)*?)^    if \((?P<before>find_land_before\([^;]*?\))\) \{\n",
+    re.MULTILINE | re.DOTALL,
+)
+"""What draws the surface: all until the surface is found, all until land is, and the call that finds it."""
+
+
+@dataclass(frozen=True)
+class Steps:
+    """Of a picture: its share of water, 0 to 1; evaluations of the waves in the surface's pass, for a pixel."""
+
+    water: float
+    mean: float
+    """Of the pixels that show water; 0 where none does."""
+    most: float
+    """That 99 % of these do not exceed."""
+    everywhere: float
+    """The mean of all pixels of the picture."""
+
+
+def steps(executor: Executor, plan: FramePlan, *, time: float, camera: Camera, size: tuple[int, int]) -> Steps:
+    """Draw the counting program of the surface's pass. Raises ``RuntimeError`` where it cannot count.
+
+    Other passes that help to find the surface, and what boats and drops look for, are not in the figures.
+    """
+    counting = counting_plan(plan, camera, size)
+    drawn = executor.render(counting, time=time, camera=camera, width=size[0], height=size[1], output="linear").pixels
+    water, evaluations, looked = drawn[..., 0] > 0.5, drawn[..., 1], drawn[..., 3] > 0.5
+    if not looked.any():
+        raise RuntimeError("the counting program drew nothing")
+    found = evaluations[water] if water.any() else np.zeros(1)
+    if plan.top > 0.0 and water.any() and not found.all():
+        raise RuntimeError("waves were found without an evaluation that could be counted: see bench/steps.py")
+    return Steps(
+        water=float(water.mean()),
+        mean=float(found.mean()),
+        most=float(np.quantile(found, 0.99)),
+        everywhere=float(evaluations.mean()),
+    )
+
+
+def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> FramePlan:
+    """The plan up to its surface's pass, which writes (water, evaluations, 0, 1) for each pixel that it covers."""
+    shown = drawn_passes(plan, camera, *size, "screen")
+    found = [index for index, shows in shown.items() if shows and plan.passes[index].name == "surface"]
+    if len(found) != 1:
+        raise RuntimeError(f"a frame has one pass that draws the surface, not {len(found)}")
+    surface = plan.passes[found[0]]
+    program = plan.programs[surface.program]
+    counting = program.model_copy(update={"fragment": counting_shader(program.fragment)})
+    # Half floats count no further than 2048.
+    target = plan.targets[surface.target].model_copy(update={"format": "RGBA32F"})
+    return plan.model_copy(
+        update={
+            "programs": {**plan.programs, surface.program: counting},
+            "targets": {**plan.targets, surface.target: target},
+            "passes": plan.passes[: found[0] + 1],
+            "linear": surface.target,
+        }
+    )
+
+
+def counting_shader(shader: Shader) -> Shader:
+    """The surface's fragment shader as one that counts. Raises ``RuntimeError`` where its text is not as expected."""
+    text = shader.text
+    drawn = list(_DRAWN.finditer(text))
+    if len(drawn) != 1:
+        raise RuntimeError(f"{len(drawn)} functions find surface and land as surface/main.glsl does, not one")
+    text, mains = _MAIN.subn("void bench_drawn() {", text)
+    if mains != 1:
+        raise RuntimeError(f"the surface's text has {mains} main functions, not one")
+    first = _WAVES.search(text)
+    if first is None:
+        raise RuntimeError("the surface's text has no function that evaluates the waves")
+    counted = _WAVES.sub(rf"\g<head>\n    ++{COUNTER};", text[first.start() :])
+    text = f"{text[: first.start()]}int {COUNTER} = 0;\n\n{counted}"
+    text += f"""
+void main() {{
+{drawn[0]["find"]}    float bench_found = float({COUNTER});
+{drawn[0]["land"]}    bool bench_dry = {drawn[0]["before"]};
+    o_color = vec4(wet && !bench_dry ? 1.0 : 0.0, bench_found, 0.0, 1.0);
+}}
+"""
+    return shader.model_copy(update={"text": text, "sha256": hashlib.sha256(text.encode()).hexdigest()})

@@ -1,0 +1,267 @@
+"""Frames and pictures against three.js's ``Water`` and ``Sky``, in turn, in one run."""
+
+import itertools
+import time as clock
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from http.client import HTTPConnection
+from statistics import fmean, median
+
+from bench.frames import STEP, Cost, cost
+from bench.report import Column, Spread, Table, count, ms, times
+from bench.server import HOST, REQUEST_SECONDS, ask
+from bench.steps import Steps, steps
+from bench.watch import Watch
+from bench.water_page import SIZE, Frames, WaterPage
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.presets import load_preset
+
+ROUNDS = 3
+ROUNDS_SECONDS = 600.0
+THREE_FRAMES = 5
+"""Frames of three.js before and after those of a preset."""
+MOST_FRAMES = 5
+LEAST_FRAMES = 2
+FRAMES_SECONDS = 0.6
+"""Of a preset in a round: at most so many, at least so many, and no more once this time is up."""
+PICTURES = ("default", "open-ocean")
+PICTURE_ROUNDS = 9
+
+
+@dataclass(frozen=True)
+class Group:
+    """Presets of a kind, and how many frames of three.js one of theirs may take at most: ``must``, and ``aim``."""
+
+    name: str
+    presets: tuple[str, ...]
+    must: float
+    aim: float
+
+
+GROUPS = (
+    Group(
+        "the paper's",
+        (
+            "paper-textured", "paper-halftone", "paper-halftone-textured", "paper-benchmark", "paper-height",
+            "paper-wake",
+        ),
+        1.8,
+        1.4,
+    ),
+    Group("calm sea", ("default", "shallows", "moonlight"), 3.5, 2.5),
+    Group(
+        "open sea, river", ("open-ocean", "storm", "swell", "lake-choppy", "sunset-sparkles", "river"), 8.0, 4.0
+    ),
+    Group("drift, pool, calm lake", ("drift-vortices", "pool-caustics", "lake-calm"), 5.0, 3.0),
+    Group("mirrors", ("lake-sunset", "cubemap-lake"), 10.0, 6.0),
+    Group(
+        "shores, blast", ("island-surf", "coastline", "beach", "lagoon", "murky-estuary", "explosion"), 12.0, 6.0
+    ),
+    Group("spray, boats", ("spray-on-rocks", "boat-in-storm", "boat-race"), 22.0, 9.0),
+)  # fmt: skip
+PICTURE_MUST = {"default": 0.6, "open-ocean": 1.7}
+"""Warm screenshots of three.js's page that a PNG over HTTP may take at most."""
+
+
+@dataclass
+class Measured:
+    """Rounds of a preset: its frames, and those of three.js just before and after."""
+
+    ours: list[list[Cost]] = field(default_factory=list)
+    theirs: list[list[Frames]] = field(default_factory=list)
+
+    def add(self, ours: list[Cost], theirs: list[Frames]) -> None:
+        """Add a round."""
+        self.ours.append(ours)
+        self.theirs.append(theirs)
+
+    @property
+    def wall(self) -> list[float]:
+        """Of each round: the median frame over three.js's median frame."""
+        return [median(one.wall for one in ours) / self._three(i) for i, ours in enumerate(self.ours)]
+
+    @property
+    def cpu(self) -> list[float]:
+        """Of each round: the mean frame's processor time over that of three.js."""
+        pairs = zip(self.ours, self.theirs, strict=True)
+        return [fmean(one.cpu for one in ours) / fmean(one.cpu for one in theirs) for ours, theirs in pairs]
+
+    @property
+    def frames(self) -> list[float]:
+        """Every frame over three.js's median frame of its round."""
+        return [one.wall / self._three(i) for i, ours in enumerate(self.ours) for one in ours]
+
+    @property
+    def seconds(self) -> float:
+        """The median frame."""
+        return median(one.wall for ours in self.ours for one in ours)
+
+    @property
+    def three_seconds(self) -> float:
+        """Three.js's median frame."""
+        return median(self._three(i) for i in range(len(self.theirs)))
+
+    def _three(self, index: int) -> float:
+        return median(itertools.chain.from_iterable(block.wall for block in self.theirs[index]))
+
+
+def measure(executor: Executor, three: WaterPage, presets: Sequence[str], watch: Watch) -> list[Table]:
+    """Draw the presets and three.js in turn, round by round; then count what a pixel takes."""
+    measured = {name: Measured() for name in presets}
+    for index in watch.rounds("against three.js", ROUNDS, ROUNDS_SECONDS, least=1):
+        before = three.frames(THREE_FRAMES)
+        for name in presets:
+            ours = list(_frames(executor, name, index))
+            after = three.frames(THREE_FRAMES)
+            measured[name].add(ours, [before, after])
+            before = after
+    counted: dict[str, Steps] = {}
+    with watch.step("counting"):
+        for name in presets:
+            preset = load_preset(name)
+            plan = make_plan(preset.scene, TIERS["standard"])
+            counted[name] = steps(executor, plan, time=preset.time, camera=preset.scene.camera, size=SIZE)
+    return [_against_three(measured, counted), _groups(measured)]
+
+
+def _frames(executor: Executor, name: str, index: int) -> Iterator[Cost]:
+    """Frames of a preset in one round, each of another time, after one that compiles and uploads."""
+    preset = load_preset(name)
+    plan = make_plan(preset.scene, TIERS["standard"])
+    moments = (preset.time + STEP * (index * (MOST_FRAMES + 1) + i) for i in itertools.count())
+    cost(executor, plan, preset.scene.camera, SIZE, next(moments))
+    began = clock.perf_counter()
+    for drawn in range(MOST_FRAMES):
+        if drawn >= LEAST_FRAMES and clock.perf_counter() - began > FRAMES_SECONDS:
+            break
+        yield cost(executor, plan, preset.scene.camera, SIZE, next(moments))
+
+
+def _factor(value: float) -> str:
+    return f"{value:.2f}"
+
+
+def _against_three(measured: Mapping[str, Measured], counted: Mapping[str, Steps]) -> Table:
+    rows = []
+    for name, one in measured.items():
+        spread = Spread.of(one.frames)
+        found = counted[name]
+        rows.append(
+            (
+                name,
+                one.seconds,
+                one.three_seconds,
+                median(one.wall),
+                spread.low,
+                spread.high,
+                min(one.frames),
+                max(one.frames),
+                median(one.cpu),
+                len(one.frames),
+                found.water,
+                found.mean,
+                found.most,
+                found.everywhere,
+            )
+        )
+    rounds = max((len(one.ours) for one in measured.values()), default=0)
+    return Table(
+        "Against three.js",
+        f"Frames of {SIZE[0]} x {SIZE[1]}, quality standard, in turn with three.js's Water and Sky (512 x 512 mirror) "
+        f"in Chromium on the same GL. Times and multiples: the middle of {rounds} rounds; quartiles, least, most of "
+        "all frames. Processor: of all threads, Chromium's processes together. Water: share of the pixels. "
+        "Evaluations: of the waves in the surface's pass, mean and 99 % of the pixels of water, and mean of all.",
+        (
+            Column("preset", "preset"),
+            Column("wall", "ms", ms),
+            Column("three_wall", "three.js, ms", ms),
+            Column("ratio", "x three.js", _factor),
+            Column("ratio_low", "quartiles", _factor),
+            Column("ratio_high", "", _factor),
+            Column("ratio_min", "least", _factor),
+            Column("ratio_max", "most", _factor),
+            Column("cpu_ratio", "x, processor", _factor),
+            Column("frames", "frames", count),
+            Column("water", "water", lambda share: f"{100.0 * share:.0f} %"),
+            Column("evaluations", "evaluations", lambda value: f"{value:.1f}"),
+            Column("evaluations_99", "99 %", lambda value: f"{value:.0f}"),
+            Column("evaluations_everywhere", "all", lambda value: f"{value:.1f}"),
+        ),
+        rows,
+    )
+
+
+def _groups(measured: Mapping[str, Measured]) -> Table:
+    rows = []
+    for group in GROUPS:
+        found = {name: median(measured[name].wall) for name in group.presets if name in measured}
+        if found:
+            worst = max(found, key=lambda name: found[name])
+            rows.append((group.name, len(found), min(found.values()), found[worst], worst, group.must, group.aim))
+    return Table(
+        "Groups against three.js",
+        "The least and the greatest multiple of three.js's frame in each group, and what is asked of all of them. The "
+        "preset paper-threshold, a picture of the mask alone, belongs to none.",
+        (
+            Column("group", "group"),
+            Column("presets", "presets", count),
+            Column("least", "least", _factor),
+            Column("greatest", "greatest", _factor),
+            Column("worst", "which"),
+            Column("must", "must", _factor),
+            Column("aim", "aim", _factor),
+        ),
+        rows,
+    )
+
+
+def pictures(port: int, three: WaterPage, watch: Watch) -> Table:
+    """PNG files over HTTP from a running server, in turn with screenshots of three.js's page by its browser."""
+    moments = (f"time={9.0 + STEP * index:.2f}" for index in itertools.count())
+    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
+    taken: dict[str, list[tuple[float, int]]] = {name: [] for name in PICTURES}
+    shots: list[tuple[float, int]] = []
+    try:
+        for name in PICTURES:
+            _picture(connection, name, next(moments))
+        three.screenshot()
+        for _ in watch.rounds("pictures against three.js", PICTURE_ROUNDS, 60.0):
+            shots.append(three.screenshot())
+            for name in PICTURES:
+                taken[name].append(_picture(connection, name, next(moments)))
+    finally:
+        connection.close()
+    rows: list[tuple[object, ...]] = [
+        ("three.js, screenshot", median(wall for wall, _ in shots), None, None, *_bytes(shots), len(shots))
+    ]
+    for name, pairs in taken.items():
+        ratio = Spread.of([ours / theirs for (ours, _), (theirs, _) in zip(pairs, shots, strict=True)])
+        wall = median(wall for wall, _ in pairs)
+        rows.append((f"{name}, PNG over HTTP", wall, ratio, PICTURE_MUST[name], *_bytes(pairs), len(pairs)))
+    return Table(
+        "A picture as a file, against three.js",
+        f"{SIZE[0]} x {SIZE[1]}, quality standard, warm, each of another time, so that nothing is cached; in turn. "
+        "Screenshot: the browser's own PNG of a frame drawn for it. Medians; ratios within rounds, with quartiles.",
+        (
+            Column("picture", "picture"),
+            Column("wall", "ms", ms),
+            Column("ratio", "x three.js", times),
+            Column("must", "must", _factor),
+            Column("bytes", "bytes", count),
+            Column("rounds", "rounds", count),
+        ),
+        rows,
+    )
+
+
+def _bytes(pictures: Sequence[tuple[float, int]]) -> tuple[int]:
+    return (round(median(size for _, size in pictures)),)
+
+
+def _picture(connection: HTTPConnection, name: str, moment: str) -> tuple[float, int]:
+    answer = ask(connection, f"/api/frames/{name}.png?{moment}&width={SIZE[0]}&height={SIZE[1]}")
+    if answer.status != 200:
+        raise RuntimeError(f"{name}.png was answered with status {answer.status}")
+    return answer.wall, answer.size

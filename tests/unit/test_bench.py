@@ -1,0 +1,153 @@
+"""The bench's own arithmetic, and what its tables are made of."""
+
+import io
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from bench import document, plots
+from bench.frames import Cost
+from bench.passes import Frame, Taken
+from bench.report import Column, Table
+from bench.steps import counting_shader
+from bench.water_page import Frames
+from bench.yardstick import GROUPS, Measured
+from PIL import Image
+
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset, preset_names
+
+
+def _cost(*seconds: float) -> list[Cost]:
+    return [Cost(wall=one, cpu=2.0 * one) for one in seconds]
+
+
+def _three(*seconds: float, cpu: float) -> Frames:
+    return Frames(wall=seconds, cpu=cpu)
+
+
+def test_a_round_is_held_against_three_js_before_and_after_it() -> None:
+    measured = Measured()
+    measured.add(_cost(0.3, 0.2, 0.4), [_three(0.1, 0.1, cpu=0.1), _three(0.3, 0.3, 0.3, cpu=0.5)])
+    measured.add(_cost(0.5), [_three(0.5, cpu=0.25), _three(0.5, cpu=0.25)])
+    assert measured.wall == pytest.approx([1.0, 1.0])
+    assert measured.cpu == pytest.approx([0.6 / 0.3, 1.0 / 0.25])
+    assert measured.frames == pytest.approx([1.0, 2.0 / 3.0, 4.0 / 3.0, 1.0])
+    assert measured.seconds == pytest.approx(0.35)
+    assert measured.three_seconds == pytest.approx(0.4)
+
+
+def test_every_preset_but_the_mask_alone_is_in_one_group_of_the_yardstick() -> None:
+    grouped = [name for group in GROUPS for name in group.presets]
+    assert sorted([*grouped, "paper-threshold"]) == sorted(preset_names())
+    assert all(1.0 < group.aim < group.must for group in GROUPS)
+
+
+SURFACE = make_plan(load_preset("default").scene, TIERS["standard"]).programs
+
+
+@pytest.mark.parametrize("name", ["surface", "surface, low eye"])
+def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str) -> None:
+    """And its main is what drew before, up to where the surface is found and land is not."""
+    text = counting_shader(SURFACE[name].fragment).text
+    assert text.count("++bench_evaluations;") == 2, "waves and waves_shading"
+    _, _, main = text.partition("void main() {")
+    assert re.search(r"find_surface\(.*bench_found = .*bench_dry = find_land_before\(", main, re.DOTALL)
+    assert "foam" not in main
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("bool wet = find_surface(", "bool found = find_surface(", "0 functions find surface and land"),
+        ("if (find_land_before(", "if (land_before(", "0 functions find surface and land"),
+        ("waves", "heights", "no function that evaluates the waves"),
+        ("void main() {", "void main() {\n}\n\nvoid main() {", "2 main functions"),
+    ],
+)
+def test_a_text_that_is_not_as_expected_is_not_counted(old: str, new: str, said: str) -> None:
+    shader = SURFACE["surface"].fragment
+    assert old in shader.text
+    text = shader.text.replace(old, new).replace("vec4 waves_shading(" if "heights" in new else "\0", "vec4 shading(")
+    with pytest.raises(RuntimeError, match=said):
+        counting_shader(shader.model_copy(update={"text": text}))
+
+
+def test_notes_of_tables_are_wrapped_and_columns_lined_up() -> None:
+    table = Table(
+        "Title", "word " * 50, (Column("a", "first"), Column("b", "second", "{:.1f}".format)), [("x", math.pi)]
+    )
+    lines = table.text().splitlines()
+    assert max(map(len, lines)) <= 116
+    assert lines[-3:] == ["first  second", "-----  ------", "x         3.1"]
+
+
+def _pass(name: str, seconds: float, *, kept: bool = False) -> Taken:
+    return Taken(name, "program", 64, 64, seconds, kept)
+
+
+FRAME = Frame(
+    "sea",
+    0.5,
+    (
+        _pass("shore: flood, 8 texels", 0.1, kept=True),
+        _pass("sea: rows, 1 to 8", 0.1),
+        _pass("earlier folds 0, 17.5 m tile", 0.05),
+        _pass("sea, 17.5 m tile", 0.05),
+        _pass("surface", 0.3),
+    ),
+)
+
+
+def test_passes_of_a_kind_are_one_and_kept_ones_no_part_of_the_frame() -> None:
+    assert FRAME.drawn == pytest.approx(0.5)
+    assert FRAME.kinds() == [
+        ("shore", 1, 0.1, True),
+        ("sea", 2, pytest.approx(0.15), False),
+        ("earlier folds", 1, 0.05, False),
+        ("surface", 1, 0.3, False),
+    ]
+
+
+def test_bars_are_pictures_and_the_same_figures_the_same_bytes() -> None:
+    for draw in (lambda: plots.one_frame(FRAME), lambda: plots.every_frame([FRAME, FRAME])):
+        made = draw()
+        assert made == draw()
+        picture = np.asarray(Image.open(io.BytesIO(made)).convert("RGB"))
+        assert picture.shape[1] > 700
+        assert (picture == (0x1F, 0x3A, 0x73)).all(axis=-1).mean() > 0.05, "no bar is to be seen"
+
+
+def test_figures_go_to_their_place_in_the_docs() -> None:
+    text = "a\n<!-- bench: one -->\nold\n<!-- end -->\nb\n<!-- bench: two -->\n<!-- end -->\n"
+    filled = document.fill(text, "one", "new \\1")
+    assert filled == "a\n<!-- bench: one -->\nnew \\1\n<!-- end -->\nb\n<!-- bench: two -->\n<!-- end -->\n"
+    assert document.fill(filled, "one", "old") == text
+    with pytest.raises(RuntimeError, match="0 places for the figures of three"):
+        document.fill(text, "three", "")
+
+
+def test_a_run_is_written_into_the_docs(tmp_path: Path) -> None:
+    """Sections that were measured are new, the others as they were, and pictures of presets that are gone are gone."""
+    (tmp_path / "performance.md").write_text(
+        "<!-- bench: yardstick -->\n<!-- end -->\n<!-- bench: page -->\nkept\n<!-- end -->\n", encoding="utf-8"
+    )
+    old = tmp_path / "pictures" / "passes" / "gone.webp"
+    old.parent.mkdir(parents=True)
+    old.write_bytes(b"")
+    table = Table("Title", "A note.", (Column("a", "first"),), [("x",)])
+    document.write({"cores": "2"}, {"yardstick": [table], "http": [table]}, [FRAME], tmp_path)
+    written = (tmp_path / "performance.md").read_text(encoding="utf-8")
+    assert written == (
+        "<!-- bench: yardstick -->\n```\ncores  2\n\nTitle\nA note.\n\nfirst\n-----\nx\n```\n<!-- end -->\n"
+        "<!-- bench: page -->\nkept\n<!-- end -->\n"
+    )
+    passes = (tmp_path / "passes.md").read_text(encoding="utf-8")
+    assert "| sea | 2 | 150 | 30.0 % |\n" in passes
+    assert "| shore | 1 | 100 | once |\n" in passes
+    named = re.findall(r"\((pictures/passes/.*?\.webp)\)", passes)
+    assert named == ["pictures/passes/all.webp", "pictures/passes/sea.webp"]
+    assert {path.relative_to(tmp_path).as_posix() for path in old.parent.iterdir()} == set(named)
