@@ -73,12 +73,6 @@ export class Api {
     return (await this.fetch("api/frames", post(request))).blob();
   }
 
-  /** A small picture of a preset. */
-  async thumbnail(name: string): Promise<Blob> {
-    const path = `api/frames/${encodeURIComponent(name)}.png?width=192&height=108`;
-    return (await this.fetch(path)).blob();
-  }
-
   async bytes(url: string): Promise<ArrayBuffer> {
     return (await this.fetch(url)).arrayBuffer();
   }

@@ -18,6 +18,7 @@ import { icon, type IconName } from "../ui/icons";
 import { Notes } from "../ui/notes";
 import { Readout } from "../ui/readout";
 import { Settings } from "../ui/settings";
+import { Still } from "../ui/still";
 import { Toasts } from "../ui/toast";
 import { Transport } from "../ui/transport";
 import { Clock } from "./clock";
@@ -49,10 +50,12 @@ export class App {
   private readonly divider: Divider;
   private readonly pane: ScenePane;
   private readonly transport: Transport;
+  private readonly still = new Still(byId("still") as HTMLImageElement);
   private readonly busy = new Set<number>();
   private addressTimer = 0;
   private lastTick = 0;
-  private picturesAsked = false;
+  /** Whether the water that was last chosen has been on the canvas; until then its still stands for it, and time with it. */
+  private live = false;
   private accuracy: AccuracyView | null = null;
   private accuracyShown = false;
   private settle: { resolve: () => void; reject: (error: unknown) => void } | null = null;
@@ -60,11 +63,17 @@ export class App {
   /** Reads the address, asks the server for what it names, and starts to draw. */
   static async open(api: Api, curtain: Curtain): Promise<void> {
     const link = decode(location.hash);
-    const [presets, openapi] = await Promise.all([api.presets(), api.openapi()]);
+    // Asked for at once: a visitor without a link comes to the preset whose still the page begins with.
+    const likely = link.preset ?? document.documentElement.dataset["preset"] ?? "";
+    const [presets, openapi, early] = await Promise.all([
+      api.presets(),
+      api.openapi(),
+      api.preset(likely).catch(() => null),
+    ]);
     const known = presets.find(({ name }) => name === link.preset);
     const opened = known ?? presets[0];
     if (opened === undefined) throw new Error("The server has no presets.");
-    const preset = await api.preset(opened.name);
+    const preset = early?.name === opened.name ? early : await api.preset(opened.name);
     const unknown = link.preset !== null && known === undefined;
     // What a link says of one sea means nothing for another.
     const kept = unknown ? { ...link, changes: [], time: null, camera: null, split: null } : link;
@@ -95,10 +104,13 @@ export class App {
       lost: () => this.toasts.show("The graphics driver took a break; the picture comes back by itself."),
       restored: () => this.slots.forEach((slot) => slot.reload()),
       failed: (error) => this.failed(error),
+      drawn: () => this.drawn(),
     });
+    this.stage.fix(link.scale);
     this.controls = new Controls(canvas, link.camera ?? cameraFromScene(preset.scene), !calm);
     this.settings = new Settings(byId("settings"), this.tiers(), this.controls, this.notes, {
       quality: (quality) => this.store.set({ quality, split: this.splitWith(QUALITY, quality) }),
+      scale: (scale) => this.fixScale(scale),
       reset: () => this.reset(),
       serverFrame: () => void this.serverFrame(),
     });
@@ -120,9 +132,15 @@ export class App {
 
     this.store.onChange((now) => this.changed(now));
     this.clock.onChange(() => this.moved());
-    this.controls.onMove(() => this.moved());
+    this.controls.onMove(() => {
+      this.still.drop();
+      this.moved();
+    });
     window.addEventListener("hashchange", () => void this.follow(decode(location.hash)));
-    setInterval(() => this.readout.show(this.stage.timing(), this.clock.playing), 250);
+    setInterval(() => {
+      this.readout.show(this.stage.timing(), this.clock.playing);
+      if (this.clock.playing) this.transport.update();
+    }, 250);
 
     window.seafoam = this.hook();
     this.showChoices(this.store.now);
@@ -153,9 +171,19 @@ export class App {
     const seconds = this.lastTick === 0 ? 0 : (now - this.lastTick) / 1000;
     this.lastTick = now;
     const moving = this.controls.step(seconds);
-    this.clock.advance(seconds);
-    this.stage.tick(now, this.view(), moving || this.clock.playing);
-    if (this.clock.playing) this.transport.update();
+    // A still stands for the first moment, which must be what comes after it.
+    if (this.live) this.clock.advance(seconds);
+    this.stage.tick(now, this.view(), moving || (this.live && this.clock.playing));
+  }
+
+  /** A frame is on the canvas: the first of a picture takes its still's place. */
+  private drawn(): void {
+    if (this.clock.playing) this.transport.move();
+    if (this.live || this.busy.has(0)) return;
+    this.live = true;
+    this.still.lift();
+    this.curtain.lift();
+    this.settle?.resolve();
   }
 
   private view() {
@@ -196,10 +224,6 @@ export class App {
     this.notes.show(plan);
     this.limit();
     this.stage.reconsider();
-    this.curtain.lift();
-    this.settle?.resolve();
-    if (!this.picturesAsked) void this.gallery.load((name) => this.api.thumbnail(name));
-    this.picturesAsked = true;
   }
 
   /** How low the camera may go: under the surface once that is drawn. */
@@ -311,11 +335,22 @@ export class App {
 
   private async choose(name: string): Promise<void> {
     if (name === this.store.now.preset.name) return;
+    this.still.show(name);
     try {
-      this.open(await this.api.preset(name));
+      const preset = await this.api.preset(name);
+      // Its clock waits for it.
+      this.live = false;
+      this.open(preset);
     } catch (error) {
+      this.still.drop();
       this.failed(error);
     }
+  }
+
+  private fixScale(scale: number | null): void {
+    this.stage.fix(scale);
+    this.settings.showScale(scale);
+    this.moved();
   }
 
   private open(preset: Preset): void {
@@ -338,6 +373,7 @@ export class App {
       this.clock.setSpeed(link.speed ?? 1);
       if (link.paused !== null) this.clock.playing = !link.paused;
       this.store.set(chosen(preset, link));
+      this.fixScale(link.scale);
       this.showAccuracy(link.accuracy === true);
     } catch (error) {
       this.failed(error);
@@ -347,7 +383,9 @@ export class App {
   /** `exact`: with the moment, even while time runs. */
   private link(exact: boolean): LinkState {
     const { preset, scene, quality, split } = this.store.now;
-    const moment = exact || !this.clock.playing;
+    const moment = exact || (!this.clock.playing && this.clock.time !== preset.time);
+    const start = cameraFromScene(preset.scene);
+    const { camera } = this.controls;
     return {
       preset: preset.name,
       changes: diff(preset.scene, scene),
@@ -355,8 +393,9 @@ export class App {
       time: moment ? this.clock.time : null,
       paused: this.clock.playing ? null : true,
       speed: this.clock.speed,
-      camera: this.controls.camera,
+      camera: !exact && JSON.stringify(camera) === JSON.stringify(start) ? null : camera,
       split,
+      scale: this.stage.fixed,
       accuracy: this.accuracyShown ? true : null,
     };
   }
@@ -450,7 +489,12 @@ export class App {
   private failed(error: unknown): void {
     const message = error instanceof Error ? error.message : String(error);
     this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
-    if (this.slots[0].ready !== null) return;
+    if (this.slots[0].ready !== null) {
+      // The old picture stays, and moves again.
+      this.still.drop();
+      this.live = true;
+      return;
+    }
     const { preset, scene, quality, split } = this.store.now;
     const refused = error instanceof CapabilityError || (error instanceof ApiError && error.status >= 400 && error.status < 500);
     const plain = equal(scene, preset.scene) && quality === QUALITY_DEFAULT && split === null;
@@ -485,7 +529,8 @@ export class App {
         timing: this.stage.timing(),
         playing: this.clock.playing,
         busy: this.busy.size > 0,
-        settled: this.busy.size === 0 && !this.clock.playing && this.stage.atRest,
+        still: this.still.shown,
+        settled: this.busy.size === 0 && !this.still.shown && !this.clock.playing && this.stage.atRest,
       }),
     };
   }

@@ -1,0 +1,45 @@
+/** A preset's still: the server's own picture of its start, a file, over the canvas until the live water is there. */
+
+/** Where the build has the stills (`make stills`), below the page. */
+const FOLDER = "./stills";
+
+/** How long it fades (style.css) and a little more, ms. */
+const FADE = 400;
+
+export const stillOf = (name: string) => `${FOLDER}/${name}.avif`;
+export const thumbnailOf = (name: string) => `${FOLDER}/${name}.small.avif`;
+
+export class Still {
+  private fading = 0;
+
+  /** `image`: shown already where the address asks for a preset's start, see index.html. */
+  constructor(private readonly image: HTMLImageElement) {}
+
+  /** Whether anything of it is to be seen. */
+  get shown(): boolean {
+    return !this.image.hidden;
+  }
+
+  /** Shows a preset's still, once it is there and unless the water is there before it. */
+  show(name: string): void {
+    clearTimeout(this.fading);
+    this.image.src = stillOf(name);
+    this.image.classList.remove("lifted");
+    this.image.hidden = false;
+  }
+
+  /** Fades into the water. */
+  lift(): void {
+    if (this.image.hidden || this.image.classList.contains("lifted")) return;
+    this.image.classList.add("lifted");
+    // Where transitions are off, no end is told of.
+    this.fading = window.setTimeout(() => this.drop(), FADE);
+  }
+
+  /** Takes it away at once: it shows what is no longer asked for. */
+  drop(): void {
+    clearTimeout(this.fading);
+    this.image.hidden = true;
+    document.documentElement.classList.remove("still");
+  }
+}
