@@ -84,6 +84,10 @@ docs: setup-test
 	cd $(WEB) && ../$(NODE) npm run types --silent
 	$(BIN)/python docs/make_pictures.py
 
+# The page's first pictures, checked in: those whose preset starts otherwise now. After a change of how water looks: NAMES.
+stills: setup
+	$(BIN)/python webclient/make_stills.py $(NAMES)
+
 lock: $(VENV)/.installed
 	$(BIN)/pip install -q uv
 	$(BIN)/uv pip compile pyproject.toml --extra dev --universal --python-version 3.11 --generate-hashes \

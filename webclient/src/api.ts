@@ -1,4 +1,5 @@
 /** The server's REST interface, as far as the page uses it. */
+import type { Fronts } from "./app/front";
 import type { FramePlan } from "./generated/api";
 import { isObject, type Json, type JsonObject } from "./scene/json";
 
@@ -71,6 +72,11 @@ export class Api {
   /** The server's own picture of a scene. */
   async frame(request: { scene: Json; quality: Json; time: number; width: number; height: number }): Promise<Blob> {
     return (await this.fetch("api/frames", post(request))).blob();
+  }
+
+  /** What was measured of every tier: a file of the page, see `make fronts`. */
+  fronts(): Promise<Fronts> {
+    return this.json("fronts.json");
   }
 
   async bytes(url: string): Promise<ArrayBuffer> {

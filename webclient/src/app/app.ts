@@ -5,7 +5,7 @@ import { Controls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
 import { controlOf, type GroupControl, choices as choicesIn, schemaNamed } from "../panel/model";
-import { ScenePane } from "../panel/pane";
+import type { ScenePane } from "../panel/pane";
 import { compile } from "../plan/executor";
 import { CAMERA } from "../plan/live";
 import { apply, diff, equal, get, isObject, type Json, type JsonObject, steps, withValue } from "../scene/json";
@@ -22,6 +22,7 @@ import { Still } from "../ui/still";
 import { Toasts } from "../ui/toast";
 import { Transport } from "../ui/transport";
 import { Clock } from "./clock";
+import { AutoQuality, type Fronts } from "./front";
 import { qualityOf, qualityTitle } from "./quality";
 import { Slot } from "./slot";
 import { Stage } from "./stage";
@@ -48,12 +49,18 @@ export class App {
   private readonly settings: Settings;
   private readonly gallery: Gallery;
   private readonly divider: Divider;
-  private readonly pane: ScenePane;
+  /** The scene's fields, which are loaded when they are first looked at. */
+  private pane: ScenePane | null = null;
   private readonly transport: Transport;
   private readonly still = new Still(byId("still") as HTMLImageElement);
   private readonly busy = new Set<number>();
   private addressTimer = 0;
   private lastTick = 0;
+  private readonly autoQuality = new AutoQuality();
+  /** What was measured of every tier; null until it is here. */
+  private fronts: Fronts | null = null;
+  /** The scale at which the quality that was chosen last should run. */
+  private expectedScale: number | null = null;
   /** Whether the water that was last chosen has been on the canvas; until then its still stands for it, and time with it. */
   private live = false;
   private accuracy: AccuracyView | null = null;
@@ -109,14 +116,13 @@ export class App {
     this.stage.fix(link.scale);
     this.controls = new Controls(canvas, link.camera ?? cameraFromScene(preset.scene), !calm);
     this.settings = new Settings(byId("settings"), this.tiers(), this.controls, this.notes, {
-      quality: (quality) => this.store.set({ quality, split: this.splitWith(QUALITY, quality) }),
+      quality: (quality) => {
+        const { quality: now } = this.store.now;
+        this.store.set({ quality: quality ?? now, auto: quality === null, split: this.splitWith(QUALITY, quality ?? now) });
+      },
       scale: (scale) => this.fixScale(scale),
       reset: () => this.reset(),
       serverFrame: () => void this.serverFrame(),
-    });
-    this.pane = new ScenePane(this.settings.scene, {
-      change: (pointer, value) => this.edit(pointer, value),
-      names: (url) => this.namesFrom(url),
     });
     this.gallery = new Gallery(byId("gallery"), presets, (name) => void this.choose(name));
     this.divider = new Divider(
@@ -138,7 +144,9 @@ export class App {
     });
     window.addEventListener("hashchange", () => void this.follow(decode(location.hash)));
     setInterval(() => {
-      this.readout.show(this.stage.timing(), this.clock.playing);
+      const { quality, auto } = this.store.now;
+      this.readout.show(this.stage.timing(), this.clock.playing, qualityTitle(quality), auto);
+      this.improve();
       if (this.clock.playing) this.transport.update();
     }, 250);
 
@@ -176,6 +184,17 @@ export class App {
     this.stage.tick(now, this.view(), moving || (this.live && this.clock.playing));
   }
 
+  /** Runs another tier where that shows the sea better in the time there is. */
+  private improve(): void {
+    const { preset, quality, auto, split } = this.store.now;
+    if (!auto || split !== null || !this.live || !this.clock.playing || this.busy.size > 0 || this.fronts === null) return;
+    const pacing = this.stage.pacing();
+    const choice = pacing && this.autoQuality.next(this.fronts, preset.name, quality, pacing);
+    if (choice === null) return;
+    this.expectedScale = choice.scale;
+    this.store.set({ quality: choice.tier });
+  }
+
   /** A frame is on the canvas: the first of a picture takes its still's place. */
   private drawn(): void {
     if (this.clock.playing) this.transport.move();
@@ -184,6 +203,13 @@ export class App {
     this.still.lift();
     this.curtain.lift();
     this.settle?.resolve();
+    if (this.fronts === null) {
+      this.api.fronts().then(
+        (fronts) => (this.fronts = fronts),
+        // Without it the quality stays what it is.
+        () => undefined,
+      );
+    }
   }
 
   private view() {
@@ -223,7 +249,8 @@ export class App {
     const { plan } = this.slots[0];
     this.notes.show(plan);
     this.limit();
-    this.stage.reconsider();
+    this.stage.reconsider(this.expectedScale);
+    this.expectedScale = null;
   }
 
   /** How low the camera may go: under the surface once that is drawn. */
@@ -236,15 +263,35 @@ export class App {
     this.controls.bottom = dives ? plan.bottom + CLEARANCE : this.controls.surface;
   }
 
-  private showChoices({ preset, scene, quality, split }: Choices): void {
+  private showChoices({ preset, quality, auto, split }: Choices): void {
     byId("title").textContent = preset.title;
     byId("summary").textContent = preset.summary;
     document.title = `${preset.title} · Seafoam`;
     this.gallery.select(preset.name);
-    this.settings.show(quality);
-    const model = this.panel(scene);
-    if (model) this.pane.show(model, scene);
+    this.settings.show(quality, auto);
+    this.showPane();
     this.divider.show(split, this.comparables());
+  }
+
+  /** Shows the scene's fields as they are. `anew`: what they offer has changed. */
+  private showPane(anew = false): void {
+    const { scene } = this.store.now;
+    const model = this.pane && this.panel(scene);
+    if (model) this.pane?.show(model, scene, anew);
+  }
+
+  private loadPane(): void {
+    if (this.pane) return;
+    import("../panel/pane").then(
+      ({ ScenePane: Pane }) => {
+        this.pane ??= new Pane(this.settings.scene, {
+          change: (pointer, value) => this.edit(pointer, value),
+          names: (url) => this.namesFrom(url),
+        });
+        this.showPane();
+      },
+      (error: unknown) => this.failed(error),
+    );
   }
 
   /** The panel's model; the camera has controls of its own. */
@@ -309,10 +356,8 @@ export class App {
     this.api.choices(url).then(
       (names) => {
         this.names.set(url, names);
-        const { scene, split } = this.store.now;
-        const model = this.panel(scene);
-        if (model) this.pane.show(model, scene, true);
-        this.divider.show(split, this.comparables());
+        this.showPane(true);
+        this.divider.show(this.store.now.split, this.comparables());
       },
       (error: unknown) => {
         this.names.delete(url);
@@ -356,6 +401,7 @@ export class App {
   private open(preset: Preset): void {
     this.controls.set(cameraFromScene(preset.scene));
     this.clock.jump(preset.time);
+    this.autoQuality.begin();
     this.store.set({ preset, scene: preset.scene, split: fitting(preset.scene, this.store.now.split) });
   }
 
@@ -382,14 +428,14 @@ export class App {
 
   /** `exact`: with the moment, even while time runs. */
   private link(exact: boolean): LinkState {
-    const { preset, scene, quality, split } = this.store.now;
+    const { preset, scene, quality, auto, split } = this.store.now;
     const moment = exact || (!this.clock.playing && this.clock.time !== preset.time);
     const start = cameraFromScene(preset.scene);
     const { camera } = this.controls;
     return {
       preset: preset.name,
       changes: diff(preset.scene, scene),
-      quality: quality === QUALITY_DEFAULT ? null : quality,
+      quality: auto ? null : quality,
       time: moment ? this.clock.time : null,
       paused: this.clock.playing ? null : true,
       speed: this.clock.speed,
@@ -413,6 +459,7 @@ export class App {
       tool("accuracy", "What accuracy costs", () => this.showAccuracy(!this.accuracyShown, true)),
       tool("settings", "Settings", () => {
         this.settings.toggle();
+        this.loadPane();
         if (this.settings.open) this.showAccuracy(false);
       }),
     );
@@ -431,7 +478,7 @@ export class App {
     import("../accuracy/view").then(
       ({ AccuracyView: View }) => {
         this.accuracy ??= new View(this.api, this.store, this.stage, {
-          run: (quality) => this.store.set({ quality, split: this.splitWith(QUALITY, quality) }),
+          run: (quality) => this.store.set({ quality, auto: false, split: this.splitWith(QUALITY, quality) }),
           close: () => this.showAccuracy(false),
         });
         this.accuracy.toggle(this.accuracyShown, focus);
@@ -499,7 +546,7 @@ export class App {
     const refused = error instanceof CapabilityError || (error instanceof ApiError && error.status >= 400 && error.status < 500);
     const plain = equal(scene, preset.scene) && quality === QUALITY_DEFAULT && split === null;
     if (refused && !plain) {
-      this.store.set({ scene: preset.scene, quality: QUALITY_DEFAULT, split: null });
+      this.store.set({ scene: preset.scene, quality: QUALITY_DEFAULT, auto: true, split: null });
       return;
     }
     this.curtain.fail("No picture yet", message, "Try again");
@@ -540,7 +587,8 @@ export class App {
 function chosen(preset: Preset, link: LinkState): Choices {
   const changed = apply(preset.scene, link.changes);
   const scene = isObject(changed) ? changed : preset.scene;
-  return { preset, scene, quality: link.quality ?? QUALITY_DEFAULT, split: fitting(scene, link.split) };
+  const quality = link.quality ?? QUALITY_DEFAULT;
+  return { preset, scene, quality, auto: link.quality === null, split: fitting(scene, link.split) };
 }
 
 /** A comparison stays only where the scene has the field that is compared. */

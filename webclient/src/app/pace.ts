@@ -1,6 +1,6 @@
 /** Chooses how sharp a moving picture is: the scale whose frames come as often as that scale deserves. */
 
-const LEAST = 0.1;
+export const LEAST = 0.1;
 /** Frames of a picture or a size that a driver may spend on compiling and on new targets. */
 const WARM_UP = 2;
 /** Frames that are judged together, and the time after which fewer will do, ms. */
@@ -60,6 +60,10 @@ export class Pace {
   private water = 0;
   private interval = 0;
   private frames = 0;
+  /** Spans since the scale moved last. */
+  steady = 0;
+  /** ms from frame to frame that were not the water's, in the latest span. */
+  rest = 0;
 
   constructor(private value = 1) {}
 
@@ -84,6 +88,8 @@ export class Pace {
     const enough = this.frames >= SPAN.frames || (this.frames >= SPAN.least && this.interval >= SPAN.milliseconds);
     if (!enough) return false;
     const best = bestScale(law, this.value, this.water / this.frames, this.interval / this.frames);
+    this.rest = Math.max(0, (this.interval - this.water) / this.frames);
+    this.steady += 1;
     this.begin();
     const step = Math.min(STEP.up, Math.max(STEP.down, best / this.value));
     // Each span is judged by itself: whatever slowed an earlier one may be over.
@@ -92,6 +98,7 @@ export class Pace {
     if (scale === this.value) return false;
     this.value = scale;
     this.cold = WARM_UP;
+    this.steady = 0;
     return true;
   }
 
@@ -104,6 +111,7 @@ export class Pace {
   reconsider(most: number): void {
     this.value = Math.max(LEAST, Math.min(1, most));
     this.cold = WARM_UP;
+    this.steady = 0;
     this.begin();
   }
 }

@@ -3,20 +3,23 @@ import type { CameraState } from "../camera/state";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { GpuTimer } from "../gl/timer";
 import type { Frame, Rectangle } from "../plan/executor";
-import { ON_CPU, onGpu, Pace } from "./pace";
+import type { Pacing } from "./front";
+import { type Law, ON_CPU, onGpu, Pace } from "./pace";
 import type { Slot } from "./slot";
 
 /** More pixels than two a point cost much and show nothing. */
 const MAX_PIXEL_RATIO = 2;
 /** Where the CPU draws, the first frame of a picture is not tried at full size: a frame of seconds would lose the context. */
 const SOFTWARE_SCALE = 0.5;
-/** A CPU's next frame is begun before the last one is out, so that it never waits for the page, unless frames take longer than this, ms. */
-const OVERLAP = 150;
 /** A display's interval until it is measured, and the animation frames of which the shortest tells it, ms. */
 const DISPLAY = 1000 / 60;
 const DISPLAY_FRAMES = 40;
 /** Time between two looks at a fence, ms; browsers make it 4 after the first few. */
 const LOOK = 1;
+/** Spans of frames at one scale after which what was measured is believed. */
+const STEADY = 2;
+/** The share of a frame's usual time in which nobody asks. */
+const UNWATCHED = 0.6;
 /** Frames drawn at rest to learn what one costs. */
 const TRIALS = 6;
 /** The first of them pay for new targets, and some drivers for compiling. */
@@ -144,8 +147,8 @@ export class Stage {
     if (!moving) this.lastOut = null;
     const [left] = this.slots;
     const { software } = this.gpu.capabilities;
-    const overlapping = moving && (!software || (this.frameTime !== null && this.frameTime < OVERLAP));
-    if (left.ready === null || this.flights.length > (overlapping ? 1 : 0)) return;
+    // A CPU gains nothing by a second frame under way, and the compositor's work between the two could not be told from theirs.
+    if (left.ready === null || this.flights.length > (software ? 0 : 1)) return;
     const scale = resting ? this.sharperScale() : (this.fixedScale ?? this.pace.scale);
     if (scale === null || (resting && now - this.lastDraw < REST)) return;
     this.dirty = false;
@@ -164,15 +167,19 @@ export class Stage {
   }
 
   /** Asks about the fences again and again, since an animation frame may come long after the water is done. */
-  private look(): void {
+  private look(after = LOOK): void {
     if (this.looking) return;
     this.looking = true;
     setTimeout(() => {
       this.looking = false;
       if (this.gl.isContextLost()) return;
+      const waited = this.flights[0]?.before !== null;
       this.collect();
-      if (this.flights.length > 0) this.look();
-    }, LOOK);
+      const [flight] = this.flights;
+      if (flight === undefined) return;
+      // Begun just now: there is nothing to see for most of what a frame takes.
+      this.look(waited && flight.before === null ? UNWATCHED * (this.frameTime ?? 0) : LOOK);
+    }, after);
   }
 
   /** The display's interval is the shortest that animation frames come at. */
@@ -222,10 +229,24 @@ export class Stage {
     };
   }
 
-  /** The picture became another one, so what was measured says little about it. */
-  reconsider(): void {
+  /** What the picture in motion takes, once its scale has settled; null before, and where the scale is fixed. */
+  pacing(): Pacing | null {
+    if (this.fixedScale !== null || this.frameTime === null || this.pace.steady < STEADY) return null;
+    const { software } = this.gpu.capabilities;
+    const [across, down] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    return {
+      law: this.law,
+      scale: this.pace.scale,
+      water: this.frameTime,
+      rest: software ? this.pace.rest : 0,
+      pixels: 1e-6 * across * down * this.ratio ** 2,
+    };
+  }
+
+  /** The picture became another one, so what was measured says little about it. `expected`: the scale that it should manage. */
+  reconsider(expected: number | null = null): void {
     const samples = Math.max(...this.slots.map((slot) => slot.plan?.samples ?? 1));
-    this.pace.reconsider(this.gpu.capabilities.software ? SOFTWARE_SCALE / Math.sqrt(samples) : 1);
+    this.pace.reconsider(expected ?? (this.gpu.capabilities.software ? SOFTWARE_SCALE / Math.sqrt(samples) : 1));
     this.frameTime = null;
     this.lastOut = null;
     this.trials = 0;
@@ -267,8 +288,17 @@ export class Stage {
     return finished.milliseconds * (next / this.scale) ** 2 > PATIENCE ? null : next;
   }
 
+  /** Pixels a point at full resolution. */
+  private get ratio(): number {
+    return Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
+  }
+
+  private get law(): Law {
+    return this.gpu.capabilities.software ? ON_CPU : onGpu(this.display);
+  }
+
   private fit(scale: number): void {
-    const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO) * scale;
+    const ratio = this.ratio * scale;
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     // Setting a canvas's size clears it, even to the same size.
@@ -315,7 +345,7 @@ export class Stage {
     if (this.timer === null) this.note(software ? elapsed : Math.min(elapsed, now - before));
     if (this.fixedScale !== null) return;
     const water = this.timer === null ? elapsed : (this.frameTime ?? elapsed);
-    if (software ? this.pace.frame(ON_CPU, elapsed, now - before) : this.pace.frame(onGpu(this.display), water, water)) this.dirty = true;
+    if (this.pace.frame(this.law, water, software ? now - before : water)) this.dirty = true;
   }
 
   private note(milliseconds: number): void {

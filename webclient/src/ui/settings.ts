@@ -6,7 +6,8 @@ import { qualityTitle } from "../app/quality";
 import type { Notes } from "./notes";
 
 export interface SettingsEvents {
-  quality(name: string): void;
+  /** null: what the machine draws best in time. */
+  quality(name: string | null): void;
   /** A share of the full resolution; null: as sharp as moves well. */
   scale(scale: number | null): void;
   /** Puts the scene, the camera and the time back to the preset's own. */
@@ -42,8 +43,8 @@ export class Settings {
     reset.addEventListener("click", () => events.reset());
     this.frameButton.title = "The same picture, computed by the server at its own precision and size";
     this.frameButton.addEventListener("click", () => events.serverFrame());
-    this.show(tiers[0] ?? "");
-    this.quality.addEventListener("change", () => events.quality(this.quality.value));
+    this.show(tiers[0] ?? "", false);
+    this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTO ? null : this.quality.value));
     this.showScale(null);
     this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTO ? null : Number(this.scale.value)));
     fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "look around" }], controls.mode);
@@ -85,9 +86,10 @@ export class Settings {
     document.body.classList.toggle("settings-open", open);
   }
 
-  show(quality: string): void {
+  show(quality: string, auto: boolean): void {
     const names = new Set([...this.tiers, quality]);
-    fillSelect(this.quality, [...names].map((name) => ({ name, title: qualityTitle(name) })), quality);
+    const named = [...names].map((name) => ({ name, title: qualityTitle(name) }));
+    fillSelect(this.quality, [{ name: AUTO, title: "best in time" }, ...named], auto ? AUTO : quality);
   }
 
   showScale(scale: number | null): void {
