@@ -14,7 +14,7 @@ WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public -type f 2>/dev/null) $(WEB)
 LIVE := tests/accuracy tests/api tests/browser tests/cli
 NUMBERS := $(filter-out $(addsuffix /,$(LIVE) tests/references tests/golden),$(wildcard tests/*/))
 
-.PHONY: demo test lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs lock clean
+.PHONY: demo test lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
@@ -87,6 +87,10 @@ docs: setup-test
 # The page's first pictures, checked in: those whose preset starts otherwise now. After a change of how water looks: NAMES.
 stills: setup
 	$(BIN)/python webclient/make_stills.py $(NAMES)
+
+# What each tier costs and is worth at each share of the window, for the page to choose by; presets without it, or NAMES.
+fronts: setup
+	$(BIN)/python webclient/make_fronts.py $(NAMES)
 
 lock: $(VENV)/.installed
 	$(BIN)/pip install -q uv

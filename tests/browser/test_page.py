@@ -406,6 +406,33 @@ def test_the_resolution_is_fixed_and_set_free(small: Visit) -> None:
     small.page.wait_for_function("() => !location.hash.includes('scale')")
 
 
+def test_quality_follows_what_was_measured_unless_it_is_named(llvmpipe: Lane, server: str) -> None:
+    """The page in motion goes to the tier whose picture is the best in time; who names one keeps it."""
+    measured = [
+        {"tier": "standard", "fixed": 1.0, "pixels": 600.0, "errors": [20.0, 30.0]},
+        {"tier": "draft", "fixed": 1.0, "pixels": 60.0, "errors": [5.0, 6.0]},
+    ]
+    fronts = {"scales": [1.0, 0.25], "presets": {"default": measured}}
+    opened = llvmpipe.browser.new_context(viewport={"width": 320, "height": 500})
+    page = opened.new_page()
+    page.route(re.compile(r"/fronts[.]json"), lambda route: route.fulfill(json=fronts))
+    readout = "(tier) => document.querySelector('.readout').textContent.startsWith(tier)"
+    try:
+        page.goto(f"{server}/", wait_until="load")
+        page.wait_for_function(readout, arg="standard", timeout=60_000)
+        page.wait_for_function(readout, arg="draft", timeout=60_000)
+        assert page.evaluate("() => window.seafoam.state().quality") is None
+        page.get_by_role("button", name="Settings", exact=True).click()
+        assert page.locator("#quality").input_value() == "auto"
+        page.locator("#quality").select_option("standard")
+        page.wait_for_function(readout, arg="standard", timeout=60_000)
+        page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
+        page.wait_for_timeout(3000)
+        assert page.evaluate("() => window.seafoam.state().quality") == "standard"
+    finally:
+        opened.close()
+
+
 def test_a_pause_stops_every_pixel(small: Visit) -> None:
     before, time = small.canvas(), small.state()["time"]
     small.frames(12)

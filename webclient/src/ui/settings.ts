@@ -89,13 +89,13 @@ export class Settings {
   show(quality: string, auto: boolean): void {
     const names = new Set([...this.tiers, quality]);
     const named = [...names].map((name) => ({ name, title: qualityTitle(name) }));
-    fillSelect(this.quality, [{ name: AUTO, title: "best in time" }, ...named], auto ? AUTO : quality);
+    fillSelect(this.quality, [{ name: AUTO, title: "automatic" }, ...named], auto ? AUTO : quality);
   }
 
   showScale(scale: number | null): void {
     const shares = new Set([...SCALES, ...(scale === null ? [] : [scale])]);
     const fixed = [...shares].map((share) => ({ name: String(share), title: `${Math.round(100 * share)} %` }));
-    fillSelect(this.scale, [{ name: AUTO, title: "as sharp as moves well" }, ...fixed], scale === null ? AUTO : String(scale));
+    fillSelect(this.scale, [{ name: AUTO, title: "automatic" }, ...fixed], scale === null ? AUTO : String(scale));
   }
 
   busy(busy: boolean): void {

@@ -11,6 +11,7 @@ export const thumbnailOf = (name: string) => `${FOLDER}/${name}.small.avif`;
 
 export class Still {
   private fading = 0;
+  private wanted: string | null = null;
 
   /** `image`: shown already where the address asks for a preset's start, see index.html. */
   constructor(private readonly image: HTMLImageElement) {}
@@ -22,14 +23,22 @@ export class Still {
 
   /** Shows a preset's still, once it is there and unless the water is there before it. */
   show(name: string): void {
-    clearTimeout(this.fading);
-    this.image.src = stillOf(name);
+    this.drop();
+    this.wanted = name;
     this.image.classList.remove("lifted");
-    this.image.hidden = false;
+    this.image.src = stillOf(name);
+    // Until then the image would show what it showed before.
+    this.image.decode().then(
+      () => {
+        if (this.wanted === name) this.image.hidden = false;
+      },
+      () => undefined,
+    );
   }
 
   /** Fades into the water. */
   lift(): void {
+    this.wanted = null;
     if (this.image.hidden || this.image.classList.contains("lifted")) return;
     this.image.classList.add("lifted");
     // Where transitions are off, no end is told of.
@@ -38,6 +47,7 @@ export class Still {
 
   /** Takes it away at once: it shows what is no longer asked for. */
   drop(): void {
+    this.wanted = null;
     clearTimeout(this.fading);
     this.image.hidden = true;
     document.documentElement.classList.remove("still");
