@@ -4,6 +4,7 @@ import { type Api, ApiError, type Choice, type Preset, type PresetSummary } from
 import { Controls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
+import { openContext } from "../gl/gpu";
 import { controlOf, type GroupControl, choices as choicesIn, schemaNamed } from "../panel/model";
 import type { ScenePane } from "../panel/pane";
 import { compile } from "../plan/executor";
@@ -72,11 +73,12 @@ export class App {
     const link = decode(location.hash);
     // Asked for at once: a visitor without a link comes to the preset whose still the page begins with.
     const likely = link.preset ?? document.documentElement.dataset["preset"] ?? "";
-    const [presets, openapi, early] = await Promise.all([
-      api.presets(),
-      api.openapi(),
-      api.preset(likely).catch(() => null),
-    ]);
+    const asked = Promise.all([api.presets(), api.openapi(), api.preset(likely).catch(() => null)]);
+    // Where GL cannot start, that is what the visitor is told.
+    asked.catch(() => undefined);
+    // The browser starts the GPU while the server answers.
+    openContext(byId("canvas") as HTMLCanvasElement);
+    const [presets, openapi, early] = await asked;
     const known = presets.find(({ name }) => name === link.preset);
     const opened = known ?? presets[0];
     if (opened === undefined) throw new Error("The server has no presets.");
