@@ -53,7 +53,6 @@ export class App {
   /** The scene's fields, which are loaded when they are first looked at. */
   private pane: ScenePane | null = null;
   private readonly transport: Transport;
-  private readonly still = new Still(byId("still") as HTMLImageElement);
   private readonly busy = new Set<number>();
   private addressTimer = 0;
   private lastTick = 0;
@@ -76,6 +75,8 @@ export class App {
     const asked = Promise.all([api.presets(), api.openapi(), api.preset(likely).catch(() => null)]);
     // Where GL cannot start, that is what the visitor is told.
     asked.catch(() => undefined);
+    const still = new Still(byId("still") as HTMLImageElement);
+    await still.painted();
     // The browser starts the GPU while the server answers.
     openContext(byId("canvas") as HTMLCanvasElement);
     const [presets, openapi, early] = await asked;
@@ -86,7 +87,7 @@ export class App {
     const unknown = link.preset !== null && known === undefined;
     // What a link says of one sea means nothing for another.
     const kept = unknown ? { ...link, changes: [], time: null, camera: null, split: null } : link;
-    const app = new App(api, curtain, presets, openapi, preset, kept);
+    const app = new App(api, curtain, still, presets, openapi, preset, kept);
     if (unknown) app.toasts.show(`There is no sea “${link.preset}” here; this is “${preset.title}”.`, [], "error");
   }
 
@@ -95,6 +96,7 @@ export class App {
   private constructor(
     private readonly api: Api,
     private readonly curtain: Curtain,
+    private readonly still: Still,
     presets: readonly PresetSummary[],
     private readonly openapi: JsonObject,
     preset: Preset,

@@ -5,6 +5,8 @@ const FOLDER = "./stills";
 
 /** How long it fades (style.css) and a little more, ms. */
 const FADE = 400;
+/** Time that the water waits for the still at most, ms. */
+const LATE = 800;
 
 export const stillOf = (name: string) => `${FOLDER}/${name}.avif`;
 export const thumbnailOf = (name: string) => `${FOLDER}/${name}.small.avif`;
@@ -19,6 +21,14 @@ export class Still {
   /** Whether anything of it is to be seen. */
   get shown(): boolean {
     return !this.image.hidden;
+  }
+
+  /** Resolves when the still is on the screen, or will not be soon: starting GL stops the page for a while. */
+  async painted(): Promise<void> {
+    if (!this.shown) return;
+    const late = new Promise((resolve) => setTimeout(resolve, LATE));
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    await Promise.race([late, this.image.decode().then(frame, () => undefined)]);
   }
 
   /** Shows a preset's still, once it is there and unless the water is there before it. */
