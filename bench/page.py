@@ -204,8 +204,8 @@ def _visits(loads: dict[str, tuple[list[Load], list[Load]]]) -> Table:
     return Table(
         "The page's first picture",
         "From the start of the navigation until the preset's still is painted and until the first live frame is done, "
-        f"{SIZE[0]} x {SIZE[1]}; medians. First visit: a browser that runs and has seen nothing. Bytes: as transferred, "
-        "until the page rests.",
+        f"{SIZE[0]} x {SIZE[1]}; medians. First visit: a browser that runs and has seen nothing. Bytes: as "
+        "transferred, until the page rests.",
         (
             Column("visit", "visit"),
             Column("still", "first picture, ms", ms),

@@ -420,7 +420,7 @@ def test_quality_follows_what_was_measured_unless_it_is_named(llvmpipe: Lane, se
     try:
         page.goto(f"{server}/", wait_until="load")
         page.wait_for_function(readout, arg="standard", timeout=60_000)
-        page.wait_for_function(readout, arg="draft", timeout=60_000)
+        page.wait_for_function(readout, arg="draft", timeout=120_000)
         assert page.evaluate("() => window.seafoam.state().quality") is None
         page.get_by_role("button", name="Settings", exact=True).click()
         assert page.locator("#quality").input_value() == "auto"

@@ -60,8 +60,9 @@ export class Pace {
   private water = 0;
   private interval = 0;
   private frames = 0;
-  /** Spans since the scale moved last. */
+  /** Spans since the scale moved last, and since the picture became another one. */
   steady = 0;
+  spans = 0;
   /** ms from frame to frame that were not the water's, in the latest span. */
   rest = 0;
 
@@ -90,6 +91,7 @@ export class Pace {
     const best = bestScale(law, this.value, this.water / this.frames, this.interval / this.frames);
     this.rest = Math.max(0, (this.interval - this.water) / this.frames);
     this.steady += 1;
+    this.spans += 1;
     this.begin();
     const step = Math.min(STEP.up, Math.max(STEP.down, best / this.value));
     // Each span is judged by itself: whatever slowed an earlier one may be over.
@@ -111,7 +113,7 @@ export class Pace {
   reconsider(most: number): void {
     this.value = Math.max(LEAST, Math.min(1, most));
     this.cold = WARM_UP;
-    this.steady = 0;
+    this.steady = this.spans = 0;
     this.begin();
   }
 }

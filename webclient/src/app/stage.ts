@@ -18,6 +18,8 @@ const DISPLAY_FRAMES = 40;
 const LOOK = 1;
 /** Spans of frames at one scale after which what was measured is believed. */
 const STEADY = 2;
+/** Spans after which it is believed on a machine that never settles, since others keep it busy. */
+const RESTLESS = 5;
 /** The share of a frame's usual time in which nobody asks. */
 const UNWATCHED = 0.6;
 /** Frames drawn at rest to learn what one costs. */
@@ -229,9 +231,10 @@ export class Stage {
     };
   }
 
-  /** What the picture in motion takes, once its scale has settled; null before, and where the scale is fixed. */
+  /** What the picture in motion takes, once its scale has settled or will not; null before, and where the scale is fixed. */
   pacing(): Pacing | null {
-    if (this.fixedScale !== null || this.frameTime === null || this.pace.steady < STEADY) return null;
+    const settled = this.pace.steady >= STEADY || this.pace.spans >= RESTLESS;
+    if (this.fixedScale !== null || this.frameTime === null || !settled) return null;
     const { software } = this.gpu.capabilities;
     const [across, down] = [this.canvas.clientWidth, this.canvas.clientHeight];
     return {
