@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+from scipy.optimize import nnls
 
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS, Quality, Tier
@@ -54,13 +55,14 @@ def front_of(executor: Executor, preset: Preset) -> list[dict[str, Any]]:
         # Least squares of fixed + pixels · scale², relative errors alike.
         seconds = np.array([time for _, time in found])
         design = np.stack((np.ones(len(SCALES)), 1e-6 * width * height * np.square(SCALES)), axis=1)
-        (fixed, pixels), *_ = np.linalg.lstsq(design / seconds[:, None], np.ones(len(SCALES)), rcond=None)
+        (fixed, pixels), _ = nnls(design / seconds[:, None], np.ones(len(SCALES)))
         errors = [float(np.sqrt(np.mean(np.square(picture - truth)))) for picture, _ in found]
         front.append(
             {
                 "tier": tier,
-                "fixed": round(1000.0 * max(0.0, float(fixed)), 2),
-                "pixels": round(1000.0 * float(pixels), 2),
+                "fixed": round(1000.0 * float(fixed), 2),
+                # Some pixels cost so little that noise hides it, but none is for nothing.
+                "pixels": round(max(1.0, 1000.0 * float(pixels)), 2),
                 "errors": [round(error, 2) for error in errors],
             }
         )

@@ -416,7 +416,7 @@ def test_quality_follows_what_was_measured_unless_it_is_named(llvmpipe: Lane, se
     opened = llvmpipe.browser.new_context(viewport={"width": 320, "height": 500})
     page = opened.new_page()
     page.route(re.compile(r"/fronts[.]json"), lambda route: route.fulfill(json=fronts))
-    readout = "(tier) => document.querySelector('.readout').textContent.startsWith(tier)"
+    readout = "(tier) => document.querySelector('.readout')?.textContent.startsWith(tier) === true"
     try:
         page.goto(f"{server}/", wait_until="load")
         page.wait_for_function(readout, arg="standard", timeout=60_000)
