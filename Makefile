@@ -18,7 +18,7 @@ NUMBERS := $(filter-out $(addsuffix /,$(LIVE) tests/references tests/golden),$(w
 # What needs no browser, no server process and next to no drawing; in two halves.
 QUICK := tests/masks tests/smoke $(filter-out %_pool.py %_accuracy.py,$(wildcard tests/api/test_*.py))
 
-.PHONY: demo test quick quick-unit quick-rest quick-lint lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs lock clean
+.PHONY: demo test quick quick-unit quick-rest quick-lint lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
@@ -108,6 +108,14 @@ docs: setup-test
 	$(BIN)/seafoam openapi > $(WEB)/openapi.json
 	cd $(WEB) && ../$(NODE) npm run types --silent
 	$(BIN)/python docs/make_pictures.py
+
+# The page's first pictures, checked in: those whose preset starts otherwise now. After a change of how water looks: NAMES.
+stills: setup
+	$(BIN)/python webclient/make_stills.py $(NAMES)
+
+# What each tier costs and is worth at each share of the window, for the page to choose by; presets without it, or NAMES.
+fronts: setup
+	$(BIN)/python webclient/make_fronts.py $(NAMES)
 
 lock: $(VENV)/.installed
 	$(BIN)/pip install -q uv

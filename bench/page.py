@@ -1,4 +1,4 @@
-"""The page: time and bytes until its first picture, and how it moves, in Chromium on the system's EGL."""
+"""The page: time and bytes until its first picture and live water, how it moves, what lies over the water costs."""
 
 import os
 import sys
@@ -24,9 +24,14 @@ SIZE = (1280, 720)
 READY_SECONDS = 60.0
 QUIET_SECONDS = 30.0
 REST_SECONDS = 1.5
-SETTLE_SECONDS = 6.0
+SETTLED_SECONDS = 15.0
+"""After the navigation began: what the page shows in motion from then on is what it can."""
 SAMPLE_SECONDS = 4.0
 SAMPLES = 16
+OVERLAY_SCALE = 0.25
+"""The water's resolution while the overlays' cost is measured, so that a frame is short beside it."""
+OVERLAY_SECONDS = 3.0
+OVERLAY_PAIRS = 4
 
 _NOTE_READY = """
     let hook;
@@ -41,8 +46,11 @@ _NOTE_READY = """
             );
         },
     });
+    new PerformanceObserver((list) => {
+        for (const entry of list.getEntries()) window.benchStill ??= entry.renderTime;
+    }).observe({ type: "element", buffered: true });
 """
-"""Notes the moment at which the page's first picture is on the canvas, counted from the start of the navigation."""
+"""Notes when the still and when the first live frame is shown, counted from the start of the navigation, ms."""
 
 _ENTRIES = """() => [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")]
     .map(({ name, responseEnd, transferSize }) => ({ name, responseEnd, transferSize }))"""
@@ -52,7 +60,8 @@ KINDS = (
     ("/assets/", ".css", "CSS"),
     ("/api/plans", "", "plan"),
     ("/api/textures/", "", "textures"),
-    ("/api/frames/", "", "thumbnails"),
+    ("/stills/", ".small.avif", "thumbnails"),
+    ("/stills/", "", "still"),
     ("/openapi.json", "", "OpenAPI document"),
     ("/api/", "", "presets, names"),
     ("/", "/", "HTML"),
@@ -63,8 +72,9 @@ KINDS = (
 
 @dataclass(frozen=True)
 class Load:
-    """One load of the page: seconds until the first picture; by kind: requests, bytes and seconds until the last."""
+    """One load of the page: seconds until still and live water; by kind: requests, bytes and seconds until the last."""
 
+    still: float | None
     ready: float
     kinds: dict[str, tuple[int, int, float]]
 
@@ -82,32 +92,43 @@ class Load:
 def measure(port: int, watch: Watch) -> tuple[dict[str, str], list[Table]]:
     """Open the page in new browsers; gives what they are, and the tables."""
     address = f"http://{HOST}:{port}/"
-    first: list[Load] = []
-    again: list[Load] = []
-    motion: list[dict[str, Any]] = []
-    browser_info: dict[str, str] = {}
+    loads: dict[str, tuple[list[Load], list[Load]]] = {lane: ([], []) for lane in LANES}
+    motion: dict[str, list[dict[str, Any]]] = {lane: [] for lane in LANES}
+    overlays: dict[str, tuple[list[float], list[float]]] = {}
+    about: dict[str, str] = {}
     with sync_playwright() as playwright:
-        for _ in watch.rounds("first picture of the page", 3, 45.0, least=1):
-            browser = _launched(playwright)
-            try:
-                page = _page(browser)
-                first.append(_load(page, address))
-                if not motion:
-                    browser_info = {
-                        "Chromium": browser.version,
-                        "Chromium's renderer": page.evaluate("window.seafoam.renderer"),
-                    }
-                    motion = _motion(page)
-                again.append(_load(page, address))
-            finally:
-                browser.close()
-    return browser_info, [_visits(first, again), _kinds(first), _moving(motion)]
+        for _ in watch.rounds("first picture of the page", 3, 120.0, least=1):
+            for lane, (first, again) in loads.items():
+                browser = _launched(playwright, lane)
+                try:
+                    _wake(browser, address)
+                    page = _page(browser)
+                    began = time.monotonic()
+                    first.append(_load(page, address))
+                    about["Chromium"] = browser.version
+                    about[f"Chromium's renderer, {lane}"] = page.evaluate("window.seafoam.renderer")
+                    motion[lane] += _motion(page, began + SETTLED_SECONDS)
+                    again.append(_load(page, address))
+                    if lane not in overlays:
+                        overlays[lane] = _overlays(page, address)
+                finally:
+                    browser.close()
+    first = loads["llvmpipe"][0]
+    return about, [_visits(loads), _kinds(first), _moving(motion), _covered(overlays)]
 
 
-def _launched(playwright: Playwright) -> Browser:
+def _launched(playwright: Playwright, lane: str) -> Browser:
     """A browser that has seen nothing; its driver's cache of compiled shaders is off."""
     environment: dict[str, str | float | bool] = {**os.environ, "MESA_SHADER_CACHE_DISABLE": "true"}
-    return playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES["llvmpipe"]], env=environment)
+    return playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES[lane]], env=environment)
+
+
+def _wake(browser: Browser, address: str) -> None:
+    """Have the browser paint something: starting its own processes is not the page's time."""
+    page = browser.new_page()
+    page.goto(f"{address}icon.svg", wait_until="load")
+    page.screenshot()
+    page.close()
 
 
 def _page(browser: Browser) -> Page:
@@ -128,7 +149,8 @@ def _load(page: Page, address: str) -> Load:
         kind = next(name for begin, end, name in KINDS if path.startswith(begin) and path.endswith(end))
         requests, size, last = kinds.get(kind, (0, 0, 0.0))
         kinds[kind] = (requests + 1, size + entry["transferSize"], max(last, entry["responseEnd"] / 1000.0))
-    return Load(ready / 1000.0, kinds)
+    still = page.evaluate("window.benchStill ?? null")
+    return Load(None if still is None else still / 1000.0, ready / 1000.0, kinds)
 
 
 def _settled(page: Page) -> list[dict[str, Any]]:
@@ -143,35 +165,65 @@ def _settled(page: Page) -> list[dict[str, Any]]:
     return entries
 
 
-def _motion(page: Page) -> list[dict[str, Any]]:
-    """The page's own readings while the sea moves, after its resolution has settled."""
-    page.wait_for_timeout(1000 * SETTLE_SECONDS)
+def _motion(page: Page, begin: float) -> list[dict[str, Any]]:
+    """The page's own readings while the sea moves, from then on."""
+    page.wait_for_timeout(1000.0 * max(0.0, begin - time.monotonic()))
     readings = []
     for _ in range(SAMPLES):
-        page.wait_for_timeout(1000 * SAMPLE_SECONDS / SAMPLES)
+        page.wait_for_timeout(1000.0 * SAMPLE_SECONDS / SAMPLES)
         readings.append(page.evaluate("window.seafoam.state().timing"))
     return readings
 
 
-def _visits(first: list[Load], again: list[Load]) -> Table:
+def _overlays(page: Page, address: str) -> tuple[list[float], list[float]]:
+    """Seconds from frame to frame with all that lies over the water, and without it, in turn."""
+    page.goto("about:blank")
+    page.goto(f"{address}#scale={OVERLAY_SCALE}", wait_until="load", timeout=1000 * READY_SECONDS)
+    page.wait_for_function("() => window.benchReady !== undefined", timeout=1000 * READY_SECONDS)
+    page.wait_for_timeout(1000.0 * REST_SECONDS)
+    found: tuple[list[float], list[float]] = ([], [])
+    hide = (
+        "(hidden) => document.body.querySelectorAll(':scope > :not(#stage)')"
+        ".forEach((part) => { part.style.display = hidden ? 'none' : ''; })"
+    )
+    count_frames = "() => [window.seafoam.state().timing.frames, performance.now()]"
+    for index in range(2 * OVERLAY_PAIRS):
+        page.evaluate(hide, index % 2 == 1)
+        page.wait_for_timeout(500.0)
+        frames, at = page.evaluate(count_frames)
+        page.wait_for_timeout(1000.0 * OVERLAY_SECONDS)
+        later, until = page.evaluate(count_frames)
+        found[index % 2].append((until - at) / 1000.0 / max(1, later - frames))
+    return found
+
+
+def _visits(loads: dict[str, tuple[list[Load], list[Load]]]) -> Table:
+    visits = [
+        (f"{name}, {lane}", some)
+        for lane, (first, again) in loads.items()
+        for name, some in (("first", first), ("again, same browser", again))
+    ]
     return Table(
         "The page's first picture",
-        f"From the start of the navigation until the first picture is on the canvas, {SIZE[0]} x {SIZE[1]}; medians of "
-        f"{len(first)}. First visit: a new browser. Bytes: as transferred, all requests until the page rests.",
+        "From the start of the navigation until the preset's still is painted and until the first live frame is done, "
+        f"{SIZE[0]} x {SIZE[1]}; medians. First visit: a browser that runs and has seen nothing. Bytes: as "
+        "transferred, until the page rests.",
         (
             Column("visit", "visit"),
-            Column("ready", "first picture, ms", ms),
+            Column("still", "first picture, ms", ms),
+            Column("ready", "live water, ms", ms),
             Column("requests", "requests", count),
             Column("bytes", "bytes", count),
         ),
         [
             (
                 name,
-                median(load.ready for load in loads),
-                round(median(load.requests for load in loads)),
-                round(median(load.bytes for load in loads)),
+                median(stills) if (stills := [load.still for load in some if load.still is not None]) else None,
+                median(load.ready for load in some),
+                round(median(load.requests for load in some)),
+                round(median(load.bytes for load in some)),
             )
-            for name, loads in (("first", first), ("again, same browser", again))
+            for name, some in visits
         ],
     )
 
@@ -196,13 +248,13 @@ def _kinds(loads: list[Load]) -> Table:
     )
 
 
-def _moving(readings: list[dict[str, Any]]) -> Table:
-    frames = [reading["frame"] for reading in readings if reading["frame"] is not None]
-    last = readings[-1]
+def _moving(motion: dict[str, list[dict[str, Any]]]) -> Table:
     return Table(
         "The page in motion",
-        f"The page's own readings over {SAMPLE_SECONDS:g} s; it draws fewer pixels where frames take too long.",
+        f"The page's own readings over {SAMPLE_SECONDS:g} s from {SETTLED_SECONDS:g} s after the navigation; it draws "
+        "fewer pixels where frames take too long. A frame: the water alone.",
         (
+            Column("renderer", "renderer"),
             Column("frame", "a frame, ms", ms),
             Column("fps", "frames/s", lambda value: f"{value:.0f}"),
             Column("width", "width", count),
@@ -211,11 +263,32 @@ def _moving(readings: list[dict[str, Any]]) -> Table:
         ),
         [
             (
+                lane,
                 median(frames) / 1000.0 if frames else None,
                 median(reading["fps"] for reading in readings),
-                last["width"],
-                last["height"],
-                last["scale"],
+                readings[-1]["width"],
+                readings[-1]["height"],
+                median(reading["scale"] for reading in readings),
             )
+            for lane, readings in motion.items()
+            if (frames := [reading["frame"] for reading in readings if reading["frame"] is not None]) or readings
+        ],
+    )
+
+
+def _covered(overlays: dict[str, tuple[list[float], list[float]]]) -> Table:
+    return Table(
+        "What lies over the water",
+        f"From frame to frame with all of the page over the water and without, in turn {OVERLAY_PAIRS} times, the "
+        f"water at {OVERLAY_SCALE:g} of the resolution; medians.",
+        (
+            Column("renderer", "renderer"),
+            Column("with", "with, ms", ms),
+            Column("without", "without, ms", ms),
+            Column("cost", "difference, ms", ms),
+        ),
+        [
+            (lane, median(covered), median(bare), median(a - b for a, b in zip(covered, bare, strict=True)))
+            for lane, (covered, bare) in overlays.items()
         ],
     )

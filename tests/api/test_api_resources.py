@@ -160,6 +160,14 @@ def test_the_page_is_revalidated_and_its_hashed_files_are_kept(serve, tmp_path, 
         script = client.get("/assets/index-abc.js")
         assert "immutable" in script.headers["Cache-Control"]
         assert client.get("/../conftest.py").status_code == 404
+        # Packed by the build, and sent so to who takes it.
+        (tmp_path / "webclient" / "assets" / "index-abc.js.br").write_bytes(b"what the build packed")
+        for taken, packed in (("gzip, deflate, br", True), ("gzip", False), ("br;q=0", False), ("", False)):
+            script = client.get("/assets/index-abc.js", headers={"Accept-Encoding": taken})
+            assert (script.headers.get("Content-Encoding") == "br") is packed
+            assert script.headers["Content-Type"].startswith("text/javascript")
+            assert "immutable" in script.headers["Cache-Control"]
+            assert "Accept-Encoding" in script.headers.get("Vary", "") or not packed
         assert client.get("/assets/none.js").headers["Content-Type"] == "application/problem+json"
 
 

@@ -25,8 +25,6 @@ PHONE = (390, 844)
 SMALL = (760, 500)
 """The desktop's layout on as few pixels as hold it: llvmpipe is slow."""
 STILL = "#paused=1&quality=draft"
-THUMBNAIL = Path(__file__).parents[2] / "webclient/public/icon.svg"
-"""Stands in for the gallery's pictures, which the server would draw anew for every test."""
 FINGER = 44
 """Least side of what a finger must hit, px."""
 
@@ -127,7 +125,6 @@ def visit(
     *,
     size: tuple[int, int] = SMALL,
     settle: bool = True,
-    thumbnails: bool = False,
     **context: Any,
 ) -> Iterator[Visit]:
     """The page at an address below the server's, in a browser that remembers nothing."""
@@ -138,8 +135,6 @@ def visit(
     page.on("console", lambda said: made.complaints.append(said.text) if said.type == "error" else None)
     page.on("pageerror", lambda error: made.complaints.append(str(error)))
     page.on("request", lambda request: made.asked.append((request.method, request.url)))
-    if not thumbnails:
-        page.route(re.compile(r"/api/frames/[\w-]+\.png\?width=192"), lambda route: route.fulfill(path=THUMBNAIL))
     try:
         page.goto(f"{server}/{address}", wait_until="load")
         if settle:
@@ -196,15 +191,22 @@ def overlap(a: dict[str, float], b: dict[str, float]) -> bool:
 
 @pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
 def test_opens_whole(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
-    with visit(llvmpipe, server, "#paused=1", size=size, thumbnails=True) as made:
+    with visit(llvmpipe, server, "#paused=1", size=size) as made:
         assert llvmpipe.name in made.page.evaluate("() => window.seafoam.renderer")
         assert made.canvas().std() > 5.0, "a blank picture"
-        made.page.wait_for_function(
-            "(count) => document.querySelectorAll('#gallery img').length === count", arg=len(preset_names())
-        )
+        images = made.page.locator("#gallery img")
+        assert images.count() == len(preset_names())
+        # Those in sight are there; the others come when they are scrolled to.
+        loaded = "(images) => images.filter((image) => image.complete && image.naturalWidth > 0).length"
+        assert 2 <= images.evaluate_all(loaded) < len(preset_names())
+        images.last.scroll_into_view_if_needed()
+        made.page.wait_for_function("() => [...document.querySelectorAll('#gallery img')].at(-1).naturalWidth > 0")
         assert made.page.locator("#title").text_content() == load_preset("default").title
         foreign = [url for _, url in made.asked if not url.startswith((server, f"blob:{server}", "data:"))]
         assert foreign == []
+        assert [url for _, url in made.asked if "/api/frames" in url] == [], (
+            "nothing is drawn for a visitor who arrives"
+        )
         assert made.plans() == 1
         overflow = made.page.evaluate("() => document.documentElement.scrollWidth - innerWidth")
         assert overflow <= 0
@@ -222,6 +224,73 @@ def test_opens_whole(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None
         # The sea is seen first.
         assert not made.page.locator("#settings").is_visible()
         assert made.complaints == []
+
+
+def still_shown(page: Page) -> str:
+    """Name of the still that the page shows; empty: none."""
+    shown: str = page.evaluate(
+        "() => { const still = document.querySelector('#still');"
+        " return still.hidden ? '' : still.src.replace(/.*\\/|[.]avif$/g, ''); }"
+    )
+    return shown
+
+
+@pytest.mark.parametrize("fragment", ["", "#paused=1", "#preset=storm", "#quality=draft&paused=1"])
+def test_a_still_comes_first_and_the_water_takes_its_place(llvmpipe: Lane, server: str, fragment: str) -> None:
+    """The server's own picture of the start stands until the live water, of the same moment, is there."""
+    name = "storm" if "storm" in fragment else preset_names()[0]
+    preset = load_preset(name)
+    opened = llvmpipe.browser.new_context(viewport={"width": SMALL[0], "height": SMALL[1]})
+    page = opened.new_page()
+    waiting: list[Any] = []
+    page.route(re.compile(r"/api/plans"), lambda route: waiting.append(route))
+    try:
+        page.goto(f"{server}/{fragment}", wait_until="load")
+        page.wait_for_function("() => window.seafoam !== undefined && document.querySelector('#still').complete")
+        assert still_shown(page) == name
+        assert not page.locator("#curtain").is_visible()
+        page.wait_for_timeout(300)
+        shot = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), float)
+        assert page.evaluate("() => window.seafoam.state().time") == preset.time, "time waits for the water"
+        page.wait_for_function("() => window.seafoam.state().busy")
+        while not waiting:
+            page.wait_for_timeout(20)
+        for route in waiting:
+            route.continue_()
+        page.unroute_all()
+        page.evaluate("() => window.seafoam.ready")
+        page.wait_for_function("() => document.querySelector('#still').hidden", timeout=10_000)
+        drawn = page.evaluate(
+            "([name, options]) => window.seafoam.render(name, options)",
+            [name, {"time": preset.time, "width": SMALL[0], "height": SMALL[1]}],
+        )
+        water = np.frombuffer(base64.b64decode(drawn["pixels"]), np.uint8).reshape(*SMALL[::-1], 4)[..., :3]
+        # Where nothing of the page covers it; softened, since one sample a pixel is not four.
+        middle = slice(int(0.45 * SMALL[1]), int(0.7 * SMALL[1]))
+        soft = [
+            np.asarray(Image.fromarray(part.astype(np.uint8)).resize((95, 16), Image.Resampling.BOX), float)
+            for part in (shot[middle], water[middle])
+        ]
+        assert np.abs(soft[0] - soft[1]).mean() < 6.0, "the water is not where the still had it"
+    finally:
+        opened.close()
+
+
+@pytest.mark.parametrize(
+    "fragment",
+    ["#time=3.5", "#camera=0,9,0,0.5,-0.3,0,0.9", "#scene={%22/light/exposure%22:-1}", "#preset=no-such-sea"],
+)
+def test_no_still_of_what_was_not_asked_for(llvmpipe: Lane, server: str, fragment: str) -> None:
+    opened = llvmpipe.browser.new_context(viewport={"width": 400, "height": 300})
+    page = opened.new_page()
+    page.route(re.compile(r"/api/presets"), lambda route: route.abort())
+    try:
+        page.goto(f"{server}/{fragment}", wait_until="load")
+        page.wait_for_timeout(200)
+        assert page.evaluate("() => document.documentElement.classList.contains('still')") is False
+        assert page.locator("#curtain").is_visible()
+    finally:
+        opened.close()
 
 
 def test_the_canvas_shows_what_the_plan_draws(small: Visit) -> None:
@@ -321,6 +390,47 @@ def test_masks_come_from_the_server(small: Visit, server: str) -> None:
 
 
 # Time
+
+
+def test_the_resolution_is_fixed_and_set_free(small: Visit) -> None:
+    width, height = SMALL
+    small.settings().get_by_label("resolution").select_option("0.5")
+    small.settle()
+    timing = small.state()["timing"]
+    assert (timing["width"], timing["height"], timing["scale"]) == (width // 2, height // 2, 0.5)
+    small.page.wait_for_function("() => location.hash.includes('scale=0.5')")
+    small.settings().get_by_label("resolution").select_option("auto")
+    small.settle()
+    # At rest it grows as sharp as the window.
+    assert small.state()["timing"]["width"] == width
+    small.page.wait_for_function("() => !location.hash.includes('scale')")
+
+
+def test_quality_follows_what_was_measured_unless_it_is_named(llvmpipe: Lane, server: str) -> None:
+    """The page in motion goes to the tier whose picture is the best in time; who names one keeps it."""
+    measured = [
+        {"tier": "standard", "fixed": 1.0, "pixels": 600.0, "errors": [20.0, 30.0]},
+        {"tier": "draft", "fixed": 1.0, "pixels": 60.0, "errors": [5.0, 6.0]},
+    ]
+    fronts = {"scales": [1.0, 0.25], "presets": {"default": measured}}
+    opened = llvmpipe.browser.new_context(viewport={"width": 320, "height": 500})
+    page = opened.new_page()
+    page.route(re.compile(r"/fronts[.]json"), lambda route: route.fulfill(json=fronts))
+    readout = "(tier) => document.querySelector('.readout')?.textContent.startsWith(tier) === true"
+    try:
+        page.goto(f"{server}/", wait_until="load")
+        page.wait_for_function(readout, arg="standard", timeout=60_000)
+        page.wait_for_function(readout, arg="draft", timeout=120_000)
+        assert page.evaluate("() => window.seafoam.state().quality") is None
+        page.get_by_role("button", name="Settings", exact=True).click()
+        assert page.locator("#quality").input_value() == "auto"
+        page.locator("#quality").select_option("standard")
+        page.wait_for_function(readout, arg="standard", timeout=60_000)
+        page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
+        page.wait_for_timeout(3000)
+        assert page.evaluate("() => window.seafoam.state().quality") == "standard"
+    finally:
+        opened.close()
 
 
 def test_a_pause_stops_every_pixel(small: Visit) -> None:

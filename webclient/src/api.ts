@@ -1,5 +1,6 @@
 /** The server's REST interface, as far as the page uses it. */
-import type { FramePlan } from "./generated/api";
+import type { Fronts } from "./app/front";
+import type { FramePlan, Texture } from "./generated/api";
 import { isObject, type Json, type JsonObject } from "./scene/json";
 
 export interface PresetSummary {
@@ -73,14 +74,14 @@ export class Api {
     return (await this.fetch("api/frames", post(request))).blob();
   }
 
-  /** A small picture of a preset. */
-  async thumbnail(name: string): Promise<Blob> {
-    const path = `api/frames/${encodeURIComponent(name)}.png?width=192&height=108`;
-    return (await this.fetch(path)).blob();
+  /** What was measured of every tier: a file of the page, see `make fronts`. */
+  fronts(): Promise<Fronts> {
+    return this.json("fronts.json");
   }
 
-  async bytes(url: string): Promise<ArrayBuffer> {
-    return (await this.fetch(url)).arrayBuffer();
+  /** The bytes of a plan's texture: with their hash in the address, so that browsers keep them. */
+  async texture({ url, sha256 }: Texture): Promise<ArrayBuffer> {
+    return (await this.fetch(`${url}?sha256=${sha256}`)).arrayBuffer();
   }
 
   /** A list of names, such as the mask catalogue. Titles may begin alike and be cut short: the name comes first. */

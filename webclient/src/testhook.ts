@@ -54,7 +54,7 @@ export async function renderOffscreen(
   const plan = byName ? await api.presetPlan(planOrPreset, quality) : planOrPreset;
   const from = camera ?? (byName ? cameraFromScene((await api.preset(planOrPreset)).scene) : null);
   if (from === null) throw new Error("a plan by itself has no camera: give one");
-  const executor = await Executor.load(gpu, plan, (texture) => api.bytes(texture.url), from, false);
+  const executor = await Executor.load(gpu, plan, (texture) => api.texture(texture), from, false);
   const screen = makeScreen(gl, width, height);
   try {
     // Errors of before are not this frame's.

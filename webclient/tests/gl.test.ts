@@ -1,5 +1,4 @@
 import { describe, expect, it, vi } from "vitest";
-import { Resolution } from "../src/app/resolution";
 import type { Capabilities } from "../src/gl/capabilities";
 import { gridData } from "../src/gl/mesh";
 import { Pool } from "../src/gl/pool";
@@ -52,45 +51,6 @@ describe("a pool", () => {
     const pool = new Pool<string>(() => undefined, 9);
     pool.acquire("a", () => "broken").discard();
     expect(pool.acquire("a", () => "whole").value).toBe("whole");
-  });
-});
-
-describe("the resolution", () => {
-  const frames = (resolution: Resolution, milliseconds: number, count: number) => {
-    for (let i = 0; i < count; i++) resolution.frame(milliseconds);
-  };
-
-  it("ignores the first frames, which may be compiling", () => {
-    const resolution = new Resolution();
-    frames(resolution, 4000, 2);
-    expect(resolution.scale).toBe(1);
-  });
-
-  it("falls while frames are slow, and not without end", () => {
-    const resolution = new Resolution();
-    for (let i = 0; i < 40; i++) resolution.frame(5000 * resolution.scale ** 2);
-    expect(resolution.scale).toBeLessThan(0.15);
-    expect(resolution.scale).toBeGreaterThanOrEqual(0.1);
-  });
-
-  it("gives sharpness back where it bought no time", () => {
-    const resolution = new Resolution();
-    frames(resolution, 400, 40);
-    expect(resolution.scale).toBe(1);
-  });
-
-  it("rises where there is room, but not back to what was too slow", () => {
-    const resolution = new Resolution();
-    frames(resolution, 80, 3);
-    const low = resolution.scale;
-    frames(resolution, 5, 200);
-    expect(resolution.scale).toBeGreaterThan(low);
-    expect(resolution.scale).toBeLessThan(1);
-    resolution.reconsider(1);
-    frames(resolution, 5, 200);
-    expect(resolution.scale).toBe(1);
-    resolution.reconsider(0.5);
-    expect(resolution.scale).toBe(0.5);
   });
 });
 

@@ -17,6 +17,7 @@ const full: LinkState = {
   speed: 0.25,
   camera: { position: [1 / 3, 6, -1e7], yaw: -0.1, pitch: 1e-17, roll: 0, fov: 0.8727 },
   split: { field: "/foam/look", left: "textured", right: "filtered", at: 0.25 },
+  scale: 0.35,
   accuracy: true,
 };
 
@@ -36,12 +37,12 @@ describe("a link", () => {
   });
 
   it("is short where nothing was changed", () => {
-    const plain = { ...full, changes: [], quality: null, time: null, paused: null, speed: 1, camera: null, split: null, accuracy: null };
+    const plain = { ...full, changes: [], quality: null, time: null, paused: null, speed: 1, camera: null, split: null, scale: null, accuracy: null };
     expect(encode(plain)).toBe("preset=default");
     expect(decode("#preset=default")).toEqual({ ...plain, speed: null });
   });
 
-  it.each(["", "#", "#time=soon&camera=1,2&scene={&split=a", "#camera=1,2,3,4,5,6,x", "#scene=%E0%A4%A", "#=1&&"])(
+  it.each(["", "#", "#time=soon&camera=1,2&scene={&split=a&scale=0", "#camera=1,2,3,4,5,6,x", "#scene=%E0%A4%A", "#=1&&"])(
     "that is broken gives nothing: %s",
     (fragment) => {
       const { changes, ...rest } = decode(fragment);

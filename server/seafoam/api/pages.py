@@ -1,10 +1,12 @@
 """Pages for people: the web client at ``/`` and the API's manual at ``/docs``, all served from here."""
 
 import importlib.util
+import mimetypes
 from pathlib import Path
 
 from fastapi import FastAPI
 from fastapi.openapi.docs import get_swagger_ui_html
+from starlette.datastructures import Headers
 from starlette.responses import HTMLResponse, PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
@@ -30,10 +32,21 @@ class WebClient(StaticFiles):
         """A client that is not built yet is no error."""
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """A file; built files under ``assets`` carry their hash in their name, so they never change."""
+        """A file, as Brotli has it where the build made that and the client takes it.
+
+        Built files under ``assets`` carry their hash in their name, so they never change.
+        """
         if path == "." and not (self.folder / "index.html").is_file():
             return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
-        response = await super().get_response(path, scope)
+        packed = f"{path}.br"
+        taken = Headers(scope=scope).get("accept-encoding", "").split(",")
+        if "br" in (each.strip() for each in taken) and (self.folder / packed).is_file():
+            response = await super().get_response(packed, scope)
+            response.headers["Content-Type"] = mimetypes.guess_type(path)[0] or "application/octet-stream"
+            response.headers["Content-Encoding"] = "br"
+            response.headers["Vary"] = "Accept-Encoding"
+        else:
+            response = await super().get_response(path, scope)
         response.headers["Cache-Control"] = IMMUTABLE if path.startswith("assets/") else REVALIDATE
         return response
 
@@ -46,6 +59,8 @@ def install(app: FastAPI) -> None:
     # Swagger UI's files are all that is used of that package: FastAPI's own page would load them from a CDN.
     app.mount("/docs/static", StaticFiles(directory=Path(found.origin).parent / "static"), name="docs-static")
     app.add_api_route("/docs", _manual, include_in_schema=False)
+    # The stills' type, which Python 3.11 knows only where the system tells it.
+    mimetypes.add_type("image/avif", ".avif")
     app.router.default = WebClient(data_dir("webclient"))
 
 

@@ -137,7 +137,7 @@ export class Measuring {
     const plan = await this.api.plan(scene, asked(point, standard), this.signal);
     let executor: Executor;
     try {
-      const bytes: LoadBytes = (texture) => this.api.bytes(texture.url);
+      const bytes: LoadBytes = (texture) => this.api.texture(texture);
       executor = await Executor.load(this.gpu, plan, bytes, cameraFromScene(preset.scene), false);
     } catch (error) {
       if (!(error instanceof CapabilityError)) throw error;

@@ -4,8 +4,9 @@ import { type Api, ApiError, type Choice, type Preset, type PresetSummary } from
 import { Controls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
+import { openContext } from "../gl/gpu";
 import { controlOf, type GroupControl, choices as choicesIn, schemaNamed } from "../panel/model";
-import { ScenePane } from "../panel/pane";
+import type { ScenePane } from "../panel/pane";
 import { compile } from "../plan/executor";
 import { CAMERA } from "../plan/live";
 import { apply, diff, equal, get, isObject, type Json, type JsonObject, steps, withValue } from "../scene/json";
@@ -18,9 +19,11 @@ import { icon, type IconName } from "../ui/icons";
 import { Notes } from "../ui/notes";
 import { Readout } from "../ui/readout";
 import { Settings } from "../ui/settings";
+import { Still } from "../ui/still";
 import { Toasts } from "../ui/toast";
 import { Transport } from "../ui/transport";
 import { Clock } from "./clock";
+import { AutoQuality, type Fronts } from "./front";
 import { qualityOf, qualityTitle } from "./quality";
 import { Slot } from "./slot";
 import { Stage } from "./stage";
@@ -47,12 +50,19 @@ export class App {
   private readonly settings: Settings;
   private readonly gallery: Gallery;
   private readonly divider: Divider;
-  private readonly pane: ScenePane;
+  /** The scene's fields, which are loaded when they are first looked at. */
+  private pane: ScenePane | null = null;
   private readonly transport: Transport;
   private readonly busy = new Set<number>();
   private addressTimer = 0;
   private lastTick = 0;
-  private picturesAsked = false;
+  private readonly autoQuality = new AutoQuality();
+  /** What was measured of every tier; null until it is here. */
+  private fronts: Fronts | null = null;
+  /** The scale at which the quality that was chosen last should run. */
+  private expectedScale: number | null = null;
+  /** Whether the water that was last chosen has been on the canvas; until then its still stands for it, and time with it. */
+  private live = false;
   private accuracy: AccuracyView | null = null;
   private accuracyShown = false;
   private settle: { resolve: () => void; reject: (error: unknown) => void } | null = null;
@@ -60,15 +70,24 @@ export class App {
   /** Reads the address, asks the server for what it names, and starts to draw. */
   static async open(api: Api, curtain: Curtain): Promise<void> {
     const link = decode(location.hash);
-    const [presets, openapi] = await Promise.all([api.presets(), api.openapi()]);
+    // Asked for at once: a visitor without a link comes to the preset whose still the page begins with.
+    const likely = link.preset ?? document.documentElement.dataset["preset"] ?? "";
+    const asked = Promise.all([api.presets(), api.openapi(), api.preset(likely).catch(() => null)]);
+    // Where GL cannot start, that is what the visitor is told.
+    asked.catch(() => undefined);
+    const still = new Still(byId("still") as HTMLImageElement);
+    await still.painted();
+    // The browser starts the GPU while the server answers.
+    openContext(byId("canvas") as HTMLCanvasElement);
+    const [presets, openapi, early] = await asked;
     const known = presets.find(({ name }) => name === link.preset);
     const opened = known ?? presets[0];
     if (opened === undefined) throw new Error("The server has no presets.");
-    const preset = await api.preset(opened.name);
+    const preset = early?.name === opened.name ? early : await api.preset(opened.name);
     const unknown = link.preset !== null && known === undefined;
     // What a link says of one sea means nothing for another.
     const kept = unknown ? { ...link, changes: [], time: null, camera: null, split: null } : link;
-    const app = new App(api, curtain, presets, openapi, preset, kept);
+    const app = new App(api, curtain, still, presets, openapi, preset, kept);
     if (unknown) app.toasts.show(`There is no sea “${link.preset}” here; this is “${preset.title}”.`, [], "error");
   }
 
@@ -77,6 +96,7 @@ export class App {
   private constructor(
     private readonly api: Api,
     private readonly curtain: Curtain,
+    private readonly still: Still,
     presets: readonly PresetSummary[],
     private readonly openapi: JsonObject,
     preset: Preset,
@@ -95,16 +115,18 @@ export class App {
       lost: () => this.toasts.show("The graphics driver took a break; the picture comes back by itself."),
       restored: () => this.slots.forEach((slot) => slot.reload()),
       failed: (error) => this.failed(error),
+      drawn: () => this.drawn(),
     });
+    this.stage.fix(link.scale);
     this.controls = new Controls(canvas, link.camera ?? cameraFromScene(preset.scene), !calm);
     this.settings = new Settings(byId("settings"), this.tiers(), this.controls, this.notes, {
-      quality: (quality) => this.store.set({ quality, split: this.splitWith(QUALITY, quality) }),
+      quality: (quality) => {
+        const { quality: now } = this.store.now;
+        this.store.set({ quality: quality ?? now, auto: quality === null, split: this.splitWith(QUALITY, quality ?? now) });
+      },
+      scale: (scale) => this.fixScale(scale),
       reset: () => this.reset(),
       serverFrame: () => void this.serverFrame(),
-    });
-    this.pane = new ScenePane(this.settings.scene, {
-      change: (pointer, value) => this.edit(pointer, value),
-      names: (url) => this.namesFrom(url),
     });
     this.gallery = new Gallery(byId("gallery"), presets, (name) => void this.choose(name));
     this.divider = new Divider(
@@ -120,9 +142,17 @@ export class App {
 
     this.store.onChange((now) => this.changed(now));
     this.clock.onChange(() => this.moved());
-    this.controls.onMove(() => this.moved());
+    this.controls.onMove(() => {
+      this.still.drop();
+      this.moved();
+    });
     window.addEventListener("hashchange", () => void this.follow(decode(location.hash)));
-    setInterval(() => this.readout.show(this.stage.timing(), this.clock.playing), 250);
+    setInterval(() => {
+      const { quality, auto } = this.store.now;
+      this.readout.show(this.stage.timing(), this.clock.playing, qualityTitle(quality), auto);
+      this.improve();
+      if (this.clock.playing) this.transport.update();
+    }, 250);
 
     window.seafoam = this.hook();
     this.showChoices(this.store.now);
@@ -153,9 +183,37 @@ export class App {
     const seconds = this.lastTick === 0 ? 0 : (now - this.lastTick) / 1000;
     this.lastTick = now;
     const moving = this.controls.step(seconds);
-    this.clock.advance(seconds);
-    this.stage.tick(now, this.view(), moving || this.clock.playing);
-    if (this.clock.playing) this.transport.update();
+    // A still stands for the first moment, which must be what comes after it.
+    if (this.live) this.clock.advance(seconds);
+    this.stage.tick(now, this.view(), moving || (this.live && this.clock.playing));
+  }
+
+  /** Runs another tier where that shows the sea better in the time there is. */
+  private improve(): void {
+    const { preset, quality, auto, split } = this.store.now;
+    if (!auto || split !== null || !this.live || !this.clock.playing || this.busy.size > 0 || this.fronts === null) return;
+    const pacing = this.stage.pacing();
+    const choice = pacing && this.autoQuality.next(this.fronts, preset.name, quality, pacing);
+    if (choice === null) return;
+    this.expectedScale = choice.scale;
+    this.store.set({ quality: choice.tier });
+  }
+
+  /** A frame is on the canvas: the first of a picture takes its still's place. */
+  private drawn(): void {
+    if (this.clock.playing) this.transport.move();
+    if (this.live || this.busy.has(0)) return;
+    this.live = true;
+    this.still.lift();
+    this.curtain.lift();
+    this.settle?.resolve();
+    if (this.fronts === null) {
+      this.api.fronts().then(
+        (fronts) => (this.fronts = fronts),
+        // Without it the quality stays what it is.
+        () => undefined,
+      );
+    }
   }
 
   private view() {
@@ -195,11 +253,8 @@ export class App {
     const { plan } = this.slots[0];
     this.notes.show(plan);
     this.limit();
-    this.stage.reconsider();
-    this.curtain.lift();
-    this.settle?.resolve();
-    if (!this.picturesAsked) void this.gallery.load((name) => this.api.thumbnail(name));
-    this.picturesAsked = true;
+    this.stage.reconsider(this.expectedScale);
+    this.expectedScale = null;
   }
 
   /** How low the camera may go: under the surface once that is drawn. */
@@ -212,15 +267,35 @@ export class App {
     this.controls.bottom = dives ? plan.bottom + CLEARANCE : this.controls.surface;
   }
 
-  private showChoices({ preset, scene, quality, split }: Choices): void {
+  private showChoices({ preset, quality, auto, split }: Choices): void {
     byId("title").textContent = preset.title;
     byId("summary").textContent = preset.summary;
     document.title = `${preset.title} · Seafoam`;
     this.gallery.select(preset.name);
-    this.settings.show(quality);
-    const model = this.panel(scene);
-    if (model) this.pane.show(model, scene);
+    this.settings.show(quality, auto);
+    this.showPane();
     this.divider.show(split, this.comparables());
+  }
+
+  /** Shows the scene's fields as they are. `anew`: what they offer has changed. */
+  private showPane(anew = false): void {
+    const { scene } = this.store.now;
+    const model = this.pane && this.panel(scene);
+    if (model) this.pane?.show(model, scene, anew);
+  }
+
+  private loadPane(): void {
+    if (this.pane) return;
+    import("../panel/pane").then(
+      ({ ScenePane: Pane }) => {
+        this.pane ??= new Pane(this.settings.scene, {
+          change: (pointer, value) => this.edit(pointer, value),
+          names: (url) => this.namesFrom(url),
+        });
+        this.showPane();
+      },
+      (error: unknown) => this.failed(error),
+    );
   }
 
   /** The panel's model; the camera has controls of its own. */
@@ -285,10 +360,8 @@ export class App {
     this.api.choices(url).then(
       (names) => {
         this.names.set(url, names);
-        const { scene, split } = this.store.now;
-        const model = this.panel(scene);
-        if (model) this.pane.show(model, scene, true);
-        this.divider.show(split, this.comparables());
+        this.showPane(true);
+        this.divider.show(this.store.now.split, this.comparables());
       },
       (error: unknown) => {
         this.names.delete(url);
@@ -311,16 +384,28 @@ export class App {
 
   private async choose(name: string): Promise<void> {
     if (name === this.store.now.preset.name) return;
+    this.still.show(name);
     try {
-      this.open(await this.api.preset(name));
+      const preset = await this.api.preset(name);
+      // Its clock waits for it.
+      this.live = false;
+      this.open(preset);
     } catch (error) {
+      this.still.drop();
       this.failed(error);
     }
+  }
+
+  private fixScale(scale: number | null): void {
+    this.stage.fix(scale);
+    this.settings.showScale(scale);
+    this.moved();
   }
 
   private open(preset: Preset): void {
     this.controls.set(cameraFromScene(preset.scene));
     this.clock.jump(preset.time);
+    this.autoQuality.begin();
     this.store.set({ preset, scene: preset.scene, split: fitting(preset.scene, this.store.now.split) });
   }
 
@@ -338,6 +423,7 @@ export class App {
       this.clock.setSpeed(link.speed ?? 1);
       if (link.paused !== null) this.clock.playing = !link.paused;
       this.store.set(chosen(preset, link));
+      this.fixScale(link.scale);
       this.showAccuracy(link.accuracy === true);
     } catch (error) {
       this.failed(error);
@@ -346,17 +432,20 @@ export class App {
 
   /** `exact`: with the moment, even while time runs. */
   private link(exact: boolean): LinkState {
-    const { preset, scene, quality, split } = this.store.now;
-    const moment = exact || !this.clock.playing;
+    const { preset, scene, quality, auto, split } = this.store.now;
+    const moment = exact || (!this.clock.playing && this.clock.time !== preset.time);
+    const start = cameraFromScene(preset.scene);
+    const { camera } = this.controls;
     return {
       preset: preset.name,
       changes: diff(preset.scene, scene),
-      quality: quality === QUALITY_DEFAULT ? null : quality,
+      quality: auto ? null : quality,
       time: moment ? this.clock.time : null,
       paused: this.clock.playing ? null : true,
       speed: this.clock.speed,
-      camera: this.controls.camera,
+      camera: !exact && JSON.stringify(camera) === JSON.stringify(start) ? null : camera,
       split,
+      scale: this.stage.fixed,
       accuracy: this.accuracyShown ? true : null,
     };
   }
@@ -374,6 +463,7 @@ export class App {
       tool("accuracy", "What accuracy costs", () => this.showAccuracy(!this.accuracyShown, true)),
       tool("settings", "Settings", () => {
         this.settings.toggle();
+        this.loadPane();
         if (this.settings.open) this.showAccuracy(false);
       }),
     );
@@ -392,7 +482,7 @@ export class App {
     import("../accuracy/view").then(
       ({ AccuracyView: View }) => {
         this.accuracy ??= new View(this.api, this.store, this.stage, {
-          run: (quality) => this.store.set({ quality, split: this.splitWith(QUALITY, quality) }),
+          run: (quality) => this.store.set({ quality, auto: false, split: this.splitWith(QUALITY, quality) }),
           close: () => this.showAccuracy(false),
         });
         this.accuracy.toggle(this.accuracyShown, focus);
@@ -450,12 +540,17 @@ export class App {
   private failed(error: unknown): void {
     const message = error instanceof Error ? error.message : String(error);
     this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
-    if (this.slots[0].ready !== null) return;
+    if (this.slots[0].ready !== null) {
+      // The old picture stays, and moves again.
+      this.still.drop();
+      this.live = true;
+      return;
+    }
     const { preset, scene, quality, split } = this.store.now;
     const refused = error instanceof CapabilityError || (error instanceof ApiError && error.status >= 400 && error.status < 500);
     const plain = equal(scene, preset.scene) && quality === QUALITY_DEFAULT && split === null;
     if (refused && !plain) {
-      this.store.set({ scene: preset.scene, quality: QUALITY_DEFAULT, split: null });
+      this.store.set({ scene: preset.scene, quality: QUALITY_DEFAULT, auto: true, split: null });
       return;
     }
     this.curtain.fail("No picture yet", message, "Try again");
@@ -485,7 +580,8 @@ export class App {
         timing: this.stage.timing(),
         playing: this.clock.playing,
         busy: this.busy.size > 0,
-        settled: this.busy.size === 0 && !this.clock.playing && this.stage.atRest,
+        still: this.still.shown,
+        settled: this.busy.size === 0 && !this.still.shown && !this.clock.playing && this.stage.atRest,
       }),
     };
   }
@@ -495,7 +591,8 @@ export class App {
 function chosen(preset: Preset, link: LinkState): Choices {
   const changed = apply(preset.scene, link.changes);
   const scene = isObject(changed) ? changed : preset.scene;
-  return { preset, scene, quality: link.quality ?? QUALITY_DEFAULT, split: fitting(scene, link.split) };
+  const quality = link.quality ?? QUALITY_DEFAULT;
+  return { preset, scene, quality, auto: link.quality === null, split: fitting(scene, link.split) };
 }
 
 /** A comparison stays only where the scene has the field that is compared. */

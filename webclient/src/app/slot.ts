@@ -97,7 +97,7 @@ export class Slot {
       const gpu = this.events.gpu();
       // One camera for all: the same scene seen from elsewhere is the same plan, and the server's cache knows it.
       const plan = await this.api.plan(withValue(wanted.scene, CAMERA, undefined), wanted.quality, request.signal);
-      const bytes: LoadBytes = (texture) => this.api.bytes(texture.url);
+      const bytes: LoadBytes = (texture) => this.api.texture(texture);
       const executor = await Executor.load(gpu, plan, bytes, this.events.camera(), true);
       if (outdated() || gpu !== this.events.gpu()) {
         executor.dispose();

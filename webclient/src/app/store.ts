@@ -16,6 +16,8 @@ export interface Choices {
   scene: JsonObject;
   /** A tier, or single knobs as JSON. */
   quality: string;
+  /** Whether the page may change the quality, to what the machine draws best in time. */
+  auto: boolean;
   split: Split | null;
 }
 

@@ -13,12 +13,17 @@ export interface LinkState {
   speed: number | null;
   camera: CameraState | null;
   split: Split | null;
+  /** The share of the window's resolution that is drawn; null: found from the times of frames. */
+  scale: number | null;
   /** Whether the cost of accuracy is shown. */
   accuracy: boolean | null;
 }
 
 /** Marks a pointer whose key the visitor took away; JSON itself has no word for "absent". */
 const REMOVED = "-";
+
+/** A smaller picture is none. */
+const LEAST_SCALE = 0.05;
 
 /** Shortest text that gives the same float64. */
 const number = (x: number) => String(Object.is(x, -0) ? 0 : x);
@@ -47,6 +52,7 @@ export function encode(state: LinkState): string {
     const { field, left, right, at } = state.split;
     put("split", [field, left, right, at.toFixed(3)].join("~"));
   }
+  put("scale", state.scale === null ? null : number(state.scale));
   put("accuracy", state.accuracy ? "1" : null);
   // Commas, slashes and colons are legal in a fragment and far easier to read than their escapes.
   const escape = (text: string) =>
@@ -76,6 +82,7 @@ export function decode(fragment: string): LinkState {
     speed: finite(parts.get("speed")),
     camera: camera(parts.get("camera")),
     split: split(parts.get("split")),
+    scale: scale(parts.get("scale")),
     accuracy: parts.get("accuracy") === "1" ? true : null,
   };
 }
@@ -83,6 +90,11 @@ export function decode(fragment: string): LinkState {
 function finite(text: string | undefined): number | null {
   const value = text === undefined || text === "" ? NaN : Number(text);
   return Number.isFinite(value) ? value : null;
+}
+
+function scale(text: string | undefined): number | null {
+  const value = finite(text);
+  return value === null || value <= 0 ? null : Math.min(1, Math.max(LEAST_SCALE, value));
 }
 
 function camera(text: string | undefined): CameraState | null {

@@ -13,6 +13,7 @@ export class Curtain {
   /** Says what is wrong and offers a way on. */
   fail(title: string, message: string, retry: string | null): void {
     this.container.classList.remove("lifted");
+    this.container.classList.add("failed");
     const box = element("div", { class: "failure" }, element("h2", {}, title), element("p", {}, message));
     if (retry !== null) {
       const button = element("button", { class: "primary", type: "button" }, retry);

@@ -1,6 +1,7 @@
-/** The seas to choose from, group by group, as small pictures that the server draws. */
+/** The seas to choose from, group by group, as small pictures: files, so that nothing is drawn for them. */
 import type { PresetSummary } from "../api";
 import { element } from "./dom";
+import { thumbnailOf } from "./still";
 
 export class Gallery {
   private readonly buttons = new Map<string, HTMLButtonElement>();
@@ -16,7 +17,9 @@ export class Gallery {
         group = element("div", { role: "group", "aria-label": heading }, element("em", { "aria-hidden": "true" }, heading));
         container.append(group);
       }
-      const button = element("button", { type: "button", role: "option", title: summary }, element("span", {}, title));
+      // Those out of sight come when they are scrolled to.
+      const image = element("img", { src: thumbnailOf(name), alt: "", width: 240, height: 135, loading: "lazy", decoding: "async" });
+      const button = element("button", { type: "button", role: "option", title: summary }, image, element("span", {}, title));
       button.addEventListener("click", () => choose(name));
       this.buttons.set(name, button);
       group.append(button);
@@ -35,17 +38,5 @@ export class Gallery {
     for (const [each, button] of this.buttons) button.setAttribute("aria-selected", String(each === name));
     const chosen = this.buttons.get(name);
     if (chosen) this.container.scrollLeft = chosen.offsetLeft - (this.container.clientWidth - chosen.offsetWidth) / 2;
-  }
-
-  /** Fills in the pictures one after another: the server has better things to do than to draw all at once. */
-  async load(picture: (name: string) => Promise<Blob>): Promise<void> {
-    for (const [name, button] of this.buttons) {
-      try {
-        const image = element("img", { src: URL.createObjectURL(await picture(name)), alt: "", width: 192, height: 108 });
-        button.prepend(image);
-      } catch {
-        // Without a picture the title alone must do.
-      }
-    }
   }
 }

@@ -6,18 +6,24 @@ import { qualityTitle } from "../app/quality";
 import type { Notes } from "./notes";
 
 export interface SettingsEvents {
-  quality(name: string): void;
+  /** null: what the machine draws best in time. */
+  quality(name: string | null): void;
+  /** A share of the full resolution; null: as sharp as moves well. */
+  scale(scale: number | null): void;
   /** Puts the scene, the camera and the time back to the preset's own. */
   reset(): void;
   serverFrame(): void;
 }
 
 const DEGREES = 180 / Math.PI;
+const AUTO = "auto";
+const SCALES = [1, 0.75, 0.5, 0.35, 0.25];
 
 export class Settings {
   /** Where the scene's panel goes. */
   readonly scene = element("div", { class: "scene" });
   private readonly quality = element("select", { id: "quality" });
+  private readonly scale = element("select", { id: "scale" });
   private readonly mode = element("select", { id: "mode" });
   private readonly fov = element("input", { id: "fov", type: "range", min: 10, max: 110, step: 1 });
   private readonly fovText = element("output", { for: "fov" });
@@ -37,8 +43,10 @@ export class Settings {
     reset.addEventListener("click", () => events.reset());
     this.frameButton.title = "The same picture, computed by the server at its own precision and size";
     this.frameButton.addEventListener("click", () => events.serverFrame());
-    this.show(tiers[0] ?? "");
-    this.quality.addEventListener("change", () => events.quality(this.quality.value));
+    this.show(tiers[0] ?? "", false);
+    this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTO ? null : this.quality.value));
+    this.showScale(null);
+    this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTO ? null : Number(this.scale.value)));
     fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "look around" }], controls.mode);
     this.mode.addEventListener("change", () => (controls.mode = this.mode.value as Mode));
     this.fov.addEventListener("input", () => controls.set({ ...controls.camera, fov: Number(this.fov.value) / DEGREES }));
@@ -54,6 +62,7 @@ export class Settings {
           "section",
           {},
           row("quality", "quality", this.quality),
+          row("resolution", "scale", this.scale),
           row("drag to", "mode", this.mode),
           row("field of view", "fov", this.fov, this.fovText),
         ),
@@ -77,9 +86,16 @@ export class Settings {
     document.body.classList.toggle("settings-open", open);
   }
 
-  show(quality: string): void {
+  show(quality: string, auto: boolean): void {
     const names = new Set([...this.tiers, quality]);
-    fillSelect(this.quality, [...names].map((name) => ({ name, title: qualityTitle(name) })), quality);
+    const named = [...names].map((name) => ({ name, title: qualityTitle(name) }));
+    fillSelect(this.quality, [{ name: AUTO, title: "automatic" }, ...named], auto ? AUTO : quality);
+  }
+
+  showScale(scale: number | null): void {
+    const shares = new Set([...SCALES, ...(scale === null ? [] : [scale])]);
+    const fixed = [...shares].map((share) => ({ name: String(share), title: `${Math.round(100 * share)} %` }));
+    fillSelect(this.scale, [{ name: AUTO, title: "automatic" }, ...fixed], scale === null ? AUTO : String(scale));
   }
 
   busy(busy: boolean): void {

@@ -1,4 +1,9 @@
-/** Time: play and pause, a minute to scrub through, speed, the moment as a number. */
+/**
+ * Time: play and pause, a minute to scrub through, speed, the moment as a number.
+ *
+ * While time runs, `move` shifts the line and the dot, which paints nothing; `update`, which paints the moment anew, is for
+ * a few times a second.
+ */
 import type { Clock } from "../app/clock";
 import { element } from "./dom";
 import { icon } from "./icons";
@@ -10,6 +15,8 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 export class Transport {
   private readonly play = element("button", { type: "button", class: "round" });
   private readonly scrub = element("input", { type: "range", min: 0, max: WINDOW, step: "any", "aria-label": "Time within the minute" });
+  private readonly past = element("i", { class: "past" });
+  private readonly at = element("i", { class: "at" });
   private readonly moment = element("input", { type: "text", inputmode: "decimal", class: "moment", "aria-label": "Time in seconds", title: "Time in seconds" });
   private readonly speed = element("select", { "aria-label": "Speed", title: "Speed" });
   private scrubbing = false;
@@ -23,7 +30,8 @@ export class Transport {
     const reset = element("button", { type: "button", class: "plain", title: "Back to where this sea starts", "aria-label": "Reset the time" }, icon("reset"));
     this.speed.append(...SPEEDS.map((s) => element("option", { value: s }, `${s}×`)));
     const unit = element("label", { class: "time" }, this.moment, element("span", {}, "s"));
-    container.append(this.play, reset, this.scrub, unit, this.speed, readout);
+    const scrub = element("div", { class: "scrub" }, element("i"), this.past, this.at, this.scrub);
+    container.append(this.play, reset, scrub, unit, this.speed, readout);
 
     this.play.addEventListener("click", () => (clock.playing = !clock.playing));
     reset.addEventListener("click", () => clock.jump(home()));
@@ -48,13 +56,25 @@ export class Transport {
     this.state();
   }
 
-  /** Shows the moment; called while time runs. */
+  /** Puts the dot where time is. */
+  move(): void {
+    const share = this.within() / WINDOW;
+    this.past.style.transform = `scaleX(${share})`;
+    this.at.style.transform = `translateX(${100 * share}%)`;
+  }
+
+  /** Shows the moment: tenths while time runs, for nobody can read more. */
   update(): void {
+    const { time, playing } = this.clock;
+    if (!this.scrubbing) this.scrub.value = String(this.within());
+    if (document.activeElement !== this.moment) this.moment.value = time.toFixed(playing ? 1 : 2);
+    this.move();
+  }
+
+  /** Seconds into the minute. */
+  private within(): number {
     const { time } = this.clock;
-    const within = time - Math.floor(time / WINDOW) * WINDOW;
-    if (!this.scrubbing) this.scrub.value = String(within);
-    this.scrub.style.setProperty("--share", `${(within / WINDOW) * 100}%`);
-    if (document.activeElement !== this.moment) this.moment.value = time.toFixed(2);
+    return time - Math.floor(time / WINDOW) * WINDOW;
   }
 
   private state(): void {
