@@ -80,9 +80,11 @@ class CameraRule(PlanPart):
 
 
 class Viewport(PlanPart):
-    """Width and height of the pass's target, pixels."""
+    """Width and height of the pass's target or of the picture, pixels, ``times`` over."""
 
     rule: Literal["viewport"] = "viewport"
+    of: Literal["target", "picture"] = "target"
+    times: int = Field(default=1, ge=1)
 
 
 class PassIndex(PlanPart):
@@ -119,10 +121,11 @@ class TargetInput(PlanPart):
 
 
 class ViewportSize(PlanPart):
-    """As large as the picture, times ``scale`` along each side."""
+    """As large as the picture, times ``scale`` along each side, or by ``part`` smaller along width and height, rounded up."""
 
     rule: Literal["viewport"] = "viewport"
     scale: int = Field(default=1, ge=1)
+    part: tuple[Annotated[int, Field(ge=1)], Annotated[int, Field(ge=1)]] = (1, 1)
 
 
 class FixedSize(PlanPart):

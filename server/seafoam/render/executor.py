@@ -300,7 +300,8 @@ class Executor:
         if isinstance(target.size, FixedSize):
             size = (target.size.width, target.size.height)
         else:
-            size = (width * target.size.scale, height * target.size.scale)
+            across, along = target.size.part
+            size = (-(-width * target.size.scale // across), -(-height * target.size.scale // along))
 
         def make() -> tuple[Any, ...]:
             made = self._framebuffer(size, target.format, depth=target.depth)

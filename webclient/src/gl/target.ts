@@ -12,9 +12,9 @@ export interface Target {
 
 /** Size of a target for a picture of the given size. */
 export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
-  return spec.size.rule === "fixed"
-    ? [spec.size.width, spec.size.height]
-    : [width * spec.size.scale, height * spec.size.scale];
+  if (spec.size.rule === "fixed") return [spec.size.width, spec.size.height];
+  const { scale, part } = spec.size;
+  return [Math.ceil((width * scale) / part[0]), Math.ceil((height * scale) / part[1])];
 }
 
 export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {
