@@ -136,7 +136,7 @@ class Quality(Knobs):
         "than `samples`: every pixel has as many",
     )
     samples_budget: float = Field(
-        default=2.5, ge=0.1, le=3.0, description="Further samples that these take at most, in the mean of all pixels"
+        default=2.5, ge=0.1, le=3.0, description="Further samples that these take at most, in the mean of the pixels under the horizon"
     )
     samples_threshold: float = Field(
         default=0.01,
@@ -146,7 +146,6 @@ class Quality(Knobs):
         "budget would not do",
     )
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
-
 
     @property
     def chosen_samples(self) -> tuple[int, ...]:

@@ -8,5 +8,5 @@ float chosen_total(vec2 both) {
 
 // Blocks in a row.
 int chosen_columns(int width) {
-    return u_chosen.x < 3.0 ? width : width / 2;
+    return u_chosen.x < 3.0 ? width : width >> 1;
 }

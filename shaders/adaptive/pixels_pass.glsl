@@ -15,7 +15,7 @@ void main() {
     int low = 0;
     int high = rows - 1;
     while (low < high) {
-        int middle = (low + high) / 2;
+        int middle = (low + high) >> 1;
         bool after = chosen_total(texelFetch(u_chosen_rows, ivec2(0, middle), 0).zw) <= n;
         low = after ? middle + 1 : low;
         high = after ? high : middle;
@@ -26,7 +26,7 @@ void main() {
     low = 0;
     high = textureSize(u_chosen_groups, 0).x - 1;
     while (low < high) {
-        int middle = (low + high) / 2;
+        int middle = (low + high) >> 1;
         bool after = chosen_total(texelFetch(u_chosen_groups, ivec2(middle, row), 0).zw) <= n;
         low = after ? middle + 1 : low;
         high = after ? high : middle;
@@ -37,7 +37,7 @@ void main() {
     high = min(16 * low + 15, textureSize(u_chosen_cells, 0).x - 1);
     low = 16 * low;
     while (low < high) {
-        int middle = (low + high + 1) / 2;
+        int middle = (low + high + 1) >> 1;
         bool before = chosen_total(texelFetch(u_chosen_cells, ivec2(middle, row), 0).zw) <= n;
         low = before ? middle : low;
         high = before ? high : middle - 1;

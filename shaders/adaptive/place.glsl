@@ -6,7 +6,7 @@ uniform vec2 u_target; // pixels
 vec2 sample_place() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     at.y = u_chosen.z > 0.0 ? at.y : int(u_target.y) - 1 - at.y;
-    int side = int(u_chosen.x);
-    ivec2 block = at / side;
-    return texelFetch(u_chosen_pixels, block, 0).xy * u_chosen.x + vec2(at - block * side) + 0.5;
+    int shift = u_chosen.x < 3.0 ? 1 : 2;
+    ivec2 block = at >> shift;
+    return texelFetch(u_chosen_pixels, block, 0).xy * u_chosen.x + vec2(at - (block << shift)) + 0.5;
 }

@@ -8,7 +8,10 @@ out vec4 o_color;
 
 // Mean of side x side samples of the n-th block of its kind.
 vec4 block_mean(int n, int side, int columns, int height) {
-    ivec2 corner = side * ivec2(n % columns, n / columns);
+    // Integers are slow to divide: by floats, whose rounding may miss by one in the largest pictures.
+    int row = int((float(n) + 0.5) / float(columns));
+    row += n < row * columns ? -1 : n >= (row + 1) * columns ? 1 : 0;
+    ivec2 corner = side * ivec2(n - row * columns, row);
     vec4 sum = vec4(0.0);
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
@@ -31,6 +34,6 @@ void main() {
     if (few || many) {
         vec4 before = texelFetch(u_chosen_groups, ivec2(cell.x >> 4, cell.y), 0) + texelFetch(u_chosen_rows, ivec2(0, cell.y), 0);
         vec2 ranks = before.xy + found.zw + bits(vec2(ivec2(found.xy) & (bit - 1)));
-        o_color = block_mean(int(many ? ranks.y : ranks.x), many ? 4 : 2, many ? size.x / 4 : size.x / 2, size.y);
+        o_color = block_mean(int(many ? ranks.y : ranks.x), many ? 4 : 2, many ? size.x >> 2 : size.x >> 1, size.y);
     }
 }

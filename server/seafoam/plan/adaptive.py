@@ -31,6 +31,10 @@ SPREAD = ("common/numbers.glsl", "common/camera.glsl", PLACE, "adaptive/spread_p
 RATIO = 3.5
 """Contrast from which on a pixel gets 16 samples, over that from which on it gets 4. Of a squared error 4 samples leave a quarter and
 16 a sixteenth: a sample gains as much in either step where the squared error is 12 times as large."""
+GREATEST = 1.5
+"""Contrast that hardly a pixel has: the greatest limit that is tried at first."""
+ROUNDS = 3
+"""Rounds of four limits each: the first lie so far apart that they reach :data:`GREATEST`, the next ones between two of them."""
 PARTS = 64
 """Parts along each side of the picture in which samples are counted."""
 
@@ -120,6 +124,7 @@ def spend(
             "CHOOSE_MANY": 16 in kinds,
             "CHOOSE_RATIO": RATIO,
             "CHOOSE_LEAST": quality.samples_threshold,
+            "CHOOSE_STEP": (GREATEST / quality.samples_threshold) ** (1.0 / 3.0),
             "CHOOSE_BUDGET": quality.samples_budget,
         },
         uniforms={
@@ -150,24 +155,21 @@ def _choose(spent: Spent, frame: str) -> None:
     spent.targets |= {
         "contrast": Target(size=ViewportSize(), format="RGBA16F"),
         "choice counts": Target(size=parts, format="RGBA32F"),
-        "choice limits": Target(size=one, format="RGBA32F"),
-        "choice limit": Target(size=one, format="RGBA32F"),
+        **{f"choice limits {k}": Target(size=one, format="RGBA32F") for k in range(ROUNDS)},
         "choice": Target(size=cells, format="RGBA32F"),
         "chosen cells": Target(size=cells, format="RGBA32F"),
         "chosen groups": Target(size=groups, format="RGBA32F"),
         "chosen rows": Target(size=rows, format="RGBA32F"),
     }
-    first, following = "adaptive/first_limits.glsl", "adaptive/next_limits.glsl"
-    count, limit = "adaptive/count_pass.glsl", "adaptive/limit_pass.glsl"
-    contrast, limits = {"u_contrast": "contrast"}, {"u_limits": "choice limits"}
-    counts = {"u_counts": "choice counts"}
+    contrast, counts = {"u_contrast": "contrast"}, {"u_counts": "choice counts"}
     spent.add("contrast", "contrast", ("adaptive/contrast_pass.glsl",), {"u_frame": frame})
-    spent.add("samples at the first limits", "choice counts", (first, count), contrast)
-    spent.add("next limits", "choice limits", (first, limit), counts)
-    spent.add("samples at the next limits", "choice counts", (following, count), contrast | limits)
-    spent.add("limit of contrast", "choice limit", (following, limit), counts | limits)
+    for k in range(ROUNDS):
+        tried = f"adaptive/{'next' if k else 'first'}_limits.glsl"
+        limits = {"u_limits": f"choice limits {k - 1}"} if k else {}
+        spent.add(f"samples at limits {k}", "choice counts", (tried, "adaptive/count_pass.glsl"), contrast | limits)
+        spent.add(f"limits {k}", f"choice limits {k}", (tried, "adaptive/limit_pass.glsl"), counts | limits)
     files = ("adaptive/choice.glsl", "adaptive/cells_pass.glsl")
-    spent.add("choice of pixels", "choice", files, contrast | {"u_limit": "choice limit"})
+    spent.add("choice of pixels", "choice", files, contrast | {"u_limit": f"choice limits {ROUNDS - 1}"})
     spent.add("chosen by cell", "chosen cells", (_BITS, "adaptive/within_pass.glsl"), {"u_choice": "choice"})
     files = (_BITS, "adaptive/groups_pass.glsl")
     spent.add("chosen by group", "chosen groups", files, {"u_chosen_cells": "chosen cells"})

@@ -2319,6 +2319,25 @@ export interface components {
              */
             samples: 1 | 4 | 9 | 16 | 25 | 36 | 49 | 64;
             /**
+             * Samples Max
+             * @description Greatest number of samples that a pixel is given where it stands out from those round it; no more than `samples`: every pixel has as many
+             * @default 1
+             * @enum {integer}
+             */
+            samples_max: 1 | 4 | 16;
+            /**
+             * Samples Budget
+             * @description Further samples that these take at most, in the mean of the pixels under the horizon
+             * @default 2.5
+             */
+            samples_budget: number;
+            /**
+             * Samples Threshold
+             * @description Contrast from which on a pixel is given more samples, white on black = 1; more contrast where the budget would not do
+             * @default 0.01
+             */
+            samples_threshold: number;
+            /**
              * Target
              * @description Float format of the linear frame
              * @default RGBA16F
@@ -3354,7 +3373,7 @@ export interface components {
         };
         /**
          * Viewport
-         * @description Width and height of the pass's target, pixels.
+         * @description Width and height of the pass's target or of the picture, pixels, ``times`` over.
          */
         Viewport: {
             /**
@@ -3362,10 +3381,21 @@ export interface components {
              * @enum {string}
              */
             rule: "viewport";
+            /**
+             * Of
+             * @default target
+             * @enum {string}
+             */
+            of: "target" | "picture";
+            /**
+             * Times
+             * @default 1
+             */
+            times: number;
         };
         /**
          * ViewportSize
-         * @description As large as the picture, times ``scale`` along each side.
+         * @description As large as the picture, times ``scale`` along each side, or by ``part`` smaller along width and height, rounded up.
          */
         ViewportSize: {
             /**
@@ -3378,6 +3408,17 @@ export interface components {
              * @default 1
              */
             scale: number;
+            /**
+             * Part
+             * @default [
+             *       1,
+             *       1
+             *     ]
+             */
+            part: [
+                number,
+                number
+            ];
         };
         /**
          * Vortex
