@@ -167,7 +167,9 @@ def render(
             assert asked.budget_ms is not None
             subject = Subject(None if asked.changed else preset, scene, found.time, found.size)
             sweep = _measured(executor, subject, Settings())
-            choice = choose(sweep, width, height, asked.budget_ms, lambda q: limits.allows(width, height, q.samples_drawn))
+            choice = choose(
+                sweep, width, height, asked.budget_ms, lambda q: limits.allows(width, height, q.samples_drawn)
+            )
             knobs, why = choice.point.quality, f"{choice.point.id}: {choice.why}"
         else:
             knobs = TIERS[asked.quality]

@@ -136,7 +136,10 @@ class Quality(Knobs):
         "than `samples`: every pixel has as many",
     )
     samples_budget: float = Field(
-        default=2.5, ge=0.1, le=3.0, description="Further samples that these take at most, in the mean of the pixels under the horizon"
+        default=2.5,
+        ge=0.1,
+        le=3.0,
+        description="Further samples that these take at most, in the mean of the pixels under the horizon",
     )
     samples_threshold: float = Field(
         default=0.01,

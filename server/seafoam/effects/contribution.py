@@ -121,7 +121,7 @@ class TargetInput(PlanPart):
 
 
 class ViewportSize(PlanPart):
-    """As large as the picture, times ``scale`` along each side, or by ``part`` smaller along width and height, rounded up."""
+    """As large as the picture, times ``scale`` along each side, over ``part`` along width and height, rounded up."""
 
     rule: Literal["viewport"] = "viewport"
     scale: int = Field(default=1, ge=1)

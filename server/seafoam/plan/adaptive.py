@@ -1,7 +1,8 @@
 """More samples where a pixel needs them: passes that choose pixels, draw their samples, and put the frame together.
 
-docs/formulae.md, section 1, has the estimate and the limits. Chosen pixels are counted and listed in passes of their own, so that their
-samples lie side by side in a target twice as wide and high as the picture, and nothing else is drawn again.
+docs/formulae.md, section 1, has the estimate and the limits. Chosen pixels are counted and listed in passes of their
+own, so that their samples lie side by side in a target twice as wide and high as the picture, and nothing else is drawn
+again.
 """
 
 from collections.abc import Iterable, Mapping
@@ -29,12 +30,12 @@ SPREAD = ("common/numbers.glsl", "common/camera.glsl", PLACE, "adaptive/spread_p
 """The fragment shader of points that were drawn over the whole picture, read as ``u_points``."""
 
 RATIO = 3.5
-"""Contrast from which on a pixel gets 16 samples, over that from which on it gets 4. Of a squared error 4 samples leave a quarter and
-16 a sixteenth: a sample gains as much in either step where the squared error is 12 times as large."""
+"""Contrast from which on a pixel gets 16 samples, over that from which on it gets 4. Of a squared error 4 samples leave
+a quarter and 16 a sixteenth: a sample gains as much in either step where the squared error is 12 times as large."""
 GREATEST = 1.5
 """Contrast that hardly a pixel has: the greatest limit that is tried at first."""
 ROUNDS = 3
-"""Rounds of four limits each: the first lie so far apart that they reach :data:`GREATEST`, the next ones between two of them."""
+"""Rounds of four limits each: the first reach :data:`GREATEST`, the next ones lie between two of them."""
 PARTS = 64
 """Parts along each side of the picture in which samples are counted."""
 
@@ -79,8 +80,8 @@ class Spent:
         rows: bool = False,
         uniforms: Mapping[str, Uniform] | None = None,
     ) -> None:
-        """A pass over the whole target, or over the rows that chosen pixels fill, whose program has the last file's name."""
-        program = files[-1].partition("/")[2].removesuffix(".glsl") if len(files) == 1 else ", ".join(files)
+        """A pass over the whole target, or over the ``rows`` that chosen pixels fill; its files name its program."""
+        program = ", ".join(files)
         if program not in self.programs:
             self.programs[program] = self.program(_ROWS if rows else (_FULL,), files)
         inputs: dict[str, TextureInput | TargetInput] = {key: TargetInput(target=one) for key, one in reads.items()}
@@ -210,9 +211,8 @@ def _draw(spent: Spent, count: int, layers: tuple[tuple[tuple[Seen, ...], str], 
                 "state": seen.model.state.model_copy(update={"clear": clear}),
             }
             spent.passes.append(seen.model.model_copy(update=changes))
-    if len(layers) > 1 and layers[1][0]:
-        files = ("common/numbers.glsl", "output/compose.glsl")
+    if layers[1][0]:
+        compose = ("common/numbers.glsl", "output/compose.glsl")
         reads = {"u_beneath": _BENEATH, "u_above": _ABOVE, "u_chosen_rows": "chosen rows"}
         name = f"what stands before the water, {count} samples"
-        spent.add(name, _SAMPLES, files, reads, rows=True, uniforms=uniforms)
-
+        spent.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)

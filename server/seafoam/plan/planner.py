@@ -391,9 +391,9 @@ def _passes(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput], be
 def _laid(
     draft: _Draft, chosen: Sequence[SlotFile], shore: bool, below: bool
 ) -> tuple[tuple[Seen, ...], tuple[Pass, ...]]:
-    """What lies over surface and sky, as chosen pixels draw it again, and passes that draw points by themselves for that.
+    """What lies over surface and sky, as chosen pixels draw it again, and passes that draw points alone for that.
 
-    Points meet the samples of a chosen pixel nowhere: these read them from where they were drawn over the whole picture.
+    Points cannot be drawn where chosen samples lie: these read them from where they were drawn over the whole picture.
     """
     specs = [spec for spec in draft.passes if spec.stage == "after" and spec.target == ABOVE]
     seen: list[Seen] = []

@@ -3395,7 +3395,7 @@ export interface components {
         };
         /**
          * ViewportSize
-         * @description As large as the picture, times ``scale`` along each side, or by ``part`` smaller along width and height, rounded up.
+         * @description As large as the picture, times ``scale`` along each side, over ``part`` along width and height, rounded up.
          */
         ViewportSize: {
             /**
