@@ -2,7 +2,7 @@
 bool boat_hidden(vec3 ray, float t) {
     float tau;
     vec3 wave;
-    return (find_surface(ray, tau, wave) && tau * length(ray) < t) || boat_behind_land(ray, t / length(ray));
+    return find_surface(ray, t / length(ray), tau, wave) || boat_behind_land(ray, t / length(ray));
 }
 
 vec3 boat_before(vec3 light, vec3 d, float t) {

@@ -10,7 +10,7 @@ bool spray_hidden(vec3 drop, float depth) {
     }
     float tau;
     vec3 wave;
-    if (find_surface(drop / depth, tau, wave) && tau < 0.999 * depth) {
+    if (find_surface(drop / depth, 0.999 * depth, tau, wave)) {
         return true;
     }
     vec4 ground;

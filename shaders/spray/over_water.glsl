@@ -9,5 +9,5 @@ bool spray_hidden(vec3 drop, float depth) {
     }
     float tau;
     vec3 wave;
-    return find_surface(drop / depth, tau, wave) && tau < 0.999 * depth;
+    return find_surface(drop / depth, 0.999 * depth, tau, wave);
 }

@@ -6,7 +6,7 @@ void main() {
     vec3 ray = camera_ray(sample_place());
     float tau;
     vec3 wave;
-    bool wet = find_surface(ray, tau, wave);
+    bool wet = find_surface(ray, 1e30, tau, wave);
     vec3 d = normalize(ray);
     if (find_land_before(ray, d, wet, tau, o_color)) {
         return;

@@ -1,14 +1,14 @@
-// First hit of the ray with the surface by steps that cannot pass it: gap / (descent + steepest slope), then Newton. A ray that
-// passes close over a crest goes on where the surface falls away from it, so that no back of a crest shows.
-// ray: not normalised; returns tau, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
+// First hit of the ray with the surface by steps that cannot pass it, then Newton. A ray that passes close over a crest goes on
+// where the surface falls away from it, so that no back of a crest shows.
+// ray: from the eye, 1 along the view; returns tau < farthest, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
 uniform float u_surface_top;
-uniform float u_surface_steepest;
+uniform float u_surface_grain; // what maps may add to the surface between their texels, m
 
 const float FARTHEST = 1e5;
 
-bool find_surface(vec3 ray, out float tau, out vec3 wave) {
+bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
     float speed = length(ray.xz);
-    float reach = FARTHEST / max(speed, 1e-6 * length(ray));
+    float reach = min(FARTHEST / max(speed, 1e-6 * length(ray)), farthest);
     float enter = 0.0;
     float leave = reach;
     float over = u_eye_height - u_surface_top;
@@ -24,24 +24,28 @@ bool find_surface(vec3 ray, out float tau, out vec3 wave) {
         leave = max(u_eye_height, 0.0) / -ray.y;
     }
     leave = min(leave, reach);
-    enter = min(enter, leave);
+    vec4 start = march_start(ray);
+    enter = min(max(enter, start.r), leave);
 
     // Share of a sample's height under which Newton takes over.
     float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
-    float fastest = max(u_surface_steepest * speed - ray.y, 1e-6 * length(ray));
+    float fastest = max(start.b * speed - ray.y, 1e-6 * length(ray));
+    float curvature = start.a * speed * speed;
     tau = enter;
     float gap = 0.0;
     // Looked at once before the loop: what the waves read from uniforms is then read there, not in every step.
     wave = waves(tau * ray.xz);
     for (int i = 0; i < MARCH_STEPS; ++i) {
         gap = u_eye_height + tau * ray.y - wave.x;
-        if (tau >= leave || (gap < fine * tau && (gap < 0.0 || ray.y < dot(wave.yz, ray.xz)))) {
+        float rate = ray.y - dot(wave.yz, ray.xz);
+        if (tau >= leave || (gap < fine * tau && (gap < 0.0 || rate < 0.0))) {
             break;
         }
-        tau += max(gap, 0.5 * fine * tau) / fastest;
+        // By no more than the tolerance may a crest stand over the ray between two steps.
+        tau += safe_step(max(gap, 0.0) + fine * tau, u_surface_grain, rate, fastest, curvature);
         wave = waves(tau * ray.xz);
     }
-    if (ray.y >= 0.0 && gap >= fine * tau) {
+    if ((ray.y >= 0.0 || tau >= farthest) && gap >= fine * tau) {
         return false;
     }
     float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * length(ray));

@@ -1,7 +1,7 @@
-// The mesh has found the surface; Newton steps along the ray finish. ray: not normalised; returns tau, hit = eye + tau * ray.
+// The mesh has found the surface; Newton steps along the ray finish. ray: not normalised; returns tau < farthest, hit = eye + tau * ray.
 in vec3 v_position;
 
-bool find_surface(vec3 ray, out float tau, out vec3 wave) {
+bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
     vec3 to_mesh = v_position - vec3(0.0, u_eye_height, 0.0);
     tau = dot(to_mesh, ray) / dot(ray, ray);
     float limit = 0.05 * tau;
@@ -17,5 +17,5 @@ bool find_surface(vec3 ray, out float tau, out vec3 wave) {
             wave = waves_shading(tau * ray.xz, level).xyz;
         }
     }
-    return tau > 0.0;
+    return tau > 0.0 && tau < farthest;
 }

@@ -25,10 +25,22 @@ def quality(base: Quality = STANDARD, **changes: object) -> Quality:
 
 
 def frame(
-    executor: Executor, scene: Scene, how: Quality, size: tuple[int, int] = SIZE, camera: Camera | None = None
+    executor: Executor,
+    scene: Scene,
+    how: Quality,
+    size: tuple[int, int] = SIZE,
+    camera: Camera | None = None,
+    start: int = 1,
 ) -> NDArray[np.float32]:
-    """Linear frame at 2.7 s, (height, width, 4)."""
+    """Linear frame at 2.7 s, (height, width, 4), its marches begun as ``start`` samples along a pixel's side begin them.
+
+    A march ends within a tolerance, and where it begins decides where in it.
+    """
     plan = make_plan(scene, how)
+    if "start" in plan.targets:
+        size_of = plan.targets["start"].size
+        began = plan.targets["start"].model_copy(update={"size": size_of.model_copy(update={"scale": start})})
+        plan = plan.model_copy(update={"targets": plan.targets | {"start": began}})
     seen = camera or scene.camera
     return executor.render(  # type: ignore[return-value]
         plan, time=2.7, camera=seen, width=size[0], height=size[1], output="linear"
@@ -79,11 +91,12 @@ def test_a_chosen_pixel_is_what_as_many_samples_everywhere_make_it(executor: Exe
     """Bit for bit: a chosen pixel's samples are those of a finer picture, and are summed in the same order."""
     scene = load_preset(preset).scene
     start = quality(TIERS[base])  # type: ignore[index]
-    given = frame(executor, scene, quality(start, samples_max=16))
-    least, few, many = (frame(executor, scene, quality(start, samples=n)) for n in (start.samples, 4, 16))
+    side = math.isqrt(start.samples)
+    given = frame(executor, scene, quality(start, samples_max=16), start=side)
+    least, few, many = (frame(executor, scene, quality(start, samples=n), start=side) for n in (start.samples, 4, 16))
     assert (same(given, least) | same(given, few) | same(given, many)).all()
     assert same(given, many)[~same(least, many)].mean() > 0.01
-    assert (given == frame(executor, scene, quality(start, samples_max=16))).all()
+    assert (given == frame(executor, scene, quality(start, samples_max=16), start=side)).all()
 
 
 @pytest.mark.parametrize("preset", ["default", "open-ocean", "paper-halftone"])

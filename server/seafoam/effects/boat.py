@@ -115,7 +115,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "@find",
         *TRACE,
         *shade_files(scene),
-        *(("shore/ground.glsl", "boat/land.glsl") if ashore else ("boat/no_land.glsl",)),
+        *(("shore/ground.glsl", "surface/begin.glsl", "shore/find_land.glsl", "boat/land.glsl") if ashore else ("boat/no_land.glsl",)),
     )
     over = "boat/over.glsl?boat_hidden=boat_hidden_over&boat_before=boat_before_over"
     under = (over, "shade/optics.glsl", "@ceiling", WATER, "@reach", "boat/under.glsl")

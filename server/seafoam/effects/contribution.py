@@ -121,11 +121,13 @@ class TargetInput(PlanPart):
 
 
 class ViewportSize(PlanPart):
-    """As large as the picture, times ``scale`` along each side, over ``part`` along width and height, rounded up."""
+    """As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+    rounded up."""
 
     rule: Literal["viewport"] = "viewport"
     scale: int = Field(default=1, ge=1)
-    part: tuple[Annotated[int, Field(ge=1)], Annotated[int, Field(ge=1)]] = (1, 1)
+    part: int = Field(default=1, ge=1)
+    narrow: int = Field(default=1, ge=1)
 
 
 class FixedSize(PlanPart):
@@ -195,6 +197,12 @@ ABOVE = "above"
 """The target of passes of stage ``after``: premultiplied light, laid over :data:`BENEATH`; half floats, which blend."""
 
 
+HALF_FLOAT = 2.0**-11
+"""Relative rounding of a half float."""
+
+UNBOUNDED = 1e9
+"""Curvature of a surface that has kinks, 1/m: steps by its slope alone are longer than any that this allows."""
+
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
 
@@ -256,6 +264,12 @@ class Contribution:
     """What the effect can add to the surface's height at most, m."""
     steepest: float = 0.0
     """What the effect can add to the surface's slope at most."""
+    curvature: float = 0.0
+    """What the effect can add at most to the surface's second derivative along any direction, 1/m: how sharply its
+    troughs turn up. :data:`UNBOUNDED` where nothing is known."""
+    grain: float = 0.0
+    """How far the drawn surface may stand over what its slope at a place and ``curvature`` say, m: what reading a map
+    between its texels and its digits add."""
     bottom: float | None = None
     """Where the effect's ground lies at the deepest, m."""
     march: int = 1

@@ -3,6 +3,7 @@
 import math
 
 from seafoam.effects.contribution import (
+    UNBOUNDED,
     Bound,
     Constant,
     Contribution,
@@ -53,6 +54,14 @@ def steepest_profile(exponent: float) -> float:
     return exponent * math.pow(u, exponent - 0.5) * math.sqrt(1.0 - u)
 
 
+def sharpest_profile(exponent: float) -> float:
+    """Greatest d²(u^K)/dθ² = K u^(K−1) (K − ½ − K u), at u = (K − 1)(K − ½)/K² for K ≥ 1; below 1 there is none."""
+    if exponent < 1.0:
+        return UNBOUNDED
+    u = (exponent - 1.0) * (exponent - 0.5) / exponent**2
+    return (exponent - 0.5) * math.pow(u, exponent - 1.0)
+
+
 def profile_means(exponent: float) -> tuple[float, float]:
     """Means of (d(u^K)/dθ)² and of u^K over a period, by the midpoint rule, spectrally exact for a smooth wave."""
     count = 256
@@ -89,7 +98,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     data: list[Constant] = []
     phases: list[Phase] = []
     means: list[Constant] = []
-    steepest = 0.0
+    steepest = curvature = 0.0
     for wave in waves:
         kx, kz = wavevector(wave, scene.water.depth)
         k = math.hypot(kx, kz)
@@ -100,6 +109,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             Constant(value=(significant((k * wave.amplitude) ** 2 * square), significant(wave.amplitude * level)))
         )
         steepest += k * wave.amplitude * steepest_profile(wave.exponent)
+        curvature += k * k * wave.amplitude * sharpest_profile(wave.exponent)
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
         slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"),),
@@ -117,6 +127,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=_bound(scene, steepest),
         top=waves_top(scene),
         steepest=steepest,
+        curvature=min(significant(curvature), UNBOUNDED),
     )
 
 

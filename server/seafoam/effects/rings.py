@@ -12,6 +12,7 @@ from seafoam.effects.contribution import (
     Constant,
     Contribution,
     Effect,
+    HALF_FLOAT,
     FixedSize,
     HardCase,
     Held,
@@ -28,9 +29,10 @@ from seafoam.effects.contribution import (
     significant,
 )
 from seafoam.effects.extremes import crest_limit, slope_sensitivity
+from seafoam.effects.measured import measured_bounds
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Foam, HeightSaturation, Scene, SlopeSaturation, Water
-from seafoam.scene.ring_level import FRONT, SOFT, Train, calm_level, ring_slope, trains
+from seafoam.scene.ring_level import FRONT, SOFT, Train, calm_level, ring_curvature, ring_slope, trains
 from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring
 
 _FAR = 1e8
@@ -87,7 +89,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     every = trains(scene)
     shown = tuple(train for train in every if train.ring.life > 0.0) or every
-    level, steepest = calm_level(scene), ring_slope(scene)
+    level, steepest, curvature = calm_level(scene), ring_slope(scene), ring_curvature(scene)
     # Both slopes count in every step through both slabs: with a sea a ray near the horizon takes eight times as many.
     march = 1 if scene.sea is None else 8
     bound = _bound(scene, level, steepest)
@@ -115,6 +117,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             bound=bound,
             top=2.0 * level,
             steepest=steepest,
+            curvature=curvature,
             march=march,
         )
     corners = [
@@ -136,27 +139,39 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
     # The grain changes from wave to wave, not within one: half as fine is enough.
     sizes = {"rings": quality.rings_size, "rings_grain": quality.rings_size // 2}
+    # The shortest wave is four texels long.
+    targets, measured = measured_bounds("rings", sizes["rings"], side / sizes["rings"], stride=2)
     return Contribution(
         why=f"{what}, drawn into a map of {side:g} m each frame",
-        slots=(SlotFile("waves", "rings/map.glsl", prefix="rings"),),
+        slots=(
+            SlotFile("waves", "rings/map.glsl", prefix="rings"),
+            SlotFile("bounds", "rings/bounds.glsl", prefix="rings"),
+        ),
         consts=consts,
         uniforms={
+            "u_ring_still": number(level),
             "u_ring_corner": array("vec2", _to_eye(corner_x, corner_z), 1),
             "u_ring_side": number(side),
             "u_ring_level": number(level),
         },
-        inputs={"u_ring_map": TargetInput(target="rings"), "u_ring_grain": TargetInput(target="rings_grain")},
-        targets={
+        inputs={"u_ring_map": TargetInput(target="rings"), "u_ring_grain": TargetInput(target="rings_grain"),
+            "u_ring_bounds": TargetInput(target="rings_bounds"),
+        },
+        targets=targets
+        | {
             name: Target(size=FixedSize(width=size, height=size), format="RGBA16F", filter="linear")
             for name, size in sizes.items()
         },
         passes=(
             drawn("rings", "rings/map_pass.glsl", sizes["rings"]),
             drawn("rings_grain", "rings/grain_pass.glsl", sizes["rings_grain"]),
+            *measured,
         ),
         bound=bound,
         top=2.0 * level,
         steepest=steepest,
+        curvature=curvature,
+        grain=level * HALF_FLOAT,
         march=march,
     )
 

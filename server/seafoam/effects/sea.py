@@ -9,6 +9,7 @@ from seafoam.effects.contribution import (
     Constant,
     Contribution,
     Effect,
+    HALF_FLOAT,
     FixedSize,
     HardCase,
     Knob,
@@ -28,6 +29,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import crest_limit, slope_sensitivity, surface_top
+from seafoam.effects.measured import measured_bounds
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Foam, FoldSaturation, Scene, Sea, Water
 from seafoam.scene.sea import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
@@ -185,6 +187,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 uniforms=tile_uniforms(of, i, sea.choppiness, size),
             ),
         )
+        if i < RAISED:
+            found, measured = measured_bounds(f"sea_tile_{i}", size, of.size / size)
+            targets |= found
+            passes += measured
     targets["sea_means"] = Target(size=FixedSize(width=size, height=size // 2 * len(tiles)), format="RGBA16F")
     if quality.surface.filter:
         passes += (
@@ -198,7 +204,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     fetch = f"sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
     needs = (fetch, "sea/tiles.glsl")
-    slots = [SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs)]
+    slots = [
+        SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
+        SlotFile("bounds", "sea/bounds.glsl", prefix="sea"),
+    ]
     if len(tiles) > RAISED:
         name = "detail_two" if len(tiles) == 4 else "detail_one"
         slots.append(SlotFile("detail", f"sea/{name}.glsl", prefix="sea", needs=needs))
@@ -224,9 +233,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **{f"u_sea_offset_{i}": _offset(of) for i, of in enumerate(tiles)},
             **{f"u_sea_size_{i}": _size(of, sea.choppiness, size) for i, of in enumerate(tiles)},
             "u_sea_level": number(significant(0.5 * top)),
+            "u_sea_still": number(significant(0.5 * top)),
         },
         inputs={
             "u_sea_means": TargetInput(target="sea_means"),
+            **{f"u_sea_bounds_{i}": TargetInput(target=f"sea_tile_{i}_bounds") for i in range(RAISED)},
             **{f"u_sea_tile_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(len(tiles))},
         },
         textures=textures,
@@ -235,6 +246,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=_bound(scene, sum(of.steepest for of in tiles)),
         top=top,
         steepest=steepest,
+        grain=sum(of.grain(size) + of.limit * HALF_FLOAT for of in raised),
         march=2,
     )
 

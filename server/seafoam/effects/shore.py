@@ -32,8 +32,12 @@ from seafoam.effects.extremes import surface_top
 from seafoam.effects.floor import bed_sun
 from seafoam.effects.light import sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
+from seafoam.effects.parametric import steepest_profile
 from seafoam.quality import Quality
+from seafoam.scene.dispersion import wavevector
 from seafoam.scene.models import Camera, Chop, Foam, Light, Scene, SurfSaturation, Water
+from seafoam.scene.ring_level import ring_slope
+from seafoam.scene.sea import RAISED, cascades
 from seafoam.scene.shore import Shore, Surf, floor_grid
 from seafoam.textures import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
 
@@ -52,7 +56,7 @@ def _smooth(low: float, high: float, x: NDArray[np.float64]) -> NDArray[np.float
     return result
 
 
-def _limits(shore: Shore, quality: Quality) -> tuple[float, float, float, float, float]:
+def _limits(shore: Shore, quality: Quality) -> tuple[float, ...]:
     """:func:`_measured` of the shore, whatever its place and its colours."""
     plain = Shore()
     same = {name: getattr(plain, name) for name in ("place", "sand", "rock", "plants", "plants_from", "reef")}
@@ -60,8 +64,9 @@ def _limits(shore: Shore, quality: Quality) -> tuple[float, float, float, float,
 
 
 @lru_cache(maxsize=32)
-def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tuple[float, float, float, float, float]:
-    """Greatest slope of shore waves, of the open sea's share (1/m), of floor and of land over y = 0; height of land, m.
+def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> tuple[float, ...]:
+    """Greatest slope of shore waves, of the open sea's share (1/m), of floor and of land over y = 0; height of land, m;
+    greatest second derivative of shore waves, 1/m.
 
     Of waves at every texel in every phase, as high as they can be there: without the mask, the exposure and the ridges,
     which lower them; a tenth is added for what lies between.
@@ -102,7 +107,7 @@ def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> t
     # Every other texel says as much of fields this smooth.
     breaking = np.zeros_like(dry)
     breaking[::2, ::2] = tall[::2, ::2] > 0.05 * surf.height
-    slope = 0.0
+    slope = curvature = 0.0
     if breaking.any():
         height, way = tall[breaking][:, None], change(d)[breaking]
         # A smoothed distance changes by about a metre a metre; near the texel it may reach a little more.
@@ -123,10 +128,16 @@ def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> t
         # The mask's own slope: four sines of about 75 m, through a step of 1.6.
         varies = surf.variation * 0.94 * 0.5 * sum(2.0 * math.pi / length for length, _, _ in MASK_WAVES)
         slope = float(np.hypot(*parts).max()) + 0.5 * surf.height * varies
+        # Where troughs turn up along the way to the shore; what else changes, changes far more slowly.
+        bends = np.maximum(np.roll(table, -1, axis=1) - 2.0 * table + np.roll(table, 1, axis=1), 0.0).max(axis=1)
+        turns = np.hypot(way[:, 0], way[:, 1]) * per_metre[breaking]
+        along = np.maximum(bends[row], bends[row + 1]) * nodes**2 * turns**2 * height[:, 0]
+        across = 2.0 * np.abs(turn).max(axis=1) * turns * np.hypot(*change(tall)[breaking].T)
+        curvature = float((along + across).max()) + 2.0 * varies * float((np.abs(turn).max(axis=1) * turns).max())
     open_share = change(_smooth(0.0, 0.6 * shore.deep, depth))
     ring = 1.5 * 0.9 / (0.25 * shore.radius) if shore.kind == "lagoon" else 0.0
     shared = float(np.hypot(open_share[..., 0], open_share[..., 1]).max()) + ring
-    return 1.1 * slope, shared, slopes[0], slopes[1], float(floor.max())
+    return 1.1 * slope, shared, slopes[0], slopes[1], float(floor.max()), 1.1 * curvature
 
 
 def _spread(shore: Shore, texels: int) -> float:
@@ -254,7 +265,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if shore is None:
         return None
     surf = shore.surf
-    slope, share, floor_slope, land_slope, land_top = _limits(shore, quality)
+    slope, share, floor_slope, land_slope, land_top, curvature = _limits(shore, quality)
     lit = scene.light is not None
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
@@ -282,7 +293,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "shore/through.glsl",
                 needs=("shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
             ),
-            SlotFile("land", "shore/before.glsl", needs=(f"shore/land_{'lit' if lit else 'flat'}.glsl",)),
+            SlotFile("land", "shore/before.glsl", needs=("surface/begin.glsl", "shore/find_land.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl")),
+            SlotFile("start", "shore/start.glsl", prefix="land", needs=("shore/ground.glsl",)),
             *(under if lit else ()),
         ),
         consts={
@@ -325,8 +337,20 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=_bound(scene, shore, land_top),
         top=surf.height,
         steepest=_up(slope + share * surface_top(scene)),
+        # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
+        curvature=_up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * surface_top(scene)),
         march=2,
     )
+
+
+def _open_slope(scene: Scene) -> float:
+    """No slope of the open sea's waves is steeper."""
+    steepest = ring_slope(scene)
+    for wave in scene.waves:
+        steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * steepest_profile(wave.exponent)
+    if scene.sea is not None and scene.sea.wind > 0.0:
+        steepest += sum(of.steepest for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+    return steepest
 
 
 def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:

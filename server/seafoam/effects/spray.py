@@ -104,7 +104,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     if source != "none":
         uniforms["u_spray_time"] = array("float", [Loop(period=cycle), Loop(period=cycle * EPOCHS)], 2)
-    land = ("shore/ground.glsl", "spray/over_land.glsl") if source == "rocks" else ("spray/over_water.glsl",)
+    land = ("shore/ground.glsl", "surface/begin.glsl", "shore/find_land.glsl", "spray/over_land.glsl") if source == "rocks" else ("spray/over_water.glsl",)
     drawn = PassSpec(
         name="spray",
         program="spray",
@@ -112,7 +112,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "common/numbers.glsl",
             "common/camera.glsl",
             "@waves",
-            "surface/march.glsl",
+            "@find",
             "@sky",
             *(("shade/sun.glsl", "spray/lit.glsl") if lit else ("spray/unlit.glsl",)),
             HASH,

@@ -24,7 +24,7 @@ from seafoam.effects.contribution import (
     significant,
 )
 from seafoam.quality import Quality
-from seafoam.scene.boats import Boat, wake_level, wake_slope, wakes
+from seafoam.scene.boats import Boat, Wake, wake_level, wake_slope, wakes
 from seafoam.scene.models import Camera, Foam, Scene, SlopeSaturation
 
 ASIDE = 0.36
@@ -82,8 +82,18 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=Bound(0.0, "no boat moves, or none raises a wave") if level == 0.0 else None,
         top=2.0 * level,
         steepest=steepest,
+        curvature=significant(sum(_curvature(wake, size if mapped else None) for wake in wakes(scene.boats))),
+        grain=significant(sum(wake.grain(wake.length / size) for wake in wakes(scene.boats))) if mapped else 0.0,
         march=2,
     )
+
+
+def _curvature(wake: Wake, texels: int | None) -> float:
+    """Greatest second derivative of a wake, 1/m; from a map it turns by twice its slope at most from texel to texel."""
+    if texels is None or not wake.shows:
+        return wake.curvature
+    texel = min(1.0, 2.0 * ASIDE) * wake.length / texels
+    return min(wake.curvature, 2.0 * wake.steepest / (0.75 * texel))
 
 
 _FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)

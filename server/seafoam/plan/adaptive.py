@@ -151,8 +151,8 @@ def spend(
 def _choose(spent: Spent, frame: str) -> None:
     """Contrast, the limit that the budget allows, and which pixels are over it: bits, and counts of those before."""
     parts, one = FixedSize(width=PARTS, height=PARTS), FixedSize(width=1, height=1)
-    cells, groups = ViewportSize(part=(4, 4)), ViewportSize(part=(64, 4))
-    rows = ViewportSize(part=(1 << 16, 4))
+    cells, groups = ViewportSize(part=4), ViewportSize(part=4, narrow=16)
+    rows = ViewportSize(part=4, narrow=1 << 14)
     spent.targets |= {
         "contrast": Target(size=ViewportSize(), format="RGBA16F"),
         "choice counts": Target(size=parts, format="RGBA32F"),
@@ -181,7 +181,7 @@ def _draw(spent: Spent, count: int, layers: tuple[tuple[tuple[Seen, ...], str], 
     """The list of the pixels that are given ``count`` samples, and these samples. ``first``: into cleared targets."""
     side = 2 if count == 4 else 4
     pixels = f"pixels of {count}"
-    spent.targets[pixels] = Target(size=ViewportSize(part=(side // 2, side // 2)), format="RGBA32F")
+    spent.targets[pixels] = Target(size=ViewportSize(part=side // 2), format="RGBA32F")
     listed = {"u_chosen": vector((float(side), 1.0, 1.0))}
     files = (_KIND, _BITS, "adaptive/pixels_pass.glsl")
     spent.add(f"list of {pixels} samples", pixels, files, _LISTS, rows=True, uniforms=listed)

@@ -26,6 +26,8 @@ from seafoam.effects.contribution import (
     Viewport,
     ViewportSize,
     number,
+    significant,
+    vector,
 )
 from seafoam.plan.adaptive import PLACE, SPREAD, Seen, Spent, spend
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
@@ -37,6 +39,7 @@ from seafoam.scene.models import Scene
 from seafoam.textures import texture
 
 _COMMON = ("common/numbers.glsl", "common/camera.glsl")
+_MARCH = ("surface/step.glsl", "surface/begin.glsl")
 _SAMPLED = (*_COMMON, PLACE)
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
@@ -45,6 +48,9 @@ _HORIZON_DEPTH = 0.9999995
 NEGLIGIBLE = 0.5 / 255.0
 """Half a level of exposed linear light: what can change a pixel by less is left out."""
 
+
+START_TILE = 4
+START_SHARE = 0.25
 
 LOWEST = -100.0
 """Where there is no floor an eye may dive so deep, m: there is nothing more to see."""
@@ -72,7 +78,9 @@ class _Draft:
         self.targets: dict[str, Target] = {}
         self.passes: list[PassSpec] = []
         self.top = 0.0
-        self.steepest = 0.0
+        self.grain = 0.0
+        self.bounds = (0.0, 0.0, 0.0)
+        """Height, slope and curvature at most of what does not measure its own."""
         self.bottom = LOWEST
         self.march = 1
         self.bound_fields: set[str] = set()
@@ -98,7 +106,10 @@ class _Draft:
         self.slots += files
         self.passes += given.passes
         self.top += given.top
-        self.steepest += given.steepest
+        self.grain += given.grain
+        if not any(file.slot == "bounds" for file in files):
+            more = (given.top, given.steepest, given.curvature)
+            self.bounds = tuple(a + b for a, b in zip(self.bounds, more, strict=True))
         self.bottom = given.bottom if given.bottom is not None else self.bottom
         self.march = max(self.march, given.march)
         for mine, theirs in (
@@ -112,6 +123,18 @@ class _Draft:
             if taken:
                 raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
             mine.update(theirs)  # type: ignore[arg-type]
+
+    def add_starts(self, side: int) -> None:
+        """The pass that finds, for tiles of the picture, where their rays may begin to look for water and land."""
+        self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA32F")
+        self.inputs["u_start"] = TargetInput(target="start")
+        drawn = PassSpec(
+            name="where rays begin",
+            program="start",
+            fragment=(*_COMMON, "@waves", "@bounds", "@start", "surface/start_pass.glsl"),
+            target="start",
+        )
+        self.passes.append(drawn)
 
 
 @lru_cache(maxsize=256)
@@ -139,17 +162,22 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         "REFINE": quality.surface.refine,
         "MARCH_STEPS": quality.surface.steps * draft.march,
         "MARCH_TOLERANCE": quality.surface.tolerance,
+        "START_SHARE": START_SHARE,
         "SAMPLE_SIDE": side,
     }
     find = "plane" if level else "newton" if mesh else "march"
-    chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
+    chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl", needs=_MARCH if find == "march" else ())]
     combine = scene.foam.combine if scene.foam else "max"
     # Passes, and eyes that crests may cover, march to the surface whatever finds it for the eye: they have no mesh.
     marched = [
         *draft.slots,
-        SlotFile("find", "surface/plane.glsl" if level else "surface/march.glsl"),
-        SlotFile("ceiling", "below/plane.glsl" if level else "below/find.glsl"),
+        SlotFile("find", "surface/plane.glsl") if level else SlotFile("find", "surface/march.glsl", needs=_MARCH),
+        SlotFile("ceiling", "below/plane.glsl") if level else SlotFile("ceiling", "below/find.glsl", needs=_MARCH),
+        SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
+        *(() if level else (SlotFile("start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl",)),)),
     ]
+    if not level or shore:
+        draft.add_starts(side)
     surface_fragment = [*_SAMPLED]
     again_fragment = [*_SAMPLED]
     under_fragment = [*_SAMPLED]
@@ -300,7 +328,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     ]
     for program in programs.values():
         _refuse_too_many(program, draft.readers)
-    uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.steepest), **(spent.uniforms if spent else {})}
+    camera = _camera_uniforms(draft.top, draft.grain, draft.bounds)
+    uniforms = {**draft.uniforms, **camera, **(spent.uniforms if spent else {})}
     plan = FramePlan(
         effects=tuple(draft.effects),
         skipped=tuple(draft.skipped),
@@ -326,7 +355,7 @@ def _kept(scene: Scene, count: int) -> Scene:
     return scene.model_copy(update={"waves": tuple(scene.waves[i] for i in sorted(order[:count]))})
 
 
-def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
+def _camera_uniforms(top: float, grain: float, bounds: tuple[float, ...]) -> dict[str, Uniform]:
     return {
         "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
         "u_eye_height": Uniform(type="float", rules=(CameraRule(what="eye_height"),)),
@@ -335,8 +364,8 @@ def _camera_uniforms(top: float, steepest: float) -> dict[str, Uniform]:
         "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
         "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
         "u_surface_top": number(top),
-        "u_surface_steepest": number(steepest),
-        "u_ceiling_steepest": number(steepest),
+        "u_surface_bounds": vector(bounds),
+        "u_surface_grain": number(significant(grain)),
     }
 
 

@@ -76,6 +76,15 @@ DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "d
 FIND = Slot("find")
 """How the ray finds the surface; filled by the quality."""
 
+BOUNDS = Slot("bounds", joins=(Join("vec3", "surface_bounds", "", "bounds", ""),))
+"""The most that the surface's height over y = 0 (m), slope and second derivative (1/m) can be."""
+
+START = Slot(
+    "start",
+    joins=(Join("vec4", "starts", "vec3 ray, vec3 side, vec3 top", "start", "ray, side, top"),),
+)
+"""How far the rays between ray ± side ± top are free: r of water, g of land; each file fills a component."""
+
 SATURATION_MAX = Slot(
     "saturation",
     joins=(
@@ -153,7 +162,7 @@ def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
     ``waves`` brings the shore's with it, ``sky`` all that a layered sky is joined from.
     """
     together = {"waves": {"waves", "shore"}, "sky": {slot.name for slot in SKY_SLOTS}}.get(name, {name})
-    found = tuple(slot for slot in (*surface_slots("max", shore), *UNDER_SLOTS) if slot.name in together)
+    found = tuple(slot for slot in (*surface_slots("max", shore), *UNDER_SLOTS, BOUNDS, START) if slot.name in together)
     if not found:
         raise KeyError(name)
     return found

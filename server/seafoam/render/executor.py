@@ -300,8 +300,8 @@ class Executor:
         if isinstance(target.size, FixedSize):
             size = (target.size.width, target.size.height)
         else:
-            across, along = target.size.part
-            size = (-(-width * target.size.scale // across), -(-height * target.size.scale // along))
+            scale, part = target.size.scale, target.size.part
+            size = (-(-width * scale // (part * target.size.narrow)), -(-height * scale // part))
 
         def make() -> tuple[Any, ...]:
             made = self._framebuffer(size, target.format, depth=target.depth)

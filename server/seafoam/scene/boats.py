@@ -66,6 +66,10 @@ class Boat(BaseModel):
         return self
 
 
+_OPENING = 2800.0
+"""Second derivative of a wake's window near the bow, in its level over its boat's length squared."""
+
+
 @dataclass(frozen=True)
 class Wake:
     """A wake's numbers. Of two systems of waves the crests across are half as high as the spreading ones."""
@@ -113,6 +117,27 @@ class Wake:
         windows = self.level * math.exp(-((self.k / self.shortest) ** 2)) * 5.0 / self.boat.length
         # Inside the circle a wake is drawn together, at most to 0.75 of its length.
         return (waves + windows) / 0.75
+
+    @property
+    def curvature(self) -> float:
+        """No second derivative is greater, 1/m: a·k² of both systems, and the window at the bow, where the wake opens.
+
+        At the bow the wake is as narrow as the way behind it: the window's share grows with 1/length², its factor is
+        measured over boats of every speed, radius and height, with a tenth to spare.
+        """
+        if not self.shows:
+            return 0.0
+        peak = max(self.k, self.shortest)
+        waves = 1.5 * self.boat.wake * peak**2 * math.exp(-((peak / self.shortest) ** 2))
+        window = _OPENING * self.level * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
+        return (waves + window) / 0.75**2
+
+    def grain(self, texel: float) -> float:
+        """How far a map of ``texel`` m, read bilinearly, stands over what its slopes and its curvature say, m.
+
+        The unit is the second derivative of its shortest waves times texel²; the factor is measured, with a tenth to spare.
+        """
+        return 0.01 * self.level * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
 
 
 def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:

@@ -3395,7 +3395,8 @@ export interface components {
         };
         /**
          * ViewportSize
-         * @description As large as the picture, times ``scale`` along each side, over ``part`` along width and height, rounded up.
+         * @description As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+         *     rounded up.
          */
         ViewportSize: {
             /**
@@ -3410,15 +3411,14 @@ export interface components {
             scale: number;
             /**
              * Part
-             * @default [
-             *       1,
-             *       1
-             *     ]
+             * @default 1
              */
-            part: [
-                number,
-                number
-            ];
+            part: number;
+            /**
+             * Narrow
+             * @default 1
+             */
+            narrow: number;
         };
         /**
          * Vortex

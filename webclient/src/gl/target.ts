@@ -12,9 +12,10 @@ export interface Target {
 
 /** Size of a target for a picture of the given size. */
 export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
-  if (spec.size.rule === "fixed") return [spec.size.width, spec.size.height];
-  const { scale, part } = spec.size;
-  return [Math.ceil((width * scale) / part[0]), Math.ceil((height * scale) / part[1])];
+  const size = spec.size;
+  if (size.rule === "fixed") return [size.width, size.height];
+  const { scale, part, narrow } = size;
+  return [Math.ceil((width * scale) / (part * narrow)), Math.ceil((height * scale) / part)];
 }
 
 export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {

@@ -1,0 +1,8 @@
+// Bounds of the two raised tiles as they are now.
+uniform sampler2D u_sea_bounds_0;
+uniform sampler2D u_sea_bounds_1;
+uniform float u_sea_still; // mean height, m
+
+vec3 sea_bounds() {
+    return texelFetch(u_sea_bounds_0, ivec2(0), 0).xyz + texelFetch(u_sea_bounds_1, ivec2(0), 0).xyz + vec3(u_sea_still, 0.0, 0.0);
+}

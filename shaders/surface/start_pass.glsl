@@ -1,0 +1,7 @@
+// How far all rays of a tile of the picture are free. docs/formulae.md, section 3.
+out vec4 o_start;
+
+void main() {
+    // From the middle ray to the tile's sides; a thousandth more, so that no rounding leaves a ray out.
+    o_start = starts(camera_ray(gl_FragCoord.xy), 1.001 * u_ray_x / u_viewport.x, 1.001 * u_ray_y / u_viewport.y);
+}

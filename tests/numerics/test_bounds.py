@@ -1,0 +1,109 @@
+"""What sources of waves declare, or measure in each frame, as the most that their surface can be, held at 10⁵ places and times.
+
+A march that steps by these bounds passes no crest (docs/formulae.md, section 3).
+"""
+
+import hashlib
+
+import numpy as np
+import pytest
+
+from report import Report
+from seafoam.effects.contribution import FixedSize, Target
+from seafoam.plan import make_plan
+from seafoam.plan.model import FramePlan
+from seafoam.quality import TIERS, Tier
+from seafoam.render.executor import Executor
+from seafoam.scene.boats import Boat
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+SIDE = 192
+TIMES = (0.0, 12.3, 1e6 + 3.5)
+SPANS = (12.0, 150.0)
+TABLE = "Bounds of the surface, and the most that is met at 10⁵ places and times"
+
+_MAIN = """out vec4 o_start;
+
+void main() {{
+    vec2 p = (gl_FragCoord.xy / {side:.1f} - 0.5) * {span:.1f};
+    vec3 here = waves(p);
+    vec3 bounds = surface_bounds();
+    float over = here.x - bounds.x;
+    float steeper = length(here.yz) - bounds.y;
+    float risen = 0.0;
+    float bend = 0.0;
+    float away = 0.02;
+    for (int j = 0; j < 7; ++j) {{
+        for (int i = 0; i < 8; ++i) {{
+            float angle = 0.785398 * float(i) + 0.1 * float(j);
+            vec2 s = away * vec2(cos(angle), sin(angle));
+            vec3 there = waves(p + s);
+            float line = here.x + dot(here.yz, s);
+            // How far the surface stands over either bound.
+            float first = here.x + bounds.y * away;
+            float second = line + 0.5 * bounds.z * away * away;
+            risen = max(risen, there.x - min(first, second));
+            bend = max(bend, (there.x - line) / (0.5 * away * away));
+        }}
+        away *= 2.3;
+    }}
+    o_start = vec4(over, steeper, risen, bend) + 0.0 * (u_eye_height + u_viewport.x + u_ray_x.x + u_ray_y.x + u_ray_z.x);
+}}
+"""
+
+
+def probing(plan: FramePlan, span: float) -> FramePlan:
+    """The plan with its pass of starts drawing what breaks a bound instead: over, steeper, risen (m), bend (1/m)."""
+    pass_ = next(one for one in plan.passes if one.target == "start")
+    program = plan.programs[pass_.program]
+    text = program.fragment.text
+    text = text[: text.index("out vec4 o_start;")] + _MAIN.format(side=float(SIDE), span=span)
+    fragment = program.fragment.model_copy(update={"text": text, "sha256": hashlib.sha256(text.encode()).hexdigest()})
+    return plan.model_copy(
+        update={
+            "programs": plan.programs | {pass_.program: program.model_copy(update={"fragment": fragment})},
+            "targets": plan.targets | {"start": Target(size=FixedSize(width=SIDE, height=SIDE), format="RGBA32F")},
+            "linear": "start",
+        }
+    )
+
+
+def scenes() -> dict[str, Scene]:
+    """Every preset whose surface is not level, and boats of other speeds than theirs."""
+    found = {name: load_preset(name).scene for name in preset_names()}
+    for speed, radius in ((2.0, 20.0), (5.0, 30.0), (9.0, 80.0)):
+        found[f"a boat at {speed:g} m/s"] = Scene(
+            boats=(Boat(centre=(0.0, 0.0), radius=radius, speed=speed, wake=0.4),)
+        )
+    return {name: scene for name, scene in found.items() if make_plan(scene, TIERS["standard"]).top > 0.0}
+
+
+@pytest.mark.parametrize("tier", ["standard", "reference"])
+@pytest.mark.parametrize("name", sorted(scenes()))
+def test_no_wave_passes_its_bounds(name: str, tier: Tier, executor: Executor, report: Report) -> None:
+    scene = scenes()[name]
+    plan = make_plan(scene, TIERS[tier].model_copy(update={"samples": 1}))
+    worst = np.full(4, -np.inf)
+    for span in SPANS:
+        drawn = probing(plan, span)
+        for time in TIMES:
+            camera = scene.camera.model_copy(
+                update={"position": (7.0, 5.0, -3.0) if scene.boats else scene.camera.position}
+            )
+            pixels = executor.render(drawn, time=time, camera=camera, width=64, height=36, output="linear").pixels
+            worst = np.maximum(worst, pixels.reshape(-1, 4).max(axis=0))
+    over, steeper, risen, bend = worst
+    grain = plan.uniforms["u_surface_grain"].rules[0].value[0]  # type: ignore[union-attr]
+    report.add(
+        TABLE,
+        scene=f"{name}, {tier}",
+        over=f"{over:.3g} m",
+        steeper=f"{steeper:.3g}",
+        risen=f"{risen:.2g} m",
+        grain=f"{grain:.2g} m",
+        bend=f"{bend:.3g} /m",
+    )
+    assert over <= 1e-3
+    assert steeper <= 1e-3
+    assert risen <= grain + 1e-3
