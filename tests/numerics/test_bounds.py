@@ -73,9 +73,7 @@ def scenes() -> dict[str, Scene]:
     """Every preset whose surface is not level, and boats of other speeds than theirs."""
     found = {name: load_preset(name).scene for name in preset_names()}
     for speed, radius in ((2.0, 20.0), (5.0, 30.0), (9.0, 80.0)):
-        found[f"a boat at {speed:g} m/s"] = Scene(
-            boats=(Boat(centre=(0.0, 0.0), radius=radius, speed=speed, wake=0.4),)
-        )
+        found[f"a boat at {speed:g} m/s"] = Scene(boats=(Boat(centre=(0.0, 0.0), radius=radius, speed=speed, wake=0.4),))
     return {name: scene for name, scene in found.items() if make_plan(scene, TIERS["standard"]).top > 0.0}
 
 
@@ -88,22 +86,12 @@ def test_no_wave_passes_its_bounds(name: str, tier: Tier, executor: Executor, re
     for span in SPANS:
         drawn = probing(plan, span)
         for time in TIMES:
-            camera = scene.camera.model_copy(
-                update={"position": (7.0, 5.0, -3.0) if scene.boats else scene.camera.position}
-            )
+            camera = scene.camera.model_copy(update={"position": (7.0, 5.0, -3.0) if scene.boats else scene.camera.position})
             pixels = executor.render(drawn, time=time, camera=camera, width=64, height=36, output="linear").pixels
             worst = np.maximum(worst, pixels.reshape(-1, 4).max(axis=0))
     over, steeper, risen, bend = worst
     grain = plan.uniforms["u_surface_grain"].rules[0].value[0]  # type: ignore[union-attr]
-    report.add(
-        TABLE,
-        scene=f"{name}, {tier}",
-        over=f"{over:.3g} m",
-        steeper=f"{steeper:.3g}",
-        risen=f"{risen:.2g} m",
-        grain=f"{grain:.2g} m",
-        bend=f"{bend:.3g} /m",
-    )
+    report.add(TABLE, scene=f"{name}, {tier}", over=f"{over:.3g} m", steeper=f"{steeper:.3g}", risen=f"{risen:.2g} m", grain=f"{grain:.2g} m", bend=f"{bend:.3g} /m")
     assert over <= 1e-3
     assert steeper <= 1e-3
     assert risen <= grain + 1e-3

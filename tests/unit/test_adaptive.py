@@ -32,14 +32,15 @@ def frame(
     camera: Camera | None = None,
     start: int = 1,
 ) -> NDArray[np.float32]:
-    """Linear frame at 2.7 s, (height, width, 4), its marches begun as ``start`` samples along a pixel's side begin them.
+    """Linear frame at 2.7 s, (height, width, 4); marches begin as ``start`` samples along a pixel begin them.
 
     A march ends within a tolerance, and where it begins decides where in it.
     """
     plan = make_plan(scene, how)
     if "start" in plan.targets:
         size_of = plan.targets["start"].size
-        began = plan.targets["start"].model_copy(update={"size": size_of.model_copy(update={"scale": start})})
+        moved = size_of.model_copy(update={"scale": start})
+        began = plan.targets["start"].model_copy(update={"size": moved})
         plan = plan.model_copy(update={"targets": plan.targets | {"start": began}})
     seen = camera or scene.camera
     return executor.render(  # type: ignore[return-value]

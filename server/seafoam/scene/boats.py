@@ -118,6 +118,7 @@ class Wake:
         # Inside the circle a wake is drawn together, at most to 0.75 of its length.
         return (waves + windows) / 0.75
 
+
     @property
     def curvature(self) -> float:
         """No second derivative is greater, 1/m: a·k² of both systems, and the window at the bow, where the wake opens.
@@ -131,6 +132,7 @@ class Wake:
         waves = 1.5 * self.boat.wake * peak**2 * math.exp(-((peak / self.shortest) ** 2))
         window = _OPENING * self.level * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
         return (waves + window) / 0.75**2
+
 
     def grain(self, texel: float) -> float:
         """How far a map of ``texel`` m, read bilinearly, stands over what its slopes and its curvature say, m.
