@@ -61,6 +61,8 @@ def qualities() -> Iterator[Quality]:
         yield standard.model_copy(
             update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
         )
+    for samples, most in ((1, 4), (1, 16), (4, 16)):
+        yield standard.model_copy(update={"samples": samples, "samples_max": most})
     for caustics, filtered in (("photons", True), ("grid", False)):
         surface = standard.surface.model_copy(update={"filter": filtered})
         yield standard.model_copy(update={"caustics": caustics, "surface": surface})

@@ -151,7 +151,7 @@ def render(
         if (asked.quality == "auto") != (asked.budget_ms is not None):
             raise CommandError("--budget-ms: goes with --quality auto, and auto with it")
         limits = FrameLimits(LARGEST_SIDE, LARGEST_SAMPLED_SIDE, LARGEST_SAMPLES)
-        limits.check(width, height, 1 if asked.quality == "auto" else TIERS[asked.quality].samples)
+        limits.check(width, height, 1 if asked.quality == "auto" else TIERS[asked.quality].samples_drawn)
         scene = asked.apply(found.scene)
     except ValidationError as error:
         _refuse(error, FrameParameters, _frame_option)
@@ -167,7 +167,9 @@ def render(
             assert asked.budget_ms is not None
             subject = Subject(None if asked.changed else preset, scene, found.time, found.size)
             sweep = _measured(executor, subject, Settings())
-            choice = choose(sweep, width, height, asked.budget_ms, lambda q: limits.allows(width, height, q.samples))
+            choice = choose(
+                sweep, width, height, asked.budget_ms, lambda q: limits.allows(width, height, q.samples_drawn)
+            )
             knobs, why = choice.point.quality, f"{choice.point.id}: {choice.why}"
         else:
             knobs = TIERS[asked.quality]

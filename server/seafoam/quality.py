@@ -130,7 +130,35 @@ class Quality(Knobs):
         default=4, description="Rays through each sample where boats are: their edges against water and sky"
     )
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
+    samples_max: Annotated[Literal[1, 4, 16], BeforeValidator(_no_truth_value)] = Field(
+        default=1,
+        description="Greatest number of samples that a pixel is given where it stands out from those round it; no more "
+        "than `samples`: every pixel has as many",
+    )
+    samples_budget: float = Field(
+        default=2.5,
+        ge=0.1,
+        le=3.0,
+        description="Further samples that these take at most, in the mean of the pixels under the horizon",
+    )
+    samples_threshold: float = Field(
+        default=0.01,
+        ge=0.001,
+        le=1.0,
+        description="Contrast from which on a pixel is given more samples, white on black = 1; more contrast where the "
+        "budget would not do",
+    )
     target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
+
+    @property
+    def chosen_samples(self) -> tuple[int, ...]:
+        """Numbers of samples that single pixels may be given beyond ``samples``."""
+        return tuple(count for count in (4, 16) if self.samples < count <= self.samples_max)
+
+    @property
+    def samples_drawn(self) -> int:
+        """What is drawn into at most, samples a pixel in the mean."""
+        return self.samples + (4 if self.chosen_samples else 0)
 
 
 TIERS: dict[Tier, Quality] = {

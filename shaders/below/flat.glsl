@@ -4,7 +4,7 @@ void main() {
         seen_from_above();
         return;
     }
-    vec3 ray = camera_ray(gl_FragCoord.xy);
+    vec3 ray = camera_ray(sample_place());
     float tau;
     vec3 wave;
     o_color = vec4(0.0);

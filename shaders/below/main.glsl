@@ -40,7 +40,7 @@ void main() {
         seen_from_above();
         return;
     }
-    vec3 ray = camera_ray(gl_FragCoord.xy);
+    vec3 ray = camera_ray(sample_place());
     vec3 d = normalize(ray);
     float depth = u_below_level - u_eye_height;
     float tau;

@@ -25,7 +25,7 @@ void main() {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < BOAT_SIDE * BOAT_SIDE; ++i) {
         vec2 offset = (vec2(i % BOAT_SIDE, i / BOAT_SIDE) + 0.5) / float(BOAT_SIDE) - 0.5;
-        sum += boat_seen(camera_ray(gl_FragCoord.xy + offset));
+        sum += boat_seen(camera_ray(sample_place() + offset));
     }
     if (sum.a == 0.0) {
         discard;

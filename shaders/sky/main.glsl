@@ -2,6 +2,6 @@
 out vec4 o_color;
 
 void main() {
-    vec3 d = normalize(camera_ray(gl_FragCoord.xy));
+    vec3 d = normalize(camera_ray(sample_place()));
     o_color = vec4(min(exposure() * (sky_light(d) + sun_disc(d)), BRIGHTEST), 0.0);
 }

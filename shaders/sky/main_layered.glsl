@@ -2,7 +2,7 @@
 out vec4 o_color;
 
 void main() {
-    vec3 ray = camera_ray(gl_FragCoord.xy);
+    vec3 ray = camera_ray(sample_place());
     vec3 d = normalize(ray);
     float hidden;
     vec4 layer = clouds(d, SKY_EYE, hidden);

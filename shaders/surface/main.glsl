@@ -3,7 +3,7 @@
 out vec4 o_color;
 
 void main() {
-    vec3 ray = camera_ray(gl_FragCoord.xy);
+    vec3 ray = camera_ray(sample_place());
     float tau;
     vec3 wave;
     bool wet = find_surface(ray, 1e30, tau, wave);

@@ -87,6 +87,10 @@ def test_all_bad_parameters_are_named_at_once(client):
         ({"format": "gif"}, "/format", {"enum": ["png", "webp", "npy"]}),
         ({"quality": "best"}, "/quality", {"enum": ["draft", "standard", "high", "reference", "auto"]}),
         ({"quality": {"samples": 5}}, "/quality/samples", {"enum": [1, 4, 9, 16, 25, 36, 49, 64]}),
+        ({"quality": {"samples_max": 9}}, "/quality/samples_max", {"enum": [1, 4, 16]}),
+        ({"quality": {"samples_max": True}}, "/quality/samples_max", {"enum": [1, 4, 16]}),
+        ({"quality": {"samples_budget": 4.0}}, "/quality/samples_budget", {"minimum": 0.1, "maximum": 3.0}),
+        ({"quality": {"samples_threshold": 0}}, "/quality/samples_threshold", {"minimum": 0.001, "maximum": 1.0}),
         ({"quality": {"surface": {"cells": 7}}}, "/quality/surface/cells", {"minimum": 8, "maximum": 1024}),
         ({"scene": {"waves": [{"amplitude": 99}]}}, "/scene/waves/0/amplitude", {"minimum": 0.0, "maximum": 50.0}),
         ({"scene": {"light": {"turbidity": 0}}}, "/scene/light/turbidity", {"minimum": 1.0, "maximum": 10.0}),
@@ -214,6 +218,9 @@ def test_the_pixel_budget_counts_samples(client):
     errors = problem(client.post("/api/frames", json=body), 422)["errors"]
     assert errors[0]["pointer"] == "/width"
     assert errors[0]["allowed"] == {"minimum": 1, "maximum": 1024}
+    body = {"scene": {}, "width": 4096, "height": 1024, "quality": {"samples_max": 16}}
+    errors = problem(client.post("/api/frames", json=body), 422)["errors"]
+    assert errors[0]["allowed"] == {"minimum": 1, "maximum": 410}
 
 
 def test_an_inner_error_tells_nothing_of_the_inside(client):

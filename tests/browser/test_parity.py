@@ -102,6 +102,23 @@ def test_same_pixels_at_every_tier(page: Page, executor: Executor, preset: str, 
     assert difference.max() <= 1
 
 
+@pytest.mark.parametrize("preset", ["default", "spray-on-rocks"])
+def test_same_pixels_are_given_more_samples(page: Page, executor: Executor, preset: str) -> None:
+    scene = load_preset(preset).scene
+    plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples_max": 16}))
+    answer = page.evaluate(
+        "([plan, options]) => window.seafoam.render(plan, options)",
+        [
+            plan.model_dump(mode="json"),
+            {"time": 2.7, "width": 160, "height": 90, "camera": scene.camera.model_dump(mode="json")},
+        ],
+    )
+    pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(90, 160, 4)
+    assert_sound(pixels, answer)
+    want = executor.render(plan, time=2.7, camera=scene.camera, width=160, height=90).pixels
+    assert (pixels == want).all(axis=-1).mean() >= 0.9999
+
+
 def test_the_served_png_is_the_same_picture(page: Page, server: str) -> None:
     pixels, _ = drawn(page, "default", 2.7)
     answer = page.request.get(f"{server}/api/frames/default.png?time=2.7&width={SIZE[0]}&height={SIZE[1]}")

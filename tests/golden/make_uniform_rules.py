@@ -27,6 +27,8 @@ RULES: list[Rule] = [
     CameraRule(what="view_projection", top=2.3),
     CameraRule(what="view_projection", top=50.0),
     Viewport(),
+    Viewport(times=2),
+    Viewport(of="picture", times=4),
     PassIndex(),
 ]
 

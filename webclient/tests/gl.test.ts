@@ -16,7 +16,8 @@ describe("a grid", () => {
 describe("a target", () => {
   it("follows the picture or stands fixed", () => {
     const rest = { format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat" } as const;
-    expect(targetSize({ ...rest, size: { rule: "viewport", scale: 2 } }, 30, 20)).toEqual([60, 40]);
+    expect(targetSize({ ...rest, size: { rule: "viewport", scale: 2, part: 1, narrow: 1 } }, 30, 20)).toEqual([60, 40]);
+    expect(targetSize({ ...rest, size: { rule: "viewport", scale: 1, part: 4, narrow: 16 } }, 30, 21)).toEqual([1, 6]);
     expect(targetSize({ ...rest, size: { rule: "fixed", width: 8, height: 4 } }, 30, 20)).toEqual([8, 4]);
   });
 });

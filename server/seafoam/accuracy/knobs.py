@@ -19,6 +19,9 @@ SPINE_KNOBS: tuple[Knob, ...] = (
     Knob("/surface/refine", "Newton steps", (0, 1, 2, 4), "geometry"),
     Knob("/surface/filter", "waves under a pixel become roughness", (False, True), "filtering"),
     Knob("/samples", "samples a pixel", (1, 4, 9, 16), "filtering"),
+    Knob("/samples_max", "samples of a pixel that stands out", (1, 4, 16), "filtering"),
+    Knob("/samples_budget", "further samples, in the mean", (0.5, 1.0, 2.5), "filtering"),
+    Knob("/samples_threshold", "contrast of a pixel that stands out", (0.1, 0.03, 0.01), "filtering"),
     Knob("/target", "digits of the linear frame", ("RGBA16F", "RGBA32F"), "precision"),
 )
 

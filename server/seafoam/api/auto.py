@@ -63,6 +63,6 @@ async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Qua
         detail = f"the cost of accuracy of {what} {state}: ask again, or name a tier"
         raise NotMeasuredError(detail, retry_seconds(found))
     choice = choose(
-        found, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples)
+        found, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples_drawn)
     )
     return choice.point.quality, {"Seafoam-Quality": choice.point.id, "Seafoam-Quality-Why": choice.why}

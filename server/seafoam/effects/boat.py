@@ -110,6 +110,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     seen = (
         "common/numbers.glsl",
         "common/camera.glsl",
+        "common/place.glsl",
         "@waves",
         "@find",
         *TRACE,

@@ -80,9 +80,11 @@ class CameraRule(PlanPart):
 
 
 class Viewport(PlanPart):
-    """Width and height of the pass's target, pixels."""
+    """Width and height of the pass's target or of the picture, pixels, ``times`` over."""
 
     rule: Literal["viewport"] = "viewport"
+    of: Literal["target", "picture"] = "target"
+    times: int = Field(default=1, ge=1)
 
 
 class PassIndex(PlanPart):
@@ -119,11 +121,13 @@ class TargetInput(PlanPart):
 
 
 class ViewportSize(PlanPart):
-    """As large as the picture, times ``scale`` and over ``part`` along each side, rounded up."""
+    """As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+    rounded up."""
 
     rule: Literal["viewport"] = "viewport"
     scale: int = Field(default=1, ge=1)
     part: int = Field(default=1, ge=1)
+    narrow: int = Field(default=1, ge=1)
 
 
 class FixedSize(PlanPart):

@@ -29,6 +29,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
+from seafoam.plan.adaptive import PLACE, SPREAD, Seen, Spent, spend
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, Eye, FramePlan, Pass, Program, State, Texture
 from seafoam.plan.setup import with_setup
@@ -40,6 +41,7 @@ from seafoam.textures import texture
 
 _COMMON = ("common/numbers.glsl", "common/camera.glsl")
 _MARCH = ("surface/step.glsl", "surface/begin.glsl")
+_SAMPLED = (*_COMMON, PLACE)
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
 
@@ -182,13 +184,16 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     ]
     if not level or shore:
         draft.add_starts(side)
-    surface_fragment = [*_COMMON]
-    under_fragment = [*_COMMON]
+    surface_fragment = [*_SAMPLED]
+    again_fragment = [*_SAMPLED]
+    under_fragment = [*_SAMPLED]
     for slot in surface_slots(combine, shore):
         surface_fragment += slot_pieces(slot, chosen)
+        again_fragment += slot_pieces(slot, marched)
         under_fragment += _seen_from_above(slot, slot_pieces(slot, marched))
     for slot in UNDER_SLOTS if below else ():
         under_fragment += slot_pieces(slot, marched)
+    sky_fragment = [*_SAMPLED, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, chosen))]
     if mesh:
         surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]
     else:
@@ -200,9 +205,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         ),
         "sky": Program(
             vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
-            fragment=assemble(
-                [*_COMMON, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, chosen))], consts
-            ),
+            fragment=assemble(sky_fragment, consts),
         ),
         "present": Program(
             vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
@@ -274,8 +277,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     surfaces: list[tuple[Eye, str, Mesh]] = [("over" if below else "any", "surface", own)]
     if below:
         surfaces.append(("under", "surface, low eye", Fullscreen()))
-    passes = [
-        *(one for spec in draft.passes if spec.stage == "before" for one in _passes(spec, draft.inputs, below)),
+    scenery = [
         *(
             Pass(
                 name="surface",
@@ -301,8 +303,26 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             mesh=Fullscreen(),
             state=State(depth=True),
         ),
+    ]
+    spent: Spent | None = None
+    if quality.chosen_samples:
+        fragments = {"surface": again_fragment, "surface, low eye": under_fragment, "sky": sky_fragment}
+        depths = {"sky": _HORIZON_DEPTH}
+        seen = (Seen(one, tuple(fragments[one.program]), depths.get(one.program, 0.0)) for one in scenery)
+        laid, layers = _laid(draft, marched, shore, below)
+        for alone in layers:
+            targets[alone.target] = targets[ABOVE]
+        spent = spend(quality, linear, "finished", tuple(seen), laid, consts)
+        spent.passes[:0] = layers
+        programs |= spent.programs
+        targets |= spent.targets
+        linear = "finished"
+    passes = [
+        *(one for spec in draft.passes if spec.stage == "before" for one in _passes(spec, draft.inputs, below)),
+        *scenery,
         *compose,
         *resolve,
+        *(spent.passes if spent else ()),
         Pass(
             name="tone",
             when="frame",
@@ -316,7 +336,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         _refuse_too_many(program, draft.readers)
     for one in passes:
         _refuse_whole_numbers(one, targets)
-    uniforms = {**draft.uniforms, **_camera_uniforms(draft.top, draft.grain, draft.bounds)}
+    camera = _camera_uniforms(draft.top, draft.grain, draft.bounds)
+    uniforms = {**draft.uniforms, **camera, **(spent.uniforms if spent else {})}
     textures = {name: _texture(use) for name, use in draft.textures.items()}
     timed, kept = with_setup([_bound(one, programs, uniforms) for one in passes], programs, uniforms, targets, textures)
     plan = FramePlan(
@@ -416,6 +437,32 @@ def _passes(spec: PassSpec, inputs: Mapping[str, TextureInput | TargetInput], be
         return [one]
     low = {"eye": "under", "program": f"{spec.program}, low eye"}
     return [one.model_copy(update={"eye": "over"}), one.model_copy(update=low)]
+
+
+def _laid(
+    draft: _Draft, chosen: Sequence[SlotFile], shore: bool, below: bool
+) -> tuple[tuple[Seen, ...], tuple[Pass, ...]]:
+    """What lies over surface and sky, as chosen pixels draw it again, and passes that draw points alone for that.
+
+    Points cannot be drawn where chosen samples lie: these read them from where they were drawn over the whole picture.
+    """
+    specs = [spec for spec in draft.passes if spec.stage == "after" and spec.target == ABOVE]
+    seen: list[Seen] = []
+    layers: list[Pass] = []
+    for spec in specs:
+        for one in _passes(spec, draft.inputs, below):
+            if isinstance(one.mesh, Fullscreen):
+                files = spec.fragment if one.program == spec.program else spec.under
+                seen.append(Seen(one, tuple(_pieces(files, chosen, shore))))
+                continue
+            layer = ABOVE
+            if len(specs) > 1:
+                layer = f"{spec.name}, alone"
+                state = one.state.model_copy(update={"clear": True})
+                layers.append(one.model_copy(update={"name": layer, "target": layer, "state": state}))
+            reads = {"program": "points", "inputs": {"u_points": TargetInput(target=layer)}, "uniforms": {}}
+            seen.append(Seen(one.model_copy(update=reads), SPREAD))
+    return tuple(seen), tuple(layers)
 
 
 def _texture(use: TextureUse) -> Texture:

@@ -70,7 +70,10 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
         case CameraRule():
             return _camera(rule, state)
         case Viewport():
-            return float(state.target_width), float(state.target_height)
+            picture = rule.of == "picture"
+            width = state.width if picture else state.target_width
+            height = state.height if picture else state.target_height
+            return float(rule.times * width), float(rule.times * height)
         case _:
             return (float(state.pass_index),)
 

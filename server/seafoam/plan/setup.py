@@ -21,6 +21,7 @@ from seafoam.effects.contribution import (
     Target,
     TargetInput,
     Uniform,
+    Viewport,
     Wrap,
 )
 from seafoam.plan.assemble import declared_uniforms
@@ -118,7 +119,7 @@ def _steady(rule: Rule) -> bool:
             return rule.rate == 0.0 and rule.k == _HERE
         case Wrap():
             return rule.k == _HERE
-        case Loop() | CameraRule():
+        case Loop() | CameraRule() | Viewport(of="picture"):
             return False
         case _:
             return True

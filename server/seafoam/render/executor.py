@@ -387,7 +387,7 @@ def _size(target: Target, width: int, height: int) -> tuple[int, int]:
     if isinstance(target.size, FixedSize):
         return target.size.width, target.size.height
     scale, part = target.size.scale, target.size.part
-    return -(-width * scale // part), -(-height * scale // part)
+    return -(-width * scale // (part * target.size.narrow)), -(-height * scale // part)
 
 
 def _bytes(target: tuple[Any, ...]) -> int:

@@ -113,7 +113,7 @@ class FrameLimits:
         return True
 
     def check(self, width: int, height: int, samples: int) -> None:
-        """Raise :class:`FrameTooLargeError` naming the field to lower; ``samples`` is per pixel, a square number."""
+        """Raise :class:`FrameTooLargeError` naming the field to lower; ``samples``: drawn for a pixel."""
         along = math.isqrt(samples)
         side = min(self.side, self.sampled_side // along)
         sides: tuple[tuple[Literal["width", "height"], int], ...] = (("width", width), ("height", height))

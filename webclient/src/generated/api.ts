@@ -2326,6 +2326,25 @@ export interface components {
              */
             samples: 1 | 4 | 9 | 16 | 25 | 36 | 49 | 64;
             /**
+             * Samples Max
+             * @description Greatest number of samples that a pixel is given where it stands out from those round it; no more than `samples`: every pixel has as many
+             * @default 1
+             * @enum {integer}
+             */
+            samples_max: 1 | 4 | 16;
+            /**
+             * Samples Budget
+             * @description Further samples that these take at most, in the mean of the pixels under the horizon
+             * @default 2.5
+             */
+            samples_budget: number;
+            /**
+             * Samples Threshold
+             * @description Contrast from which on a pixel is given more samples, white on black = 1; more contrast where the budget would not do
+             * @default 0.01
+             */
+            samples_threshold: number;
+            /**
              * Target
              * @description Float format of the linear frame
              * @default RGBA16F
@@ -3361,7 +3380,7 @@ export interface components {
         };
         /**
          * Viewport
-         * @description Width and height of the pass's target, pixels.
+         * @description Width and height of the pass's target or of the picture, pixels, ``times`` over.
          */
         Viewport: {
             /**
@@ -3369,10 +3388,22 @@ export interface components {
              * @enum {string}
              */
             rule: "viewport";
+            /**
+             * Of
+             * @default target
+             * @enum {string}
+             */
+            of: "target" | "picture";
+            /**
+             * Times
+             * @default 1
+             */
+            times: number;
         };
         /**
          * ViewportSize
-         * @description As large as the picture, times ``scale`` along each side.
+         * @description As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+         *     rounded up.
          */
         ViewportSize: {
             /**
@@ -3385,6 +3416,16 @@ export interface components {
              * @default 1
              */
             scale: number;
+            /**
+             * Part
+             * @default 1
+             */
+            part: number;
+            /**
+             * Narrow
+             * @default 1
+             */
+            narrow: number;
         };
         /**
          * Vortex

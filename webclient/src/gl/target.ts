@@ -19,7 +19,8 @@ export interface StillTarget extends Target {
 export function targetSize(spec: TargetSpec, width: number, height: number): [number, number] {
   const size = spec.size;
   if (size.rule === "fixed") return [size.width, size.height];
-  return [Math.ceil((width * size.scale) / size.part), Math.ceil((height * size.scale) / size.part)];
+  const { scale, part, narrow } = size;
+  return [Math.ceil((width * scale) / (part * narrow)), Math.ceil((height * scale) / part)];
 }
 
 export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {

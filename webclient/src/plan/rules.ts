@@ -88,7 +88,9 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
     case "camera":
       return camera(rule, state);
     case "viewport":
-      return [state.targetWidth, state.targetHeight];
+      return (rule.of === "picture" ? [state.width, state.height] : [state.targetWidth, state.targetHeight]).map(
+        (side) => rule.times * side,
+      );
     case "pass_index":
       return [state.passIndex];
   }

@@ -71,7 +71,7 @@ async def get_frame(
     if asked.quality == "auto":  # a scene that cannot be planned is refused before it is measured
         await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=asked.changed)
     quality, chosen = await resolve(given, subject, context)
-    context.settings.frame_limits.check(width, height, quality.samples)
+    context.settings.frame_limits.check(width, height, quality.samples_drawn)
     job = FrameJob(scene, quality, time, asked.camera(scene.camera), width, height, format)
     compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None, parameters=asked.changed)
     tag, headers = await _identity(job, compiled, context)
@@ -87,7 +87,7 @@ async def render_frame(asked: strictly(FrameRequest), request: Request, context:
     if body.quality == "auto":
         await context.plans.run(compile_scene, body.scene, TIERS["standard"], scene_at="/scene")
     quality, chosen = await resolve(given, Subject.of_scene(body.scene), context)
-    context.settings.frame_limits.check(body.width, body.height, quality.samples)
+    context.settings.frame_limits.check(body.width, body.height, quality.samples_drawn)
     camera = body.camera or body.scene.camera
     job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, body.format)
     compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")

@@ -1,0 +1,4 @@
+// The limits that are tried at first: the least, and the ratio of each to the one before.
+vec2 limits() {
+    return vec2(CHOOSE_LEAST, CHOOSE_STEP);
+}

@@ -1,0 +1,180 @@
+"""More samples where a pixel needs them: which pixels, how many, and what they are then."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.effects.contribution import Fullscreen, ViewportSize
+from seafoam.plan import make_plan
+from seafoam.plan.adaptive import GREATEST, RATIO
+from seafoam.quality import TIERS, Quality
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Camera, Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+SIZE = (160, 90)
+STANDARD = TIERS["standard"]
+NEXT_LIMIT = (GREATEST / STANDARD.samples_threshold) ** (1.0 / 48.0)
+"""Ratio of neighbouring limits in the last of three rounds."""
+
+
+def quality(base: Quality = STANDARD, **changes: object) -> Quality:
+    return base.model_copy(update=changes)
+
+
+def frame(
+    executor: Executor,
+    scene: Scene,
+    how: Quality,
+    size: tuple[int, int] = SIZE,
+    camera: Camera | None = None,
+    start: int = 1,
+) -> NDArray[np.float32]:
+    """Linear frame at 2.7 s, (height, width, 4); marches begin as ``start`` samples along a pixel begin them.
+
+    A march ends within a tolerance, and where it begins decides where in it.
+    """
+    plan = make_plan(scene, how)
+    if "start" in plan.targets:
+        size_of = plan.targets["start"].size
+        moved = size_of.model_copy(update={"scale": start})
+        began = plan.targets["start"].model_copy(update={"size": moved})
+        plan = plan.model_copy(update={"targets": plan.targets | {"start": began}})
+    seen = camera or scene.camera
+    return executor.render(  # type: ignore[return-value]
+        plan, time=2.7, camera=seen, width=size[0], height=size[1], output="linear"
+    ).pixels
+
+
+def contrast(one: NDArray[np.float32]) -> NDArray[np.float64]:
+    """docs/formulae.md, section 1, in float64."""
+    mean = one[..., :3].astype(np.float64).mean(axis=-1)
+    rolled = np.pad(3.0 * mean / (2.0 + mean), 1, mode="edge")
+    height, width = mean.shape
+    round_it = np.stack([rolled[j : j + height, i : i + width] for j in range(3) for i in range(3)])
+    cross = round_it[[1, 3, 4, 5, 7]].mean(axis=0)
+    return np.sqrt((round_it[4] - cross) ** 2 + 0.5 * round_it.var(axis=0))
+
+
+def same(a: NDArray[np.float32], b: NDArray[np.float32]) -> NDArray[np.bool_]:
+    return (a == b).all(axis=-1)
+
+
+def test_no_target_is_larger_than_four_pictures() -> None:
+    for preset in preset_names():
+        for most in (4, 16):
+            plan = make_plan(load_preset(preset).scene, quality(samples_max=most))
+            scales = [one.size.scale for one in plan.targets.values() if isinstance(one.size, ViewportSize)]
+            assert max(scales) == 2
+
+
+@pytest.mark.parametrize(("samples", "most", "kinds"), [(1, 1, ()), (1, 4, (4,)), (1, 16, (4, 16)), (4, 16, (16,))])
+def test_kinds_of_choice(samples: int, most: int, kinds: tuple[int, ...]) -> None:
+    how = quality(samples=samples, samples_max=most)
+    assert how.chosen_samples == kinds
+    names = {one.name for one in make_plan(load_preset("default").scene, how).passes}
+    assert {f"surface, {count} samples" in names for count in kinds} <= {True}
+    assert ("contrast" in names) == bool(kinds)
+
+
+def test_more_samples_than_the_greatest_number_are_no_choice() -> None:
+    scene = load_preset("default").scene
+    assert make_plan(scene, quality(samples=16, samples_max=16)) == make_plan(scene, quality(samples=16))
+
+
+@pytest.mark.parametrize(
+    ("preset", "base"),
+    [("default", "standard"), ("island-surf", "standard"), ("boat-race", "standard"), ("paper-halftone", "high")],
+)
+def test_a_chosen_pixel_is_what_as_many_samples_everywhere_make_it(executor: Executor, preset: str, base: str) -> None:
+    """Bit for bit: a chosen pixel's samples are those of a finer picture, and are summed in the same order."""
+    scene = load_preset(preset).scene
+    start = quality(TIERS[base])  # type: ignore[index]
+    side = math.isqrt(start.samples)
+    given = frame(executor, scene, quality(start, samples_max=16), start=side)
+    least, few, many = (frame(executor, scene, quality(start, samples=n), start=side) for n in (start.samples, 4, 16))
+    assert (same(given, least) | same(given, few) | same(given, many)).all()
+    assert same(given, many)[~same(least, many)].mean() > 0.01
+    assert (given == frame(executor, scene, quality(start, samples_max=16), start=side)).all()
+
+
+@pytest.mark.parametrize("preset", ["default", "open-ocean", "paper-halftone"])
+@pytest.mark.parametrize("budget", [0.5, 2.5])
+def test_the_pixels_that_stand_out_are_chosen_within_the_budget(executor: Executor, preset: str, budget: float) -> None:
+    scene = load_preset(preset).scene
+    how = quality(samples_max=16, samples_budget=budget)
+    given = frame(executor, scene, how)
+    least, few, many = (frame(executor, scene, quality(samples=n)) for n in (1, 4, 16))
+    level = np.select([same(given, many) & ~same(many, least), same(given, few) & ~same(few, least)], [2, 1], 0)
+    stands_out = contrast(least)
+    # Where 1, 4 and 16 samples make the same pixel nothing tells them apart.
+    told = ~same(least, few) & ~same(few, many) & ~same(least, many)
+    limit = stands_out[told & (level > 0)].min()
+    assert limit >= 0.999 * how.samples_threshold
+    want = np.where(stands_out > RATIO * limit, 2, np.where(stands_out >= limit, 1, 0))
+    assert (level == want)[told].mean() > 0.995
+
+    # A share of the parts' middles has its rays under the horizon.
+    camera = scene.camera
+    under = 0.0
+    tangent = math.tan(0.5 * camera.fov)
+    for y in np.linspace(-1.0, 1.0, 64, endpoint=False) + 1.0 / 64.0:
+        under += math.sin(camera.pitch) + y * tangent * math.cos(camera.pitch) < 0.0
+    allowed = budget * under / 64.0 * level.size
+
+    def cost(at: float) -> float:
+        return float(np.where(stands_out > RATIO * at, 16, np.where(stands_out > at, 4, 0)).sum())
+
+    assert cost(1.001 * limit) <= allowed
+    # And the next lower limit that was tried would not have done.
+    assert limit <= 1.001 * how.samples_threshold or cost(0.99 * limit / NEXT_LIMIT) > 0.99 * allowed
+
+
+@pytest.mark.parametrize("size", [(1, 1), (5, 3), (23, 40), (24, 24), (65, 33), (130, 71)])
+def test_any_size_has_room_for_all_that_is_chosen(executor: Executor, size: tuple[int, int]) -> None:
+    scene = load_preset("paper-halftone").scene
+    how = quality(samples_max=16, samples_budget=3.0, samples_threshold=0.001)
+    given = frame(executor, scene, how, size)
+    least, few, many = (frame(executor, scene, quality(samples=n), size) for n in (1, 4, 16))
+    assert (same(given, least) | same(given, few) | same(given, many)).all()
+    if min(size) > 4:
+        assert (~same(given, least)).any()
+
+
+def test_a_mesh_is_marched_where_more_samples_are_drawn(executor: Executor) -> None:
+    scene = load_preset("default").scene
+    how = quality(TIERS["draft"], samples_max=16)
+    plan = make_plan(scene, how)
+    again = [one for one in plan.passes if one.name.startswith("surface, ")]
+    assert again
+    assert all(isinstance(one.mesh, Fullscreen) for one in again)
+    surface = how.surface.model_copy(update={"method": "march"})
+    marched = [frame(executor, scene, quality(how, surface=surface, samples=n, samples_max=1)) for n in (4, 16)]
+    given, least = frame(executor, scene, how), frame(executor, scene, TIERS["draft"])
+    found = [same(given, one) for one in (least, *marched)]
+    assert np.logical_or.reduce(found).all()
+    assert all(one.mean() > 0.01 for one in found)
+
+
+def test_points_lie_over_the_samples_of_chosen_pixels(executor: Executor) -> None:
+    """Drops are drawn once over the picture: what more samples change about them is below what one drop covers."""
+    scene = load_preset("spray-on-rocks").scene
+    given = frame(executor, scene, quality(samples_max=16))
+    many = frame(executor, scene, quality(samples=16))
+    bare = frame(executor, scene.model_copy(update={"spray": None}), quality(samples_max=16))
+    drops = np.abs(given - bare)[..., :3].max(axis=-1) > 0.02
+    assert drops.mean() > 0.005
+    error = np.abs(np.clip(given, 0.0, 1.0) - np.clip(many, 0.0, 1.0))[..., :3].mean(axis=-1)
+    left_out = np.abs(np.clip(bare, 0.0, 1.0) - np.clip(many, 0.0, 1.0))[..., :3].mean(axis=-1)
+    assert error[drops].mean() < 0.5 * left_out[drops].mean()
+
+
+def test_eyes_under_the_surface(executor: Executor) -> None:
+    scene = load_preset("shallows").scene
+    low = Camera(position=(0.0, -1.0, 0.0), pitch=0.4)
+    given = frame(executor, scene, quality(samples_max=16), camera=low)
+    least, few, many = (frame(executor, scene, quality(samples=n), camera=low) for n in (1, 4, 16))
+    assert (same(given, least) | same(given, few) | same(given, many)).all()
+    assert (~same(given, least)).mean() > 0.01
