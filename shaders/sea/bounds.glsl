@@ -3,6 +3,6 @@ uniform sampler2D u_sea_bounds_0;
 uniform sampler2D u_sea_bounds_1;
 uniform float u_sea_still; // mean height, m
 
-vec3 sea_bounds() {
+vec3 sea_bounds(vec3 ray, float aside) {
     return texelFetch(u_sea_bounds_0, ivec2(0), 0).xyz + texelFetch(u_sea_bounds_1, ivec2(0), 0).xyz + vec3(u_sea_still, 0.0, 0.0);
 }

@@ -3,9 +3,9 @@
 uniform float u_surface_grain; // what maps may add to the surface between their texels, m
 
 vec4 water_start(vec3 ray, vec3 side, vec3 top) {
-    vec3 bounds = surface_bounds();
     float sense = u_eye_height < waves(vec2(0.0)).x ? -1.0 : 1.0;
     float aside = length(side.xz) + length(top.xz);
+    vec3 bounds = surface_bounds(ray, aside);
     float raised = abs(side.y) + abs(top.y);
     float speed = length(ray.xz) + aside;
     // The ray that comes toward the surface the fastest.

@@ -28,7 +28,7 @@ _MAIN = """out vec4 o_start;
 void main() {{
     vec2 p = (gl_FragCoord.xy / {side:.1f} - 0.5) * {span:.1f};
     vec3 here = waves(p);
-    vec3 bounds = surface_bounds();
+    vec3 bounds = surface_bounds(vec3(p.x, 0.0, p.y), 0.0);
     float over = here.x - bounds.x;
     float steeper = length(here.yz) - bounds.y;
     float risen = 0.0;

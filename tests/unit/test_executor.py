@@ -32,6 +32,19 @@ def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkey
     assert len(executor._programs._items) <= 2
 
 
+def test_all_let_go_and_made_again_draws_the_same(executor: Executor) -> None:
+    """moderngl binds the last framebuffer again whenever it makes an object: it must not be one that was released."""
+    scene = load_preset("island-surf").scene
+    plan = make_plan(scene, TIERS["draft"])
+
+    def draw() -> bytes:
+        return executor.render(plan, time=1.0, camera=scene.camera, width=32, height=18).pixels.tobytes()
+
+    first = draw()
+    executor.forget()
+    assert draw() == first
+
+
 def test_a_shader_that_does_not_compile_names_its_files(executor: Executor) -> None:
     plan = make_plan(load_preset("default").scene, TIERS["standard"])
     program = plan.programs["present"]

@@ -7,6 +7,7 @@ import math
 
 from seafoam.effects.boat import COURSE
 from seafoam.effects.contribution import (
+    UNBOUNDED,
     Bound,
     Const,
     Constant,
@@ -24,7 +25,7 @@ from seafoam.effects.contribution import (
     significant,
 )
 from seafoam.quality import Quality
-from seafoam.scene.boats import Boat, Wake, wake_level, wake_slope, wakes
+from seafoam.scene.boats import NEAR, Boat, Wake, wake_level, wake_slope, wakes
 from seafoam.scene.models import Camera, Foam, Scene, SlopeSaturation
 
 ASIDE = 0.36
@@ -55,7 +56,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         count,
     )
     mapped = quality.wake == "map"
-    consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE}
+    bounds = [_bounds(wake, size if mapped else None) for wake in wakes(scene.boats)]
+    consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR}
     here = ("wake/map.glsl",) if mapped else ("wake/pattern.glsl", "wake/exact.glsl")
     drawn = PassSpec(
         name=f"wakes, {size} texels along",
@@ -65,9 +67,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
     return Contribution(
         why=f"wakes up to {level:.2g} m high",
-        slots=(SlotFile("waves", "wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),),
+        slots=(
+            SlotFile("waves", "wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),
+            SlotFile("bounds", "wake/bounds.glsl", prefix="wakes"),
+        ),
         consts=consts,
-        uniforms={"u_wake": forms, "u_wake_level": number(level)},
+        uniforms={
+            "u_wake": forms,
+            "u_wake_level": number(level),
+            "u_wake_top": number(2.0 * level),
+            "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count),
+        },
         inputs={"u_wake_map": TargetInput(target="wake")} if mapped else {},
         targets={
             "wake": Target(
@@ -82,18 +92,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=Bound(0.0, "no boat moves, or none raises a wave") if level == 0.0 else None,
         top=2.0 * level,
         steepest=steepest,
-        curvature=significant(sum(_curvature(wake, size if mapped else None) for wake in wakes(scene.boats))),
+        curvature=sum(near for _, near, _ in bounds),
         grain=significant(sum(wake.grain(wake.length / size) for wake in wakes(scene.boats))) if mapped else 0.0,
         march=2,
     )
 
 
-def _curvature(wake: Wake, texels: int | None) -> float:
-    """Greatest second derivative of a wake, 1/m; from a map it turns by twice its slope at most from texel to texel."""
-    if texels is None or not wake.shows:
-        return wake.curvature
-    texel = min(1.0, 2.0 * ASIDE) * wake.length / texels
-    return min(wake.curvature, 2.0 * wake.steepest / (0.75 * texel))
+def _bounds(wake: Wake, texels: int | None) -> tuple[float, float, float]:
+    """Greatest slope, and greatest second derivatives (1/m); of a map it turns by twice its slope at most a texel."""
+    near, far = wake.curvature
+    held = UNBOUNDED
+    if texels is not None and wake.shows:
+        held = 2.0 * wake.steepest / (0.75 * min(1.0, 2.0 * ASIDE) * wake.length / texels)
+    return significant(wake.steepest), significant(min(near, held)), significant(min(far, held))
 
 
 _FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)

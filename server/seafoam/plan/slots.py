@@ -76,8 +76,9 @@ DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "d
 FIND = Slot("find")
 """How the ray finds the surface; filled by the quality."""
 
-BOUNDS = Slot("bounds", joins=(Join("vec3", "surface_bounds", "", "bounds", ""),))
-"""The most that the surface's height over y = 0 (m), slope and second derivative (1/m) can be."""
+BOUNDS = Slot("bounds", joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside", "bounds", "ray, aside"),))
+"""The most that the surface's height over y = 0 (m), slope and second derivative (1/m) can be where a ray goes on from
+the eye, and all rays up to ``aside`` metres a unit beside it."""
 
 START = Slot(
     "start",

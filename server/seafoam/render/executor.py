@@ -159,6 +159,8 @@ class Executor:
     def __init__(self, device_index: int | None = None) -> None:
         self._thread = threading.get_ident()
         self._context = create_context(device_index)
+        # What is bound while others are released: moderngl binds the last framebuffer again whenever it makes an object.
+        self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
         self.info: dict[str, str] = {
             "vendor": self._context.info["GL_VENDOR"],
             "renderer": self._context.info["GL_RENDERER"],
@@ -218,8 +220,10 @@ class Executor:
         error = self._context.error
         if error != "GL_NO_ERROR":
             # What it spoilt must not be kept.
+            self._resting.use()
             self._static.clear()
             raise RuntimeError(f"{error} while drawing")
+        self._resting.use()
         for cache in self._caches():
             cache.trim()
         timings = {"render": finished - start, "read": clock.perf_counter() - finished}
@@ -234,12 +238,14 @@ class Executor:
     def forget(self) -> None:
         """Release all that is kept for later frames: programs, textures and targets."""
         self._own_thread()
+        self._resting.use()
         for cache in self._caches():
             cache.clear()
 
     def close(self) -> None:
         """Release everything, the context last."""
         self.forget()
+        self._resting.release()
         self._context.release()
 
     def _caches(self) -> tuple[_Cache, ...]:

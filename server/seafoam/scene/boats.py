@@ -66,6 +66,8 @@ class Boat(BaseModel):
         return self
 
 
+NEAR = 2.0
+"""Beyond so many lengths from a boat's middle little is left of the window at its bow."""
 _OPENING = 2800.0
 """Second derivative of a wake's window near the bow, in its level over its boat's length squared."""
 
@@ -119,18 +121,19 @@ class Wake:
         return (waves + windows) / 0.75
 
     @property
-    def curvature(self) -> float:
-        """No second derivative is greater, 1/m: a·k² of both systems, and the window at the bow, where the wake opens.
+    def curvature(self) -> tuple[float, float]:
+        """No second derivative is greater, 1/m, within :data:`NEAR` lengths of the boat, and elsewhere.
 
-        At the bow the wake is as narrow as the way behind it: the window's share grows with 1/length², its factor is
-        measured over boats of every speed, radius and height, with a tenth to spare.
+        a·k² of both systems, and the window at the bow, where the wake opens: it is as narrow there as the way behind
+        the bow, so its share grows with 1/length² and falls with the square of that way. Its factor is measured over
+        boats of every speed, radius and height, with a tenth to spare.
         """
         if not self.shows:
-            return 0.0
+            return 0.0, 0.0
         peak = max(self.k, self.shortest)
         waves = 1.5 * self.boat.wake * peak**2 * math.exp(-((peak / self.shortest) ** 2))
         window = _OPENING * self.level * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
-        return (waves + window) / 0.75**2
+        return (waves + window) / 0.75**2, (waves + window / NEAR**2) / 0.75**2
 
     def grain(self, texel: float) -> float:
         """How far a map of ``texel`` m, read bilinearly, stands over what its slopes and its curvature say, m.
