@@ -159,7 +159,7 @@ class Executor:
     def __init__(self, device_index: int | None = None) -> None:
         self._thread = threading.get_ident()
         self._context = create_context(device_index)
-        # What is bound while others are released: moderngl binds the last framebuffer again whenever it makes an object.
+        # Bound while others are released: moderngl binds the last framebuffer again whenever it makes an object.
         self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
         self.info: dict[str, str] = {
             "vendor": self._context.info["GL_VENDOR"],
