@@ -5,7 +5,7 @@ uniform sampler2D u_age_tile_1_0;
 uniform sampler2D u_age_tile_1_1;
 
 float fold_saturation(vec2 p, float height, Footprint fp) {
-    vec4 folds = sea_folds(p, fp);
+    vec4 folds = FOLD_SHARED ? sea_folded : sea_folds(p, fp);
     // Earlier folds have no means of their own: what the footprint lost of the fold now, it takes from them.
     float kept = sqrt(max(1.0 - folds.z / u_fold_variance.z, 0.0));
     float f = u_fold_share[0] * fold_ramp(folds.w, sqrt(u_fold_variance.x * folds.z), u_fold[0]);

@@ -29,6 +29,9 @@ vec4 sea_folds(vec2 p, Footprint fp) {
     return vec4(first.xy + second.xy, sea_lost(first) + sea_lost(second), first.w + second.w);
 }
 
+// The same of the place that was shaded last: foam there need not read it again.
+vec4 sea_folded;
+
 // Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
 vec4 sea_shading(vec2 p, Footprint fp) {
     float height = 0.0;
@@ -36,5 +39,6 @@ vec4 sea_shading(vec2 p, Footprint fp) {
     height += kept * sea_fetch(u_sea_tile_0, sea_place_0(p)).x;
     kept = clamp(0.5 * (float(SEA_LEVELS + 1) - sea_level(u_sea_size_1, fp)), 0.0, 1.0);
     height += kept * sea_fetch(u_sea_tile_1, sea_place_1(p)).x;
-    return vec4(u_sea_level + height, sea_folds(p, fp).xyz);
+    sea_folded = sea_folds(p, fp);
+    return vec4(u_sea_level + height, sea_folded.xyz);
 }

@@ -31,7 +31,7 @@ from seafoam.effects.sea import (
     transform,
 )
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Foam, FoldSaturation, HeightSaturation, ParametricWave, Scene, Sea
+from seafoam.scene.models import Camera, Foam, FoldSaturation, HeightSaturation, ParametricWave, Scene, Sea, SlopeSaturation
 from seafoam.scene.sea import RAISED, Cascade, fold
 
 
@@ -57,17 +57,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "u_fold_clamped": number(significant(model.clamped)),
         "u_fold_share": array("float", [Constant(value=(significant(s),)) for s in model.shares], steps + 1),
     }
+    # Foam by slope shades other places before this is asked.
+    shared = not any(isinstance(source, SlopeSaturation) for source in scene.foam.saturation)
     name = str(steps) if steps else "now"
     why = f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}"
     slots = (SlotFile("saturation", f"saturation/fold_{name}.glsl", prefix="fold", needs=("saturation/fold.glsl",)),)
     if not steps:
-        return Contribution(why=why, slots=slots, consts={"FOLD_TIMES": 1}, uniforms=uniforms)
+        return Contribution(why=why, slots=slots, consts={"FOLD_TIMES": 1, "FOLD_SHARED": shared}, uniforms=uniforms)
     targets, passes = _ages(scene, scene.sea, raised, quality)
     rows = range(steps // 4)
     return Contribution(
         why=f"{why}, and was in the last {steps * quality.age_step:g} s",
         slots=slots,
-        consts={"FOLD_TIMES": steps + 1, "AGE_SIZE": quality.sea_size // 2},
+        consts={"FOLD_TIMES": steps + 1, "FOLD_SHARED": shared, "AGE_SIZE": quality.sea_size // 2},
         uniforms=uniforms,
         inputs={
             f"u_age_tile_{i}_{row}": TargetInput(target=f"age_tile_{i}_{row}")
