@@ -31,7 +31,16 @@ from seafoam.effects.sea import (
     transform,
 )
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Foam, FoldSaturation, HeightSaturation, ParametricWave, Scene, Sea, SlopeSaturation
+from seafoam.scene.models import (
+    Camera,
+    Foam,
+    FoldSaturation,
+    HeightSaturation,
+    ParametricWave,
+    Scene,
+    Sea,
+    SlopeSaturation,
+)
 from seafoam.scene.sea import RAISED, Cascade, fold
 
 
