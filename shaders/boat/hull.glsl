@@ -171,6 +171,8 @@ void hit_sail(vec3 o, vec3 d, vec3 tack, vec3 head, vec3 clew, float roach, floa
 
 // Nearest hit with t >= least and before hit.t. rig: cosine and sine of the boom's angle.
 void hit_boat(vec3 o, vec3 d, bool motor, vec2 rig, float least, inout BoatHit hit) {
+    // One kind alone needs no branch.
+    motor = BOAT_MOTORS && (motor || !BOAT_SAILS);
     hit_hull(o, d, motor, least, hit);
     if (motor) {
         hit_house(o, d, vec4(-0.02, 0.15, 0.1, 0.085), 0.34, 0.0, -0.15, least, hit);

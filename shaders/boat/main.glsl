@@ -1,34 +1,40 @@
 // A sample of a boat where it stands before water and land: BOAT_SIDE x BOAT_SIDE rays through it. Linear light, premultiplied.
 out vec4 o_color;
 
-// Light of a boat on this ray and 1, or nothing.
-vec4 boat_seen(vec3 ray) {
-    float size = length(ray);
-    vec3 eye = vec3(0.0, u_eye_height, 0.0);
-    vec3 d = ray / size;
-    float t;
-    BoatHit hit;
-    int i = trace_boats(eye, d, 0.0, 1e5, false, t, hit);
-    if (i < 0) {
-        return vec4(0.0);
-    }
-    if (boat_hidden(ray, t)) {
-        return vec4(0.0);
-    }
-    return vec4(min(exposure() * boat_before(boat_light(i, eye, d, t, hit), d, t), BRIGHTEST), 1.0);
+const int BOAT_RAYS = BOAT_SIDE * BOAT_SIDE;
+
+vec3 boat_ray(int i) {
+    return camera_ray(sample_place() + (vec2(i % BOAT_SIDE, i / BOAT_SIDE) + 0.5) / float(BOAT_SIDE) - 0.5);
 }
 
+// Where no ray can meet a boat, and then where none does, nothing more is asked: a discarded sample is the one branch that every driver takes.
 void main() {
-    if (!near_boats(camera_ray(gl_FragCoord.xy), length(u_ray_x) / u_viewport.x + length(u_ray_y) / u_viewport.y)) {
+    if (!near_boats(camera_ray(sample_place()), length(u_ray_x) / u_viewport.x + length(u_ray_y) / u_viewport.y)) {
+        discard;
+    }
+    vec3 eye = vec3(0.0, u_eye_height, 0.0);
+    int boat[BOAT_RAYS];
+    float way[BOAT_RAYS];
+    BoatHit hits[BOAT_RAYS];
+    bool met = false;
+    for (int i = 0; i < BOAT_RAYS; ++i) {
+        boat[i] = trace_boats(eye, normalize(boat_ray(i)), 0.0, 1e5, false, way[i], hits[i]);
+        met = met || boat[i] >= 0;
+    }
+    if (!met) {
         discard;
     }
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < BOAT_SIDE * BOAT_SIDE; ++i) {
-        vec2 offset = (vec2(i % BOAT_SIDE, i / BOAT_SIDE) + 0.5) / float(BOAT_SIDE) - 0.5;
-        sum += boat_seen(camera_ray(sample_place() + offset));
+    for (int i = 0; i < BOAT_RAYS; ++i) {
+        vec3 ray = boat_ray(i);
+        vec3 d = normalize(ray);
+        if (boat[i] >= 0 && !boat_hidden(ray, way[i])) {
+            vec3 light = exposure() * boat_before(boat_light(boat[i], eye, d, way[i], hits[i]), d, way[i]);
+            sum += vec4(min(light, BRIGHTEST), 1.0);
+        }
     }
     if (sum.a == 0.0) {
         discard;
     }
-    o_color = sum / float(BOAT_SIDE * BOAT_SIDE);
+    o_color = sum / float(BOAT_RAYS);
 }

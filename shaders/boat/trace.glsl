@@ -23,30 +23,30 @@ BoatFrame boat_frame(int i) {
     return BoatFrame(vec3(place.x, pose.x, place.y), ahead, heel.x * up + heel.y * right, heel.x * right - heel.y * up);
 }
 
-// Whether a ray from the eye, or one `aside` of it by so many metres a unit, can meet a boat's box; ray: not normalised.
+// Whether a ray o + t d with t >= 0, d a unit vector, meets the box that holds a boat, which is `spread` wider for every length of way.
+bool meets_boat(BoatFrame f, float size, vec3 o, vec3 d, float spread) {
+    vec3 from = o - f.at;
+    vec3 local = vec3(dot(from, f.ahead), dot(from, f.up), dot(from, f.right)) / size;
+    vec3 way = vec3(dot(d, f.ahead), dot(d, f.up), dot(d, f.right));
+    vec3 middle = vec3(0.03, 0.5, 0.0);
+    vec3 half_box = vec3(0.56, 0.74, 0.5) + spread * (length(local) + 1.3);
+    // A ray along a side of the box: so slow across it that it stays.
+    vec3 over = 1.0 / mix(way, vec3(1e-6), lessThan(abs(way), vec3(1e-6)));
+    vec3 one = (middle - half_box - local) * over;
+    vec3 two = (middle + half_box - local) * over;
+    vec3 enter = min(one, two);
+    vec3 leave = max(one, two);
+    return max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), leave.z);
+}
+
+// Whether a ray from the eye, or one up to `aside` of it a unit, can meet a boat; ray: not normalised.
 bool near_boats(vec3 ray, float aside) {
     float size = length(ray);
-    vec3 d = ray / size;
+    bool found = false;
     for (int i = 0; i < BOAT_COUNT; ++i) {
-        float scale = u_boat_form[i].x;
-        BoatFrame f = boat_frame(i);
-        vec3 from = vec3(0.0, u_eye_height, 0.0) - f.at;
-        vec3 local = vec3(dot(from, f.ahead), dot(from, f.up), dot(from, f.right)) / scale;
-        vec3 way = vec3(dot(d, f.ahead), dot(d, f.up), dot(d, f.right));
-        // As much wider as the rays are apart where the boat ends.
-        float margin = aside / size * (length(local) + 1.3);
-        vec3 middle = vec3(0.03, 0.5, 0.0);
-        vec3 half_box = vec3(0.56, 0.74, 0.46) + margin;
-        vec3 over = 1.0 / (sign(way) * max(abs(way), vec3(1e-6)) + vec3(equal(way, vec3(0.0))) * 1e-6);
-        vec3 one = (middle - half_box - local) * over;
-        vec3 two = (middle + half_box - local) * over;
-        vec3 enter = min(one, two);
-        vec3 leave = max(one, two);
-        if (max(max(enter.x, enter.y), max(enter.z, 0.0)) < min(min(leave.x, leave.y), leave.z)) {
-            return true;
-        }
+        found = found || meets_boat(boat_frame(i), u_boat_form[i].x, vec3(0.0, u_eye_height, 0.0), ray / size, aside / size);
     }
-    return false;
+    return found;
 }
 
 // First boat on the ray o + t d, d a unit vector, from `least` on and before `farthest` (m): which, and where; -1: none.
@@ -54,17 +54,22 @@ bool near_boats(vec3 ray, float aside) {
 int trace_boats(vec3 o, vec3 d, float least, float farthest, bool dry, out float t, out BoatHit hit) {
     int found = -1;
     t = farthest;
+    // Those that the ray can meet first: drivers that take no branch would work through all of them for every ray.
+    int list[BOAT_COUNT];
+    int count = 0;
     for (int i = 0; i < BOAT_COUNT; ++i) {
+        if (meets_boat(boat_frame(i), u_boat_form[i].x, o, d, 0.0)) {
+            list[count] = i;
+            ++count;
+        }
+    }
+    for (int n = 0; n < count; ++n) {
+        int i = list[n];
         float size = u_boat_form[i].x;
         BoatFrame f = boat_frame(i);
         vec3 from = o - f.at;
-        // Everything of a boat is within so far of a place over its middle.
-        vec3 middle = 0.4 * size * f.up - from;
-        float nearest = dot(middle, d);
-        if (dot(middle, middle) - nearest * nearest > 0.81 * size * size) {
-            continue;
-        }
-        // From its nearest place on, so that no digit is lost to the way there.
+        // From the place nearest to the boat on, so that no digit is lost to the way there.
+        float nearest = dot(0.4 * size * f.up - from, d);
         vec3 start = from + nearest * d;
         vec3 local = vec3(dot(start, f.ahead), dot(start, f.up), dot(start, f.right)) / size;
         vec3 way = vec3(dot(d, f.ahead), dot(d, f.up), dot(d, f.right));

@@ -185,6 +185,7 @@ def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str)
             ("=uniform vec3 u_eye;\nuniform vec2 u_rig;\n", "boat/hull.glsl"),
             body,
             d,
+            consts={"BOAT_SAILS": True, "BOAT_MOTORS": True},
             uniforms={"u_eye": eye, "u_rig": (math.cos(boat.boom), math.sin(boat.boom))},
         ).astype(np.float64)
         want = reference._Boat(np.repeat(eye[None], len(d), 0), d.astype(np.float64), np.zeros(len(d)), boat)

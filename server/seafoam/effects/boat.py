@@ -139,6 +139,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"boats: {', '.join(kinds)}",
         consts={
             "BOAT_COUNT": count,
+            "BOAT_SAILS": any(boat.kind == "sail" for boat in boats),
+            "BOAT_MOTORS": any(boat.kind == "motor" for boat in boats),
             "BOAT_SIDE": math.isqrt(quality.boat_samples),
             "BOAT_READINGS": quality.boat_readings,
             "BOAT_BOW": BOW,
