@@ -40,7 +40,7 @@ def executor() -> Executor:
 def _room() -> Iterator[None]:
     """After a test, have the executor forget what it keeps for later frames, once that is too much."""
     yield
-    if _executor.cache_info().currsize and resident() > LIMIT // 2:
+    if _executor.cache_info().currsize and resident() > LIMIT // 4:
         _executor().forget()
 
 

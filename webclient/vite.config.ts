@@ -1,4 +1,4 @@
-import { writeFileSync } from "node:fs";
+import { readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { brotliCompressSync } from "node:zlib";
 import { defineConfig, type Plugin } from "vitest/config";
@@ -18,10 +18,19 @@ const brotli: Plugin = {
   },
 };
 
+/** Which presets have a still, into the page, so that it asks for no other. */
+const stills: Plugin = {
+  name: "stills",
+  transformIndexHtml(html) {
+    const names = readdirSync(join(import.meta.dirname, "public/stills")).flatMap((file) => /^([\w-]+)\.avif$/.exec(file)?.[1] ?? []);
+    return html.replace("data-stills=\"\"", `data-stills="${names.join(" ")}"`);
+  },
+};
+
 export default defineConfig({
   base: "./",
   build: { target: "es2022", assetsInlineLimit: 0 },
-  plugins: [brotli],
+  plugins: [brotli, stills],
   server: { proxy: { "/api": server, "/openapi.json": server, "/docs": server } },
   test: { include: ["tests/**/*.test.ts"] },
 });

@@ -20,8 +20,8 @@ def measured_bounds(
     """
     blocks, bounds = f"{source}_blocks", f"{source}_bounds"
     targets = {
-        blocks: Target(size=FixedSize(width=-(-size // BLOCK), height=-(-size // BLOCK)), format="RGBA32F"),
-        bounds: Target(size=FixedSize(width=1, height=1), format="RGBA32F"),
+        blocks: Target(size=FixedSize(width=-(-size // BLOCK), height=-(-size // BLOCK)), format="RGBA16F"),
+        bounds: Target(size=FixedSize(width=1, height=1), format="RGBA16F"),
     }
     passes = (
         PassSpec(

@@ -19,6 +19,7 @@ from seafoam.effects.contribution import (
     PlanError,
     SlotFile,
     Target,
+    TargetFormat,
     TargetInput,
     TextureInput,
     TextureUse,
@@ -130,9 +131,9 @@ class _Draft:
                 raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
             mine.update(theirs)  # type: ignore[arg-type]
 
-    def add_starts(self, side: int) -> None:
+    def add_starts(self, side: int, kind: TargetFormat) -> None:
         """The pass that finds, for tiles of the picture, where their rays may begin to look for water and land."""
-        self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA32F")
+        self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format=kind)
         self.inputs["u_start"] = TargetInput(target="start")
         drawn = PassSpec(
             name="where rays begin",
@@ -183,7 +184,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         *(() if level else (SlotFile("start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl",)),)),
     ]
     if not level or shore:
-        draft.add_starts(side)
+        draft.add_starts(side, quality.target)
     surface_fragment = [*_SAMPLED]
     again_fragment = [*_SAMPLED]
     under_fragment = [*_SAMPLED]

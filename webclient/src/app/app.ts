@@ -70,20 +70,22 @@ export class App {
   /** Reads the address, asks the server for what it names, and starts to draw. */
   static async open(api: Api, curtain: Curtain): Promise<void> {
     const link = decode(location.hash);
-    // Asked for at once: a visitor without a link comes to the preset whose still the page begins with.
-    const likely = link.preset ?? document.documentElement.dataset["preset"] ?? "";
-    const asked = Promise.all([api.presets(), api.openapi(), api.preset(likely).catch(() => null)]);
+    // Asked for at once, if the page was built with it: a visitor without a link comes to the preset whose still it begins with.
+    const { preset: first = "", stills = "" } = document.documentElement.dataset;
+    const likely = link.preset ?? first;
+    const early = stills.split(" ").includes(likely) ? api.preset(likely).catch(() => null) : null;
+    const asked = Promise.all([api.presets(), api.openapi(), early]);
     // Where GL cannot start, that is what the visitor is told.
     asked.catch(() => undefined);
     const still = new Still(byId("still") as HTMLImageElement);
     await still.painted();
     // The browser starts the GPU while the server answers.
     openContext(byId("canvas") as HTMLCanvasElement);
-    const [presets, openapi, early] = await asked;
+    const [presets, openapi, ready] = await asked;
     const known = presets.find(({ name }) => name === link.preset);
     const opened = known ?? presets[0];
     if (opened === undefined) throw new Error("The server has no presets.");
-    const preset = early?.name === opened.name ? early : await api.preset(opened.name);
+    const preset = ready?.name === opened.name ? ready : await api.preset(opened.name);
     const unknown = link.preset !== null && known === undefined;
     // What a link says of one sea means nothing for another.
     const kept = unknown ? { ...link, changes: [], time: null, camera: null, split: null } : link;
