@@ -1,12 +1,13 @@
 // Where a march along a ray from the eye may begin. docs/formulae.md, section 3.
-// tau before which no ray of a tile of the picture meets: r the water's surface, g land over y = 0; of the surface's slope (b) and
-// second derivative (a, 1/m) the greatest.
+// tau before which no ray of a tile of the picture meets: r + g the water's surface, b land over y = 0; a: second derivative of the
+// surface at most (1/m), from 60000 on unknown.
 uniform sampler2D u_start;
 
-// Begins at 0 outside the picture. ray: not normalised, 1 along the view.
-vec4 march_start(vec3 ray) {
+// Of water, of land, and the second derivative. Begins at 0 outside the picture. ray: not normalised, 1 along the view.
+vec3 march_start(vec3 ray) {
     vec2 clip = vec2(dot(ray, u_ray_x) / dot(u_ray_x, u_ray_x), dot(ray, u_ray_y) / dot(u_ray_y, u_ray_y));
     ivec2 size = textureSize(u_start, 0);
     vec4 start = texelFetch(u_start, clamp(ivec2((0.5 * clip + 0.5) * vec2(size)), ivec2(0), size - 1), 0);
-    return any(greaterThan(abs(clip), vec2(1.0))) ? vec4(0.0, 0.0, start.ba) : start;
+    float curvature = start.a < 60000.0 ? start.a : 1e9;
+    return any(greaterThan(abs(clip), vec2(1.0))) ? vec3(0.0, 0.0, curvature) : vec3(start.r + start.g, start.b, curvature);
 }

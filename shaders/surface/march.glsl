@@ -2,6 +2,7 @@
 // where the surface falls away from it, so that no back of a crest shows.
 // ray: from the eye, 1 along the view; returns tau < farthest, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
 uniform float u_surface_top;
+uniform float u_surface_steepest;
 uniform float u_surface_grain; // what maps may add to the surface between their texels, m
 
 const float FARTHEST = 1e5;
@@ -24,13 +25,13 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
         leave = max(u_eye_height, 0.0) / -ray.y;
     }
     leave = min(leave, reach);
-    vec4 start = march_start(ray);
+    vec3 start = march_start(ray);
     enter = min(max(enter, start.r), leave);
 
     // Share of a sample's height under which Newton takes over.
     float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
-    float fastest = max(start.b * speed - ray.y, 1e-6 * length(ray));
-    float curvature = start.a * speed * speed;
+    float fastest = max(u_surface_steepest * speed - ray.y, 1e-6 * length(ray));
+    float curvature = start.b * speed * speed;
     tau = enter;
     float gap = 0.0;
     // Looked at once before the loop: what the waves read from uniforms is then read there, not in every step.

@@ -15,7 +15,7 @@ vec4 water_start(vec3 ray, vec3 side, vec3 top) {
     float tau = over > 0.0 ? (toward > 0.0 ? over / toward : reach) : 0.0;
     float fastest = max(bounds.y * speed + toward, 1e-6 * length(ray));
     // Crests are sharper than troughs: from below only slopes are told.
-    float curvature = sense > 0.0 ? bounds.z : 65000.0;
+    float curvature = sense > 0.0 && bounds.z < 60000.0 ? bounds.z : 1e9;
     for (int i = 0; i < MARCH_STEPS; ++i) {
         if (tau >= reach) {
             break;

@@ -19,7 +19,6 @@ from seafoam.effects.contribution import (
     PlanError,
     SlotFile,
     Target,
-    TargetFormat,
     TargetInput,
     TextureInput,
     TextureUse,
@@ -86,6 +85,7 @@ class _Draft:
         self.passes: list[PassSpec] = []
         self.top = 0.0
         self.grain = 0.0
+        self.steepest = 0.0
         self.bounds = [0.0, 0.0, 0.0]
         """Height, slope and curvature at most of what does not measure its own."""
         self.bottom = LOWEST
@@ -114,6 +114,7 @@ class _Draft:
         self.passes += given.passes
         self.top += given.top
         self.grain += given.grain
+        self.steepest += given.steepest
         if not any(file.slot == "bounds" for file in files):
             more = (given.top, given.steepest, given.curvature)
             self.bounds = [a + b for a, b in zip(self.bounds, more, strict=True)]
@@ -131,9 +132,9 @@ class _Draft:
                 raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
             mine.update(theirs)  # type: ignore[arg-type]
 
-    def add_starts(self, side: int, kind: TargetFormat) -> None:
+    def add_starts(self, side: int) -> None:
         """The pass that finds, for tiles of the picture, where their rays may begin to look for water and land."""
-        self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format=kind)
+        self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA16F")
         self.inputs["u_start"] = TargetInput(target="start")
         drawn = PassSpec(
             name="where rays begin",
@@ -184,7 +185,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         *(() if level else (SlotFile("start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl",)),)),
     ]
     if not level or shore:
-        draft.add_starts(side, quality.target)
+        draft.add_starts(side)
     surface_fragment = [*_SAMPLED]
     again_fragment = [*_SAMPLED]
     under_fragment = [*_SAMPLED]
@@ -337,7 +338,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         _refuse_too_many(program, draft.readers)
     for one in passes:
         _refuse_whole_numbers(one, targets)
-    camera = _camera_uniforms(draft.top, draft.grain, draft.bounds)
+    camera = _camera_uniforms(draft.top, draft.steepest, draft.grain, draft.bounds)
     uniforms = {**draft.uniforms, **camera, **(spent.uniforms if spent else {})}
     textures = {name: _texture(use) for name, use in draft.textures.items()}
     timed, kept = with_setup([_bound(one, programs, uniforms) for one in passes], programs, uniforms, targets, textures)
@@ -367,7 +368,7 @@ def _kept(scene: Scene, count: int) -> Scene:
     return scene.model_copy(update={"waves": tuple(scene.waves[i] for i in sorted(order[:count]))})
 
 
-def _camera_uniforms(top: float, grain: float, bounds: Sequence[float]) -> dict[str, Uniform]:
+def _camera_uniforms(top: float, steepest: float, grain: float, bounds: Sequence[float]) -> dict[str, Uniform]:
     return {
         "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
         "u_eye_height": Uniform(type="float", rules=(CameraRule(what="eye_height"),)),
@@ -376,6 +377,8 @@ def _camera_uniforms(top: float, grain: float, bounds: Sequence[float]) -> dict[
         "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
         "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
         "u_surface_top": number(top),
+        "u_surface_steepest": number(steepest),
+        "u_ceiling_steepest": number(steepest),
         "u_surface_bounds": vector(tuple(bounds)),
         "u_surface_grain": number(significant(grain)),
     }
