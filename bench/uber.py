@@ -37,6 +37,7 @@ SWITCH = "u_uber_"
 COMBINE = f"{SWITCH}combine"
 """0: the greatest saturation, 1: the product."""
 START = "u_start"
+_MARCHED = ("u_surface_top", "u_surface_steepest", "u_surface_grain")
 NO_START = Pass(
     name="where rays begin",
     when="frame",
@@ -139,7 +140,7 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
         update={
             "programs": {**plan.programs, "surface": uber.program},
             # Nor do these mean anything to it.
-            "uniforms": {name: number(0.0) for name in ("u_surface_top", "u_surface_grain")} | plan.uniforms | uniforms,
+            "uniforms": {name: number(0.0) for name in _MARCHED} | plan.uniforms | uniforms,
             "textures": textures | plan.textures,
             "targets": targets | plan.targets,
             "passes": (
