@@ -1,8 +1,7 @@
-// Bounds of the two raised tiles as they are now.
+// Bounds of the two raised tiles as they are now, over the level of waves/sea.glsl.
 uniform sampler2D u_sea_bounds_0;
 uniform sampler2D u_sea_bounds_1;
-uniform float u_sea_still; // mean height, m
 
 vec3 sea_bounds(vec3 ray, float aside) {
-    return texelFetch(u_sea_bounds_0, ivec2(0), 0).xyz + texelFetch(u_sea_bounds_1, ivec2(0), 0).xyz + vec3(u_sea_still, 0.0, 0.0);
+    return texelFetch(u_sea_bounds_0, ivec2(0), 0).xyz + texelFetch(u_sea_bounds_1, ivec2(0), 0).xyz + vec3(u_sea_level, 0.0, 0.0);
 }

@@ -2,40 +2,37 @@
 // is on: no step that any of the rays could not take. docs/formulae.md, section 3.
 uniform float u_surface_grain; // what maps may add to the surface between their texels, m
 
-vec4 water_start(vec3 ray, vec3 side, vec3 top) {
+vec3 water_start(vec3 ray, vec3 side, vec3 top) {
     float sense = u_eye_height < waves(vec2(0.0)).x ? -1.0 : 1.0;
-    float aside = length(side.xz) + length(top.xz);
-    vec3 bounds = surface_bounds(ray, aside);
-    float raised = abs(side.y) + abs(top.y);
-    float speed = length(ray.xz) + aside;
+    Pyramid rays = pyramid(ray, side, top);
+    vec3 bounds = surface_bounds(ray, rays.aside);
     // The ray that comes toward the surface the fastest.
-    float toward = raised - sense * ray.y;
-    float reach = 1e5 / max(speed, 1e-6 * length(ray));
+    float toward = rays.raised - sense * ray.y;
     float over = sense > 0.0 ? u_eye_height - bounds.x : -u_eye_height;
-    float tau = over > 0.0 ? (toward > 0.0 ? over / toward : reach) : 0.0;
-    float fastest = max(bounds.y * speed + toward, 1e-6 * length(ray));
+    float tau = pyramid_enters(rays, over, toward);
+    float fastest = max(bounds.y * rays.speed + toward, 1e-6 * length(ray));
     // Crests are sharper than troughs: from below only slopes are told.
     float curvature = sense > 0.0 && bounds.z < 60000.0 ? bounds.z : 1e9;
     for (int i = 0; i < MARCH_STEPS; ++i) {
-        if (tau >= reach) {
+        if (tau >= rays.reach) {
             break;
         }
         vec3 wave = waves(tau * ray.xz);
         float gap = sense * (u_eye_height + tau * ray.y - wave.x);
         float rate = sense * (ray.y - dot(wave.yz, ray.xz));
         // As near as any ray of the pyramid can be: by the steepest slope, and by the slope here and the curvature.
-        float sloped = gap - tau * (raised + bounds.y * aside);
+        float sloped = gap - tau * (rays.raised + bounds.y * rays.aside);
         float tilted = abs(side.y - dot(wave.yz, side.xz)) + abs(top.y - dot(wave.yz, top.xz));
-        float curved = gap - tau * (tilted + 0.5 * curvature * tau * aside * aside);
+        float curved = gap - tau * (tilted + 0.5 * curvature * tau * rays.aside * rays.aside);
         float longest = max(sloped / fastest, 0.0);
         if (curved > 0.0) {
-            float change = rate - tilted - curvature * speed * tau * aside;
-            longest = max(longest, safe_step(curved, u_surface_grain, change, 1e30, curvature * speed * speed));
+            float change = rate - tilted - curvature * rays.speed * tau * rays.aside;
+            longest = max(longest, safe_step(curved, u_surface_grain, change, 1e30, curvature * rays.speed * rays.speed));
         }
         tau += longest;
-        if (longest < START_SHARE * tau * raised) {
+        if (longest < START_SHARE * tau * rays.raised) {
             break;
         }
     }
-    return vec4(min(tau, reach), 0.0, bounds.yz);
+    return vec3(min(tau, rays.reach), 0.0, bounds.z);
 }

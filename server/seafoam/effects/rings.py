@@ -129,7 +129,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return PassSpec(
             name=f"{target.replace('_', ', ')}, {side:g} m map",
             program=target,
-            fragment=("common/numbers.glsl", "rings/ring.glsl", shader),
+            fragment=("common/numbers.glsl", "rings/ring.glsl", "rings/reaching.glsl", shader),
             target=target,
             uniforms={
                 "u_ring_now": _now(shown, corners),
@@ -150,7 +150,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts=consts,
         uniforms={
-            "u_ring_still": number(level),
             "u_ring_corner": array("vec2", _to_eye(corner_x, corner_z), 1),
             "u_ring_side": number(side),
             "u_ring_level": number(level),

@@ -233,7 +233,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **{f"u_sea_offset_{i}": _offset(of) for i, of in enumerate(tiles)},
             **{f"u_sea_size_{i}": _size(of, sea.choppiness, size) for i, of in enumerate(tiles)},
             "u_sea_level": number(significant(0.5 * top)),
-            "u_sea_still": number(significant(0.5 * top)),
         },
         inputs={
             "u_sea_means": TargetInput(target="sea_means"),

@@ -297,7 +297,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "shore/before.glsl",
                 needs=("surface/begin.glsl", "shore/find_land.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl"),
             ),
-            SlotFile("start", "shore/start.glsl", prefix="land", needs=("shore/ground.glsl",)),
+            SlotFile("start", "shore/start.glsl", prefix="land", needs=("surface/pyramid.glsl", "shore/ground.glsl")),
             *(under if lit else ()),
         ),
         consts={

@@ -75,7 +75,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={
             "u_wake": forms,
             "u_wake_level": number(level),
-            "u_wake_top": number(2.0 * level),
             "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count),
         },
         inputs={"u_wake_map": TargetInput(target="wake")} if mapped else {},

@@ -182,7 +182,15 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         SlotFile("find", "surface/plane.glsl") if level else SlotFile("find", "surface/march.glsl", needs=_MARCH),
         SlotFile("ceiling", "below/plane.glsl") if level else SlotFile("ceiling", "below/find.glsl", needs=_MARCH),
         SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
-        *(() if level else (SlotFile("start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl",)),)),
+        *(
+            ()
+            if level
+            else (
+                SlotFile(
+                    "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
+                ),
+            )
+        ),
     ]
     if not level or shore:
         draft.add_starts(side)

@@ -82,7 +82,7 @@ the eye, and all rays up to ``aside`` metres a unit beside it."""
 
 START = Slot(
     "start",
-    joins=(Join("vec4", "starts", "vec3 ray, vec3 side, vec3 top", "start", "ray, side, top"),),
+    joins=(Join("vec3", "starts", "vec3 ray, vec3 side, vec3 top", "start", "ray, side, top"),),
 )
 """How far the rays between ray ± side ± top are free: r of water, g of land; each file fills a component."""
 
