@@ -29,7 +29,7 @@ class SurfaceQuality(Knobs):
     )
     steps: int = Field(default=192, ge=8, le=1024, description="Greatest number of steps of a march")
     tolerance: float = Field(
-        default=0.1,
+        default=0.05,
         ge=1e-4,
         le=1.0,
         description="A march ends this near the surface, in heights of a sample; Newton finishes",
@@ -123,6 +123,10 @@ class Quality(Knobs):
         default="map", description="Boats mirrored from a planar mirror drawn each frame, or by rays from the water"
     )
     reflection_size: int = Field(default=512, ge=32, le=2048, description="Texels along a side of the planar mirror")
+    slope_places: Annotated[Literal[1, 5], BeforeValidator(_no_truth_value)] = Field(
+        default=1,
+        description="Places whose slopes make blurred slope foam: five, or one whose footprint is as wide as the blur",
+    )
     boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = Field(
         default=7, description="Heights read round each hull point of a boat"
     )
@@ -199,6 +203,7 @@ TIERS: dict[Tier, Quality] = {
         caustics_cells=512,
         wake_size=1024,
         reflection_size=1024,
+        slope_places=5,
         boat_samples=1,
         samples=4,
     ),
@@ -212,6 +217,7 @@ TIERS: dict[Tier, Quality] = {
         shore_profile=256,
         cube="exact",
         cube_size=512,
+        slope_places=5,
         refraction_steps=16,
         drift="exact",
         drift_step=0.2,

@@ -16,11 +16,14 @@ float foam_amount(float f, vec2 p, Footprint fp) {
     float held = max(left, 1.0 / 256.0);
     float last = smoothstep(0.0, 1.0 / 256.0, left);
     float free = 1.0;
-    for (int i = 0; i < 3; ++i) {
-        if (weight[i] > 0.0) {
-            cell_enter(corner[i], way[i]);
-            free *= 1.0 - cell_amount(1.0 - pow(held, weight[i]) * last, p, fp);
-        }
-    }
+    // As many rounds as cells count here, asked at the end: drivers without branches would go through all three.
+    do {
+        bool first = weight.x > 0.0;
+        bool second = !first && weight.y > 0.0;
+        float part = first ? weight.x : second ? weight.y : weight.z;
+        cell_enter(first ? corner[0] : second ? corner[1] : corner[2], first ? way[0] : second ? way[1] : way[2]);
+        free *= 1.0 - cell_amount(1.0 - pow(held, part) * last, p, fp);
+        weight = first ? vec3(0.0, weight.yz) : second ? vec3(0.0, 0.0, weight.z) : vec3(0.0);
+    } while (weight.x + weight.y + weight.z > 0.0);
     return 1.0 - free;
 }

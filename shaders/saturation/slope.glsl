@@ -1,4 +1,4 @@
-// Foam where the water is steep (GPU ocean, 2007): f = gain (1 - n.y - base), n the waves' normal; f in [0, 4].
+// Foam where the water is steep (GPU ocean, 2007): f = gain (1 - n.y - base), n the waves' normal; f in [0, SLOPE_MOST].
 // What the footprint has taken out of the slope still counts, by its mean square.
 uniform float u_slope_gain;
 uniform float u_slope_base;
@@ -9,5 +9,5 @@ float slope_lack(vec2 p, Footprint fp) {
 }
 
 float slope_saturation(vec2 p, float height, Footprint fp) {
-    return clamp(u_slope_gain * (slope_lack(p, fp) - u_slope_base), 0.0, 4.0);
+    return clamp(u_slope_gain * (slope_lack(p, fp) - u_slope_base), 0.0, SLOPE_MOST);
 }

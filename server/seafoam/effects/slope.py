@@ -2,11 +2,14 @@
 
 import math
 
-from seafoam.effects.contribution import Bound, Contribution, Effect, HardCase, SlotFile, Uniform, number
+from seafoam.effects.contribution import Bound, Const, Contribution, Effect, HardCase, Knob, SlotFile, Uniform, number
 from seafoam.effects.extremes import slope_limit
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Foam, HeightSaturation, ParametricWave, Scene, SlopeSaturation
 from seafoam.scene.rings import Ring
+
+WIDENED = 1.5
+"""Side of the box that stands for the five places of a blur, in blurs: the nearest to them in choppy lakes and explosions."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -17,7 +20,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if not found:
         return None
     index, slope = found[0]
-    name = ("slope_blurred" if slope.blur > 0.0 else "slope") + ("_filtered" if scene.foam.look == "filtered" else "")
+    # Where nothing is filtered nothing is left of a wider footprint.
+    blurred = "slope_widened" if quality.slope_places == 1 and quality.surface.filter else "slope_blurred"
+    name = blurred if slope.blur > 0.0 else "slope"
+    consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if scene.foam.look == "filtered" else 4.0}
+    if name == "slope_widened":
+        consts["SLOPE_WIDENED"] = WIDENED
     pointer = f"/foam/saturation/{index}"
     uniforms: dict[str, Uniform] = {
         "u_slope_gain": number(slope.gain, f"{pointer}/gain"),
@@ -28,6 +36,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"slope saturation, {slope.gain:g} times what the normal lacks of upright",
         slots=(SlotFile("saturation", f"saturation/{name}.glsl", prefix="slope"),),
+        consts=consts,
         uniforms=uniforms,
         bound=Bound(0.0, "nothing raises the surface, so nothing is steep")
         if slope_limit(slope, scene) == 0.0
@@ -45,6 +54,7 @@ EFFECT = Effect(
             foam=Foam(saturation=(HeightSaturation(base=-0.2, full=1.0), SlopeSaturation(blur=1.0)), look="filtered"),
         ),
     ),
+    knobs=(Knob("/slope_places", "places at which blurred slopes are read", (1, 5), "filtering"),),
     hard_cases=(
         HardCase(
             name="foam on walls",
