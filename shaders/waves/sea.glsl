@@ -15,10 +15,13 @@ vec2 sea_place_1(vec2 p) {
     return p / u_sea_size_1.x + u_sea_offset_1;
 }
 
+// The second tile's share of the waves that were asked for last.
+vec3 sea_short;
+
 // Height and its gradient.
 vec3 sea_waves(vec2 p) {
-    vec3 sum = sea_fetch(u_sea_tile_0, sea_place_0(p)).xyz
-        + sea_fetch(u_sea_tile_1, sea_place_1(p)).xyz;
+    sea_short = sea_fetch(u_sea_tile_1, sea_place_1(p)).xyz;
+    vec3 sum = sea_fetch(u_sea_tile_0, sea_place_0(p)).xyz + sea_short;
     return vec3(u_sea_level + sum.x, sum.yz);
 }
 

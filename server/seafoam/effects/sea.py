@@ -208,6 +208,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
         SlotFile("bounds", "sea/bounds.glsl", prefix="sea"),
     ]
+    if scene.shore is None:
+        slots.append(SlotFile("short", "sea/short.glsl"))
+        slots.append(SlotFile("short bounds", "sea/short_bounds.glsl", needs=("sea/bounds.glsl",)))
     if len(tiles) > RAISED:
         name = "detail_two" if len(tiles) == 4 else "detail_one"
         slots.append(SlotFile("detail", f"sea/{name}.glsl", prefix="sea", needs=needs))

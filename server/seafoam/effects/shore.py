@@ -266,6 +266,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     surf = shore.surf
     slope, share, floor_slope, land_slope, land_top, curvature = _limits(shore, quality)
+    steepest = _up(slope + share * surface_top(scene))
+    # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
+    bend = _up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * surface_top(scene))
     lit = scene.light is not None
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
@@ -297,6 +300,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "shore/before.glsl",
                 needs=("surface/begin.glsl", "shore/find_land.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl"),
             ),
+            SlotFile("beyond", "shore/beyond.glsl"),
             SlotFile("start", "shore/start.glsl", prefix="land", needs=("surface/pyramid.glsl", "shore/ground.glsl")),
             *(under if lit else ()),
         ),
@@ -315,6 +319,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_shore_top": number(_up(max(land_top, 0.0))),
             "u_shore_steepest": array("float", [Constant(value=(_up(s),)) for s in (floor_slope, land_slope)], 2),
             **({} if scene.light is None else bed_sun(scene.light)),
+            # A thousandth less: bounds are rounded up on their way to where these are taken away again.
+            "u_shore_bounds": vector((0.999 * steepest, 0.999 * bend)),
             "u_shore_swash": number(significant(0.3 * surf.height)),
             "u_shore_plants_from": number(shore.plants_from, "/shore/plants_from"),
             "u_shore_reef": number(shore.reef, "/shore/reef"),
@@ -339,9 +345,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bottom=-shore.deep,
         bound=_bound(scene, shore, land_top),
         top=surf.height,
-        steepest=_up(slope + share * surface_top(scene)),
-        # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
-        curvature=_up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * surface_top(scene)),
+        steepest=steepest,
+        curvature=bend,
         march=2,
     )
 

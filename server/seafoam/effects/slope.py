@@ -9,7 +9,7 @@ from seafoam.scene.models import Camera, Foam, HeightSaturation, ParametricWave,
 from seafoam.scene.rings import Ring
 
 WIDENED = 1.5
-"""Side of the box that stands for the five places of a blur, in blurs: the nearest to them in choppy lakes and explosions."""
+"""Side of the box that stands for the five places of a blur, in blurs: nearest to them on choppy lakes."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

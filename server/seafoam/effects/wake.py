@@ -7,7 +7,6 @@ import math
 
 from seafoam.effects.boat import COURSE
 from seafoam.effects.contribution import (
-    UNBOUNDED,
     Bound,
     Const,
     Constant,
@@ -24,13 +23,17 @@ from seafoam.effects.contribution import (
     number,
     significant,
 )
+from seafoam.effects.measured import BLOCK
 from seafoam.quality import Quality
-from seafoam.scene.boats import NEAR, Boat, Wake, wake_level, wake_slope, wakes
+from seafoam.scene.boats import NEAR, Boat, wake_level, wake_slope, wakes
 from seafoam.scene.models import Camera, Foam, Scene, SlopeSaturation
 
 ASIDE = 0.36
 """A wake is so wide to each side, in its lengths: just more than Kelvin's tan 19.47 degrees."""
+AWAY = (0, 2, 4, 8)
+"""Lengths from a boat's middle from which on its wake's curvature is told: the window at the bow bends it most."""
 WAY = (COURSE, "wake/way.glsl")
+READ = {"map": "wake", "bounds": "wake_bounds"}
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -39,7 +42,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     level, steepest = wake_level(scene.boats), wake_slope(scene.boats)
     count, size = len(scene.boats), quality.wake_size
-    pattern = ("common/numbers.glsl", COURSE, "wake/pattern.glsl")
     forms = array(
         "vec4",
         [
@@ -56,38 +58,56 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         count,
     )
     mapped = quality.wake == "map"
-    bounds = [_bounds(wake, size if mapped else None) for wake in wakes(scene.boats)]
-    consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR}
+    bounds = [(significant(wake.steepest), *map(significant, wake.curvature)) for wake in wakes(scene.boats)]
+    consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY}
     here = ("wake/map.glsl",) if mapped else ("wake/pattern.glsl", "wake/exact.glsl")
-    drawn = PassSpec(
-        name=f"wakes, {size} texels along",
-        program="wake",
-        fragment=(*pattern, "wake/map_pass.glsl"),
-        target="wake",
+    passes = (
+        PassSpec(
+            name=f"wakes, {size} texels along",
+            program="wake",
+            fragment=("common/numbers.glsl", "wake/form.glsl", "wake/pattern.glsl", "wake/map_pass.glsl"),
+            target="wake",
+        ),
+        PassSpec(
+            name="wakes, greatest of blocks",
+            program="wake_blocks",
+            fragment=(
+                f"=const int BOUNDS_BLOCK = {BLOCK};\n",
+                "wake/form.glsl",
+                "wake/bounds_blocks_pass.glsl",
+            ),
+            target="wake_blocks",
+            inputs={"u_wake_map": TargetInput(target="wake")},
+        ),
+        PassSpec(
+            name="wakes, greatest of all",
+            program="wake_bounds",
+            fragment=("wake/form.glsl", "wake/bounds_join_pass.glsl"),
+            target="wake_bounds",
+            inputs={"u_wake_blocks": TargetInput(target="wake_blocks")},
+        ),
     )
+    targets = {
+        "wake": Target(size=FixedSize(width=size, height=size // 2 * count), format="RGBA16F", filter="linear"),
+        "wake_blocks": Target(size=FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count), format="RGBA16F"),
+        "wake_bounds": Target(size=FixedSize(width=len(AWAY), height=count), format="RGBA16F"),
+    }
     return Contribution(
         why=f"wakes up to {level:.2g} m high",
         slots=(
             SlotFile("waves", "wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),
-            SlotFile("bounds", "wake/bounds.glsl", prefix="wakes"),
+            SlotFile("bounds", f"wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
         ),
         consts=consts,
         uniforms={
             "u_wake": forms,
             "u_wake_level": number(level),
-            "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count),
+            "u_wake_boat": array("vec2", [Constant(value=(boat.length, boat.radius)) for boat in scene.boats], count),
+            **({} if mapped else {"u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count)}),
         },
-        inputs={"u_wake_map": TargetInput(target="wake")} if mapped else {},
-        targets={
-            "wake": Target(
-                size=FixedSize(width=size, height=size // 2 * count),
-                format="RGBA16F",
-                filter="linear",
-            )
-        }
-        if mapped
-        else {},
-        passes=(drawn,) if mapped else (),
+        inputs={f"u_wake_{name}": TargetInput(target=target) for name, target in READ.items()} if mapped else {},
+        targets=targets if mapped else {},
+        passes=passes if mapped else (),
         bound=Bound(0.0, "no boat moves, or none raises a wave") if level == 0.0 else None,
         top=2.0 * level,
         steepest=steepest,
@@ -95,15 +115,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         grain=significant(sum(wake.grain(wake.length / size) for wake in wakes(scene.boats))) if mapped else 0.0,
         march=2,
     )
-
-
-def _bounds(wake: Wake, texels: int | None) -> tuple[float, float, float]:
-    """Greatest slope, and greatest second derivatives (1/m); of a map it turns by twice its slope at most a texel."""
-    near, far = wake.curvature
-    held = UNBOUNDED
-    if texels is not None and wake.shows:
-        held = 2.0 * wake.steepest / (0.75 * min(1.0, 2.0 * ASIDE) * wake.length / texels)
-    return significant(wake.steepest), significant(min(near, held)), significant(min(far, held))
 
 
 _FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)

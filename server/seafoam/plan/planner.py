@@ -12,6 +12,7 @@ from seafoam.effects.contribution import (
     CameraRule,
     Const,
     Contribution,
+    FixedSize,
     Fullscreen,
     Grid,
     Mesh,
@@ -40,7 +41,7 @@ from seafoam.scene.models import Scene
 from seafoam.textures import texture
 
 _COMMON = ("common/numbers.glsl", "common/camera.glsl")
-_MARCH = ("surface/step.glsl", "surface/begin.glsl")
+_MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl",))
 _SAMPLED = (*_COMMON, PLACE)
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
@@ -136,13 +137,26 @@ class _Draft:
         """The pass that finds, for tiles of the picture, where their rays may begin to look for water and land."""
         self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA16F")
         self.inputs["u_start"] = TargetInput(target="start")
-        drawn = PassSpec(
-            name="where rays begin",
-            program="start",
-            fragment=(*_COMMON, "@waves", "@bounds", "@start", "surface/start_pass.glsl"),
-            target="start",
+        if any(file.slot == "bounds" for file in self.slots):
+            self.targets["surface_now"] = Target(size=FixedSize(width=1, height=1), format="RGBA16F")
+            self.inputs["u_surface_now"] = TargetInput(target="surface_now")
+            self.slots.append(SlotFile("now", "surface/now_measured.glsl"))
+            self.passes.append(
+                PassSpec(
+                    name="bounds of the surface",
+                    program="surface_now",
+                    fragment=(*_COMMON, "@waves", "@bounds", "@short bounds", "surface/now_pass.glsl"),
+                    target="surface_now",
+                )
+            )
+        self.passes.append(
+            PassSpec(
+                name="where rays begin",
+                program="start",
+                fragment=(*_COMMON, "@waves", "@beyond", "@bounds", "@start", "surface/start_pass.glsl"),
+                target="start",
+            )
         )
-        self.passes.append(drawn)
 
 
 @lru_cache(maxsize=256)
@@ -164,6 +178,9 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     # Land stands above the horizon, where no mesh of the sea reaches.
     mesh = quality.surface.method == "mesh" and not level and not shore
 
+    if not level or shore:
+        draft.add_starts(side)
+
     consts: dict[str, Const] = {
         **draft.consts,
         "SURFACE_FILTER": quality.surface.filter,
@@ -174,26 +191,27 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         "SAMPLE_SIDE": side,
     }
     find = "plane" if level else "newton" if mesh else "march"
-    chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl", needs=_MARCH if find == "march" else ())]
+    chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
+    if find == "march":
+        chosen.append(_MARCH)
     combine = scene.foam.combine if scene.foam else "max"
     # Passes, and eyes that crests may cover, march to the surface whatever finds it for the eye: they have no mesh.
     marched = [
         *draft.slots,
-        SlotFile("find", "surface/plane.glsl") if level else SlotFile("find", "surface/march.glsl", needs=_MARCH),
-        SlotFile("ceiling", "below/plane.glsl") if level else SlotFile("ceiling", "below/find.glsl", needs=_MARCH),
+        SlotFile("find", f"surface/{'plane' if level else 'march'}.glsl"),
+        SlotFile("ceiling", f"below/{'plane' if level else 'find'}.glsl"),
         SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
         *(
             ()
             if level
             else (
+                _MARCH,
                 SlotFile(
                     "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
                 ),
             )
         ),
     ]
-    if not level or shore:
-        draft.add_starts(side)
     surface_fragment = [*_SAMPLED]
     again_fragment = [*_SAMPLED]
     under_fragment = [*_SAMPLED]

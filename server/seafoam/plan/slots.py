@@ -73,12 +73,26 @@ SHORE = Slot("shore")
 DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "detail", "p, fp"),))
 """Slopes that have no height: gradient, and the mean square slope taken out."""
 
+MARCHED = Slot("marched")
+"""What marches share; filled where something marches to the surface."""
+NOW = Slot("now", default="surface/now_declared.glsl", under="marched")
+"""Bounds of the surface as it is now, for a march's steps."""
+SHORT = Slot("short", default="surface/no_short.glsl", under="marched")
+"""Waves that a march tells apart from those they ride on: ``SHORT_WAVES`` says whether there are any."""
+BEYOND = Slot("beyond", default="surface/no_beyond.glsl", under="marched")
+"""From where on a ray meets less steep waves."""
 FIND = Slot("find")
 """How the ray finds the surface; filled by the quality."""
+SHORT_BOUNDS = Slot("short bounds", default="surface/no_short_bounds.glsl")
+"""Height over y = 0 (m), slope and second derivative (1/m) of the short waves at most."""
+MARCH_SLOTS = (MARCHED, NOW, SHORT, BEYOND)
 
-BOUNDS = Slot("bounds", joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside", "bounds", "ray, aside"),))
+BOUNDS = Slot(
+    "bounds",
+    joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside, float from", "bounds", "ray, aside, from"),),
+)
 """The most that the surface's height over y = 0 (m), slope and second derivative (1/m) can be where a ray goes on from
-the eye, and all rays up to ``aside`` metres a unit beside it."""
+``from`` times itself, and all rays up to ``aside`` metres a unit beside it. Height and slope hold wherever it goes."""
 
 START = Slot(
     "start",
@@ -154,16 +168,21 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
     lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
-    return (*waves, DETAIL, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, MAIN)
+    return (*waves, DETAIL, *MARCH_SLOTS, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, MAIN)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
     """The slots of the surface's shader that have a name. Raises ``KeyError``.
 
-    ``waves`` brings the shore's with it, ``sky`` all that a layered sky is joined from.
+    ``waves`` brings the shore's with it, ``find`` what a march asks, ``sky`` all that a layered sky is joined from.
     """
-    together = {"waves": {"waves", "shore"}, "sky": {slot.name for slot in SKY_SLOTS}}.get(name, {name})
-    found = tuple(slot for slot in (*surface_slots("max", shore), *UNDER_SLOTS, BOUNDS, START) if slot.name in together)
+    together = {
+        "waves": {"waves", "shore"},
+        "find": {"find", *(slot.name for slot in MARCH_SLOTS)},
+        "sky": {slot.name for slot in SKY_SLOTS},
+    }.get(name, {name})
+    every = (*surface_slots("max", shore), *UNDER_SLOTS, BOUNDS, SHORT_BOUNDS, START)
+    found = tuple(slot for slot in every if slot.name in together)
     if not found:
         raise KeyError(name)
     return found

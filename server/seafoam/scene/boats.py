@@ -141,7 +141,7 @@ class Wake:
         The unit is the second derivative of its shortest waves times texel²; the factor is measured, with a tenth to
         spare.
         """
-        return 0.01 * self.level * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
+        return 0.013 * self.level * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
 
 
 def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:

@@ -1,0 +1,7 @@
+// What the frame has measured of the surface.
+uniform sampler2D u_surface_now;
+
+// Slope at most; how high the short waves stand at most (m), and their second derivative (1/m), where they are told apart.
+vec3 surface_now() {
+    return texelFetch(u_surface_now, ivec2(0), 0).xyz;
+}
