@@ -1,14 +1,13 @@
 // The smallest tile of open sea: slopes without height.
-uniform sampler2D u_sea_tile_2;
-uniform vec3 u_sea_size_2;   // side (m), mean square slope, mean fold
+uniform sampler2D u_sea_seen_2;
+uniform float u_sea_size_2;  // side, m
 uniform vec2 u_sea_offset_2; // the eye's place in the tile, in tiles
 
 vec2 sea_place_2(vec2 p) {
-    return p / u_sea_size_2.x + u_sea_offset_2;
+    return p / u_sea_size_2 + u_sea_offset_2;
 }
 
 // Gradient, and the mean square slope taken out.
 vec3 sea_detail(vec2 p, Footprint fp) {
-    vec4 seen = sea_seen(u_sea_tile_2, 2, u_sea_size_2, sea_place_2(p), fp);
-    return vec3(seen.xy, sea_lost(seen));
+    return sea_seen(u_sea_seen_2, u_sea_size_2, sea_place_2(p), fp).xyz;
 }

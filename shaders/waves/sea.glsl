@@ -1,18 +1,20 @@
 // Open sea: the two largest tiles raise the surface. Heights are counted from the lowest that the tiles hold; m.
 uniform sampler2D u_sea_tile_0;
 uniform sampler2D u_sea_tile_1;
+uniform sampler2D u_sea_seen_0;
+uniform sampler2D u_sea_seen_1;
 uniform float u_sea_level; // m
-uniform vec3 u_sea_size_0;   // side (m), mean square slope, mean fold
+uniform float u_sea_size_0;  // side, m
 uniform vec2 u_sea_offset_0; // the eye's place in the tile, in tiles
-uniform vec3 u_sea_size_1;   // side (m), mean square slope, mean fold
+uniform float u_sea_size_1;  // side, m
 uniform vec2 u_sea_offset_1; // the eye's place in the tile, in tiles
 
 vec2 sea_place_0(vec2 p) {
-    return p / u_sea_size_0.x + u_sea_offset_0;
+    return p / u_sea_size_0 + u_sea_offset_0;
 }
 
 vec2 sea_place_1(vec2 p) {
-    return p / u_sea_size_1.x + u_sea_offset_1;
+    return p / u_sea_size_1 + u_sea_offset_1;
 }
 
 // The second tile's share of the waves that were asked for last.
@@ -27,9 +29,7 @@ vec3 sea_waves(vec2 p) {
 
 // The raised tiles under a footprint, added up, with the mean square slope that it lost: slopes, lost, fold.
 vec4 sea_folds(vec2 p, Footprint fp) {
-    vec4 first = sea_seen(u_sea_tile_0, 0, u_sea_size_0, sea_place_0(p), fp);
-    vec4 second = sea_seen(u_sea_tile_1, 1, u_sea_size_1, sea_place_1(p), fp);
-    return vec4(first.xy + second.xy, sea_lost(first) + sea_lost(second), first.w + second.w);
+    return sea_seen(u_sea_seen_0, u_sea_size_0, sea_place_0(p), fp) + sea_seen(u_sea_seen_1, u_sea_size_1, sea_place_1(p), fp);
 }
 
 // The same of the place that was shaded last: foam there need not read it again.

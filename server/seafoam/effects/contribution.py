@@ -5,7 +5,7 @@ Effects describe; the planner assembles. The uniform rules here are the only ari
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -141,6 +141,8 @@ class FixedSize(PlanPart):
 TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
 """RG32UI: whole numbers, which no pass clears or blends, nor tests for depth; read texel by texel."""
 Filter = Literal["nearest", "linear", "linear_mipmap_linear"]
+MIPMAPPED: Final = "linear_mipmap_linear"
+"""A target with this filter has levels of means of 2 × 2 texels below it, made anew after each pass into it."""
 WrapMode = Literal["repeat", "clamp_to_edge"]
 
 

@@ -129,11 +129,6 @@ def _offset(of: Cascade) -> Uniform:
     return array("vec2", [Wrap(k=(1.0 / of.size, 0.0)), Wrap(k=(0.0, 1.0 / of.size))], 1)
 
 
-def _size(of: Cascade, choppiness: float, texels: int) -> Uniform:
-    fold = of.fold_variance(choppiness, texels, smooth=True)
-    return vector((of.size, significant(of.mean_square_slope), significant(fold)))
-
-
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by ``sea``."""
     sea = scene.sea
@@ -191,19 +186,25 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             found, measured = measured_bounds(f"sea_tile_{i}", size, of.size / size)
             targets |= found
             passes += measured
-    targets["sea_means"] = Target(size=FixedSize(width=size, height=size // 2 * len(tiles)), format="RGBA16F")
-    if quality.surface.filter:
+    fetch = f"sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
+    seen = "sea_seen" if quality.surface.filter else "sea_tile"
+    for i in range(len(tiles)) if quality.surface.filter else ():
+        targets[f"sea_seen_{i}"] = Target(
+            size=FixedSize(width=2 * size, height=2 * size),
+            format="RGBA16F",
+            filter="linear_mipmap_linear",
+            wrap="repeat",
+        )
         passes += (
             PassSpec(
-                name="means of the sea",
-                program="sea_means",
-                fragment=("sea/means_pass.glsl",),
-                target="sea_means",
-                inputs={f"u_sea_full_{i}": TargetInput(target=f"sea_tile_{min(i, len(tiles) - 1)}") for i in range(4)},
+                name=f"sea, {tiles[i].size:g} m tile as seen",
+                program="sea_seen",
+                fragment=(fetch, "sea/seen_pass.glsl"),
+                target=f"sea_seen_{i}",
+                inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
             ),
         )
-    fetch = f"sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
-    needs = (fetch, "sea/tiles.glsl")
+    needs = (fetch, "sea/level.glsl", f"sea/seen{'' if quality.surface.filter else '_exact'}.glsl")
     slots = [
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
         SlotFile("bounds", "sea/bounds.glsl", prefix="sea"),
@@ -234,13 +235,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         uniforms={
             **{f"u_sea_offset_{i}": _offset(of) for i, of in enumerate(tiles)},
-            **{f"u_sea_size_{i}": _size(of, sea.choppiness, size) for i, of in enumerate(tiles)},
+            **{f"u_sea_size_{i}": number(of.size) for i, of in enumerate(tiles)},
             "u_sea_level": number(significant(0.5 * top)),
         },
         inputs={
-            "u_sea_means": TargetInput(target="sea_means"),
             **{f"u_sea_bounds_{i}": TargetInput(target=f"sea_tile_{i}_bounds") for i in range(RAISED)},
-            **{f"u_sea_tile_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(len(tiles))},
+            **{f"u_sea_tile_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(RAISED)},
+            **{f"u_sea_seen_{i}": TargetInput(target=f"{seen}_{i}") for i in range(len(tiles))},
         },
         textures=textures,
         targets=targets,

@@ -16,7 +16,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.effects.contribution import Blend, FixedSize, Fullscreen, Grid, Points, Target, TextureInput
+from seafoam.effects.contribution import MIPMAPPED, Blend, FixedSize, Fullscreen, Grid, Points, Target, TextureInput
 from seafoam.plan.assemble import declared_uniforms
 from seafoam.plan.model import FramePlan, Pass, Program, Texture
 from seafoam.plan.rules import FrameState, evaluate
@@ -324,6 +324,9 @@ class Executor:
                 values = evaluate(uniform, state)[: member.array_length * member.dimension]
                 member.write(values.tobytes())
         linked.draw(one.mesh)
+        if one.target in plan.targets and plan.targets[one.target].filter == MIPMAPPED:
+            # Means of 2 × 2 texels, level by level; this sets the filter to trilinear, too.
+            framebuffers[one.target][1].build_mipmaps()
 
     @staticmethod
     def _clear(framebuffer: Any) -> None:

@@ -5,6 +5,8 @@ import { sampling } from "./texture";
 export interface Target {
   framebuffer: WebGLFramebuffer | null;
   texture: WebGLTexture | null;
+  /** Whether levels of means lie below it, which are made anew whenever a pass has drawn into it. */
+  mipmapped: boolean;
   depth: WebGLRenderbuffer | null;
   width: number;
   height: number;
@@ -33,14 +35,16 @@ export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: 
   }
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl[spec.format === "RGBA8" ? "RGBA8" : spec.format], width, height);
-  sampling(gl, spec.filter, spec.wrap, 1);
+  const mipmapped = spec.filter === "linear_mipmap_linear";
+  const levels = mipmapped ? 1 + Math.floor(Math.log2(Math.max(width, height))) : 1;
+  gl.texStorage2D(gl.TEXTURE_2D, levels, gl[spec.format], width, height);
+  sampling(gl, spec.filter, spec.wrap, levels);
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
   const depth = spec.depth ? depthBuffer(gl, width, height) : null;
   checkComplete(gl, `${spec.format} target of ${width} × ${height}`);
-  return { framebuffer, texture, depth, width, height };
+  return { framebuffer, texture, mipmapped, depth, width, height };
 }
 
 /** An RGBA8 picture that stands in for the screen, so that neither canvas size nor compositing matter. */
@@ -52,7 +56,7 @@ export function makeScreen(gl: WebGL2RenderingContext, width: number, height: nu
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colour);
   checkComplete(gl, `screen of ${width} × ${height}`);
-  const target = { framebuffer, texture: null, depth: null, width, height };
+  const target = { framebuffer, texture: null, mipmapped: false, depth: null, width, height };
   const dispose = () => {
     deleteTarget(gl, target);
     gl.deleteRenderbuffer(colour);

@@ -262,7 +262,7 @@ export class Executor {
     const { gl } = this.gpu;
     const onScreen = pass.target === "screen";
     const target = onScreen
-      ? { framebuffer: frame.screen, width: frame.width, height: frame.height }
+      ? { framebuffer: frame.screen, texture: null, mipmapped: false, width: frame.width, height: frame.height }
       : required(find(pass.target), `target ${pass.target}`);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     gl.viewport(0, 0, target.width, target.height);
@@ -311,6 +311,12 @@ export class Executor {
     // A target left bound for reading would make a later pass into it a feedback loop.
     for (const { unit } of samplers) {
       gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, null);
+    }
+    if (target.mipmapped) {
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, target.texture);
+      gl.generateMipmap(gl.TEXTURE_2D);
       gl.bindTexture(gl.TEXTURE_2D, null);
     }
   }

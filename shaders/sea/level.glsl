@@ -1,0 +1,11 @@
+// How many texels of a tile lie under a footprint, as a power of 2: 0 is the tile itself, above SEA_LEVELS nothing of it is left.
+float sea_level(float side, Footprint fp) {
+    if (!SURFACE_FILTER) {
+        return 0.0;
+    }
+    float longer = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y)));
+    // Held to so many times its width: on a crest's edge a footprint is endlessly long, and nothing of the sea would be left there.
+    float width = abs(fp.x.x * fp.y.y - fp.x.y * fp.y.x) / max(longer, 1e-30);
+    // Two logarithms, of which every tile shares the first.
+    return clamp(log2(max(min(longer, 4.0 * width) * float(SEA_SIZE), 1e-6)) - log2(side), -1.0, float(SEA_LEVELS + 1));
+}
