@@ -8,7 +8,10 @@ void main() {
     vec3 wave;
     bool wet = find_surface(ray, 1e30, tau, wave);
     vec3 d = normalize(ray);
-    if (find_land_before(ray, d, wet, tau, o_color)) {
+    float land_tau;
+    vec4 ground;
+    if (find_land_before(ray, wet, tau, land_tau, ground)) {
+        o_color = land_color(ray, d, land_tau, ground);
         return;
     }
     if (!wet) {

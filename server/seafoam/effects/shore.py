@@ -296,9 +296,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 needs=("shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
             ),
             SlotFile(
-                "land",
-                "shore/before.glsl",
-                needs=("surface/begin.glsl", "shore/find_land.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl"),
+                "land", "shore/before.glsl", needs=("surface/begin.glsl", "shore/ground.glsl", "shore/find_land.glsl")
+            ),
+            SlotFile(
+                "land color",
+                "shore/color.glsl",
+                needs=(
+                    "shore/ground.glsl",
+                    f"shore/land_{'lit' if lit else 'flat'}.glsl",
+                ),
             ),
             SlotFile("beyond", "shore/beyond.glsl"),
             SlotFile("start", "shore/start.glsl", prefix="land", needs=("surface/pyramid.glsl", "shore/ground.glsl")),

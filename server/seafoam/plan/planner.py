@@ -34,7 +34,19 @@ from seafoam.plan.adaptive import PLACE, SPREAD, Seen, Spent, spend
 from seafoam.plan.assemble import assemble, declared_uniforms, slot_pieces
 from seafoam.plan.model import EffectNote, Eye, FramePlan, Pass, Program, State, Texture
 from seafoam.plan.setup import with_setup
-from seafoam.plan.slots import MAIN, SKY_PASS_SLOTS, TONE, UNDER_SLOTS, WAVES, Slot, slots_named, surface_slots
+from seafoam.plan.slots import (
+    LAND,
+    LAND_COLOR,
+    MAIN,
+    SKY_PASS_SLOTS,
+    TONE,
+    UNDER_SLOTS,
+    WAVES,
+    Slot,
+    land_slots,
+    slots_named,
+    surface_slots,
+)
 from seafoam.plan.view import everywhere
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -191,8 +203,10 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         "SAMPLE_SIDE": side,
     }
     find = "plane" if level else "newton" if mesh else "march"
-    chosen = [*draft.slots, SlotFile("find", f"surface/{find}.glsl")]
-    if find == "march":
+    # Where there is land, a pass before the surface's finds which of them a ray meets.
+    chosen = [file for file in draft.slots if not shore or file.slot not in (LAND.name, LAND_COLOR.name)]
+    chosen.append(SlotFile("find", f"surface/{'met' if shore else find}.glsl"))
+    if find == "march" and not shore:
         chosen.append(_MARCH)
     combine = scene.foam.combine if scene.foam else "max"
     # Passes, and eyes that crests may cover, march to the surface whatever finds it for the eye: they have no mesh.
@@ -240,6 +254,17 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
         ),
     }
+    if shore:
+        met_fragment = [*_SAMPLED, *_pieces(("@waves", "@find", "@land"), marched, shore), "surface/met_pass.glsl"]
+        land_fragment = [*_SAMPLED]
+        for slot in land_slots():
+            land_fragment += slot_pieces(slot, marched)
+        for name, pieces in (("met", met_fragment), ("land", [*land_fragment, "shore/land_pass.glsl"])):
+            programs[name] = Program(
+                vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+                fragment=assemble(pieces, consts),
+            )
+        draft.inputs["u_met"] = TargetInput(target="met")
     if below:
         programs["surface, low eye"] = Program(
             vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
@@ -254,6 +279,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         **draft.targets,
         "samples": Target(size=ViewportSize(scale=side), format=quality.target, depth=True),
     }
+    if shore:
+        targets["met"] = Target(size=ViewportSize(scale=side), format="RGBA32F")
     drawn = "samples"
     compose: list[Pass] = []
     after = [one for spec in draft.passes if spec.stage == "after" for one in _passes(spec, draft.inputs, below)]
@@ -305,6 +332,30 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     surfaces: list[tuple[Eye, str, Mesh]] = [("over" if below else "any", "surface", own)]
     if below:
         surfaces.append(("under", "surface, low eye", Fullscreen()))
+    over = surfaces[0][0]
+    met = [
+        Pass(
+            name="what rays meet",
+            when="frame",
+            eye=over,
+            program="met",
+            target="met",
+            mesh=Fullscreen(),
+            inputs=draft.inputs,
+        )
+    ]
+    land = [
+        Pass(
+            name="land",
+            when="frame",
+            eye=over,
+            program="land",
+            target=drawn,
+            mesh=Fullscreen(),
+            inputs=draft.inputs,
+            state=State(depth=True),
+        )
+    ]
     scenery = [
         *(
             Pass(
@@ -321,6 +372,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             )
             for eye, program, mesh_of in surfaces
         ),
+        *(land if shore else ()),
         Pass(
             name="sky",
             when="frame",
@@ -336,7 +388,11 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     if quality.chosen_samples:
         fragments = {"surface": again_fragment, "surface, low eye": under_fragment, "sky": sky_fragment}
         depths = {"sky": _HORIZON_DEPTH}
-        seen = (Seen(one, tuple(fragments[one.program]), depths.get(one.program, 0.0)) for one in scenery)
+        seen = (
+            Seen(one, tuple(fragments[one.program]), depths.get(one.program, 0.0))
+            for one in scenery
+            if one.program in fragments
+        )
         laid, layers = _laid(draft, marched, shore, below)
         for alone in layers:
             targets[alone.target] = targets[ABOVE]
@@ -347,6 +403,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         linear = "finished"
     passes = [
         *(one for spec in draft.passes if spec.stage == "before" for one in _passes(spec, draft.inputs, below)),
+        *(met if shore else ()),
         *scenery,
         *compose,
         *resolve,

@@ -149,6 +149,8 @@ THROUGH = Slot("through", default="surface/no_floor.glsl")
 """Called before the water is shaded: what is seen through it."""
 LAND = Slot("land", default="surface/no_land.glsl")
 """What stands before the water."""
+LAND_COLOR = Slot("land color")
+"""What it looks like; none where no land is."""
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
@@ -168,7 +170,13 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
     lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
-    return (*waves, DETAIL, *MARCH_SLOTS, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, MAIN)
+    return (*waves, DETAIL, *MARCH_SLOTS, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, LAND_COLOR, MAIN)
+
+
+def land_slots() -> tuple[Slot, ...]:
+    """The slots of the fragment shader that draws land where rays meet it, in the order of the text."""
+    lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE)
+    return (OPEN_WAVES, SHORE, OVER, ALBEDO, *lit, LAND_COLOR)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:

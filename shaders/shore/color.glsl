@@ -1,0 +1,8 @@
+// The ground where a ray meets it: linear light, no foam. d: unit vector along the ray.
+vec4 land_color(vec3 ray, vec3 d, float tau, vec4 ground) {
+    vec3 normal = normalize(vec3(-ground.y, 1.0, -ground.z));
+    Footprint fp = footprint(ray, tau, normal);
+    float grain = shore_grain(shore_place(tau * ray.xz), fp);
+    vec3 light = exposure() * land_light(d, normal, ground_albedo(ground, grain), shore_wet(ground.x));
+    return vec4(min(in_air(light, d, tau * length(ray)), BRIGHTEST), 0.0);
+}
