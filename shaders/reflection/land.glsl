@@ -19,11 +19,12 @@ bool land_along(vec2 q, float height, vec3 r, out float tau, out vec4 ground) {
     if (tau >= leave) {
         return false;
     }
+    tau = land_free(q, height, r, 0.0, 0.0, tau, leave);
     float level = length(r.xz);
     float fastest = max(u_shore_steepest[0] * level - r.y, 1e-6);
     float fastest_dry = max(u_shore_steepest[1] * level - r.y, 1e-6);
     float gap = 0.0;
-    float fine = 0.01 * MARCH_TOLERANCE;
+    float fine = 0.02 * MARCH_TOLERANCE;
     for (int i = 0; i < MARCH_STEPS; ++i) {
         ground = shore_floor(q + tau * r.xz);
         gap = height + tau * r.y - ground.x;

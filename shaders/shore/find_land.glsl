@@ -18,6 +18,9 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
         leave = min(leave, u_eye_height / -fall);
     }
     enter = max(enter, march_start(ray).g);
+    if (enter < leave) {
+        enter = land_free(eye, u_eye_height, ray, 0.0, 0.0, enter, leave);
+    }
     tau = enter;
     ground = vec4(0.0);
     if (enter >= leave) {
@@ -44,7 +47,9 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
         }
     }
     if (tau < leave && gap < -fine * tau) {
-        for (int i = 0; i < 8; ++i) {
+        // Counted here, so that drivers without branches do not go through all of them in vain.
+        int rounds = tau < leave ? 8 : 0;
+        for (int i = 0; i < rounds; ++i) {
             float middle = 0.5 * (before + tau);
             if (u_eye_height + middle * ray.y < shore_floor(eye + middle * ray.xz).x) {
                 tau = middle;
@@ -59,7 +64,7 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
         return false;
     }
     float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * length(ray));
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < REFINE; ++i) {
         float rate = ray.y - dot(ground.yz, ray.xz);
         if (rate < -1e-3 * length(ray)) {
             tau = max(tau - clamp(gap / rate, -limit, limit), enter);

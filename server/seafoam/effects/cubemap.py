@@ -29,6 +29,7 @@ SHORE = (
     "shore/floor.glsl",
     *VALUE_NOISE,
     "shore/ground.glsl",
+    "shore/maxima.glsl",
 )
 """Where land is, and what colour."""
 LIT_LAND = ("shore/land_lit.glsl", "reflection/land.glsl")

@@ -46,6 +46,9 @@ PERIOD = 2.0**18
 MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
 """The mask that breaks the rhythm: wavelength (m), heading (rad) and period (s) of its four sines."""
 
+LAND_CELLS, LAND_COARSEST, LAND_ROUNDS = 128, 4, 64
+"""Cells along a side of the finest and coarsest level of the tree of land's maxima; and that a beam asks at most."""
+_TREE = FixedSize(width=2 * LAND_CELLS, height=LAND_CELLS)
 _GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
 """The height field. Without the eye's place, so that the map's passes are drawn once."""
 
@@ -186,7 +189,11 @@ def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
             uniforms=uniforms or {},
         )
 
-    passes = [one("seed", (*_GROUND, "shore/seed_pass.glsl"), "shore_near_0", {})]
+    passes = [
+        one("highest land", ("shore/maxima_pass.glsl",), "land_cells", {}),
+        one("highest land around", ("shore/around_pass.glsl",), "land_maxima", {"u_land_cells": "land_cells"}),
+    ]
+    passes.append(one("seed", (*_GROUND, "shore/seed_pass.glsl"), "shore_near_0", {}))
     steps = [1]
     while (step := texels >> len(steps)) >= 1:
         steps.append(step)
@@ -296,7 +303,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 needs=("shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
             ),
             SlotFile(
-                "land", "shore/before.glsl", needs=("surface/begin.glsl", "shore/ground.glsl", "shore/find_land.glsl")
+                "land",
+                "shore/before.glsl",
+                needs=("surface/begin.glsl", "shore/ground.glsl", "shore/maxima.glsl", "shore/find_land.glsl"),
             ),
             SlotFile(
                 "land color",
@@ -307,7 +316,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 ),
             ),
             SlotFile("beyond", "shore/beyond.glsl"),
-            SlotFile("start", "shore/start.glsl", prefix="land", needs=("surface/pyramid.glsl", "shore/ground.glsl")),
+            SlotFile(
+                "start",
+                "shore/start.glsl",
+                prefix="land",
+                needs=("surface/pyramid.glsl", "shore/ground.glsl", "shore/maxima.glsl"),
+            ),
             *(under if lit else ()),
         ),
         consts={
@@ -318,6 +332,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "PROFILE_NODES": quality.shore_profile,
             "PROFILE_ROWS": ROWS,
             "SPREAD_REACH": reach,
+            "LAND_CELLS": LAND_CELLS,
+            "LAND_COARSEST": LAND_COARSEST,
+            "LAND_ROUNDS": LAND_ROUNDS,
         },
         uniforms={
             **_place(shore),
@@ -338,12 +355,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_shore_floor": TextureInput(texture="shore_floor"),
             "u_shore_profiles": TextureInput(texture="shore_profiles"),
             "u_shore_map": TargetInput(target="shore_map"),
+            "u_land_maxima": TargetInput(target="land_maxima"),
         },
         textures={
             "shore_floor": TextureUse(shore_floor_name(shore, quality.shore_floor), wrap="clamp_to_edge"),
             "shore_profiles": TextureUse(shore_profiles_name(surf.skew, surf.sharpness, quality.shore_profile)),
         },
         targets={
+            **{name: Target(size=_TREE, format="RGBA16F") for name in ("land_cells", "land_maxima")},
             **{f"shore_near_{i}": Target(size=texels, format="RGBA16F") for i in range(2)},
             **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
         },
