@@ -35,7 +35,7 @@ class SurfaceQuality(Knobs):
         description="A march ends this near the surface, in heights of a sample; Newton finishes",
     )
     cells: int = Field(default=192, ge=8, le=1024, description="Cells of the mesh along each side")
-    refine: int = Field(default=1, ge=0, le=8, description="Newton steps a pixel after the mesh or the march")
+    refine: int = Field(default=0, ge=0, le=8, description="Newton steps a pixel after the mesh or the march")
     filter: bool = Field(default=True, description="Turn waves smaller than a pixel into roughness")
 
 
@@ -83,7 +83,7 @@ class Quality(Knobs):
         default=256, description="Texels along a side of a face of the cube map"
     )
     refraction_steps: Literal[1, 2, 4, 8, 16] = Field(
-        default=4, description="Steps after which the refracted ray is taken to meet a shore's floor"
+        default=2, description="Steps after which the refracted ray is taken to meet a shore's floor"
     )
     drift: Literal["backward", "forward", "exact"] = Field(
         default="backward",
@@ -178,7 +178,6 @@ TIERS: dict[Tier, Quality] = {
         shore_map=128,
         cloud_octaves=4,
         cube_size=64,
-        refraction_steps=2,
         drift_size=128,
         drift_step=1.0,
         sparkle_cells=1,
@@ -196,7 +195,7 @@ TIERS: dict[Tier, Quality] = {
         rings_size=2048,
         sea_digits="float",
         cube_size=512,
-        refraction_steps=8,
+        refraction_steps=4,
         drift_size=512,
         drift_step=0.25,
         spray_count=16384,

@@ -1,6 +1,6 @@
 // Shore waves over what the floor leaves of the open sea's: skewed trochoids (Outerra 2011) from a table of profiles, each
 // periodic along the way to the shore. Heights in metres, in [0, 2a]; exact to the table's and the map's splines.
-uniform sampler2D u_shore_profiles; // height in [0, 1]; rows: skew
+uniform sampler2D u_shore_profiles; // height in [0, 1], and that of the next row; rows: skew
 uniform float u_shore_time[1];      // -t over the period, as a phase
 
 // Where in its wave a place is, in periods: 0 on the crest, rising toward the shore.
@@ -19,8 +19,7 @@ vec3 shore_profile(float turn, float skew) {
     vec2 value = vec2(0.0);
     vec2 slope = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
-        int node = (int(base) + i - 1 + PROFILE_NODES) % PROFILE_NODES;
-        vec2 pair = vec2(texelFetch(u_shore_profiles, ivec2(node, row), 0).r, texelFetch(u_shore_profiles, ivec2(node, row + 1), 0).r);
+        vec2 pair = texelFetch(u_shore_profiles, ivec2((int(base) + i - 1) & (PROFILE_NODES - 1), row), 0).rg;
         value += w[i] * pair;
         slope += s[i] * pair;
     }

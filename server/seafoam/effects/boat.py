@@ -116,7 +116,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         *TRACE,
         *shade_files(scene),
         *(
-            ("shore/ground.glsl", "surface/begin.glsl", "shore/find_land.glsl", "boat/land.glsl")
+            ("shore/ground.glsl", "surface/begin.glsl", "shore/maxima.glsl", "shore/find_land.glsl", "boat/land.glsl")
             if ashore
             else ("boat/no_land.glsl",)
         ),

@@ -105,7 +105,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if source != "none":
         uniforms["u_spray_time"] = array("float", [Loop(period=cycle), Loop(period=cycle * EPOCHS)], 2)
     land = (
-        ("shore/ground.glsl", "surface/begin.glsl", "shore/find_land.glsl", "spray/over_land.glsl")
+        ("shore/ground.glsl", "surface/begin.glsl", "shore/maxima.glsl", "shore/find_land.glsl", "spray/over_land.glsl")
         if source == "rocks"
         else ("spray/over_water.glsl",)
     )

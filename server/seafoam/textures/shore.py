@@ -32,6 +32,11 @@ def shore_profiles_name(skew: float, sharpness: float, nodes: int) -> str:
     return f"shore-profiles/{nodes}/{skew!r}/{sharpness!r}"
 
 
+def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
+    """(rows, nodes, 2): each entry beside that of the next row, so that a fetch gets both; the last row has itself."""
+    return np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1)
+
+
 @lru_cache(maxsize=16)
 def shore_profiles(nodes: int, skew: float, sharpness: float) -> NDArray[np.float32]:
     """(ROWS, nodes) float32: height of a wave in [0, 1] at x = (i + ½)/nodes wavelengths, the front toward rising x.

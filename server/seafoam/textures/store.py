@@ -17,7 +17,7 @@ from seafoam.masks.prefilter import atlas
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import front_integral
 from seafoam.textures.sea import UnknownSeaError, fft_twiddles, sea_spectrum
-from seafoam.textures.shore import shore_floor, shore_profiles
+from seafoam.textures.shore import shore_floor, shore_profiles, with_next_row
 from seafoam.textures.spray import spray_rocks
 
 Format = Literal["R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
@@ -89,8 +89,8 @@ def texture(name: str) -> TextureData:
         case ["shore-profiles", nodes, skew, sharpness]:
             return _pack(
                 name,
-                "R32F",
-                [_shore(name, lambda: shore_profiles(int(nodes), float(skew), float(sharpness)))[..., None]],
+                "RG32F",
+                [_shore(name, lambda: with_next_row(shore_profiles(int(nodes), float(skew), float(sharpness))))],
             )
         case ["spray-rocks", steep, ground]:
             return _pack(name, "RGBA32F", [_shore(name, lambda: spray_rocks(steep, ground))])
