@@ -17,13 +17,18 @@ void main() {
     float way[BOAT_RAYS];
     BoatHit hits[BOAT_RAYS];
     bool met = false;
+    float farthest = 0.0;
     for (int i = 0; i < BOAT_RAYS; ++i) {
         boat[i] = trace_boats(eye, normalize(boat_ray(i)), 0.0, 1e5, false, way[i], hits[i]);
         met = met || boat[i] >= 0;
+        farthest = boat[i] >= 0 ? max(farthest, way[i]) : farthest;
     }
     if (!met) {
         discard;
     }
+    vec3 middle = camera_ray(sample_place());
+    // A little further: the samples' other rays may meet the water before.
+    boat_water(middle, 1.02 * farthest / length(middle));
     vec4 sum = vec4(0.0);
     for (int i = 0; i < BOAT_RAYS; ++i) {
         vec3 ray = boat_ray(i);

@@ -3,9 +3,6 @@
 float foam_amount(float f, vec2 p, Footprint fp) {
     vec2 q = p + u_drift_place;
     float rim = drift_rim(q);
-    if (rim == 0.0) {
-        return still_amount(f, p, fp);
-    }
     vec4 way;
     vec4 along_x;
     vec4 along_z;
@@ -18,17 +15,19 @@ float foam_amount(float f, vec2 p, Footprint fp) {
     float held = max(left, 1.0 / 256.0);
     float last = smoothstep(0.0, 1.0 / 256.0, left);
     float free = 1.0;
-    for (int i = 0; i < 2; ++i) {
+    // Asked at the end: drivers without branches would go through both where one has all the weight.
+    int i = odd == (share > 0.0) ? 0 : 1;
+    int copies = share > 0.0 && share < 1.0 ? 2 : 1;
+    do {
         bool shifted = odd == (i == 0);
-        float weight = shifted ? share : 1.0 - share;
-        if (weight > 0.0) {
-            vec2 back = rim * (i == 0 ? way.xy : way.zw);
-            vec2 turn_x = rim * (i == 0 ? along_x.xy : along_x.zw);
-            vec2 turn_z = rim * (i == 0 ? along_z.xy : along_z.zw);
-            Footprint own = Footprint(fp.x + turn_x * fp.x.x + turn_z * fp.x.y, fp.y + turn_x * fp.y.x + turn_z * fp.y.y);
-            vec2 apart = shifted ? vec2(DRIFT_APART_X, DRIFT_APART_Z) : vec2(0.0);
-            free *= 1.0 - still_amount(1.0 - pow(held, weight) * last, p + back + apart, own);
-        }
-    }
+        vec2 back = rim * (i == 0 ? way.xy : way.zw);
+        vec2 turn_x = rim * (i == 0 ? along_x.xy : along_x.zw);
+        vec2 turn_z = rim * (i == 0 ? along_z.xy : along_z.zw);
+        Footprint own = Footprint(fp.x + turn_x * fp.x.x + turn_z * fp.x.y, fp.y + turn_x * fp.y.x + turn_z * fp.y.y);
+        vec2 apart = shifted ? vec2(DRIFT_APART_X, DRIFT_APART_Z) : vec2(0.0);
+        free *= 1.0 - still_amount(1.0 - pow(held, shifted ? share : 1.0 - share) * last, p + back + apart, own);
+        i = 1 - i;
+        copies -= 1;
+    } while (copies > 0);
     return 1.0 - free;
 }
