@@ -2074,9 +2074,9 @@ export interface components {
              * @default {
              *       "method": "march",
              *       "steps": 192,
-             *       "tolerance": 0.1,
+             *       "tolerance": 0.05,
              *       "cells": 192,
-             *       "refine": 1,
+             *       "refine": 0,
              *       "filter": true
              *     }
              */
@@ -2205,7 +2205,7 @@ export interface components {
             /**
              * Refraction Steps
              * @description Steps after which the refracted ray is taken to meet a shore's floor
-             * @default 4
+             * @default 2
              * @enum {integer}
              */
             refraction_steps: 1 | 2 | 4 | 8 | 16;
@@ -2304,6 +2304,13 @@ export interface components {
              * @default 512
              */
             reflection_size: number;
+            /**
+             * Slope Places
+             * @description Places whose slopes make blurred slope foam: five, or one whose footprint is as wide as the blur
+             * @default 1
+             * @enum {integer}
+             */
+            slope_places: 1 | 5;
             /**
              * Boat Readings
              * @description Heights read round each hull point of a boat
@@ -3105,7 +3112,7 @@ export interface components {
             /**
              * Tolerance
              * @description A march ends this near the surface, in heights of a sample; Newton finishes
-             * @default 0.1
+             * @default 0.05
              */
             tolerance: number;
             /**
@@ -3117,7 +3124,7 @@ export interface components {
             /**
              * Refine
              * @description Newton steps a pixel after the mesh or the march
-             * @default 1
+             * @default 0
              */
             refine: number;
             /**
