@@ -22,7 +22,7 @@ _MAIN = re.compile(r"^void main\(\) \{$", re.MULTILINE)
 _DRAWN = re.compile(
     r"^void (?:main|seen_from_above)\(\) \{\n"
     r"(?P<find>(?:(?!^\}).)*?^    bool wet = find_surface\([^;]*\);\n)"
-    r"(?P<land>(?:(?!^\}).)*?)^    if \((?P<before>find_land_before\([^;]*?\))\) \{\n",
+    r"(?P<land>(?:(?!^\}).)*?)^    (?:if \(|bool dry = )(?P<before>find_land_before\([^;]*?\))(?:\) \{|;)\n",
     re.MULTILINE | re.DOTALL,
 )
 """What draws the surface: all until the surface is found, all until land is, and the call that finds it."""
@@ -65,9 +65,12 @@ def steps(executor: Executor, plan: FramePlan, *, time: float, camera: Camera, s
 def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> FramePlan:
     """The plan up to its surface's pass, which writes (water, evaluations, 0, 1) for each pixel that it covers."""
     shown = drawn_passes(plan, camera, *size, "screen")
-    found = [index for index, shows in shown.items() if shows and plan.passes[index].name == "surface"]
+    # With a shore a pass of its own finds what rays meet.
+    names = {plan.passes[index].name for index in shown}
+    name = "what rays meet" if "what rays meet" in names else "surface"
+    found = [index for index, shows in shown.items() if shows and plan.passes[index].name == name]
     if len(found) != 1:
-        raise RuntimeError(f"a frame has one pass that draws the surface, not {len(found)}")
+        raise RuntimeError(f"a frame has one pass that finds the surface, not {len(found)}")
     surface = plan.passes[found[0]]
     program = plan.programs[surface.program]
     counting = program.model_copy(update={"fragment": counting_shader(program.fragment)})
@@ -97,11 +100,12 @@ def counting_shader(shader: Shader) -> Shader:
         raise RuntimeError("the surface's text has no function that evaluates the waves")
     counted = _WAVES.sub(rf"\g<head>\n    ++{COUNTER};", text[first.start() :])
     text = f"{text[: first.start()]}int {COUNTER} = 0;\n\n{counted}"
+    output = "o_met" if "out vec4 o_met;" in text else "o_color"
     text += f"""
 void main() {{
 {drawn[0]["find"]}    float bench_found = float({COUNTER});
 {drawn[0]["land"]}    bool bench_dry = {drawn[0]["before"]};
-    o_color = vec4(wet && !bench_dry ? 1.0 : 0.0, bench_found, 0.0, 1.0);
+    {output} = vec4(wet && !bench_dry ? 1.0 : 0.0, bench_found, 0.0, 1.0);
 }}
 """
     return shader.model_copy(update={"text": text, "sha256": hashlib.sha256(text.encode()).hexdigest()})

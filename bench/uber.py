@@ -29,7 +29,7 @@ from seafoam.effects.contribution import (
 from seafoam.plan import make_plan
 from seafoam.plan.assemble import assemble, declared_uniforms, read_file
 from seafoam.plan.model import FramePlan, Pass, Program, State
-from seafoam.plan.slots import SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
+from seafoam.plan.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Chop, Foam, FrontSaturation, HeightSaturation, Look, ParametricWave, Scene, Water
 
@@ -37,6 +37,7 @@ SWITCH = "u_uber_"
 COMBINE = f"{SWITCH}combine"
 """0: the greatest saturation, 1: the product."""
 START = "u_start"
+_MARCH = ("step", "begin", "now_declared", "no_short", "no_beyond", "march")
 _MARCHED = ("u_surface_top", "u_surface_steepest", "u_surface_grain")
 NO_START = Pass(
     name="where rays begin",
@@ -221,8 +222,10 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
     helpers: set[str] = set()
     for slot in surface_slots("max"):
         files = [file for file in parts.files.values() if file.slot == slot.name]
+        if slot in MARCH_SLOTS:
+            continue
         if slot.name == "find":
-            texts += [read_file(f"surface/{name}.glsl") for name in ("step", "begin", "march")]
+            texts += [read_file(f"surface/{name}.glsl") for name in _MARCH]
             continue
         if slot.name == "main":
             continue

@@ -74,12 +74,12 @@ void main() {
     float size = length(ray);
     vec3 d = ray / size;
 
-    // The surface: from where the tile's rays are free by steps that cannot pass it, then Newton.
+    // The surface: from where the tile's rays are free by steps that cannot pass it.
     vec4 start = texelFetch(u_start, ivec2(gl_FragCoord.xy * vec2(textureSize(u_start, 0)) / u_viewport), 0);
     float along = dot(k, ray.xz);
     float farthest = 1e5 / speed;
     float leave = min(u_eye_height / -ray.y, farthest);
-    float fine = 0.1 * length(u_ray_y) * 2.0 / u_viewport.y;
+    float fine = 0.05 * length(u_ray_y) * 2.0 / u_viewport.y;
     float step_size = 1.0 / (u_surface_steepest * speed - ray.y);
     float curvature = start.a * speed * speed;
     float enter = min(max((u_eye_height - amplitude) / -ray.y, start.r + start.g), leave);
@@ -99,16 +99,6 @@ void main() {
         float free = max(gap, 0.0) + fine * tau;
         float root = sqrt(rate * rate + 2.0 * curvature * free);
         tau += max(free * step_size, rate < 0.0 ? 2.0 * free / (root - rate) : (root + rate) / curvature);
-    }
-    float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * size);
-    if (rate < -1e-3 * size) {
-        float trial = max(tau - clamp(gap / rate, -limit, limit), enter);
-        float angle = theta(phase - trial * along);
-        vec2 there = vec2(cos(angle), sin(angle));
-        if (ray.y + amplitude * (0.5 + 0.5 * there.y) * there.x * along < 0.0) {
-            tau = trial;
-            turn = there;
-        }
     }
     vec2 p = tau * ray.xz;
     float u = 0.5 + 0.5 * turn.y;

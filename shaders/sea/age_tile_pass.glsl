@@ -1,11 +1,11 @@
 // Folds of earlier times, carried to where their water is now: bilinear between texels, which lie twice as far apart as the sea's.
+// Four times over the next four, each with its first row once more at its end, so that bilinear reads need no wrap there.
 uniform sampler2D u_age_folds;
-uniform float u_age_row; // which four times
 
-vec4 fold_at(vec2 at) {
+vec4 fold_at(vec2 at, int row) {
     vec2 base = floor(at);
     vec2 t = at - base;
-    ivec2 left = ivec2(int(u_sea_block), int(u_age_row)) * AGE_SIZE;
+    ivec2 left = ivec2(int(u_sea_block), row) * AGE_SIZE;
     ivec2 near = ivec2(base) & (AGE_SIZE - 1);
     ivec2 far = (near + 1) & (AGE_SIZE - 1);
     vec4 first = mix(texelFetch(u_age_folds, left + near, 0), texelFetch(u_age_folds, left + ivec2(far.x, near.y), 0), t.x);
@@ -15,5 +15,8 @@ vec4 fold_at(vec2 at) {
 
 void main() {
     float finer = float(SEA_SIZE / AGE_SIZE);
-    o_tile = fold_at(resting(finer * floor(gl_FragCoord.xy)) / finer);
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    int row = at.y / (AGE_SIZE + 1);
+    at.y = (at.y - row * (AGE_SIZE + 1)) & (AGE_SIZE - 1);
+    o_tile = fold_at(resting(finer * vec2(at)) / finer, row);
 }

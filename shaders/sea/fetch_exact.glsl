@@ -10,6 +10,18 @@ vec4 sea_fetch(sampler2D tile, vec2 at) {
     return mix(first, mix(texelFetch(tile, ivec2(near.x, far.y), 0), texelFetch(tile, far, 0), t.x), t.y);
 }
 
+// The same of one of several tiles over one another, each with its first row once more at its end.
+vec4 sea_fetch_four(sampler2D tiles, vec2 at, int which) {
+    int size = textureSize(tiles, 0).x;
+    vec2 place = fract(at) * float(size);
+    vec2 base = floor(place);
+    vec2 t = place - base;
+    ivec2 near = ivec2(int(base.x) & (size - 1), which * (size + 1) + min(int(base.y), size - 1));
+    ivec2 far = ivec2((near.x + 1) & (size - 1), near.y + 1);
+    vec4 first = mix(texelFetch(tiles, near, 0), texelFetch(tiles, ivec2(far.x, near.y), 0), t.x);
+    return mix(first, mix(texelFetch(tiles, ivec2(near.x, far.y), 0), texelFetch(tiles, far, 0), t.x), t.y);
+}
+
 // The uniform cubic B-spline with the texels as coefficients: bilinear slopes would show the grid.
 vec4 sea_smooth(sampler2D tile, vec2 at) {
     int size = textureSize(tile, 0).x;

@@ -3,6 +3,13 @@ vec4 sea_fetch(sampler2D tile, vec2 at) {
     return textureLod(tile, at + 0.5 / vec2(textureSize(tile, 0)), 0.0);
 }
 
+// The same of one of several tiles over one another, each with its first row once more at its end.
+vec4 sea_fetch_four(sampler2D tiles, vec2 at, int which) {
+    vec2 size = vec2(textureSize(tiles, 0));
+    float row = float(which) * (size.x + 1.0) + fract(at.y) * size.x;
+    return textureLod(tiles, vec2(at.x * size.x + 0.5, row + 0.5) / size, 0.0);
+}
+
 // The uniform cubic B-spline with the texels as coefficients, by four bilinear reads (Sigg and Hadwiger 2005): bilinear slopes would
 // show the grid.
 vec4 sea_smooth(sampler2D tile, vec2 at) {

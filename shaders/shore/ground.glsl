@@ -40,20 +40,16 @@ vec3 ground_albedo(vec4 ground, float grain) {
 }
 
 // Way of the refracted ray from the surface to the floor and of the light straight down to it, m; `at`: where it meets the
-// floor. d, n: unit vectors. Newton's steps from the depth right under, held where the floor falls away along the ray.
+// floor. d, n: unit vectors. Steps of the fixed point that starts from the depth right under.
 float floor_path(vec2 q, float height, vec3 d, vec3 n, out vec2 at) {
     float c = dot(n, d);
     vec3 r = d / 1.34 - (c / 1.34 + sqrt(1.0 - (1.0 - c * c) / (1.34 * 1.34))) * n;
     float fall = max(-r.y, 0.25);
     at = q;
-    vec4 ground = shore_floor(q);
-    float under = max(height - ground.x, 0.0);
-    float way = under / fall;
+    float under = max(height - shore_floor(q).x, 0.0);
     for (int i = 0; i < REFRACTION_STEPS; ++i) {
-        at = q + r.xz * way;
-        ground = shore_floor(at);
-        under = max(height - ground.x, 0.0);
-        way += (under - fall * way) / max(fall + dot(ground.yz, r.xz), 0.5 * fall);
+        at = q + r.xz * (under / fall);
+        under = max(height - shore_floor(at).x, 0.0);
     }
     return under * (1.0 + 1.0 / fall);
 }

@@ -148,7 +148,7 @@ def test_nothing_else_is_taken_for_still(preset: str) -> None:
     """By name: a pass that became still by mistake would freeze what it draws."""
     plan = make_plan(load_preset(preset).scene, STANDARD)
     still = {one.name for one in plan.passes if one.when == "setup"}
-    assert all(name.startswith(("shore: ", "mask: ")) or name in FLOWING for name in still), still
+    assert all(name.startswith(("shore: ", "mask: ", "wakes, ")) or name in FLOWING for name in still), still
 
 
 def test_plans_share_what_hangs_on_the_same() -> None:
@@ -210,7 +210,7 @@ class TestDraws:
     def test_setup_passes_are_drawn_for_the_first_frame_alone(self, drawn: Callable[[FramePlan], list[str]]) -> None:
         plan = make_plan(load_preset("island-surf").scene, STANDARD)
         first, second, third = (drawn(plan) for _ in range(3))
-        assert (shore_passes(first), shore_passes(second)) == (14, 1)
+        assert (shore_passes(first), shore_passes(second)) == (16, 1)
         assert (mask_passes(first), mask_passes(second)) == (11, 0)
         still = {one.name for one in plan.passes if one.when == "setup"}
         assert second == third == [name for name in first if name not in still]
@@ -233,14 +233,14 @@ class TestDraws:
         plan = make_plan(load_preset("island-surf").scene, STANDARD)
         drawn(plan)
         sizes = [module._bytes(target) for target in fresh._static._items.values()]
-        assert sorted(sizes) == [256 * 256 * 16, 1280 * 512 * 8]
+        assert sorted(sizes) == [256 * 128 * 8, 256 * 256 * 16, 1280 * 512 * 8]
         monkeypatch.setattr(fresh._static, "_size", sum(sizes) - 1)
         drawn(plan)
-        assert len(fresh._static._items) == 1
+        assert len(fresh._static._items) == 2
         monkeypatch.setattr(fresh._static, "_size", 0)
         drawn(plan)
         again = drawn(plan)
-        assert (shore_passes(again), mask_passes(again)) == (14, 11)
+        assert (shore_passes(again), mask_passes(again)) == (16, 11)
 
     def test_a_target_whose_passes_failed_is_not_kept(self, fresh: Executor) -> None:
         scene = load_preset("island-surf").scene

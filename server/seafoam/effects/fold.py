@@ -74,17 +74,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if not steps:
         return Contribution(why=why, slots=slots, consts={"FOLD_TIMES": 1, "FOLD_SHARED": shared}, uniforms=uniforms)
     targets, passes = _ages(scene, scene.sea, raised, quality)
-    rows = range(steps // 4)
     return Contribution(
         why=f"{why}, and was in the last {steps * quality.age_step:g} s",
         slots=slots,
         consts={"FOLD_TIMES": steps + 1, "FOLD_SHARED": shared, "AGE_SIZE": quality.sea_size // 2},
         uniforms=uniforms,
-        inputs={
-            f"u_age_tile_{i}_{row}": TargetInput(target=f"age_tile_{i}_{row}")
-            for i in range(len(raised))
-            for row in rows
-        },
+        inputs={f"u_age_tile_{i}": TargetInput(target=f"age_tile_{i}") for i in range(len(raised))},
         targets=targets,
         passes=passes,
     )
@@ -128,24 +123,21 @@ def _ages(
         passes = (first, *others)
     displaced = displaced_target(scene, quality)
     for i, of in enumerate(raised):
-        for row in range(rows):
-            targets[f"age_tile_{i}_{row}"] = tile_target(quality, size)
-            passes += (
-                PassSpec(
-                    name=f"earlier folds {row}, {of.size:g} m tile",
-                    program="age_tile",
-                    fragment=("sea/resample_pass.glsl", "sea/age_tile_pass.glsl"),
-                    target=f"age_tile_{i}_{row}",
-                    inputs={
-                        "u_sea_displaced": TargetInput(target=displaced),
-                        "u_age_folds": TargetInput(target=folds),
-                    },
-                    uniforms={
-                        **tile_uniforms(of, i, sea.choppiness, quality.sea_size),
-                        "u_age_row": number(float(row)),
-                    },
-                ),
-            )
+        tile = tile_target(quality, size)
+        targets[f"age_tile_{i}"] = tile.model_copy(update={"size": FixedSize(width=size, height=(size + 1) * rows)})
+        passes += (
+            PassSpec(
+                name=f"earlier folds, {of.size:g} m tile",
+                program="age_tile",
+                fragment=("sea/resample_pass.glsl", "sea/age_tile_pass.glsl"),
+                target=f"age_tile_{i}",
+                inputs={
+                    "u_sea_displaced": TargetInput(target=displaced),
+                    "u_age_folds": TargetInput(target=folds),
+                },
+                uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
+            ),
+        )
     return targets, passes
 
 
