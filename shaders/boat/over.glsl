@@ -13,8 +13,8 @@ void boat_water(vec3 ray, float farthest) {
 
 bool boat_hidden(vec3 ray, float t) {
     float tau = t / length(ray);
-    // On the far side of the plane from the eye.
-    bool under = boat_plane.y > 0.0 && tau * dot(boat_plane.xyz, ray) < boat_plane.w;
+    // On the far side of the plane from the eye; an eye on that side itself is under water, and sees none.
+    bool under = boat_plane.y > 0.0 && (boat_plane.w >= 0.0 || tau * dot(boat_plane.xyz, ray) < boat_plane.w);
     return under || boat_behind_land(ray, tau);
 }
 
