@@ -11,7 +11,8 @@ vec3 sky_light(vec3 d) {
     float mass = 1.0 / (max(d.y, 0.0) + 0.09);
     float rayleigh = 0.0596831036594608 * (1.0 + gamma * gamma);
     // 1 + G^2 - 2 G gamma is at least (1 - G)^2, so the power stays finite
-    float mie = 0.0336144922 / pow(max(1.5776 - 1.52 * gamma, 0.0576), 1.5);
+    float apart = max(1.5776 - 1.52 * gamma, 0.0576);
+    float mie = 0.0336144922 / (apart * sqrt(apart));
     vec3 scattered = (u_rayleigh_depth * rayleigh + u_mie_depth * mie) / depth + 0.04;
     return u_air_light * scattered * (1.0 - exp(-depth * mass));
 }
