@@ -14,7 +14,7 @@ SPINE = "frame"
 SPINE_KNOBS: tuple[Knob, ...] = (
     Knob("/surface/method", "way to the surface", ("mesh", "march"), "geometry"),
     Knob("/surface/steps", "greatest number of march steps", (48, 96, 192, 384), "geometry"),
-    Knob("/surface/tolerance", "end of the march, heights of a sample", (0.5, 0.1, 0.02, 0.002), "geometry"),
+    Knob("/surface/tolerance", "end of the march, heights of a sample", (0.5, 0.2, 0.05, 0.02, 0.002), "geometry"),
     Knob("/surface/cells", "cells of the mesh along a side", (48, 96, 192, 384), "geometry"),
     Knob("/surface/refine", "Newton steps", (0, 1, 2, 4), "geometry"),
     Knob("/surface/filter", "waves under a pixel become roughness", (False, True), "filtering"),
