@@ -3,7 +3,7 @@
 import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 
 from seafoam.effects.contribution import Const, SlotFile
 from seafoam.plan.model import Shader, SourceFile
@@ -74,7 +74,7 @@ def assemble(pieces: Iterable[str], consts: Consts) -> Shader:
                 old, _, new = pair.partition("=")
                 text = re.sub(rf"\b{old}\b", new, text)
             parts.append((path, text))
-    words = {word for _, text in parts for word in _WORD.findall(text)}
+    words = frozenset[str]().union(*(_words(text) for _, text in parts))
     text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
     files: list[SourceFile] = []
     for path, part in parts:
@@ -85,6 +85,16 @@ def assemble(pieces: Iterable[str], consts: Consts) -> Shader:
     return Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=tuple(files))
 
 
+@lru_cache(maxsize=1024)
+def _words(text: str) -> frozenset[str]:
+    return frozenset(_WORD.findall(text))
+
+
+@lru_cache(maxsize=1024)
+def _declared(text: str) -> tuple[tuple[str, bool], ...]:
+    return tuple((match["name"], match["type"] in _SAMPLERS) for match in _UNIFORM.finditer(text))
+
+
 def declared_uniforms(shader: Shader) -> dict[str, bool]:
     """Uniforms that the text declares, and whether each is a sampler."""
-    return {match["name"]: match["type"] in _SAMPLERS for match in _UNIFORM.finditer(shader.text)}
+    return dict(_declared(shader.text))
