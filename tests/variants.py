@@ -1,7 +1,8 @@
 """The closed space of shader variants: scenes and qualities that between them ask for every program there is."""
 
-from collections.abc import Iterator
-from itertools import product
+from collections.abc import Iterator, Sequence
+from heapq import heapify, heappop, heapreplace
+from itertools import combinations, product
 from typing import get_args
 
 from seafoam.plan import FramePlan, make_plan
@@ -193,3 +194,31 @@ def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:
                 continue
             found.setdefault((program.vertex.sha256, program.fragment.sha256), (plan, name, program))
     return found
+
+
+def traits(program: Program) -> frozenset[str | tuple[str, str]]:
+    """What of a program can fail by itself: its files, each two that stand together, and the values of its constants."""
+    shaders = (program.vertex, program.fragment)
+    files = sorted({file.path for shader in shaders for file in shader.files if file.path})
+    constants = {line for shader in shaders for line in shader.text.splitlines() if line.startswith("const ")}
+    return frozenset((*files, *combinations(files, 2), *constants))
+
+
+def covering(programs: Sequence[Program]) -> list[int]:
+    """Places of programs that between them have every trait of any: greedily, so few, not the fewest."""
+    having = [traits(program) for program in programs]
+    left = set().union(*having)
+    gains = [(-len(traits), i) for i, traits in enumerate(having)]
+    heapify(gains)
+    chosen = []
+    while left:
+        # What a program adds only falls, so the first that still adds as much as it promised adds the most.
+        _, i = gains[0]
+        adds = -len(having[i] & left)
+        if adds > gains[0][0]:
+            heapreplace(gains, (adds, i))
+        else:
+            heappop(gains)
+            chosen.append(i)
+            left -= having[i]
+    return chosen
