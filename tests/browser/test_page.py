@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
-from playwright.sync_api import Locator, Page, TimeoutError
+from playwright.sync_api import Locator, Page, TimeoutError, expect
 
 from browsers import Lane
 from report import REPORT
@@ -379,6 +379,8 @@ def test_two_looks_side_by_side(small: Visit) -> None:
 def test_masks_come_from_the_server(small: Visit, server: str) -> None:
     listed = [mask["name"] for mask in small.page.request.get(f"{server}/api/masks").json()]
     choice = small.settings().get_by_label("mask", exact=True)
+    # The panel stands before the list of masks has come.
+    expect(choice.locator("option")).to_have_count(len(listed))
     # The name leads each text, before the mask's title.
     texts = choice.locator("option").all_text_contents()
     assert [text.split(" · ")[0] for text in texts] == listed
