@@ -12,7 +12,7 @@ from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store, cache_dir
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.station import FailedError, Station
-from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, front, make_sweep
+from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, beating, front, make_sweep
 from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
 from seafoam.render.pool import measure
 from seafoam.scene.models import Scene
@@ -38,6 +38,23 @@ def test_the_front_is_what_nothing_beats_in_both():
     found = {"a": (1.0, 9.0), "b": (2.0, 9.0), "c": (2.0, 4.0), "d": (3.0, 5.0), "e": (9.0, 1.0), "f": (9.0, 2.0)}
     assert front(found) == ("a", "c", "e")
     assert front({}) == ()
+
+
+def test_who_beats_whom_by_more_than_the_quartiles():
+    found = {
+        "a": (1.0, 2.0, 5.0),
+        "b": (2.5, 3.0, 5.0),
+        "c": (2.0, 3.0, 6.0),
+        "d": (9.0, 9.5, 4.0),
+        "e": (8.0, 9.0, 1.0),
+    }
+    assert beating(found) == {"a": (), "b": ("a",), "c": (), "d": (), "e": ()}
+    assert beating(found | {"f": (9.5, 9.9, 6.0)})["f"] == ("e", "a", "b", "c")
+
+
+def test_times_are_taken_at_a_size_that_shows_more_than_maps(known):
+    assert sweep.LEAST_SHARE * known.timing.width >= 1280
+    assert sweep.LEAST_SHARE * known.timing.height >= 720
 
 
 def test_times_and_their_model(known):

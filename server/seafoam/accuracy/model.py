@@ -7,7 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from seafoam.effects.contribution import Cause
 from seafoam.quality import Quality, Tier
 
-FORMAT = 1
+FORMAT = 2
 """Of the JSON; part of the cache's keys."""
 
 KnobValue = bool | int | float | str
@@ -118,6 +118,10 @@ class MeasuredPoint(Point):
     """A quality with its time and its error."""
 
     on_front: bool = Field(description="Nothing measured is both faster and more exact")
+    beaten_by: tuple[str, ...] = Field(
+        description="Points that are faster by more than the quartiles of both, and at most as far from the truth; the "
+        "most exact first"
+    )
     time: TimeSpread
     model: TimeModel
     error: Errors

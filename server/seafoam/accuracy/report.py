@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from seafoam.accuracy.model import MeasuredPoint, Sweep
 
 COLUMNS = (
-    "id", "tier", "owner", "knob", "value", "cause", "on_front", "time_ms", "time_low_ms", "time_high_ms", "fixed_ms",
-    "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry", "filtering", "precision",
-    "rest", "plan",
+    "id", "tier", "owner", "knob", "value", "cause", "on_front", "beaten_by", "time_ms", "time_low_ms", "time_high_ms",
+    "fixed_ms", "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry", "filtering",
+    "precision", "rest", "plan",
 )  # fmt: skip
 
 HEADINGS = (
@@ -45,6 +45,7 @@ def csv_of(sweep: Sweep) -> str:
                 point.tier,
                 *((knob.owner, knob.pointer, knob.value, knob.cause) if knob else (None,) * 4),
                 int(point.on_front),
+                " ".join(point.beaten_by),
                 *(round(value, 4) for value in (point.time.median_ms, point.time.low_ms, point.time.high_ms)),
                 round(point.model.fixed_ms, 4),
                 round(point.model.ns_per_pixel, 3),
@@ -109,6 +110,8 @@ def page(sweep: Sweep, command: str) -> str:
         f'<img alt="Time against error" src="data:image/png;base64,{plot}">',
         "<h2>Along the front</h2>",
         _list(sweep.sentences),
+        "<h2>Tiers</h2>",
+        _list([_standing(sweep, point) for point in sweep.points if point.tier is not None]),
         "<h2>Knob by knob</h2>",
         "<p>From a value to the next more exact one, everything else as in tier standard.</p>",
         _list([step.sentence + _worth(step.error_per_ms) for step in sweep.steps]),
@@ -119,6 +122,15 @@ def page(sweep: Sweep, command: str) -> str:
         "<dl>" + "".join(f"<dt>{what}<dd>{html.escape(said)}" for what, said in about) + "</dl>",
     ]
     return "\n".join(parts) + "\n"
+
+
+def _standing(sweep: Sweep, point: MeasuredPoint) -> str:
+    """What a tier is beside everything else that was measured."""
+    if not point.beaten_by:
+        return f"{point.id}: nothing measured is faster by more than the quartiles and as exact"
+    better = [sweep.point(id) for id in point.beaten_by[:3]]
+    told = ", ".join(f"{one.id} ({milliseconds(one.time.median_ms)} ms, {one.error.rmse:.2f})" for one in better)
+    return f"{point.id} ({milliseconds(point.time.median_ms)} ms, {point.error.rmse:.2f}) is beaten by {told}"
 
 
 def _worth(error_per_ms: float | None) -> str:

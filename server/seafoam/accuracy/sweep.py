@@ -48,6 +48,9 @@ from seafoam.scene.presets import load_preset, preset_names
 FRAME_SECONDS = 1.0 / 60.0
 ENOUGH_SECONDS = 0.02
 """A frame of tier standard takes at least this at the timing size, so that what a call costs does not hide it."""
+LEAST_SHARE = 4
+"""The timing size is at least the subject's own over this, along each side: maps and tiles, which cost the same at
+every size, would count for too much in a smaller picture."""
 SMALL = 10
 """The second size of the time model is so many times smaller along each side."""
 COMPILE_WEIGHT = 6.0
@@ -223,15 +226,17 @@ class _Sweeping:
                 little[point.id].append(1000.0 * drawn[-1].seconds)
         measured = []
         errors = {point.id: metrics.errors(frames[point.id], truth) for point in points}
-        times = {id: median(values) for id, values in large.items()}
-        best = front({point.id: (times[point.id], errors[point.id].rmse) for point in points})
+        spreads = {id: _spread(values) for id, values in large.items()}
+        best = front({id: (spread.median_ms, errors[id].rmse) for id, spread in spreads.items()})
+        beaten = beating({id: (spread.low_ms, spread.high_ms, errors[id].rmse) for id, spread in spreads.items()})
         for point in points:
             measured.append(
                 MeasuredPoint(
                     **dict(point),
                     on_front=point.id in best,
-                    time=_spread(large[point.id]),
-                    model=_model(times[point.id], timed, median(little[point.id]), small),
+                    beaten_by=beaten[point.id],
+                    time=spreads[point.id],
+                    model=_model(spreads[point.id].median_ms, timed, median(little[point.id]), small),
                     error=errors[point.id],
                     causes=self._causes(point, errors[point.id].rmse, truth),
                 )
@@ -307,11 +312,13 @@ class _Sweeping:
     def _sizes(self) -> tuple[tuple[int, int], tuple[int, int]]:
         """The timing size, at least that of the pictures, at most the subject's own; and the small one."""
         width, height = self.settings.width, self.settings.height
+        whole = self.subject.size
         standard = next(point for point in self.points if point.id == "standard")
-        while 2 * width <= self.subject.size[0] and 2 * height <= self.subject.size[1]:
-            drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size", 0.0)
-            if min(one.seconds for one in drawn[1:]) >= ENOUGH_SECONDS:
-                break
+        while 2 * width <= whole[0] and 2 * height <= whole[1]:
+            if LEAST_SHARE * width >= whole[0] and LEAST_SHARE * height >= whole[1]:
+                drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size", 0.0)
+                if min(one.seconds for one in drawn[1:]) >= ENOUGH_SECONDS:
+                    break
             width, height = 2 * width, 2 * height
         return (width, height), (max(1, width // SMALL), max(1, height // SMALL))
 
@@ -351,6 +358,18 @@ def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
             best.append(name)
             least = error
     return tuple(best)
+
+
+def beating(found: Mapping[str, tuple[float, float, float]]) -> dict[str, tuple[str, ...]]:
+    """Of (first quartile, third quartile, error) by name: who is faster by more than the quartiles, with no more error.
+
+    The most exact first.
+    """
+    by_error = sorted(found, key=lambda name: found[name][2])
+    return {
+        name: tuple(other for other in by_error if found[other][1] < low and found[other][2] <= error)
+        for name, (low, _, error) in found.items()
+    }
 
 
 @dataclass(frozen=True)
