@@ -1,15 +1,18 @@
 """What is not a frame: presets, plans, textures, quality, pages, health, metrics."""
 
+import asyncio
 import gzip
 import hashlib
 import json
 import re
 from itertools import pairwise
-from typing import get_args
+from typing import Any, get_args
 
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
+from seafoam.api.routers.presets import _summary, warm
+from seafoam.api.workshop import Workshop
 from seafoam.plan.model import FramePlan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
@@ -224,3 +227,19 @@ def test_openapi_describes_every_operation_with_its_problems(client):
     )
     assert not missing
     assert "HTTPValidationError" not in text
+
+
+def test_presets_are_planned_before_a_visitor_asks() -> None:
+    asked: list[str] = []
+
+    class Noted(Workshop):
+        async def run(self, function: Any, *args: Any, **kwargs: Any) -> Any:
+            asked.append(args[0])
+            return function(*args, **kwargs)
+
+    asyncio.run(warm(Noted(1, 1)))
+    assert asked == list(preset_names())
+    planned = _summary.cache_info()
+    assert planned.currsize == len(asked)
+    asyncio.run(warm(Noted(1, 1)))
+    assert _summary.cache_info().misses == planned.misses

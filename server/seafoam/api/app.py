@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from functools import partial
 from importlib.metadata import version
 from typing import Any
@@ -62,7 +62,11 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
             settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8), station=station
         )
         await pool.start()
+        warming = asyncio.create_task(presets.warm(app.state.context.plans))
         yield
+        warming.cancel()
+        with suppress(asyncio.CancelledError, errors.BusyError):
+            await warming
         await asyncio.to_thread(station.stop)
         await pool.stop()
 

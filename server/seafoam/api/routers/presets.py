@@ -1,5 +1,6 @@
 """``/api/presets``: the named scenes. ``/api/quality``: the tiers and knobs to compute them with."""
 
+from functools import cache
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query
@@ -11,6 +12,7 @@ from seafoam.api.context import InContext
 from seafoam.api.errors import NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.planning import compile_scene
+from seafoam.api.workshop import Workshop
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Group, Preset, load_preset, preset_names
@@ -54,32 +56,33 @@ def find_preset(name: str) -> Preset:
         raise NotFoundError(f"there is no preset {name!r}", "preset", preset_names()) from None
 
 
-def _effects(preset: Preset) -> list[str]:
+@cache
+def _summary(name: str) -> PresetSummary:
+    """A preset as the list shows it. Its effects take a plan, which is why it is kept. Raises ``KeyError``."""
+    preset = load_preset(name)
     compiled = compile_scene(preset.scene, TIERS["standard"], scene_at="")
-    return [effect.name for effect in compiled.plan.effects]
+    effects = [effect.name for effect in compiled.plan.effects]
+    return PresetSummary(**preset.model_dump(include=set(PresetSummary.model_fields)), effects=effects)
 
 
-def _summaries() -> list[PresetSummary]:
-    presets = [load_preset(name) for name in preset_names()]
-    return [
-        PresetSummary(**preset.model_dump(include=set(PresetSummary.model_fields)), effects=_effects(preset))
-        for preset in presets
-    ]
+async def warm(plans: Workshop) -> None:
+    """Plan every preset once, so that no visitor waits for the list; one at a time, so that none waits for this."""
+    for name in preset_names():
+        await plans.run(_summary, name)
 
 
 @router.get("/presets", responses=problem_responses(422, 503))
 async def list_presets(_: Annotated[Parameters, Query()], context: InContext) -> list[PresetSummary]:
     """All presets, in the order of the menu."""
-    return await context.plans.run(_summaries)
+    return await context.plans.run(lambda: [_summary(name) for name in preset_names()])
 
 
 @router.get("/presets/{preset}", responses=problem_responses(404, 422, 503))
 async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> PresetDetail:
     """One preset with its full scene: a starting point for POST /api/frames and /api/plans."""
     found = find_preset(preset)
-    effects = await context.plans.run(_effects, found)
-    summary = found.model_dump(include=set(PresetSummary.model_fields))
-    return PresetDetail(**summary, effects=effects, scene=found.scene)
+    summary = await context.plans.run(_summary, preset)
+    return PresetDetail(**summary.model_dump(), scene=found.scene)
 
 
 @router.get("/quality", responses=problem_responses(422))
