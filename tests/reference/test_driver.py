@@ -1,0 +1,41 @@
+"""The tests have llvmpipe compile without optimisations: what it draws must not hang on that."""
+
+import hashlib
+import os
+import subprocess
+import sys
+
+import pytest
+
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.presets import load_preset
+
+DRAW = """
+import sys
+sys.path.insert(0, sys.argv[2])
+import test_driver
+from seafoam.render.executor import Executor
+executor = Executor()
+print(test_driver.drawn(executor, sys.argv[1]))
+"""
+
+
+def drawn(executor: Executor, preset: str) -> str:
+    """Hash of a small picture's floats."""
+    found = load_preset(preset)
+    plan = make_plan(found.scene, TIERS["standard"])
+    picture = executor.render(
+        plan, time=found.time, camera=found.scene.camera, width=64, height=36, output="linear"
+    ).pixels
+    return hashlib.sha256(picture.tobytes()).hexdigest()
+
+
+@pytest.mark.parametrize("preset", ["default", "lagoon", "storm"])
+def test_optimised_programs_draw_the_same_bytes(preset: str, executor: Executor) -> None:
+    assert os.environ["GALLIVM_PERF"] == "nopt"
+    plain = {name: value for name, value in os.environ.items() if name != "GALLIVM_PERF"}
+    command = [sys.executable, "-c", DRAW, preset, os.path.dirname(__file__)]
+    told = subprocess.run(command, env=plain, capture_output=True, text=True, check=True, timeout=300)
+    assert told.stdout.strip() == drawn(executor, preset)
