@@ -62,7 +62,7 @@ BY_SCENE = (
 """Compile-time numbers that hang on the scene."""
 
 GENERAL: dict[str, Const] = {
-    "PARAMETRIC_KIND": (-1,) * MOST_WAVES,
+    "PARAMETRIC_KIND": (0,) * MOST_WAVES,
     "PARAMETRIC_ALIKE": True,
     "PARAMETRIC_SIGNAL": False,
 }

@@ -23,7 +23,7 @@ from sources import Sources
 
 ROOT = Path(__file__).parent.parent
 ROOTS = (ROOT / "tests", ROOT / "server", ROOT)
-DRIVERS = ("LIBGL_", "MESA_", "GALLIUM_", "LP_", "EGL_", "__EGL_", "SEAFOAM_")
+DRIVERS = ("LIBGL_", "MESA_", "GALLIUM_", "GALLIVM_", "LP_", "EGL_", "__EGL_", "SEAFOAM_")
 """Beginnings of variables that choose a driver or how it draws."""
 TABLES = frozenset({"EFFECTS"})
 ANSWERED = {

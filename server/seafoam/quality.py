@@ -32,7 +32,7 @@ class SurfaceQuality(Knobs):
         default=0.05,
         ge=1e-4,
         le=1.0,
-        description="A march ends this near the surface, in heights of a sample; Newton finishes",
+        description="A march ends this near the surface, in heights of a sample",
     )
     cells: int = Field(default=192, ge=8, le=1024, description="Cells of the mesh along each side")
     refine: int = Field(default=0, ge=0, le=8, description="Newton steps a pixel after the mesh or the march")

@@ -1,6 +1,5 @@
 // First hit with the surface of a ray from under it: steps that cannot pass it, then Newton. Heights in metres from y = 0, which
 // no trough is under. ray: not normalised; returns tau, hit = eye + tau * ray.
-uniform float u_ceiling_steepest; // slope of the waves at most
 
 const float CEILING_FARTHEST = 1e5;
 
@@ -18,7 +17,7 @@ bool find_ceiling(vec3 ray, out float tau, out vec3 wave) {
         return false;
     }
     float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
-    float fastest = max(u_ceiling_steepest * length(ray.xz) + ray.y, 1e-6 * size);
+    float fastest = max(surface_now().x * length(ray.xz) + ray.y, 1e-6 * size);
     float gap = 0.0;
     for (int i = 0; i < MARCH_STEPS; ++i) {
         wave = waves(tau * ray.xz);

@@ -41,8 +41,7 @@ vec4 clouds(vec3 d, float blur, out float hidden) {
     float deep = u_cloud_shape.w * density;
     hidden = seen * mix(1.0 - exp(-deep), u_cloud_mean, lost);
     float gamma = dot(d, u_cloud_toward);
-    float apart = max(1.5776 - 1.52 * gamma, 0.0576);
-    float edge = 0.0336144922 / (apart * sqrt(apart));
+    float edge = mie_phase(gamma);
     float lit = 0.3 * (0.15 + 0.85 * exp(-0.5 * u_cloud_shape.w * before)) + 0.3 * edge * exp(-deep);
     vec3 light = u_cloud_light * lit + u_cloud_sky * (1.0 - 0.4 * density);
     float cover = hidden * exp(-0.8 * min(max(air_depth(d.y).x, 0.0), 60.0));

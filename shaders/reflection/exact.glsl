@@ -1,4 +1,5 @@
-// Water mirrors what stands around, found anew for each sample. r: reflected direction; d: from the eye; n: normal; unit vectors.
-vec3 reflected_light(vec3 r, vec3 d, vec3 n) {
+// Water mirrors what stands around, found anew for each sample. r: reflected direction, a unit vector.
+// place: where on the water, from under the eye, y over y = 0, m.
+vec3 reflected_light(vec3 place, vec3 r) {
     return surroundings(r);
 }

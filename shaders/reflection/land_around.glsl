@@ -6,5 +6,5 @@ vec3 surroundings(vec3 r) {
     float height = max(AROUND_HEIGHT, shore_floor(eye).x + AROUND_HEIGHT);
     float tau;
     vec4 ground;
-    return land_along(eye, height, r, tau, ground) ? land_seen(eye, r, tau, ground) : mirrored_sky(r, r, r);
+    return land_along(eye, height, r, tau, ground) ? land_seen(eye, r, tau, ground) : mirrored_sky(r);
 }

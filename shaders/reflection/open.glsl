@@ -1,4 +1,4 @@
 // Nothing but the sky stands around. r: unit vector.
 vec3 surroundings(vec3 r) {
-    return mirrored_sky(r, r, r);
+    return mirrored_sky(r);
 }

@@ -1,8 +1,9 @@
 // Water mirrors what the planar mirror holds, and the sky. The reflected ray is followed to the place that it meets: the map's
 // own distances tell how far that is, and its place in the map is the mirrored place's. Exact on still water to the map's texels.
-// r: reflected direction, over the horizon; d: from the eye; n: normal; unit vectors.
+// r: reflected direction, over the horizon, a unit vector.
 // Land is looked for at MIRROR_LOOKS places, up to MIRROR_FAR metres away.
 uniform sampler2D u_mirror;
+uniform float u_mirror_level; // height of still water, m
 
 // Light that the map holds toward a place in clip space, and its coverage; way: from the mirrored eye, m, where there is any.
 vec4 mirror_read(vec2 clip, inout float way) {
@@ -39,14 +40,16 @@ vec4 mirror_toward(vec3 point, out vec3 seen, inout float way) {
     return mirror_read(vec2(dot(seen, across), dot(seen, upward)) / depth, way);
 }
 
-vec3 reflected_light(vec3 r, vec3 d, vec3 n) {
-    vec3 sky = mirrored_sky(r, d, n);
-    vec3 place = mirror_place(d);
+// place: where on the water, from under the eye, y over y = 0, m.
+vec3 reflected_light(vec3 place, vec3 r) {
+    vec3 sky = mirrored_sky(r);
     vec3 seen;
     float mirrored;
     float way = mirror_guess(place, r, u_mirror_level);
     // Land may be anywhere: the first point along the ray that has some before it.
-    for (int i = 0; i < MIRROR_LOOKS && way < 0.0; ++i) {
+    // Counted, so that drivers without branches look no further than the farthest of a group.
+    int looks = way < 0.0 ? MIRROR_LOOKS : 0;
+    for (int i = 0; i < looks && way < 0.0; ++i) {
         float far = MIRROR_FAR * exp2(float(i + 1 - MIRROR_LOOKS));
         vec4 there = mirror_toward(place + far * r, seen, mirrored);
         way = there.a > 0.0 && mirrored < 1.01 * length(seen) ? far : way;

@@ -1,4 +1,5 @@
-// Water mirrors the sky alone. r: reflected direction, over the horizon; d: from the eye; n: normal; unit vectors.
-vec3 reflected_light(vec3 r, vec3 d, vec3 n) {
-    return sky_light(r);
+// Water mirrors the sky alone. r: reflected direction, over the horizon, a unit vector.
+// place: where on the water, from under the eye, y over y = 0, m.
+vec3 reflected_light(vec3 place, vec3 r) {
+    return mirrored_sky(r);
 }

@@ -1,13 +1,6 @@
-// Foam where the water is steep (GPU ocean, 2007), blurred: f = gain (1 - n.y - base), n the waves' normal; f in [0, SLOPE_MOST].
-// The mean of five places, the middle and a cross around it. What the footprint has taken out of the slope still counts, by its mean square.
-uniform float u_slope_gain;
-uniform float u_slope_base;
+// Foam where the water is steep (GPU ocean, 2007), blurred: f = gain (1 - n.y - base), n the waves' normal.
+// The mean of five places, the middle and a cross around it.
 uniform float u_slope_blur; // m
-
-float slope_lack(vec2 p, Footprint fp) {
-    vec4 wave = waves_shading(p, fp);
-    return 1.0 - inversesqrt(1.0 + dot(wave.yz, wave.yz) + wave.w);
-}
 
 float slope_saturation(vec2 p, float height, Footprint fp) {
     vec2 arm = vec2(u_slope_blur, 0.0);
@@ -17,5 +10,5 @@ float slope_saturation(vec2 p, float height, Footprint fp) {
         vec2 way = i == 0 ? vec2(0.0) : i < 3 ? arm : arm.yx;
         sum += slope_lack((i & 1) == 0 ? p - way : p + way, fp);
     }
-    return clamp(u_slope_gain * (0.2 * sum - u_slope_base), 0.0, SLOPE_MOST);
+    return slope_foam(0.2 * sum);
 }

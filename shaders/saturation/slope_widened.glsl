@@ -1,7 +1,5 @@
-// Foam where the water is steep (GPU ocean, 2007), blurred: f = gain (1 - n.y - base), n the waves' normal; f in [0, SLOPE_MOST].
+// Foam where the water is steep (GPU ocean, 2007), blurred: f = gain (1 - n.y - base), n the waves' normal.
 // Read once, under a footprint as wide as the blur: from the mean square of the slopes there instead of the mean over five places.
-uniform float u_slope_gain;
-uniform float u_slope_base;
 uniform float u_slope_blur; // m
 
 // The footprint spread by a square box: axes of the sum of both second moments, so that they stand upright on each other.
@@ -20,7 +18,5 @@ Footprint widened(Footprint fp, float side) {
 }
 
 float slope_saturation(vec2 p, float height, Footprint fp) {
-    vec4 wave = waves_shading(p, widened(fp, SLOPE_WIDENED * u_slope_blur));
-    float lack = 1.0 - inversesqrt(1.0 + dot(wave.yz, wave.yz) + wave.w);
-    return clamp(u_slope_gain * (lack - u_slope_base), 0.0, SLOPE_MOST);
+    return slope_foam(slope_lack(p, widened(fp, SLOPE_WIDENED * u_slope_blur)));
 }

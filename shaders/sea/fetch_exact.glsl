@@ -1,13 +1,16 @@
-// A tile between its texels, written out: floats, which not every device filters. at: in tiles; texel j stands at j / size.
+// Tiles between their texels, written out: floats, which not every device filters. at: in tiles; texel j stands at j / size.
+// t: share of the way from the near texel to the far one.
+vec4 sea_between(sampler2D tiles, ivec2 near, ivec2 far, vec2 t) {
+    vec4 first = mix(texelFetch(tiles, near, 0), texelFetch(tiles, ivec2(far.x, near.y), 0), t.x);
+    return mix(first, mix(texelFetch(tiles, ivec2(near.x, far.y), 0), texelFetch(tiles, far, 0), t.x), t.y);
+}
+
 vec4 sea_fetch(sampler2D tile, vec2 at) {
     int size = textureSize(tile, 0).x;
     vec2 place = fract(at) * float(size);
     vec2 base = floor(place);
-    vec2 t = place - base;
     ivec2 near = ivec2(base) & (size - 1);
-    ivec2 far = (near + 1) & (size - 1);
-    vec4 first = mix(texelFetch(tile, near, 0), texelFetch(tile, ivec2(far.x, near.y), 0), t.x);
-    return mix(first, mix(texelFetch(tile, ivec2(near.x, far.y), 0), texelFetch(tile, far, 0), t.x), t.y);
+    return sea_between(tile, near, (near + 1) & (size - 1), place - base);
 }
 
 // The same of one of several tiles over one another, each with its first row once more at its end.
@@ -15,11 +18,9 @@ vec4 sea_fetch_four(sampler2D tiles, vec2 at, int which) {
     int size = textureSize(tiles, 0).x;
     vec2 place = fract(at) * float(size);
     vec2 base = floor(place);
-    vec2 t = place - base;
-    ivec2 near = ivec2(int(base.x) & (size - 1), which * (size + 1) + min(int(base.y), size - 1));
-    ivec2 far = ivec2((near.x + 1) & (size - 1), near.y + 1);
-    vec4 first = mix(texelFetch(tiles, near, 0), texelFetch(tiles, ivec2(far.x, near.y), 0), t.x);
-    return mix(first, mix(texelFetch(tiles, ivec2(near.x, far.y), 0), texelFetch(tiles, far, 0), t.x), t.y);
+    ivec2 near = ivec2(base) & (size - 1);
+    int first = which * (size + 1);
+    return sea_between(tiles, near + ivec2(0, first), ivec2((near.x + 1) & (size - 1), first + near.y + 1), place - base);
 }
 
 // The uniform cubic B-spline with the texels as coefficients: bilinear slopes would show the grid.

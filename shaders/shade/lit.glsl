@@ -6,7 +6,7 @@ vec3 irradiance(vec3 n) {
     return u_sun_irradiance * max(dot(n, u_sun_direction), 0.0) + u_sky_irradiance * (0.5 + 0.5 * n.y);
 }
 
-vec3 water_light(vec3 d, vec3 n, float lost, float height) {
+vec3 water_light(vec3 place, vec3 d, vec3 n, float lost, float height) {
     float sigma2 = u_roughness * u_roughness + lost;
     float nv = max(-dot(n, d), 0.0);
     float cv = sqrt(nv * nv + sigma2 * (1.0 - nv * nv));
@@ -14,7 +14,7 @@ vec3 water_light(vec3 d, vec3 n, float lost, float height) {
 
     vec3 r = reflect(d, n);
     r.y = sqrt(max(r.y, 0.0) * max(r.y, 0.0) + sigma2);
-    vec3 reflected = reflected_light(normalize(r), d, n);
+    vec3 reflected = reflected_light(place, normalize(r));
 
     vec3 below = 0.95 * irradiance(n) / PI;
     vec3 absorption = 1.0 / u_absorption_length;

@@ -4,14 +4,9 @@ out vec4 o_highest;
 
 void main() {
     ivec2 cell = ivec2(gl_FragCoord.xy);
-    int left = 0;
-    int cells = LAND_CELLS;
-    while (cells > 1 && cell.x >= left + cells) {
-        left += cells;
-        cells >>= 1;
-    }
-    ivec2 low = ivec2(left, 0);
-    ivec2 high = ivec2(left, 0) + cells - 1;
+    ivec2 level = land_level(cell.x);
+    ivec2 low = ivec2(level.y, 0);
+    ivec2 high = low + level.x - 1;
     float highest = 0.0;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {

@@ -46,17 +46,18 @@ bool find_land(vec3 ray, float farthest, out float tau, out vec4 ground) {
             tau = max(tau, before + (leave - before) / float(MARCH_STEPS - i));
         }
     }
-    if (tau < leave && gap < -fine * tau) {
-        // Counted here, so that drivers without branches do not go through all of them in vain.
-        int rounds = tau < leave ? 8 : 0;
-        for (int i = 0; i < rounds; ++i) {
-            float middle = 0.5 * (before + tau);
-            if (u_eye_height + middle * ray.y < shore_floor(eye + middle * ray.xz).x) {
-                tau = middle;
-            } else {
-                before = middle;
-            }
+    bool passed = tau < leave && gap < -fine * tau;
+    // Counted, so that drivers without branches do not go through all of them in vain.
+    int rounds = passed ? 8 : 0;
+    for (int i = 0; i < rounds; ++i) {
+        float middle = 0.5 * (before + tau);
+        if (u_eye_height + middle * ray.y < shore_floor(eye + middle * ray.xz).x) {
+            tau = middle;
+        } else {
+            before = middle;
         }
+    }
+    if (passed) {
         ground = shore_floor(eye + tau * ray.xz);
         gap = u_eye_height + tau * ray.y - ground.x;
     }

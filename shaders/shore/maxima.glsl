@@ -7,11 +7,9 @@ uniform sampler2D u_land_maxima; // of a cell; of that and the eight round it, m
 float land_free(vec2 q, float y, vec3 r, float aside, float raised, float from, float leave) {
     vec2 sense = vec2(r.x < 0.0 ? -1.0 : 1.0, r.z < 0.0 ? -1.0 : 1.0);
     vec2 level_speed = max(abs(r.xz), 1e-9);
-    vec2 outward = abs(r.xz) - aside;
     vec2 enters = max(-0.5 * u_shore_size - sense * q, 0.0) / (level_speed + aside);
-    vec2 leaves = mix(vec2(1e30), max(0.5 * u_shore_size - sense * q, 0.0) / max(outward, 1e-9), greaterThan(outward, vec2(1e-9)));
     float tau = max(max(enters.x, enters.y), from);
-    float last = min(leave, min(leaves.x, leaves.y));
+    float last = min(leave, shore_leaves(q, r.xz, aside));
     float sinks = raised - r.y;
     int cells = LAND_CELLS / 4;
     int left = 2 * LAND_CELLS - 2 * cells;

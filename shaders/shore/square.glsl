@@ -10,3 +10,11 @@ vec2 shore_texel(vec2 q, float texels) {
 vec2 shore_inside(vec2 q) {
     return step(abs(q), vec2(0.5 * u_shore_size));
 }
+
+// How far along a way from q, metres from the middle, the square is left for good, also by ways up to `aside` a unit beside it.
+float shore_leaves(vec2 q, vec2 way, float aside) {
+    vec2 left = max(0.5 * u_shore_size - sign(way) * q, 0.0);
+    vec2 outward = abs(way) - aside;
+    vec2 leaves = mix(vec2(1e30), left / max(outward, 1e-9), greaterThan(outward, vec2(1e-9)));
+    return min(leaves.x, leaves.y);
+}

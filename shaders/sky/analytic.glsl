@@ -16,3 +16,8 @@ vec3 sky_light(vec3 d) {
     vec3 scattered = (u_rayleigh_depth * rayleigh + u_mie_depth * mie) / depth + 0.04;
     return u_air_light * scattered * (1.0 - exp(-depth * mass));
 }
+
+// As water mirrors it. r: reflected direction, over the horizon.
+vec3 mirrored_sky(vec3 r) {
+    return sky_light(r);
+}

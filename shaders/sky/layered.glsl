@@ -15,15 +15,20 @@ vec3 air_depth(float y) {
     return (u_rayleigh_depth + u_mie_depth) / (y + 0.09) + u_haze_depth * 0.02 / (y + 0.02);
 }
 
+// Share that haze scatters by an angle with the cosine gamma (Henyey and Greenstein 1941, G = 0.76), over the sphere 1.
+float mie_phase(float gamma) {
+    // 1 + G^2 - 2 G gamma is at least (1 - G)^2, so the power stays finite
+    float apart = max(1.5776 - 1.52 * gamma, 0.0576);
+    return 0.0336144922 / (apart * sqrt(apart));
+}
+
 // Light of a lamp that the air scatters toward the eye. The higher one looks, the less air it came through.
 vec3 air_glow(vec3 d, vec3 lamp, vec3 path, vec3 power, float least) {
     float y = max(d.y, 0.0);
     float gamma = dot(d, lamp);
     vec3 depth = air_depth(y);
     float rayleigh = 0.0596831036594608 * (1.0 + gamma * gamma);
-    // 1 + G^2 - 2 G gamma is at least (1 - G)^2, so the power stays finite
-    float apart = max(1.5776 - 1.52 * gamma, 0.0576);
-    float mie = 0.0336144922 / (apart * sqrt(apart));
+    float mie = mie_phase(gamma);
     float grey = u_mie_depth / (y + 0.09) + u_haze_depth * 0.02 / (y + 0.02);
     vec3 once = (u_rayleigh_depth / (y + 0.09) * rayleigh + grey * mie) / depth;
     vec3 here = power * exp(-path * (0.08 + 0.7 * exp(-y / 0.12))) + least;

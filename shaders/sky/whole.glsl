@@ -15,3 +15,8 @@ vec3 sky_seen(vec3 d, float blur) {
 vec3 sky_light(vec3 d) {
     return sky_seen(d, SKY_EYE);
 }
+
+// As water mirrors it: its clouds blurred. r: reflected direction, over the horizon.
+vec3 mirrored_sky(vec3 r) {
+    return sky_seen(r, SKY_MIRROR);
+}

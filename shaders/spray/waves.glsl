@@ -13,8 +13,8 @@ vec4 spray_waves(vec2 p, float age) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
-        float theta = wrap_phase(u_parametric_phase[i] - dot(wave.xy, p) - u_parametric_rate[i] * age);
-        vec2 profile = wave.z * parametric_profile(theta, wave.w, parametric_kind(i));
+        vec2 of_half = parametric_half(u_parametric_phase[i] - dot(wave.xy, p) - u_parametric_rate[i] * age);
+        vec2 profile = wave.z * parametric_profile(of_half, wave.w, parametric_kind(i));
         sum += vec4(profile.x, -profile.y * wave.xy, profile.y * u_parametric_rate[i]);
     }
     return sum;

@@ -3,11 +3,12 @@
 // surface at most (1/m), from 60000 on unknown.
 uniform sampler2D u_start;
 
-// Of water, of land, and the second derivative. Begins at 0 outside the picture. ray: not normalised, 1 along the view.
+// Of water, of land, and the second derivative. Outside the picture begins at 0 and nothing is known.
+// ray: not normalised, 1 along the view.
 vec3 march_start(vec3 ray) {
     vec2 clip = vec2(dot(ray, u_ray_x) / dot(u_ray_x, u_ray_x), dot(ray, u_ray_y) / dot(u_ray_y, u_ray_y));
     ivec2 size = textureSize(u_start, 0);
     vec4 start = texelFetch(u_start, clamp(ivec2((0.5 * clip + 0.5) * vec2(size)), ivec2(0), size - 1), 0);
     float curvature = start.a < 60000.0 ? start.a : 1e9;
-    return any(greaterThan(abs(clip), vec2(1.0))) ? vec3(0.0, 0.0, curvature) : vec3(start.r + start.g, start.b, curvature);
+    return any(greaterThan(abs(clip), vec2(1.0))) ? vec3(0.0, 0.0, 1e9) : vec3(start.r + start.g, start.b, curvature);
 }

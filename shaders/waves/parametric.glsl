@@ -4,32 +4,29 @@ uniform vec4 u_parametric[PARAMETRIC_COUNT]; // k.x, k.z (rad/m), A (m), K
 uniform float u_parametric_phase[PARAMETRIC_COUNT];
 uniform vec2 u_parametric_mean[PARAMETRIC_COUNT]; // mean square slope and mean height (m) of the whole wave
 
-// Height over A, and its derivative by theta. kind: 2K where that is a whole number and the power a product; 0: any K from 1 on;
-// -1: any K at all.
-vec2 parametric_profile(float theta, float exponent, int kind) {
-    if (kind >= 0) {
-        float u = max(0.5 + 0.5 * sin(theta), 0.0);
-        float power = 1.0;
-        if (kind > 0) {
-            // u^(K - 1): the squares of the bits of floor(K - 1), and a root where K is half a whole number.
-            int whole = (kind - 2) >> 1;
-            float u2 = u * u;
-            float u4 = u2 * u2;
-            power = (whole & 1) != 0 ? u : 1.0;
-            power *= (whole & 2) != 0 ? u2 : 1.0;
-            power *= (whole & 4) != 0 ? u4 : 1.0;
-            power *= (whole & 8) != 0 ? u4 * u4 : 1.0;
-            power *= (kind & 1) != 0 ? sqrt(u) : 1.0;
-        } else {
-            power = pow(max(u, 1e-30), exponent - 1.0);
-        }
-        return vec2(power * u, 0.5 * exponent * power * cos(theta));
+// Sine and cosine of half of theta + pi/2: u is the square of the first, which is 0 at the trough and keeps its digits there.
+vec2 parametric_half(float theta) {
+    return sine_cosine(0.5 * wrap_phase(theta + 0.5 * PI));
+}
+
+// Height over A, and its derivative by theta. kind: 2K where that is a whole number and the power a product; 0: any K.
+vec2 parametric_profile(vec2 of_half, float exponent, int kind) {
+    float q = abs(of_half.x);
+    float slope_sign = of_half.x < 0.0 ? -of_half.y : of_half.y;
+    // u^K = q^2K; q^(2K - 1) is what both are made of.
+    if (kind > 0) {
+        int whole = kind - 1;
+        float q2 = q * q;
+        float q4 = q2 * q2;
+        float q8 = q4 * q4;
+        float power = (whole & 1) != 0 ? q : 1.0;
+        power *= (whole & 2) != 0 ? q2 : 1.0;
+        power *= (whole & 4) != 0 ? q4 : 1.0;
+        power *= (whole & 8) != 0 ? q8 : 1.0;
+        power *= (whole & 16) != 0 ? q8 * q8 : 1.0;
+        power *= (whole & 32) != 0 ? (q8 * q8) * (q8 * q8) : 1.0;
+        return vec2(power * q, exponent * power * slope_sign);
     }
-    // By the half angle, which keeps its digits at the trough, where u^(K - 1) has no end: u = s^2, du/dtheta = s c.
-    float half_angle = 0.5 * theta + 0.25 * PI;
-    float s = sin(half_angle);
-    float q = abs(s);
-    float slope_sign = s < 0.0 ? -cos(half_angle) : cos(half_angle);
     // K < 1/2 has an infinite slope at the trough: held there, in the derivative alone.
     float power = pow(max(q, exponent < 0.5 ? 1e-4 : 1e-30), 2.0 * exponent - 1.0);
     float height = exponent < 0.5 && q < 1e-4 ? (q > 0.0 ? pow(q, 2.0 * exponent) : 0.0) : power * q;
@@ -40,8 +37,8 @@ int parametric_kind(int i) {
     return PARAMETRIC_ALIKE ? PARAMETRIC_KIND[0] : PARAMETRIC_KIND[i];
 }
 
-float parametric_theta(int i, vec2 p) {
-    return wrap_phase(u_parametric_phase[i] - dot(u_parametric[i].xy, p));
+vec2 parametric_place(int i, vec2 p) {
+    return parametric_half(u_parametric_phase[i] - dot(u_parametric[i].xy, p));
 }
 
 // Height and its gradient.
@@ -49,7 +46,7 @@ vec3 parametric_waves(vec2 p) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
-        vec2 profile = wave.z * parametric_profile(parametric_theta(i, p), wave.w, parametric_kind(i));
+        vec2 profile = wave.z * parametric_profile(parametric_place(i, p), wave.w, parametric_kind(i));
         sum += vec3(profile.x, -profile.y * wave.xy);
     }
     return sum;
@@ -69,10 +66,11 @@ vec4 parametric_shading(vec2 p, Footprint fp) {
     parametric_signal_z = vec2(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
-        float theta = parametric_theta(i, p);
-        vec2 profile = wave.z * parametric_profile(theta, wave.w, parametric_kind(i));
+        vec2 of_half = parametric_place(i, p);
+        vec2 profile = wave.z * parametric_profile(of_half, wave.w, parametric_kind(i));
         if (PARAMETRIC_SIGNAL) {
-            vec2 term = wave.z * vec2(cos(theta), sin(theta));
+            // Cosine and sine of theta.
+            vec2 term = 2.0 * wave.z * of_half.x * of_half.yx - vec2(0.0, wave.z);
             // d theta / d p = -k
             vec2 turned = vec2(term.y, -term.x);
             parametric_signal += term;

@@ -64,17 +64,51 @@ void main() {{
 """
 
 
+_LAND = """out vec4 o_start;
+
+float share(int i) {
+    uvec2 at = uvec2(gl_FragCoord.xy);
+    return noise_share(noise_hash(noise_hash(noise_hash(at.x) ^ at.y) ^ uint(i)));
+}
+
+void main() {
+    vec2 q = 1.4 * u_shore_size * (vec2(share(0), share(1)) - 0.5);
+    float y = max(shore_floor(q).x, 0.0) + 0.05 + u_shore_top * share(2) * share(2);
+    float heading = 6.2831853 * share(3);
+    vec3 r = vec3(cos(heading), 0.5 * share(4) * share(4) * (share(5) - 0.7), sin(heading));
+    // Rays alone, and beams of a tile's width and of many.
+    float aside = share(6) < 0.3 ? 0.0 : 0.1 * share(7) * share(7);
+    float raised = aside * share(8);
+    float free = land_free(q, y, r, aside, raised, 0.0, 1e5);
+    float far = min(free, 3.0 * u_shore_size);
+    float inside = -1e9;
+    for (int i = 1; i < 400; ++i) {
+        float tau = far * float(i) / 400.0;
+        for (int j = -2; j <= 2; ++j) {
+            vec2 at = q + tau * (r.xz + 0.5 * float(j) * aside * vec2(-r.z, r.x));
+            float land = shore_inside(at).x * shore_inside(at).y * shore_floor(at).x;
+            inside = max(inside, land > 0.0 ? land - y - tau * (r.y - raised) : -1e9);
+        }
+    }
+    o_start = vec4(inside, free < 1e5 ? 1.0 : 0.0, far / u_shore_size, 0.0);
+}
+"""
+
+
 def probing(plan: FramePlan, span: float) -> FramePlan:
     """The plan with its pass of starts drawing what breaks a bound instead: over, steeper, risen (m), bend (1/m)."""
+    told = any("sea/short.glsl" in effect.files for effect in plan.effects)
+    few, fewest = ("sea_short", "short_bounds()") if told else ("vec3(0.0)", "vec3(0.0)")
+    main = _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest)
+    return instead(plan, (read_file("sea/short_bounds.glsl") if told else "") + main)
+
+
+def instead(plan: FramePlan, main: str) -> FramePlan:
+    """The plan with its pass of starts drawing by another ``main`` into a target of SIDE x SIDE."""
     pass_ = next(one for one in plan.passes if one.target == "start")
     program = plan.programs[pass_.program]
     text = program.fragment.text
-    text = text[: text.index("out vec4 o_start;")]
-    told = any("sea/short.glsl" in effect.files for effect in plan.effects)
-    few, fewest = ("sea_short", "short_bounds()") if told else ("vec3(0.0)", "vec3(0.0)")
-    if told:
-        text += read_file("sea/short_bounds.glsl")
-    text += _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest)
+    text = text[: text.index("out vec4 o_start;")] + main
     fragment = program.fragment.model_copy(update={"text": text, "sha256": hashlib.sha256(text.encode()).hexdigest()})
     return plan.model_copy(
         update={
@@ -123,3 +157,17 @@ def test_no_wave_passes_its_bounds(name: str, tier: Tier, executor: Executor, re
     assert over <= 1e-3
     assert steeper <= 1e-3
     assert risen <= grain + 1e-3
+
+
+@pytest.mark.parametrize("texels", [64, 128, 512])
+@pytest.mark.parametrize("name", ["coastline", "lagoon", "spray-on-rocks"])
+def test_what_the_tree_calls_free_has_no_land(name: str, texels: int, executor: Executor) -> None:
+    quality = TIERS["standard"].model_copy(update={"samples": 1, "shore_floor": texels})
+    scene = load_preset(name).scene
+    drawn = instead(make_plan(scene, quality), _LAND)
+    pixels = executor.render(drawn, time=0.0, camera=scene.camera, width=64, height=36, output="linear").pixels
+    inside, met, far, _ = pixels.reshape(-1, 4).T
+    assert inside.max() <= 1e-3
+    # Some beams meet land after a way, others none.
+    assert 0.05 < met.mean() < 0.95
+    assert far.mean() > 0.05

@@ -32,9 +32,6 @@ LOOSE = {
     "the floor in the focus": (0.5, 0.03),
     # A cusp's slope bound is 158 A k: rays run out of steps before they reach the surface.
     "a cusp in every trough, K 0.1": (12.0, 0.08),
-    # Where a look grazes several crests, the mirror's Newton steps may end on another one.
-    "a mirror at grazing, eye among crests": (0.5, 0.03),
-    "eye under the mirror": (3.5, 0.04),
     # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
     "foam at the centre of a boat's circle": (1.0, 0.01),
     # The share of foam is rounded where it is nearly 1, and the light under it is 65504.

@@ -174,7 +174,7 @@ def test_a_cube_s_faces_meet_without_a_seam(probe: Probe, size: int) -> None:
     for push in (1.0 - 1e-6, 1.0 + 1e-6):
         near = edge.copy()
         near[rows, other] *= push
-        body = "y.rgb = reflected_light(normalize(x.xyz), vec3(0.0), vec3(0.0));"
+        body = "y.rgb = reflected_light(vec3(0.0), normalize(x.xyz));"
         values.append(probe([*CUBE, SMOOTH, "reflection/cubemap.glsl"], body, near, consts={"CUBE_SIZE": size})[:, :3])
     assert np.abs(values[0] - values[1]).max() <= 2e-5
 
@@ -186,7 +186,7 @@ def test_a_cube_converges_with_its_size(probe: Probe, report: Report) -> None:
     for size in (16, 32, 64, 128):
         got = probe(
             [*CUBE, SMOOTH, "reflection/cubemap.glsl"],
-            "y.rgb = reflected_light(x.xyz, vec3(0.0), vec3(0.0));",
+            "y.rgb = reflected_light(vec3(0.0), x.xyz);",
             d,
             consts={"CUBE_SIZE": size},
         )[:, :3]

@@ -41,14 +41,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     light = scene.light
     if light is None or light.reflection != "cubemap":
         return None
-    plain = "reflection/sky.glsl" if light.sky is None else "reflection/layered_sky.glsl"
-    sky = f"{plain}?reflected_light=mirrored_sky"
     shore = scene.shore is not None
     if quality.cube == "exact":
-        around: tuple[str, ...] = (sky, "reflection/open.glsl")
+        around: tuple[str, ...] = ("reflection/open.glsl",)
         if shore:
             lit = ("shade/sun.glsl", "shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
-            around = (sky, *SHORE, *lit, "reflection/land_around.glsl")
+            around = (*SHORE, *lit, "reflection/land_around.glsl")
         return Contribution(
             why="mirrors what stands around, found for each sample",
             slots=(SlotFile("reflection", "reflection/exact.glsl", needs=around),),
@@ -87,7 +85,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "common/numbers.glsl",
                     "common/camera.glsl",
                     "@sky",
-                    sky,
                     *(land if shore else ("reflection/open.glsl",)),
                     "common/cube_face.glsl",
                     "reflection/cube.glsl",

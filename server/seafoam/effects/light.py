@@ -135,7 +135,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile("layered", "sky/layered.glsl", needs=("sky/exposure.glsl",)),
             SlotFile("sky", "sky/whole.glsl"),
             SlotFile("sky main", "sky/main_layered.glsl"),
-            *((SlotFile("reflection", "reflection/layered_sky.glsl"),) if light.reflection == "sky" else ()),
         )
         air = {
             "u_haze_depth": number(light.sky.haze),

@@ -71,10 +71,8 @@ def profile_means(exponent: float) -> tuple[float, float]:
 
 
 def _kind(exponent: float) -> int:
-    """How the shader raises u to K: 2K where that is a product, 0 for any other K from 1 on, −1 below."""
+    """How the shader raises u to K: 2K where that is a product, else 0."""
     twice = 2.0 * exponent
-    if exponent < 1.0:
-        return -1
     return int(twice) if twice <= _MOST_TWICE and twice == int(twice) else 0
 
 

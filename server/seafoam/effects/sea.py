@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from seafoam.effects.contribution import (
     HALF_FLOAT,
+    MIPMAPPED,
     Bound,
     Constant,
     Contribution,
@@ -188,22 +189,23 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             passes += measured
     fetch = f"sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
     seen = "sea_seen" if quality.surface.filter else "sea_tile"
-    for i in range(len(tiles)) if quality.surface.filter else ():
-        targets[f"sea_seen_{i}"] = Target(
-            size=FixedSize(width=2 * size, height=2 * size),
-            format="RGBA16F",
-            filter="linear_mipmap_linear",
-            wrap="repeat",
-        )
-        passes += (
-            PassSpec(
-                name=f"sea, {tiles[i].size:g} m tile as seen",
-                program="sea_seen",
-                fragment=(fetch, "sea/seen_pass.glsl"),
-                target=f"sea_seen_{i}",
-                inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
-            ),
-        )
+    if quality.surface.filter:
+        for i, of in enumerate(tiles):
+            targets[f"sea_seen_{i}"] = Target(
+                size=FixedSize(width=2 * size, height=2 * size),
+                format="RGBA16F",
+                filter=MIPMAPPED,
+                wrap="repeat",
+            )
+            passes += (
+                PassSpec(
+                    name=f"sea, {of.size:g} m tile as seen",
+                    program="sea_seen",
+                    fragment=(fetch, "sea/seen_pass.glsl"),
+                    target=f"sea_seen_{i}",
+                    inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
+                ),
+            )
     needs = (fetch, "sea/level.glsl", f"sea/seen{'' if quality.surface.filter else '_exact'}.glsl")
     slots = [
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),

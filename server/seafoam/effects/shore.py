@@ -47,8 +47,7 @@ MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5
 """The mask that breaks the rhythm: wavelength (m), heading (rad) and period (s) of its four sines."""
 
 LAND_CELLS, LAND_COARSEST, LAND_ROUNDS = 128, 4, 64
-"""Cells along a side of the finest and coarsest level of the tree of land's maxima; and that a beam asks at most."""
-_TREE = FixedSize(width=2 * LAND_CELLS, height=LAND_CELLS)
+"""Cells along a side of the finest (texels, if fewer) and coarsest level of land's tree; cells a beam asks at most."""
 _GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
 """The height field. Without the eye's place, so that the map's passes are drawn once."""
 
@@ -190,8 +189,13 @@ def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
         )
 
     passes = [
-        one("highest land", ("shore/maxima_pass.glsl",), "land_cells", {}),
-        one("highest land around", ("shore/around_pass.glsl",), "land_maxima", {"u_land_cells": "land_cells"}),
+        one("highest land", ("shore/tree.glsl", "shore/maxima_pass.glsl"), "land_cells", {}),
+        one(
+            "highest land around",
+            ("shore/tree.glsl", "shore/around_pass.glsl"),
+            "land_maxima",
+            {"u_land_cells": "land_cells"},
+        ),
     ]
     passes.append(one("seed", (*_GROUND, "shore/seed_pass.glsl"), "shore_near_0", {}))
     steps = [1]
@@ -277,6 +281,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
     bend = _up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * surface_top(scene))
     lit = scene.light is not None
+    cells = min(LAND_CELLS, quality.shore_floor)
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
     under = (
@@ -332,7 +337,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "PROFILE_NODES": quality.shore_profile,
             "PROFILE_ROWS": ROWS,
             "SPREAD_REACH": reach,
-            "LAND_CELLS": LAND_CELLS,
+            "LAND_CELLS": cells,
             "LAND_COARSEST": LAND_COARSEST,
             "LAND_ROUNDS": LAND_ROUNDS,
         },
@@ -362,7 +367,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "shore_profiles": TextureUse(shore_profiles_name(surf.skew, surf.sharpness, quality.shore_profile)),
         },
         targets={
-            **{name: Target(size=_TREE, format="RGBA16F") for name in ("land_cells", "land_maxima")},
+            **{
+                name: Target(size=FixedSize(width=2 * cells, height=cells), format="RGBA16F")
+                for name in ("land_cells", "land_maxima")
+            },
             **{f"shore_near_{i}": Target(size=texels, format="RGBA16F") for i in range(2)},
             **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
         },

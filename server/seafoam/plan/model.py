@@ -48,7 +48,7 @@ class Texture(PlanPart):
 
     url: str = Field(description="Where the bytes are, below the server's address")
     sha256: str = Field(description="Of the bytes")
-    format: Literal["R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
+    format: Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
     width: int
     height: int
     levels: int

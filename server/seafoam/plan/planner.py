@@ -332,30 +332,24 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     surfaces: list[tuple[Eye, str, Mesh]] = [("over" if below else "any", "surface", own)]
     if below:
         surfaces.append(("under", "surface, low eye", Fullscreen()))
-    over = surfaces[0][0]
-    met = [
+    ashore = [
         Pass(
-            name="what rays meet",
+            name=name,
             when="frame",
-            eye=over,
-            program="met",
-            target="met",
+            eye=surfaces[0][0],
+            program=program,
+            target=target,
             mesh=Fullscreen(),
             inputs=draft.inputs,
+            state=state,
         )
-    ]
-    land = [
-        Pass(
-            name="land",
-            when="frame",
-            eye=over,
-            program="land",
-            target=drawn,
-            mesh=Fullscreen(),
-            inputs=draft.inputs,
-            state=State(depth=True),
+        for name, program, target, state in (
+            ("what rays meet", "met", "met", State()),
+            ("land", "land", drawn, State(depth=True)),
         )
+        if shore
     ]
+    met, land = ashore[:1], ashore[1:]
     scenery = [
         *(
             Pass(
@@ -372,7 +366,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             )
             for eye, program, mesh_of in surfaces
         ),
-        *(land if shore else ()),
+        *land,
         Pass(
             name="sky",
             when="frame",
@@ -403,7 +397,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         linear = "finished"
     passes = [
         *(one for spec in draft.passes if spec.stage == "before" for one in _passes(spec, draft.inputs, below)),
-        *(met if shore else ()),
+        *met,
         *scenery,
         *compose,
         *resolve,
@@ -461,7 +455,6 @@ def _camera_uniforms(top: float, steepest: float, grain: float, bounds: Sequence
         "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
         "u_surface_top": number(top),
         "u_surface_steepest": number(steepest),
-        "u_ceiling_steepest": number(steepest),
         "u_surface_bounds": vector(tuple(bounds)),
         "u_surface_grain": number(significant(grain)),
     }

@@ -30,6 +30,7 @@ __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
 Output = Literal["rgba8", "linear", "samples"]
 
 TEXTURE_FORMATS = {
+    "R8": (1, "f1"),
     "R8UI": (1, "u1"),
     "R16UI": (1, "u2"),
     "RG32UI": (2, "u4"),

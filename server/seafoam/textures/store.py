@@ -20,7 +20,7 @@ from seafoam.textures.sea import UnknownSeaError, fft_twiddles, sea_spectrum
 from seafoam.textures.shore import shore_floor, shore_profiles, with_next_row
 from seafoam.textures.spray import spray_rocks
 
-Format = Literal["R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
+Format = Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
 
 
 GZIP_LEVEL = 4
@@ -66,7 +66,7 @@ def texture(name: str) -> TextureData:
 
     ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/atlas`` (RG32UI, see
     :func:`seafoam.masks.prefilter.atlas`), ``mask/NAME/quantiles`` (RG32F, an entry and the next, a row for the
-    magnified mask and one for each level), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R16F, all levels),
+    magnified mask and one for each level), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R8, all levels),
     ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
     ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F),
     ``spray-rocks/STEEP/GROUND`` (RGBA32F, a row).
@@ -74,7 +74,7 @@ def texture(name: str) -> TextureData:
     """
     match name.split("/"):
         case ["foam"]:
-            return _pack(name, "R16F", _box_levels(foam_texture()[..., None]))
+            return _pack(name, "R8", _box_levels(foam_texture()[..., None]))
         case ["front-integral", intensity, log_base]:
             return _pack(name, "RGBA32F", [_front(intensity, log_base)[None]])
         case ["fft-twiddles"]:
@@ -148,9 +148,12 @@ def _box_levels(level: NDArray[np.float64]) -> list[NDArray[np.float64]]:
 
 
 def _pack(name: str, kind: Format, levels: list[NDArray[np.float64]] | list[NDArray[np.float32]]) -> TextureData:
-    dtype = "<f2" if kind.endswith("16F") else "<f4"
     height, width = levels[0].shape[:2]
-    return _data(name, kind, width, height, len(levels), b"".join(level.astype(dtype).tobytes() for level in levels))
+    if kind == "R8":
+        stored = [np.round(255.0 * level).astype(np.uint8) for level in levels]
+    else:
+        stored = [level.astype("<f2" if kind.endswith("16F") else "<f4") for level in levels]
+    return _data(name, kind, width, height, len(levels), b"".join(level.tobytes() for level in stored))
 
 
 def _data(name: str, kind: Format, width: int, height: int, levels: int, data: bytes) -> TextureData:
