@@ -1765,6 +1765,11 @@ export interface components {
              * @description Nothing measured is both faster and more exact
              */
             on_front: boolean;
+            /**
+             * Beaten By
+             * @description Points that are faster by more than the quartiles of both, and at most as far from the truth; the most exact first
+             */
+            beaten_by: string[];
             time: components["schemas"]["TimeSpread"];
             model: components["schemas"]["TimeModel"];
             error: components["schemas"]["Errors"];
@@ -3111,7 +3116,7 @@ export interface components {
             steps: number;
             /**
              * Tolerance
-             * @description A march ends this near the surface, in heights of a sample; Newton finishes
+             * @description A march ends this near the surface, in heights of a sample
              * @default 0.05
              */
             tolerance: number;
@@ -3141,7 +3146,7 @@ export interface components {
         Sweep: {
             /**
              * Format
-             * @default 1
+             * @default 2
              */
             format: number;
             /**
@@ -3258,7 +3263,7 @@ export interface components {
              * Format
              * @enum {string}
              */
-            format: "R8UI" | "R16UI" | "RG32UI" | "R16F" | "R32F" | "RG32F" | "RGBA32F";
+            format: "R8" | "R8UI" | "R16UI" | "RG32UI" | "R16F" | "R32F" | "RG32F" | "RGBA32F";
             /** Width */
             width: number;
             /** Height */

@@ -10,6 +10,7 @@ interface Layout {
 
 /** How the bytes of each format are told to WebGL. */
 const LAYOUTS: Record<TextureSpec["format"], Layout> = {
+  R8: { channels: 1, pixels: Uint8Array, format: "RED", type: "UNSIGNED_BYTE" },
   R8UI: { channels: 1, pixels: Uint8Array, format: "RED_INTEGER", type: "UNSIGNED_BYTE" },
   R16UI: { channels: 1, pixels: Uint16Array, format: "RED_INTEGER", type: "UNSIGNED_SHORT" },
   RG32UI: { channels: 2, pixels: Uint32Array, format: "RG_INTEGER", type: "UNSIGNED_INT" },
