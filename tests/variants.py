@@ -197,7 +197,7 @@ def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:
 
 
 def traits(program: Program) -> frozenset[str | tuple[str, str]]:
-    """What of a program can fail by itself: its files, each two that stand together, and the values of its constants."""
+    """What of a program can fail by itself: its files, every two of them, the values of its constants."""
     shaders = (program.vertex, program.fragment)
     files = sorted({file.path for shader in shaders for file in shader.files if file.path})
     constants = {line for shader in shaders for line in shader.text.splitlines() if line.startswith("const ")}

@@ -1,5 +1,7 @@
-"""Every program that a plan can ask for is GLSL ES 3.00, by glslang; Chromium's WebGL 2 (ANGLE) and the server's GL compile
-a set of them that has every two files which ever stand together."""
+"""Every program that a plan can ask for is GLSL ES 3.00, by glslang.
+
+Chromium's WebGL 2 (ANGLE) and the server's GL compile a set of them that has every two files which ever stand together.
+"""
 
 import hashlib
 import subprocess
