@@ -231,7 +231,7 @@ def accuracy(
     console.width = max(console.width, TABLE_WIDTH)
     for name in preset_names() if every else (str(preset),):
         sweep = _measured(executor, Subject.of_preset(name), Settings(width, height, samples, rounds), again=again)
-        title = f"{name}, {width} × {height}, timed at {sweep.timing.width} × {sweep.timing.height}"
+        title = f"{name}, {width} × {height}, times of {sweep.timing.own_width} × {sweep.timing.own_height}"
         first, *others = (Column(heading, no_wrap=True, justify="right") for heading in report.HEADINGS)
         first.justify = "left"
         table = Table(first, *others, title=title, title_justify="left", box=None, pad_edge=False)

@@ -22,3 +22,9 @@ struct Footprint {
     vec2 x;
     vec2 y;
 };
+
+// What a footprint leaves of a wave whose phase turns by q: the sum of its squares over the two sides, rad^2. A Gaussian of the variance
+// that the box has, 1/12 of a side's square. docs/formulae.md, section 2.
+float wave_kept(float q) {
+    return exp(-min(q, 1800.0) / 24.0);
+}

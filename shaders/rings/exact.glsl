@@ -26,7 +26,7 @@ vec4 rings_shading(vec2 p, Footprint fp) {
             vec2 along = k * ring.z * way;
             float a = dot(along, fp.x);
             float b = dot(along, fp.y);
-            kept = exp(-0.125 * min(a * a + b * b, 600.0));
+            kept = wave_kept(a * a + b * b);
         }
         sum += vec4(kept * ring.x, kept * ring.y * ring.z * way, (1.0 - kept * kept) * 0.5 * k * k * ring.w * ring.w);
     }

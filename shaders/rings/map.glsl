@@ -29,7 +29,7 @@ vec4 rings_shading(vec2 p, Footprint fp) {
             2.0 * (fp.x.x * fp.x.y + fp.y.x * fp.y.y),
             fp.x.y * fp.x.y + fp.y.y * fp.y.y);
         // Still water has no grain: 0/0.
-        kept = exp(-0.125 * clamp(dot(grain.xyz, across) / max(slopes, 1e-6), 0.0, 600.0));
+        kept = wave_kept(max(dot(grain.xyz, across), 0.0) / max(slopes, 1e-6));
     }
     return vec4(u_ring_level + kept * here.x, kept * here.yz, (1.0 - kept * kept) * slopes);
 }

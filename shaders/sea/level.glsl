@@ -4,8 +4,11 @@ float sea_level(float side, Footprint fp) {
         return 0.0;
     }
     float longer = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y)));
-    // Held to so many times its width: on a crest's edge a footprint is endlessly long, and nothing of the sea would be left there.
-    float width = abs(fp.x.x * fp.y.y - fp.x.y * fp.y.x) / max(longer, 1e-30);
+    float area = abs(fp.x.x * fp.y.y - fp.x.y * fp.y.x);
+    float width = area / max(longer, 1e-30);
+    // As wide as the footprint's area: by its longer side short waves would go that it tells apart across. Held to so many times its
+    // width: on a crest's edge a footprint is endlessly long. A trilinear read has three times the variance of a box of its texels.
+    float side_seen = 0.57735 * min(sqrt(area), 4.0 * width);
     // Two logarithms, of which every tile shares the first.
-    return clamp(log2(max(min(longer, 4.0 * width) * float(SEA_SIZE), 1e-6)) - log2(side), -1.0, float(SEA_LEVELS + 1));
+    return clamp(log2(max(side_seen * float(SEA_SIZE), 1e-6)) - log2(side), -1.0, float(SEA_LEVELS + 1));
 }

@@ -64,7 +64,7 @@ vec4 waves_shading(vec2 p, Footprint fp) {
         if (SURFACE_FILTER) {
             float a = TAU * dot(change, fp.x);
             float b = TAU * dot(change, fp.y);
-            kept = exp(-0.125 * min(a * a + b * b, 600.0));
+            kept = wave_kept(a * a + b * b);
         }
         float k = TAU * f.here.g * length(change);
         sum += vec4(shore_waves(f, vec3(mix(0.42, profile.x, kept), kept * profile.yz)), (1.0 - kept * kept) * 0.15 * k * k);

@@ -81,7 +81,7 @@ vec4 parametric_shading(vec2 p, Footprint fp) {
         if (SURFACE_FILTER) {
             float a = dot(wave.xy, fp.x);
             float b = dot(wave.xy, fp.y);
-            kept = exp(-0.125 * min(a * a + b * b, 600.0));
+            kept = wave_kept(a * a + b * b);
         }
         vec2 mean = u_parametric_mean[i];
         sum += vec4(mix(mean.y, profile.x, kept), -kept * profile.y * wave.xy, (1.0 - kept * kept) * mean.x);

@@ -1,5 +1,6 @@
 """Sweeps: with a renderer whose times and errors are known, then with GL and the float64 reference."""
 
+import csv
 import time
 from functools import partial
 
@@ -14,6 +15,7 @@ from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.station import FailedError, Station
 from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, beating, front, make_sweep
 from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
+from seafoam.quality import Quality
 from seafoam.render.pool import measure
 from seafoam.scene.models import Scene
 
@@ -59,13 +61,16 @@ def test_times_are_taken_at_a_size_that_shows_more_than_maps(known):
 
 def test_times_and_their_model(known):
     point = known.point("samples=4")
-    pixels = known.timing.width * known.timing.height
-    assert point.time.median_ms == pytest.approx(FIXED_MS + 4e-6 * NS * pixels)
+    # Of frames as large as the preset's own, which were not drawn.
+    assert (known.timing.own_width, known.timing.own_height) == (1280, 720)
+    assert known.timing.width < 1280
+    assert point.time.median_ms == pytest.approx(FIXED_MS + 4e-6 * NS * 1280 * 720)
     assert point.model.fixed_ms == pytest.approx(FIXED_MS, rel=1e-3)
     assert point.model.ns_per_pixel == pytest.approx(4 * NS, rel=1e-3)
     assert point.model.at(1280, 720) == pytest.approx(FIXED_MS + 4e-6 * NS * 1280 * 720, rel=1e-3)
     # Large enough that what a call costs does not hide what a pixel costs.
-    assert known.point("standard").time.median_ms >= 1000.0 * sweep.ENOUGH_SECONDS
+    timed = known.point("standard").model.at(known.timing.width, known.timing.height)
+    assert timed >= 999.0 * sweep.ENOUGH_SECONDS
 
 
 def test_errors_and_their_causes(known):
@@ -135,9 +140,11 @@ def test_a_sweep_can_be_called_off(monkeypatch, tmp_path):
 
 
 def test_reports_of_a_sweep(known):
-    lines = report.csv_of(known).splitlines()
+    lines = list(csv.reader(report.csv_of(known).splitlines()))
     assert len(lines) == len(known.points) + 1
-    assert {line.count(",") for line in lines} == {len(report.COLUMNS) - 1}
+    assert {len(line) for line in lines} == {len(report.COLUMNS)}
+    qualities = [line[report.COLUMNS.index("quality")] for line in lines[1:]]
+    assert [Quality.model_validate_json(text) for text in qualities] == [point.quality for point in known.points]
     assert plots.plot_sweep(known).startswith(b"\x89PNG")
     page = report.page(known, "seafoam accuracy <default>")
     assert "seafoam accuracy &lt;default&gt;" in page

@@ -116,6 +116,15 @@ def quality(measured: Visit) -> Any:
     return json.loads(said) if said.startswith("{") else said
 
 
+def told_errors(measured: Visit) -> dict[str | None, float]:
+    """The errors that the table of qualities shows."""
+    rows = measured.page.locator("#accuracy details", has_text="Every quality in numbers").locator("tbody tr")
+    return {
+        row.locator("th button").text_content(): float(row.locator("td").nth(1).text_content() or "nan")
+        for row in rows.all()
+    }
+
+
 def test_every_quality_has_a_mark_and_a_row(measured: Visit) -> None:
     panel = measured.page.locator("#accuracy")
     assert marks(measured).count() == len(points())
@@ -132,10 +141,7 @@ def test_every_quality_has_a_mark_and_a_row(measured: Visit) -> None:
     rows = panel.locator("details", has_text="Every quality in numbers").locator("tbody tr")
     assert rows.count() == len(points())
     # The tier named so is as exact as this gets.
-    errors = {
-        row.locator("th button").text_content(): float(row.locator("td").nth(1).text_content() or "nan")
-        for row in rows.all()
-    }
+    errors = told_errors(measured)
     assert errors["reference"] == min(errors.values()) > 0.0
     assert errors["reference"] < errors["standard"]
 
@@ -184,9 +190,14 @@ def test_a_click_runs_a_tier(measured: Visit) -> None:
     assert box is not None
     measured.page.mouse.click(box["x"] + box["width"] / 2 + 4, box["y"] + box["height"] / 2 - 3)
     assert quality(measured) == "reference"
-    expect(measured.page.locator("#accuracy .sentence")).to_have_text(
-        re.compile(r"^Against standard: [\d.]+× the time buys [\d.]+× less error\.$")
-    )
+    # Which of two small pictures takes longer is the machine's to say; how near each is to the truth is not.
+    told = re.compile(r"^Against standard: .*\btime (?:buys|and) ([\d.]+)× less error\.$")
+    sentence = measured.page.locator("#accuracy .sentence")
+    expect(sentence).to_have_text(told)
+    found = told.match(sentence.text_content() or "")
+    assert found is not None
+    errors = told_errors(measured)
+    assert float(found[1]) == pytest.approx(errors["standard"] / errors["reference"], rel=0.06)
 
 
 def canvas(measured: Visit, side: str) -> np.ndarray[Any, Any]:

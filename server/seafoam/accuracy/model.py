@@ -7,7 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from seafoam.effects.contribution import Cause
 from seafoam.quality import Quality, Tier
 
-FORMAT = 2
+FORMAT = 3
 """Of the JSON; part of the cache's keys."""
 
 KnobValue = bool | int | float | str
@@ -69,7 +69,10 @@ class Points(Part):
 
 
 class TimeSpread(Part):
-    """What a frame takes at the timing size: from the first call until it is finished, reading it back left out."""
+    """What a frame of the subject's own size takes, from the first call until it is finished, reading it back left out.
+
+    Told from frames of two sizes in each round, by the line through them.
+    """
 
     median_ms: float
     low_ms: float = Field(description="First quartile")
@@ -152,10 +155,12 @@ class Timing(Part):
     """How times were taken."""
 
     timer: Literal["wall", "gpu"] = Field(description="wall: around a frame and its finish; gpu: timer queries")
-    width: int
+    width: int = Field(description="Of the larger frames that are timed, pixels")
     height: int
-    small_width: int = Field(description="The second size, for the fixed part of the model")
+    small_width: int = Field(description="Of the smaller ones, for the fixed part of the model")
     small_height: int
+    own_width: int = Field(description="Of the frames that times are told for: the subject's own")
+    own_height: int
     rounds: int
 
 

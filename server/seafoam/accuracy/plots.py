@@ -61,7 +61,7 @@ def plot_sweep(sweep: Sweep) -> bytes:
         )
     timing = sweep.timing
     axes.set_xlabel(
-        f"time of a frame of {timing.width} × {timing.height}, ms ({timing.timer} clock, median, quartiles)"
+        f"time of a frame of {timing.own_width} × {timing.own_height}, ms ({timing.timer} clock, median, quartiles)"
     )
     axes.set_ylabel(f"RMSE against float64 truth at {sweep.width} × {sweep.height}, levels (white = 255)")
     axes.set_title(f"What accuracy costs: {sweep.preset or 'a scene'}", loc="left", color=_INK)

@@ -11,7 +11,7 @@ from seafoam.accuracy.model import MeasuredPoint, Sweep
 COLUMNS = (
     "id", "tier", "owner", "knob", "value", "cause", "on_front", "beaten_by", "time_ms", "time_low_ms", "time_high_ms",
     "fixed_ms", "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry", "filtering",
-    "precision", "rest", "plan",
+    "precision", "rest", "quality", "plan",
 )  # fmt: skip
 
 HEADINGS = (
@@ -51,6 +51,8 @@ def csv_of(sweep: Sweep) -> str:
                 round(point.model.ns_per_pixel, 3),
                 *(None if value is None else f"{value:.6g}" for value in point.error.model_dump().values()),
                 *(f"{value:.6g}" for value in point.causes.model_dump().values()),
+                # What differs from the knobs' defaults.
+                point.quality.model_dump_json(exclude_defaults=True),
                 point.plan,
             ]
         )
@@ -85,7 +87,7 @@ def page(sweep: Sweep, command: str) -> str:
     """One HTML file: the plot inside it, the table, what it says in words, the machine and the command."""
     from seafoam.accuracy.plots import plot_sweep
 
-    machine = sweep.machine
+    machine, told = sweep.machine, sweep.timing
     plot = base64.b64encode(plot_sweep(sweep)).decode()
     name = sweep.preset or "a scene"
     threads = f"{machine.threads} of {machine.cores} cores"
@@ -95,7 +97,11 @@ def page(sweep: Sweep, command: str) -> str:
         ("processor", f"{machine.processor}, {threads}"),
         ("measured", f"{sweep.measured_at}, in {sweep.seconds:.0f} s, {sweep.timing.rounds} rounds"),
         ("time of the scene", f"{sweep.time:g} s"),
-        ("timed at", f"{sweep.timing.width} × {sweep.timing.height}, {sweep.timing.timer} clock"),
+        ("times", f"of frames of {told.own_width} × {told.own_height}, {told.timer} clock"),
+        (
+            "told from",
+            f"frames of {told.width} × {told.height} and {told.small_width} × {told.small_height}, in each round",
+        ),
         ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples a pixel in float64"),
         ("versions", ", ".join(f"{package} {number}" for package, number in sweep.versions.items())),
     )

@@ -49,8 +49,8 @@ FRAME_SECONDS = 1.0 / 60.0
 ENOUGH_SECONDS = 0.02
 """A frame of tier standard takes at least this at the timing size, so that what a call costs does not hide it."""
 LEAST_SHARE = 4
-"""The timing size is at least the subject's own over this, along each side: maps and tiles, which cost the same at
-every size, would count for too much in a smaller picture."""
+"""The timing size is at least the subject's own over this, along each side: in a much smaller one what a pixel costs would
+drown in maps and tiles, which cost the same at every size."""
 SMALL = 10
 """The second size of the time model is so many times smaller along each side."""
 COMPILE_WEIGHT = 6.0
@@ -64,7 +64,7 @@ Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
 @dataclass(frozen=True)
 class Subject:
-    """What is measured. ``size``: the largest that is timed, pixels."""
+    """What is measured. ``size``: of the frames that times are told for, pixels."""
 
     preset: str | None
     scene: Scene
@@ -208,8 +208,7 @@ class _Sweeping:
         for point in points:
             self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
         frames: dict[str, list[Picture]] = {point.id: [] for point in points}
-        large: dict[str, list[float]] = {point.id: [] for point in points}
-        little: dict[str, list[float]] = {point.id: [] for point in points}
+        models: dict[str, list[TimeModel]] = {point.id: [] for point in points}
         own = (settings.width, settings.height)
         for index in range(settings.rounds):
             first = index % len(points)
@@ -222,11 +221,11 @@ class _Sweeping:
                 drawn = self._draw(point.quality, index, draws, stage, weight)
                 assert drawn[0].pixels is not None
                 frames[point.id].append(drawn[0].pixels)
-                large[point.id].append(1000.0 * drawn[-2].seconds)
-                little[point.id].append(1000.0 * drawn[-1].seconds)
+                models[point.id].append(_model(1000.0 * drawn[-2].seconds, timed, 1000.0 * drawn[-1].seconds, small))
         measured = []
         errors = {point.id: metrics.errors(frames[point.id], truth) for point in points}
-        spreads = {id: _spread(values) for id, values in large.items()}
+        times = {id: [model.at(*self.subject.size) for model in found] for id, found in models.items()}
+        spreads = {id: _spread(values) for id, values in times.items()}
         best = front({id: (spread.median_ms, errors[id].rmse) for id, spread in spreads.items()})
         beaten = beating({id: (spread.low_ms, spread.high_ms, errors[id].rmse) for id, spread in spreads.items()})
         for point in points:
@@ -236,7 +235,7 @@ class _Sweeping:
                     on_front=point.id in best,
                     beaten_by=beaten[point.id],
                     time=spreads[point.id],
-                    model=_model(spreads[point.id].median_ms, timed, median(little[point.id]), small),
+                    model=_middle(models[point.id], self.subject.size),
                     error=errors[point.id],
                     causes=self._causes(point, errors[point.id].rmse, truth),
                 )
@@ -254,6 +253,8 @@ class _Sweeping:
                 height=timed[1],
                 small_width=small[0],
                 small_height=small[1],
+                own_width=self.subject.size[0],
+                own_height=self.subject.size[1],
                 rounds=settings.rounds,
             ),
             machine=self.rig.machine,
@@ -262,8 +263,8 @@ class _Sweeping:
             seconds=round(clock.perf_counter() - self.began, 1),
             points=tuple(measured),
             front=best,
-            steps=self._steps(large, {id: error.rmse for id, error in errors.items()}),
-            sentences=_sentences([point for id in best for point in measured if point.id == id], large),
+            steps=self._steps(times, {id: error.rmse for id, error in errors.items()}),
+            sentences=_sentences([point for id in best for point in measured if point.id == id], times),
         )
 
     def _ideals(self) -> dict[str, dict[str, tuple[str, Quality]]]:
@@ -432,6 +433,13 @@ def _model(large_ms: float, large: tuple[int, int], small_ms: float, small: tupl
         return TimeModel(fixed_ms=0.0, ns_per_pixel=1e6 * large_ms / pixels)
     slope = max(0.0, (large_ms - small_ms) / (pixels - few))
     return TimeModel(fixed_ms=max(0.0, large_ms - slope * pixels), ns_per_pixel=1e6 * slope)
+
+
+def _middle(models: list[TimeModel], size: tuple[int, int]) -> TimeModel:
+    """The median of the fixed parts, and of what is left of the median time."""
+    fixed = median(model.fixed_ms for model in models)
+    left = max(0.0, median(model.at(*size) for model in models) - fixed)
+    return TimeModel(fixed_ms=fixed, ns_per_pixel=1e6 * left / (size[0] * size[1]))
 
 
 def _name(subject: Subject, settings: Settings, machine: Machine) -> str:

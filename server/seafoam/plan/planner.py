@@ -55,6 +55,9 @@ from seafoam.textures import texture
 _COMMON = ("common/numbers.glsl", "common/camera.glsl")
 _MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl",))
 _SAMPLED = (*_COMMON, PLACE)
+_FALLING = (*_COMMON, "vertex/horizon.glsl", "vertex/falling.glsl")
+_RISING = (*_COMMON, "vertex/horizon.glsl", "vertex/rising.glsl")
+_FULL = ("vertex/fullscreen.glsl",)
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
 
@@ -239,35 +242,38 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     if mesh:
         surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]
     else:
-        surface_vertex = ["vertex/fullscreen.glsl"]
+        surface_vertex = list(_FALLING)
     programs = {
         "surface": Program(
             vertex=assemble(surface_vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(surface_fragment, consts),
         ),
         "sky": Program(
-            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
+            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
             fragment=assemble(sky_fragment, consts),
         ),
         "present": Program(
-            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
         ),
     }
     if shore:
-        met_fragment = [*_SAMPLED, *_pieces(("@waves", "@find", "@land"), marched, shore), "surface/met_pass.glsl"]
+        met = [*_SAMPLED, *_pieces(("@waves", "@find", "@land"), marched, shore)]
         land_fragment = [*_SAMPLED]
         for slot in land_slots():
             land_fragment += slot_pieces(slot, marched)
-        for name, pieces in (("met", met_fragment), ("land", [*land_fragment, "shore/land_pass.glsl"])):
+        for name, vertex_of, pieces in (
+            ("met", _FALLING, [*met, "surface/met_pass.glsl"]),
+            ("met, rising", _RISING, [*met, "surface/met_rising_pass.glsl"]),
+            ("land", _FULL, [*land_fragment, "shore/land_pass.glsl"]),
+        ):
             programs[name] = Program(
-                vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
-                fragment=assemble(pieces, consts),
+                vertex=assemble(vertex_of, {"FULLSCREEN_DEPTH": 0.0}), fragment=assemble(pieces, consts)
             )
         draft.inputs["u_met"] = TargetInput(target="met")
     if below:
         programs["surface, low eye"] = Program(
-            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(under_fragment, consts),
         )
     for spec in draft.passes:
@@ -290,7 +296,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         targets[ABOVE] = Target(size=ViewportSize(scale=side), format="RGBA16F")
         targets["samples"] = Target(size=ViewportSize(scale=side), format=quality.target)
         programs["compose"] = Program(
-            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(["common/numbers.glsl", "output/compose.glsl"], {}),
         )
         first = next(one for one in after if one.target == ABOVE).name
@@ -315,7 +321,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         linear = "linear"
         targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
         programs["resolve"] = Program(
-            vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(["output/resolve.glsl"], consts),
         )
         resolve = [
@@ -344,12 +350,13 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             state=state,
         )
         for name, program, target, state in (
+            ("what rising rays meet", "met, rising", "met", State()),
             ("what rays meet", "met", "met", State()),
             ("land", "land", drawn, State(depth=True)),
         )
         if shore
     ]
-    met, land = ashore[:1], ashore[1:]
+    finding, land = ashore[:2], ashore[2:]
     scenery = [
         *(
             Pass(
@@ -397,7 +404,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         linear = "finished"
     passes = [
         *(one for spec in draft.passes if spec.stage == "before" for one in _passes(spec, draft.inputs, below)),
-        *met,
+        *finding,
         *scenery,
         *compose,
         *resolve,
