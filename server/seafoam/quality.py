@@ -96,7 +96,7 @@ class Quality(Knobs):
     drift_window: float = Field(
         default=120.0, ge=1.0, le=120.0, description="How far back foam is followed, s; older foam is not drawn"
     )
-    drift_step: float = Field(default=0.5, ge=0.05, le=10.0, description="Longest step along the flow, s")
+    drift_step: float = Field(default=1.0, ge=0.05, le=10.0, description="Longest step along the flow, s")
     sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = Field(
         default=4, description="Cells that a sample asks for sparkles: its own, or all that may reach it"
     )
@@ -122,7 +122,7 @@ class Quality(Knobs):
     reflection: Literal["map", "traced"] = Field(
         default="map", description="Boats mirrored from a planar mirror drawn each frame, or by rays from the water"
     )
-    reflection_size: int = Field(default=512, ge=32, le=2048, description="Texels along a side of the planar mirror")
+    reflection_size: int = Field(default=256, ge=32, le=2048, description="Texels along a side of the planar mirror")
     slope_places: Annotated[Literal[1, 5], BeforeValidator(_no_truth_value)] = Field(
         default=1,
         description="Places whose slopes make blurred slope foam: five, or one whose footprint is as wide as the blur",
@@ -167,7 +167,7 @@ class Quality(Knobs):
 
 TIERS: dict[Tier, Quality] = {
     "draft": Quality(
-        surface=SurfaceQuality(method="mesh", cells=112, refine=2),
+        surface=SurfaceQuality(tolerance=0.2),
         foam_taps=4,
         chop_size=128,
         rings_size=512,
@@ -176,24 +176,22 @@ TIERS: dict[Tier, Quality] = {
         age_steps=4,
         age_step=0.7,
         shore_map=128,
-        cloud_octaves=4,
-        cube_size=64,
+        cloud_octaves=5,
+        cube_size=128,
         drift_size=128,
         drift_step=1.0,
         sparkle_cells=1,
-        spray_count=2048,
+        spray_count=4096,
         caustics_size=256,
         caustics_cells=128,
         wake_size=256,
-        reflection_size=256,
+        reflection_size=128,
         boat_samples=1,
     ),
     "standard": Quality(),
     "high": Quality(
-        surface=SurfaceQuality(steps=384, tolerance=0.02, refine=2),
-        chop="exact",
+        surface=SurfaceQuality(steps=384, tolerance=0.02),
         rings_size=2048,
-        sea_digits="float",
         cube_size=512,
         refraction_steps=8,
         drift_size=512,
@@ -201,10 +199,10 @@ TIERS: dict[Tier, Quality] = {
         spray_count=16384,
         caustics_cells=512,
         wake_size=1024,
-        reflection_size=1024,
-        slope_places=5,
+        reflection_size=512,
         boat_samples=1,
         samples=4,
+        samples_max=16,
     ),
     "reference": Quality(
         surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),

@@ -78,7 +78,7 @@ def test_idealising_one_cause_leaves_the_others():
     made = idealised(TIERS["draft"], "filtering", knobs)
     assert made.samples == TIERS["reference"].samples
     assert made.surface.filter is TIERS["reference"].surface.filter
-    assert made.surface.method == "mesh"
+    assert made.surface.tolerance == TIERS["draft"].surface.tolerance
     assert made.target == TIERS["draft"].target
     for cause in ("geometry", "filtering", "precision"):
         made = idealised(made, cause, knobs)

@@ -14,7 +14,7 @@ from playwright.sync_api import Page
 from browsers import Lane, opened
 from report import REPORT
 from seafoam.plan import make_plan
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, SurfaceQuality
 from seafoam.render.executor import Executor
 from seafoam.scene.presets import load_preset, preset_names
 
@@ -102,10 +102,19 @@ def test_same_pixels_at_every_tier(page: Page, executor: Executor, preset: str, 
     assert difference.max() <= 1
 
 
-@pytest.mark.parametrize("preset", ["default", "spray-on-rocks"])
-def test_same_pixels_are_given_more_samples(page: Page, executor: Executor, preset: str) -> None:
+@pytest.mark.parametrize(
+    ("preset", "changed"),
+    [
+        ("default", {"samples_max": 16}),
+        ("spray-on-rocks", {"samples_max": 16}),
+        ("default", {"surface": SurfaceQuality(method="mesh", cells=112, refine=2)}),
+    ],
+    ids=["more samples", "more samples, drops", "mesh"],
+)
+def test_same_pixels_by_other_ways(page: Page, executor: Executor, preset: str, changed: dict[str, Any]) -> None:
+    """Ways to draw that no tier has."""
     scene = load_preset(preset).scene
-    plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples_max": 16}))
+    plan = make_plan(scene, TIERS["standard"].model_copy(update=changed))
     answer = page.evaluate(
         "([plan, options]) => window.seafoam.render(plan, options)",
         [

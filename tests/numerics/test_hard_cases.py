@@ -11,7 +11,7 @@ from report import Report
 from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import Effect, HardCase
 from seafoam.plan import make_plan
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.reference import render as reference
 from seafoam.reference import saturation
 from seafoam.render.executor import Executor
@@ -23,7 +23,9 @@ EXACT = TIERS["reference"].model_copy(update={"samples": 1})
 QUALITIES = {
     "exact": EXACT,
     "march": TIERS["standard"].model_copy(update={"target": "RGBA32F"}),
-    "mesh": TIERS["draft"].model_copy(update={"target": "RGBA32F"}),
+    "mesh": TIERS["draft"].model_copy(
+        update={"target": "RGBA32F", "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
+    ),
 }
 MEAN, SHARE = 0.5, 0.01
 """Against the reference: mean difference in levels of linear light, display white = 255; share off by more than 2."""

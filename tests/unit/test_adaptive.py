@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from seafoam.effects.contribution import Fullscreen, ViewportSize
 from seafoam.plan import make_plan
 from seafoam.plan.adaptive import GREATEST, RATIO
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset, preset_names
@@ -151,14 +151,15 @@ def test_any_size_has_room_for_all_that_is_chosen(executor: Executor, size: tupl
 
 def test_a_mesh_is_marched_where_more_samples_are_drawn(executor: Executor) -> None:
     scene = load_preset("default").scene
-    how = quality(TIERS["draft"], samples_max=16)
+    drawn = TIERS["draft"].model_copy(update={"surface": SurfaceQuality(method="mesh", cells=112, refine=2)})
+    how = quality(drawn, samples_max=16)
     plan = make_plan(scene, how)
     again = [one for one in plan.passes if one.name.startswith("surface, ")]
     assert again
     assert all(isinstance(one.mesh, Fullscreen) for one in again)
     surface = how.surface.model_copy(update={"method": "march"})
     marched = [frame(executor, scene, quality(how, surface=surface, samples=n, samples_max=1)) for n in (4, 16)]
-    given, least = frame(executor, scene, how), frame(executor, scene, TIERS["draft"])
+    given, least = frame(executor, scene, how), frame(executor, scene, drawn)
     found = [same(given, one) for one in (least, *marched)]
     assert np.logical_or.reduce(found).all()
     assert all(one.mean() > 0.01 for one in found)

@@ -49,8 +49,8 @@ FRAME_SECONDS = 1.0 / 60.0
 ENOUGH_SECONDS = 0.02
 """A frame of tier standard takes at least this at the timing size, so that what a call costs does not hide it."""
 LEAST_SHARE = 4
-"""The timing size is at least the subject's own over this, along each side: in a much smaller one what a pixel costs would
-drown in maps and tiles, which cost the same at every size."""
+"""The timing size is at least the subject's own over this, along each side: in a much smaller one what a pixel costs
+would drown in maps and tiles, which cost the same at every size."""
 SMALL = 10
 """The second size of the time model is so many times smaller along each side."""
 COMPILE_WEIGHT = 6.0

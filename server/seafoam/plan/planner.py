@@ -239,10 +239,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     for slot in UNDER_SLOTS if below else ():
         under_fragment += slot_pieces(slot, marched)
     sky_fragment = [*_SAMPLED, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, chosen))]
-    if mesh:
-        surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"]
-    else:
-        surface_vertex = list(_FALLING)
+    surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"] if mesh else _FALLING
     programs = {
         "surface": Program(
             vertex=assemble(surface_vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
