@@ -33,6 +33,7 @@ KEPT = 4000
 """Programs whose figures the cache keeps, the last ones used."""
 WRITE = ".venv/bin/python -m bench --only compiler --write-table"
 INSTALL = "scripts/system.sh test"
+_TRIANGLES = {"vertex/fullscreen.glsl", "vertex/horizon.glsl"}
 PACKAGES = {"glslangValidator": "glslang-tools", "spirv-val": "spirv-tools"}
 INSTRUCTIONS = 1.03
 """Times as many instructions as the table says are admitted."""
@@ -118,8 +119,8 @@ def compiled(programs: Mapping[Use, Program]) -> Compiled:
         for use, program in programs.items():
             stages = {stage: Figures(**figures) for stage, figures in known[keys[use]].items()}
             found[str(use)] = stages["fragment"]
-            # The one triangle over the target is the same everywhere.
-            if "vertex/fullscreen.glsl" not in {file.path for file in program.vertex.files}:
+            # One triangle, over the target or one side of the horizon, is the same everywhere.
+            if _TRIANGLES.isdisjoint(file.path for file in program.vertex.files):
                 found[f"{use}, vertex"] = stages["vertex"]
         return Compiled(compiler.driver, found, len(set(keys.values())))
 

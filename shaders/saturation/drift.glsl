@@ -26,11 +26,19 @@ float drift_saturation(vec2 p, float height, Footprint fp) {
         vec2 along = first > second ? fp.x : fp.y;
         float reach = sqrt(max(min(first, second), 0.0625 * max(first, second)));
         float coarse = smoothstep(0.0, 2.0, log2(max(reach * float(DRIFT_SIZE) / (2.0 * u_drift_half), 1e-3)));
-        for (int i = 0; i < 4; ++i) {
-            vec2 uv = 0.5 + 0.5 * (q + (0.25 * float(i) - 0.375) * along) / u_drift_half;
-            vec4 fine = drift_read(u_drift_map, uv, DRIFT_SIZE);
-            found += 0.25 * (coarse > 0.0 ? mix(fine, drift_read(u_drift_coarse, uv, DRIFT_SIZE / 4), coarse) : fine);
+        // Counted, so that drivers without branches read no map that has no weight.
+        int fine = coarse < 1.0 ? 4 : 0;
+        int broad = coarse > 0.0 ? 4 : 0;
+        vec2 first_uv = 0.5 + 0.5 * (q - 0.375 * along) / u_drift_half;
+        vec2 next_uv = 0.125 / u_drift_half * along;
+        for (int i = 0; i < fine; ++i) {
+            found += drift_read(u_drift_map, first_uv + float(i) * next_uv, DRIFT_SIZE);
         }
+        vec4 wide = vec4(0.0);
+        for (int i = 0; i < broad; ++i) {
+            wide += drift_read(u_drift_coarse, first_uv + float(i) * next_uv, DRIFT_SIZE / 4);
+        }
+        found = 0.25 * mix(found, wide, coarse);
     } else {
         found = drift_read(u_drift_map, 0.5 + 0.5 * q / u_drift_half, DRIFT_SIZE);
     }

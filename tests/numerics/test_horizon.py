@@ -1,4 +1,4 @@
-"""Water is drawn under the horizon alone, and what rising rays meet is looked for among land: no pixel is any different."""
+"""Water is drawn under the horizon alone, rising rays look for land alone: no pixel is any different."""
 
 import math
 

@@ -2237,7 +2237,7 @@ export interface components {
             /**
              * Drift Step
              * @description Longest step along the flow, s
-             * @default 0.5
+             * @default 1
              */
             drift_step: number;
             /**
@@ -2306,7 +2306,7 @@ export interface components {
             /**
              * Reflection Size
              * @description Texels along a side of the planar mirror
-             * @default 512
+             * @default 256
              */
             reflection_size: number;
             /**
@@ -3146,7 +3146,7 @@ export interface components {
         Sweep: {
             /**
              * Format
-             * @default 2
+             * @default 3
              */
             format: number;
             /**
@@ -3301,7 +3301,9 @@ export interface components {
         };
         /**
          * TimeSpread
-         * @description What a frame takes at the timing size: from the first call until it is finished, reading it back left out.
+         * @description What a frame of the subject's own size takes, from the first call until it is finished, reading it back left out.
+         *
+         *     Told from frames of two sizes in each round, by the line through them.
          */
         TimeSpread: {
             /** Median Ms */
@@ -3333,17 +3335,27 @@ export interface components {
              * @enum {string}
              */
             timer: "wall" | "gpu";
-            /** Width */
+            /**
+             * Width
+             * @description Of the larger frames that are timed, pixels
+             */
             width: number;
             /** Height */
             height: number;
             /**
              * Small Width
-             * @description The second size, for the fixed part of the model
+             * @description Of the smaller ones, for the fixed part of the model
              */
             small_width: number;
             /** Small Height */
             small_height: number;
+            /**
+             * Own Width
+             * @description Of the frames that times are told for: the subject's own
+             */
+            own_width: number;
+            /** Own Height */
+            own_height: number;
             /** Rounds */
             rounds: number;
         };
