@@ -170,7 +170,6 @@ TIERS: dict[Tier, Quality] = {
         surface=SurfaceQuality(tolerance=0.2),
         foam_taps=4,
         chop_size=128,
-        rings_size=512,
         sea_size=128,
         sea_tiles=3,
         age_steps=4,

@@ -81,6 +81,7 @@ def test_errors_and_their_causes(known):
     assert standard.causes.geometry == standard.causes.precision == 0.0
     assert standard.causes.rest == pytest.approx(standard.error.rmse / 16, rel=1e-3)
     assert known.point("reference").causes.filtering == 0.0
+    assert {point.causes is None for point in known.points if point.tier is None} == {True}
 
 
 def test_what_it_says(known):

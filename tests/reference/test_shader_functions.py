@@ -202,6 +202,21 @@ def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float, kin
     assert (np.abs(got[:, 1] - slope) <= allowed)[clear].all()
 
 
+def test_a_wave_under_a_footprint_is_its_mean_over_the_box(probe: Probe) -> None:
+    """By its two sides a box averages a wave by sin(a/2)/(a/2) each; the Gaussian has as much variance."""
+    sides = grid_of(np.linspace(0.0, math.pi, 33), np.linspace(0.0, math.pi, 33))
+    kept = probe([NUMBERS], "y.x = wave_kept(dot(x.xy, x.xy));", sides)[:, 0]
+    a, b = 0.5 * sides.astype(np.float64).T
+    mean = np.sinc(a / math.pi) * np.sinc(b / math.pi)
+    assert np.abs(kept - mean).max() <= 0.035
+    small = (sides**2).sum(axis=-1) <= 1.0
+    assert np.abs(kept - mean)[small].max() <= 4e-4
+    # What is far larger than the wave leaves nothing of it, and is no underflow.
+    wide = probe([NUMBERS], "y.x = wave_kept(x.x);", np.array([[1e3], [1e30], [3e38]], np.float32))[:, 0]
+    assert (wide >= 0.0).all()
+    assert wide.max() <= 1e-18
+
+
 def grid_of(*axes: NDArray[np.float64]) -> NDArray[np.float32]:
     return np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, len(axes)).astype(np.float32)
 

@@ -128,7 +128,7 @@ class MeasuredPoint(Point):
     time: TimeSpread
     model: TimeModel
     error: Errors
-    causes: Causes
+    causes: Causes | None = Field(description="Of tiers; null where one knob alone is changed")
 
 
 class Step(Part):

@@ -6,7 +6,7 @@ import html
 import io
 from collections.abc import Sequence
 
-from seafoam.accuracy.model import MeasuredPoint, Sweep
+from seafoam.accuracy.model import Causes, MeasuredPoint, Sweep
 
 COLUMNS = (
     "id", "tier", "owner", "knob", "value", "cause", "on_front", "beaten_by", "time_ms", "time_low_ms", "time_high_ms",
@@ -39,6 +39,7 @@ def csv_of(sweep: Sweep) -> str:
     writer.writerow(COLUMNS)
     for point in sweep.points:
         knob = point.knob
+        causes = dict.fromkeys(Causes.model_fields) if point.causes is None else point.causes.model_dump()
         writer.writerow(
             [
                 point.id,
@@ -50,7 +51,7 @@ def csv_of(sweep: Sweep) -> str:
                 round(point.model.fixed_ms, 4),
                 round(point.model.ns_per_pixel, 3),
                 *(None if value is None else f"{value:.6g}" for value in point.error.model_dump().values()),
-                *(f"{value:.6g}" for value in point.causes.model_dump().values()),
+                *(None if value is None else f"{value:.6g}" for value in causes.values()),
                 # What differs from the knobs' defaults.
                 point.quality.model_dump_json(exclude_defaults=True),
                 point.plan,
@@ -73,8 +74,14 @@ def row_of(point: MeasuredPoint) -> tuple[str, ...]:
         f"{error.coverage:.4f}",
         f"{100 * error.flipped:.2f} %",
         "" if error.popping is None else f"{100 * error.popping:.1f} %",
-        *(f"{round(value, 2) + 0.0:+.2f}" for value in (causes.geometry, causes.filtering, causes.precision)),
-        f"{causes.rest:.2f}",
+        *(
+            (4 * ("",))
+            if causes is None
+            else (
+                *(f"{round(value, 2) + 0.0:+.2f}" for value in (causes.geometry, causes.filtering, causes.precision)),
+                f"{causes.rest:.2f}",
+            )
+        ),
     )
 
 

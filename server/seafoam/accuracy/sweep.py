@@ -2,7 +2,7 @@
 
 Rounds visit all points, so that a machine that grows slower does so for all of them; a round's frames lie 1/60 s after
 the last round's, so they are the sequence that popping is counted in as well. A frame is drawn once untimed just before
-it is timed, for what compiling and allocating take.
+it is timed, for what compiling and allocating take; once that is done, only where it is so short that caches count.
 """
 
 import os
@@ -51,6 +51,8 @@ ENOUGH_SECONDS = 0.02
 LEAST_SHARE = 4
 """The timing size is at least the subject's own over this, along each side: in a much smaller one what a pixel costs
 would drown in maps and tiles, which cost the same at every size."""
+LONG_MS = 200.0
+"""A frame that takes longer is not drawn once more before it is timed."""
 SMALL = 10
 """The second size of the time model is so many times smaller along each side."""
 COMPILE_WEIGHT = 6.0
@@ -214,7 +216,8 @@ class _Sweeping:
             first = index % len(points)
             turned = [*points[first:], *points[:first]]
             for point in turned if index % 2 == 0 else reversed(turned):
-                warm = () if timed == own else (Draw(*timed, "rgba8"),)
+                long = index > 0 and models[point.id][-1].at(*timed) > LONG_MS
+                warm = () if timed == own or long else (Draw(*timed, "rgba8"),)
                 draws = (Draw(*own, "linear", keep=True), *warm, Draw(*timed, "rgba8"), Draw(*small, "rgba8"))
                 weight = 2.0 * (1.0 + point.quality.samples)
                 stage = f"round {index + 1} of {settings.rounds}"
@@ -268,9 +271,9 @@ class _Sweeping:
         )
 
     def _ideals(self) -> dict[str, dict[str, tuple[str, Quality]]]:
-        """By point and cause ("rest": all three): the plan and the quality without that cause."""
+        """By tier and cause ("rest": all three): the plan and the quality without that cause."""
         found: dict[str, dict[str, tuple[str, Quality]]] = {}
-        for point in self.points:
+        for point in (one for one in self.points if one.tier is not None):
             whole = point.quality
             for cause in get_args(Cause):
                 one = idealised(point.quality, cause, self.knobs)
@@ -279,7 +282,9 @@ class _Sweeping:
             found[point.id]["rest"] = plan_sha256(self.subject.scene, whole), whole
         return found
 
-    def _causes(self, point: Point, error: float, truth: Picture) -> Causes:
+    def _causes(self, point: Point, error: float, truth: Picture) -> Causes | None:
+        if point.tier is None:
+            return None
         without = {
             cause: metrics.rmse(self._picture(plan, quality, "causes of error"), truth)
             for cause, (plan, quality) in self.ideals[point.id].items()
