@@ -11,9 +11,11 @@ PORT ?= 8000
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public -type f 2>/dev/null) $(WEB)/index.html $(WEB)/package-lock.json \
 	$(WEB)/vite.config.ts $(WEB)/tsconfig.json
 
-# Two groups of tests at once, each about half the time: what a browser or a server takes part in, and numbers.
-LIVE := tests/accuracy tests/api tests/browser tests/cli
-NUMBERS := $(filter-out $(addsuffix /,$(LIVE) tests/references tests/golden),$(wildcard tests/*/))
+# Two groups of tests at once, each about half the time: what a browser or a server takes part in, with some numbers, and the
+# other numbers.
+BESIDE := tests/reference/test_anywhere.py tests/numerics/test_properties.py
+LIVE := tests/accuracy tests/api tests/browser tests/cli $(BESIDE)
+NUMBERS := $(filter-out $(addsuffix /,$(LIVE) tests/references tests/golden),$(wildcard tests/*/)) $(addprefix --ignore=,$(BESIDE))
 
 # What needs no browser, no server process and next to no drawing; in two halves.
 QUICK := tests/masks tests/smoke $(filter-out %_pool.py %_accuracy.py,$(wildcard tests/api/test_*.py))

@@ -109,7 +109,7 @@ void main() {
     float facing = min(dot(normal, ray), -1e-3 * length(normal) * size);
     float a = tau * (2.0 / u_viewport.x) * dot(k, u_ray_x.xz - ray.xz * (dot(normal, u_ray_x) / facing));
     float b = tau * (2.0 / u_viewport.y) * dot(k, u_ray_y.xz - ray.xz * (dot(normal, u_ray_y) / facing));
-    float kept = exp(-0.125 * min(a * a + b * b, 600.0));
+    float kept = exp(-min(a * a + b * b, 1800.0) / 24.0);
     float height = mix(u_parametric_mean[0].y, amplitude * u * u, kept);
     float sigma2 = u_roughness * u_roughness + (1.0 - kept * kept) * u_parametric_mean[0].x;
     vec3 n = normalize(vec3(-kept * slope.x, 1.0, -kept * slope.y));

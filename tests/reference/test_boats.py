@@ -78,7 +78,10 @@ def drawn_heights(
         f"    o_color = vec4(waves(at[min(int(gl_FragCoord.x), {len(places) - 1})]).x);\n}}\n"
     )
     changed = plan.programs["surface"].model_copy(
-        update={"fragment": shader.model_copy(update={"text": text, "sha256": assemble(["=" + text], {}).sha256})}
+        update={
+            "vertex": assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            "fragment": shader.model_copy(update={"text": text, "sha256": assemble(["=" + text], {}).sha256}),
+        }
     )
     # Drawn for any eye, whether crests may cover it or not.
     other = everywhere(plan).model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})

@@ -286,7 +286,7 @@ def test_backward_is_one_everywhere_where_forward_gaps_and_piles(executor: Execu
 
 def test_forward_foam_sticks_below_half_a_cell_a_step(executor: Executor) -> None:
     """Half a cell is 0.16 m here: 0.2 m/s in steps of 0.5 s leads nowhere, and what came up is still there."""
-    quality = STANDARD.model_copy(update={"drift": "forward", "drift_size": 128})
+    quality = STANDARD.model_copy(update={"drift": "forward", "drift_size": 128, "drift_step": 0.5})
     slow = SCENE.model_copy(update={"drift": Drift(current=(0.2, 0.0), size=40.0)})
     assert (drawn(executor, slow, quality, 33.0) == drawn(executor, STILL, quality, 33.0)).all()
     backward = quality.model_copy(update={"drift": "backward"})

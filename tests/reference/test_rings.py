@@ -234,8 +234,9 @@ def test_the_map_is_the_sum(executor: Executor, report: Report, preset: str) -> 
         preset=preset,
         **{name: f"{error:.3f}" for name, error in errors.items()},
     )
-    # Far off, waves are taken out by what the map knows of them together; the sum takes out each by itself.
-    assert errors["its camera, 1024 texels"] < 2.0
+    # Far off, waves are taken out by what the map knows of them together; the sum takes out each by itself. The bound
+    # was 2.0 while footprints took out three times as much, and both stayed further from the truth.
+    assert errors["its camera, 1024 texels"] < 2.5
     assert errors["from above, 1024 texels"] < 1.0
     assert errors["from above, 2048 texels"] < 0.7 * errors["from above, 1024 texels"] + 0.02
 

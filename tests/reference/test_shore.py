@@ -19,7 +19,8 @@ from scipy import ndimage
 
 from report import Report
 from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.model import Shader
+from seafoam.plan.assemble import assemble
+from seafoam.plan.model import Program, Shader
 from seafoam.quality import TIERS, Quality
 from seafoam.reference import shore as truth
 from seafoam.reference.light import unit
@@ -58,7 +59,9 @@ def patched(plan: FramePlan, main: str) -> FramePlan:
     assert old.count("void main()") == 1
     text = old.replace("void main()", "void drawn_main()") + main
     fragment = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
-    programs = {**plan.programs, "surface": program.model_copy(update={"fragment": fragment})}
+    # All over the target, not under the horizon alone.
+    vertex = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
+    programs = {**plan.programs, "surface": Program(vertex=vertex, fragment=fragment)}
     kept = tuple(one for one in plan.passes if one.program != "sky")
     return plan.model_copy(update={"programs": programs, "passes": kept})
 
