@@ -22,10 +22,10 @@ function pacing(tier: string, scale: number, slower: number, law = ON_CPU, rest 
 }
 
 describe("the front", () => {
-  it("knows errors between the scales that were measured, and holds them beyond", () => {
+  it("knows errors between the scales that were measured, and as they grow under the least", () => {
     expect(errorAt(scales, [10, 20, 40], 0.75)).toBe(15);
     expect(errorAt(scales, [10, 20, 40], 0.5)).toBe(20);
-    expect(errorAt(scales, [10, 20, 40], 0.1)).toBe(40);
+    expect(errorAt(scales, [10, 20, 40], 0.1)).toBeCloseTo(52);
     expect(errorAt(scales, [10, 20, 40], 1)).toBe(10);
   });
 
@@ -41,6 +41,24 @@ describe("the front", () => {
     const gpu = onGpu(1000 / 60);
     expect(new AutoQuality().next(fronts, "sea", "fast", pacing("fast", 1, 0.02, gpu, 0))).toMatchObject({ tier: "exact", scale: 1 });
     expect(new AutoQuality().next(fronts, "sea", "exact", pacing("exact", 0.3, 6))?.tier).toBe("fast");
+  });
+
+  it("leaves a tier that is too slow at every scale, however exact it is, and else takes the fastest", () => {
+    const slow: Fronts = {
+      scales,
+      presets: {
+        sea: [
+          { tier: "fast", fixed: 10, pixels: 30, errors: [20, 26, 32] },
+          { tier: "exact", fixed: 400, pixels: 120, errors: [2, 3, 4] },
+        ],
+      },
+    };
+    const now = (law: typeof ON_CPU, water: number): Pacing => ({ law, scale: 0.1, rest: 5, pixels: 1, water });
+    expect(new AutoQuality().next(slow, "sea", "exact", now(ON_CPU, 401.2))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now(ON_CPU, 10.3))).toBeNull();
+    // A machine so slow that nothing keeps the law.
+    expect(new AutoQuality().next(slow, "sea", "exact", now(ON_CPU, 40_120))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now(ON_CPU, 1030))).toBeNull();
   });
 
   it("stays where another tier gains little, and where nothing was measured", () => {

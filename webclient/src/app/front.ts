@@ -31,6 +31,10 @@ export interface Choice {
   tier: string;
   scale: number;
   error: number;
+  /** Whether it keeps the law: where even the least scale takes too long, it does not. */
+  keeps: boolean;
+  /** ms of a frame at that scale, at the speed of this machine. */
+  time: number;
 }
 
 /** Another tier must be nearer to the truth by this factor to be worth a new plan. */
@@ -39,11 +43,11 @@ const STEPS = 60;
 
 const cost = ({ fixed, pixels }: TierCost, millions: number, scale: number) => fixed + pixels * millions * scale ** 2;
 
-/** The error at a scale, between those that were measured. */
+/** The error at a scale, between those that were measured; under the least, as it grew between the last two. */
 export function errorAt(scales: readonly number[], errors: readonly number[], scale: number): number {
-  const next = scales.findIndex((each) => each <= scale);
-  if (next === 0) return errors[0] ?? Infinity;
-  if (next < 0) return errors.at(-1) ?? Infinity;
+  const found = scales.findIndex((each) => each <= scale);
+  if (found === 0 || scales.length < 2) return errors[0] ?? Infinity;
+  const next = found < 0 ? scales.length - 1 : found;
   const [above, below, high, low] = [scales[next - 1], scales[next], errors[next - 1], errors[next]] as [number, number, number, number];
   return low + ((high - low) * (scale - below)) / (above - below);
 }
@@ -60,7 +64,8 @@ export function choices(front: readonly TierCost[], scales: readonly number[], r
       const tried = LEAST + ((1 - LEAST) * step) / STEPS;
       if (keeps(tried)) scale = tried;
     }
-    return { tier: each.tier, scale, error: errorAt(scales, each.errors, scale) };
+    const time = now.rest + speed * cost(each, now.pixels, scale);
+    return { tier: each.tier, scale, error: errorAt(scales, each.errors, scale), keeps: time <= allowed(now.law, scale), time };
   });
 }
 
@@ -73,8 +78,12 @@ export class AutoQuality {
     const all = choices(fronts.presets[preset] ?? [], fronts.scales, running, now);
     const current = all.find(({ tier }) => tier === running);
     if (current === undefined) return null;
-    const [best] = all.filter(({ tier }) => !this.left.has(tier)).sort((a, b) => a.error - b.error);
-    if (best === undefined || best.tier === running || best.error > WORTH * current.error) return null;
+    const open = all.filter(({ tier }) => !this.left.has(tier));
+    // Where none keeps the law the fastest comes nearest to it, however little it is worth.
+    const kept = open.filter(({ keeps }) => keeps);
+    const [best] = kept.length > 0 ? kept.sort((a, b) => a.error - b.error) : open.sort((a, b) => a.time - b.time);
+    if (best === undefined || best.tier === running) return null;
+    if (current.keeps && best.error > WORTH * current.error) return null;
     this.left.add(running);
     return best;
   }
