@@ -1773,7 +1773,8 @@ export interface components {
             time: components["schemas"]["TimeSpread"];
             model: components["schemas"]["TimeModel"];
             error: components["schemas"]["Errors"];
-            causes: components["schemas"]["Causes"];
+            /** @description Of tiers; null where one knob alone is changed */
+            causes: components["schemas"]["Causes"] | null;
         };
         /**
          * Moon
