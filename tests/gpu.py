@@ -11,7 +11,8 @@ from seafoam.plan.assemble import assemble
 from seafoam.render.executor import TEXTURE_FORMATS, Executor
 from seafoam.textures import texture
 
-_VERTEX = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}).text
+WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
+"""The vertex shader over the whole target."""
 
 
 class Probe:
@@ -48,7 +49,7 @@ class Probe:
         )
         text = assemble([*files, main], dict(consts or {})).text
         context = self._context
-        program = context.program(vertex_shader=_VERTEX, fragment_shader=text)
+        program = context.program(vertex_shader=WHOLE.text, fragment_shader=text)
         source = context.texture((width, height), 4, packed.tobytes(), dtype="f4")
         source.filter = (moderngl.NEAREST, moderngl.NEAREST)
         target = context.texture((width, height), 4, dtype="f4")

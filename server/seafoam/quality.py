@@ -178,7 +178,6 @@ TIERS: dict[Tier, Quality] = {
         cloud_octaves=5,
         cube_size=128,
         drift_size=128,
-        drift_step=1.0,
         sparkle_cells=1,
         spray_count=4096,
         caustics_size=256,

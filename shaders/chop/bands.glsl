@@ -6,7 +6,7 @@ float chop_kept(int band, Footprint fp) {
         return 1.0;
     }
     float k = u_chop_band[band].x;
-    return wave_kept(0.5 * k * k * (dot(fp.x, fp.x) + dot(fp.y, fp.y)));
+    return wave_kept(k * k, fp);
 }
 
 float chop_lost(vec4 kept) {

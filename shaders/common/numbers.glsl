@@ -28,3 +28,13 @@ struct Footprint {
 float wave_kept(float q) {
     return exp(-min(q, 1800.0) / 24.0);
 }
+
+// The same of a wave by its wavevector (rad/m), and in the mean over all headings by its wavenumber's square.
+float wave_kept(vec2 k, Footprint fp) {
+    vec2 turns = vec2(dot(k, fp.x), dot(k, fp.y));
+    return wave_kept(dot(turns, turns));
+}
+
+float wave_kept(float k2, Footprint fp) {
+    return wave_kept(0.5 * k2 * (dot(fp.x, fp.x) + dot(fp.y, fp.y)));
+}

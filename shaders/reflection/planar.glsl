@@ -47,9 +47,7 @@ vec3 reflected_light(vec3 place, vec3 r) {
     float mirrored;
     float way = mirror_guess(place, r, u_mirror_level);
     // Land may be anywhere: the first point along the ray that has some before it.
-    // Counted, so that drivers without branches look no further than the farthest of a group.
-    int looks = way < 0.0 ? MIRROR_LOOKS : 0;
-    for (int i = 0; i < looks && way < 0.0; ++i) {
+    for (int i = 0; i < MIRROR_LOOKS && way < 0.0; ++i) {
         float far = MIRROR_FAR * exp2(float(i + 1 - MIRROR_LOOKS));
         vec4 there = mirror_toward(place + far * r, seen, mirrored);
         way = there.a > 0.0 && mirrored < 1.01 * length(seen) ? far : way;

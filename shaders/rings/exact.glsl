@@ -23,10 +23,7 @@ vec4 rings_shading(vec2 p, Footprint fp) {
         float kept = 1.0;
         float k = u_ring_shape[i].y;
         if (SURFACE_FILTER) {
-            vec2 along = k * ring.z * way;
-            float a = dot(along, fp.x);
-            float b = dot(along, fp.y);
-            kept = wave_kept(a * a + b * b);
+            kept = wave_kept(k * ring.z * way, fp);
         }
         sum += vec4(kept * ring.x, kept * ring.y * ring.z * way, (1.0 - kept * kept) * 0.5 * k * k * ring.w * ring.w);
     }

@@ -12,6 +12,15 @@ vec4 drift_read(sampler2D map, vec2 uv, int size) {
         mix(texelFetch(map, low + ivec2(0, 1), 0), texelFetch(map, low + ivec2(1, 1), 0), t.x), t.y);
 }
 
+// Sum of so many places from uv on. Counted, so that drivers without branches read no map that has no weight.
+vec4 drift_places(sampler2D map, int size, vec2 uv, vec2 next, int count) {
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < count; ++i) {
+        sum += drift_read(map, uv + float(i) * next, size);
+    }
+    return sum;
+}
+
 float drift_saturation(vec2 p, float height, Footprint fp) {
     vec2 q = p + u_drift_place;
     float rim = drift_rim(q);
@@ -26,19 +35,10 @@ float drift_saturation(vec2 p, float height, Footprint fp) {
         vec2 along = first > second ? fp.x : fp.y;
         float reach = sqrt(max(min(first, second), 0.0625 * max(first, second)));
         float coarse = smoothstep(0.0, 2.0, log2(max(reach * float(DRIFT_SIZE) / (2.0 * u_drift_half), 1e-3)));
-        // Counted, so that drivers without branches read no map that has no weight.
-        int fine = coarse < 1.0 ? 4 : 0;
-        int broad = coarse > 0.0 ? 4 : 0;
-        vec2 first_uv = 0.5 + 0.5 * (q - 0.375 * along) / u_drift_half;
-        vec2 next_uv = 0.125 / u_drift_half * along;
-        for (int i = 0; i < fine; ++i) {
-            found += drift_read(u_drift_map, first_uv + float(i) * next_uv, DRIFT_SIZE);
-        }
-        vec4 wide = vec4(0.0);
-        for (int i = 0; i < broad; ++i) {
-            wide += drift_read(u_drift_coarse, first_uv + float(i) * next_uv, DRIFT_SIZE / 4);
-        }
-        found = 0.25 * mix(found, wide, coarse);
+        vec2 uv = 0.5 + 0.5 * (q - 0.375 * along) / u_drift_half;
+        vec2 next = 0.125 / u_drift_half * along;
+        vec4 fine = drift_places(u_drift_map, DRIFT_SIZE, uv, next, coarse < 1.0 ? 4 : 0);
+        found = 0.25 * mix(fine, drift_places(u_drift_coarse, DRIFT_SIZE / 4, uv, next, coarse > 0.0 ? 4 : 0), coarse);
     } else {
         found = drift_read(u_drift_map, 0.5 + 0.5 * q / u_drift_half, DRIFT_SIZE);
     }

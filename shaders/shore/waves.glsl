@@ -62,9 +62,7 @@ vec4 waves_shading(vec2 p, Footprint fp) {
         vec2 change = vec2(f.along_x.r, f.along_z.r);
         float kept = 1.0;
         if (SURFACE_FILTER) {
-            float a = TAU * dot(change, fp.x);
-            float b = TAU * dot(change, fp.y);
-            kept = wave_kept(a * a + b * b);
+            kept = wave_kept(TAU * change, fp);
         }
         float k = TAU * f.here.g * length(change);
         sum += vec4(shore_waves(f, vec3(mix(0.42, profile.x, kept), kept * profile.yz)), (1.0 - kept * kept) * 0.15 * k * k);

@@ -25,7 +25,7 @@ vec4 wakes_shading(vec2 p, Footprint fp) {
     vec4 here = wake_sum(p);
     float kept = 1.0;
     if (SURFACE_FILTER) {
-        kept = wave_kept(0.5 * here.w * (dot(fp.x, fp.x) + dot(fp.y, fp.y)));
+        kept = wave_kept(here.w, fp);
     }
     return vec4(u_wake_level + kept * (here.x - u_wake_level), kept * here.yz, (1.0 - kept * kept) * dot(here.yz, here.yz));
 }

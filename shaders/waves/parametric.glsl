@@ -79,9 +79,7 @@ vec4 parametric_shading(vec2 p, Footprint fp) {
         }
         float kept = 1.0;
         if (SURFACE_FILTER) {
-            float a = dot(wave.xy, fp.x);
-            float b = dot(wave.xy, fp.y);
-            kept = wave_kept(a * a + b * b);
+            kept = wave_kept(wave.xy, fp);
         }
         vec2 mean = u_parametric_mean[i];
         sum += vec4(mix(mean.y, profile.x, kept), -kept * profile.y * wave.xy, (1.0 - kept * kept) * mean.x);

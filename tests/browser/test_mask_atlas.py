@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from browsers import Lane, opened
+from gpu import WHOLE
 from seafoam.effects.contribution import Fullscreen, TargetInput, TextureInput
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.assemble import assemble
@@ -33,7 +34,7 @@ def comparing(mask: str) -> FramePlan:
     foam = Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask)
     plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"])
     made = texture(f"mask/{mask}/atlas")
-    vertex = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
+    vertex = WHOLE
     compare = Pass(
         name="compare",
         when="frame",

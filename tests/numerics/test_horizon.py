@@ -5,14 +5,13 @@ import math
 import numpy as np
 import pytest
 
+from gpu import WHOLE
 from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset
 
-WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
 SIZES = ((48, 27), (64, 7), (5, 61), (1, 1))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gpu import Probe
+from gpu import WHOLE, Probe
 from report import Report
 from seafoam.effects import boat as effect
 from seafoam.effects.wake import ASIDE
@@ -79,7 +79,7 @@ def drawn_heights(
     )
     changed = plan.programs["surface"].model_copy(
         update={
-            "vertex": assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
+            "vertex": WHOLE,
             "fragment": shader.model_copy(update={"text": text, "sha256": assemble(["=" + text], {}).sha256}),
         }
     )

@@ -17,9 +17,9 @@ from PIL import Image
 from pydantic import ValidationError
 from scipy import ndimage
 
+from gpu import WHOLE
 from report import Report
 from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
 from seafoam.plan.model import Program, Shader
 from seafoam.quality import TIERS, Quality
 from seafoam.reference import shore as truth
@@ -60,8 +60,7 @@ def patched(plan: FramePlan, main: str) -> FramePlan:
     text = old.replace("void main()", "void drawn_main()") + main
     fragment = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
     # All over the target, not under the horizon alone.
-    vertex = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
-    programs = {**plan.programs, "surface": Program(vertex=vertex, fragment=fragment)}
+    programs = {**plan.programs, "surface": Program(vertex=WHOLE, fragment=fragment)}
     kept = tuple(one for one in plan.passes if one.program != "sky")
     return plan.model_copy(update={"programs": programs, "passes": kept})
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
+from gpu import WHOLE
 from seafoam.effects.contribution import (
     Fullscreen,
     Held,
@@ -40,8 +41,8 @@ SHADER = assemble(
 )
 BLIND = assemble(["=uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n"], {})
 PROGRAMS = {
-    "read": Program(vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}), fragment=SHADER),
-    "blind": Program(vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}), fragment=BLIND),
+    "read": Program(vertex=WHOLE, fragment=SHADER),
+    "blind": Program(vertex=WHOLE, fragment=BLIND),
 }
 STILL = number(1.0)
 

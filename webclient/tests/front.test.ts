@@ -1,23 +1,19 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { AutoQuality, choices, errorAt, type Fronts, type Pacing } from "../src/app/front";
+import { AutoQuality, choices, errorAt, type Fronts, type Pacing, type TierCost } from "../src/app/front";
 import { allowed, ON_CPU, onGpu } from "../src/app/pace";
 
 const scales = [1, 0.5, 0.25];
-const fronts: Fronts = {
-  scales,
-  presets: {
-    sea: [
-      { tier: "fast", fixed: 2, pixels: 30, errors: [20, 26, 32] },
-      { tier: "exact", fixed: 4, pixels: 120, errors: [12, 20, 31] },
-    ],
-  },
-};
-const front = fronts.presets["sea"] ?? [];
+const front: TierCost[] = [
+  { tier: "fast", fixed: 2, pixels: 30, errors: [20, 26, 32] },
+  { tier: "exact", fixed: 4, pixels: 120, errors: [12, 20, 31] },
+];
+const sea = (tiers: TierCost[]): Fronts => ({ scales, presets: { sea: tiers } });
+const fronts = sea(front);
 
 /** A machine so many times as slow as the one that was measured, at this tier and scale. */
-function pacing(tier: string, scale: number, slower: number, law = ON_CPU, rest = 5): Pacing {
-  const { fixed, pixels } = front.find((each) => each.tier === tier) as (typeof front)[number];
+function pacing(tier: string, scale: number, slower: number, law = ON_CPU, rest = 5, tiers = front): Pacing {
+  const { fixed, pixels } = tiers.find((each) => each.tier === tier) as (typeof front)[number];
   return { law, scale, rest, pixels: 1, water: slower * (fixed + pixels * scale ** 2) };
 }
 
@@ -44,25 +40,18 @@ describe("the front", () => {
   });
 
   it("leaves a tier that is too slow at every scale, however exact it is, and else takes the fastest", () => {
-    const slow: Fronts = {
-      scales,
-      presets: {
-        sea: [
-          { tier: "fast", fixed: 10, pixels: 30, errors: [20, 26, 32] },
-          { tier: "exact", fixed: 400, pixels: 120, errors: [2, 3, 4] },
-        ],
-      },
-    };
-    const now = (law: typeof ON_CPU, water: number): Pacing => ({ law, scale: 0.1, rest: 5, pixels: 1, water });
-    expect(new AutoQuality().next(slow, "sea", "exact", now(ON_CPU, 401.2))?.tier).toBe("fast");
-    expect(new AutoQuality().next(slow, "sea", "fast", now(ON_CPU, 10.3))).toBeNull();
+    const tiers = front.map((each) => (each.tier === "exact" ? { ...each, fixed: 400, errors: [2, 3, 4] } : { ...each, fixed: 10 }));
+    const slow = sea(tiers);
+    const now = (tier: string, slower: number) => pacing(tier, 0.1, slower, ON_CPU, 5, tiers);
+    expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 1))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now("fast", 1))).toBeNull();
     // A machine so slow that nothing keeps the law.
-    expect(new AutoQuality().next(slow, "sea", "exact", now(ON_CPU, 40_120))?.tier).toBe("fast");
-    expect(new AutoQuality().next(slow, "sea", "fast", now(ON_CPU, 1030))).toBeNull();
+    expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 100))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now("fast", 100))).toBeNull();
   });
 
   it("stays where another tier gains little, and where nothing was measured", () => {
-    const close: Fronts = { scales, presets: { sea: front.map((each) => ({ ...each, errors: [10, 10, 10] })) } };
+    const close = sea(front.map((each) => ({ ...each, errors: [10, 10, 10] })));
     expect(new AutoQuality().next(close, "sea", "fast", pacing("fast", 1, 0.02))).toBeNull();
     expect(new AutoQuality().next(fronts, "pond", "fast", pacing("fast", 1, 0.02))).toBeNull();
     expect(new AutoQuality().next(fronts, "sea", '{"samples":4}', pacing("fast", 1, 0.02))).toBeNull();

@@ -40,6 +40,7 @@ def csv_of(sweep: Sweep) -> str:
     for point in sweep.points:
         knob = point.knob
         causes = dict.fromkeys(Causes.model_fields) if point.causes is None else point.causes.model_dump()
+        figures = (*point.error.model_dump().values(), *causes.values())
         writer.writerow(
             [
                 point.id,
@@ -50,8 +51,7 @@ def csv_of(sweep: Sweep) -> str:
                 *(round(value, 4) for value in (point.time.median_ms, point.time.low_ms, point.time.high_ms)),
                 round(point.model.fixed_ms, 4),
                 round(point.model.ns_per_pixel, 3),
-                *(None if value is None else f"{value:.6g}" for value in point.error.model_dump().values()),
-                *(None if value is None else f"{value:.6g}" for value in causes.values()),
+                *(None if value is None else f"{value:.6g}" for value in figures),
                 # What differs from the knobs' defaults.
                 point.quality.model_dump_json(exclude_defaults=True),
                 point.plan,
@@ -74,15 +74,13 @@ def row_of(point: MeasuredPoint) -> tuple[str, ...]:
         f"{error.coverage:.4f}",
         f"{100 * error.flipped:.2f} %",
         "" if error.popping is None else f"{100 * error.popping:.1f} %",
-        *(
-            (4 * ("",))
-            if causes is None
-            else (
-                *(f"{round(value, 2) + 0.0:+.2f}" for value in (causes.geometry, causes.filtering, causes.precision)),
-                f"{causes.rest:.2f}",
-            )
-        ),
+        *(4 * ("",) if causes is None else _cells(causes)),
     )
+
+
+def _cells(causes: Causes) -> tuple[str, ...]:
+    falls = (f"{round(value, 2) + 0.0:+.2f}" for value in (causes.geometry, causes.filtering, causes.precision))
+    return (*falls, f"{causes.rest:.2f}")
 
 
 def milliseconds(value: float) -> str:
@@ -94,7 +92,7 @@ def page(sweep: Sweep, command: str) -> str:
     """One HTML file: the plot inside it, the table, what it says in words, the machine and the command."""
     from seafoam.accuracy.plots import plot_sweep
 
-    machine, told = sweep.machine, sweep.timing
+    machine, timing = sweep.machine, sweep.timing
     plot = base64.b64encode(plot_sweep(sweep)).decode()
     name = sweep.preset or "a scene"
     threads = f"{machine.threads} of {machine.cores} cores"
@@ -102,12 +100,12 @@ def page(sweep: Sweep, command: str) -> str:
         ("command", command),
         ("renderer", f"{machine.renderer}, {machine.version}"),
         ("processor", f"{machine.processor}, {threads}"),
-        ("measured", f"{sweep.measured_at}, in {sweep.seconds:.0f} s, {sweep.timing.rounds} rounds"),
+        ("measured", f"{sweep.measured_at}, in {sweep.seconds:.0f} s, {timing.rounds} rounds"),
         ("time of the scene", f"{sweep.time:g} s"),
-        ("times", f"of frames of {told.own_width} × {told.own_height}, {told.timer} clock"),
+        ("times", f"of frames of {timing.own_width} × {timing.own_height}, {timing.timer} clock"),
         (
             "told from",
-            f"frames of {told.width} × {told.height} and {told.small_width} × {told.small_height}, in each round",
+            f"frames of {timing.width} × {timing.height} and of {timing.small_width} × {timing.small_height} a round",
         ),
         ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples a pixel in float64"),
         ("versions", ", ".join(f"{package} {number}" for package, number in sweep.versions.items())),

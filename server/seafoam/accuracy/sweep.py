@@ -211,14 +211,14 @@ class _Sweeping:
             self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
         frames: dict[str, list[Picture]] = {point.id: [] for point in points}
         models: dict[str, list[TimeModel]] = {point.id: [] for point in points}
-        own = (settings.width, settings.height)
+        compared = (settings.width, settings.height)
         for index in range(settings.rounds):
             first = index % len(points)
             turned = [*points[first:], *points[:first]]
             for point in turned if index % 2 == 0 else reversed(turned):
                 long = index > 0 and models[point.id][-1].at(*timed) > LONG_MS
-                warm = () if timed == own or long else (Draw(*timed, "rgba8"),)
-                draws = (Draw(*own, "linear", keep=True), *warm, Draw(*timed, "rgba8"), Draw(*small, "rgba8"))
+                warm = () if timed == compared or long else (Draw(*timed, "rgba8"),)
+                draws = (Draw(*compared, "linear", keep=True), *warm, Draw(*timed, "rgba8"), Draw(*small, "rgba8"))
                 weight = 2.0 * (1.0 + point.quality.samples)
                 stage = f"round {index + 1} of {settings.rounds}"
                 drawn = self._draw(point.quality, index, draws, stage, weight)

@@ -58,6 +58,7 @@ _SAMPLED = (*_COMMON, PLACE)
 _FALLING = (*_COMMON, "vertex/horizon.glsl", "vertex/falling.glsl")
 _RISING = (*_COMMON, "vertex/horizon.glsl", "vertex/rising.glsl")
 _FULL = ("vertex/fullscreen.glsl",)
+_AT_FRONT = {"FULLSCREEN_DEPTH": 0.0}
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
 
@@ -240,9 +241,10 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         under_fragment += slot_pieces(slot, marched)
     sky_fragment = [*_SAMPLED, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, chosen))]
     surface_vertex = [*_COMMON, *slot_pieces(WAVES, chosen), "vertex/polar_grid.glsl"] if mesh else _FALLING
+    whole = assemble(_FULL, _AT_FRONT)
     programs = {
         "surface": Program(
-            vertex=assemble(surface_vertex, {**consts, "FULLSCREEN_DEPTH": 0.0}),
+            vertex=assemble(surface_vertex, {**consts, **_AT_FRONT}),
             fragment=assemble(surface_fragment, consts),
         ),
         "sky": Program(
@@ -250,7 +252,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             fragment=assemble(sky_fragment, consts),
         ),
         "present": Program(
-            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=whole,
             fragment=assemble([*slot_pieces(TONE, chosen), "output/present.glsl"], consts),
         ),
     }
@@ -264,17 +266,15 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
             ("met, rising", _RISING, [*met, "surface/met_rising_pass.glsl"]),
             ("land", _FULL, [*land_fragment, "shore/land_pass.glsl"]),
         ):
-            programs[name] = Program(
-                vertex=assemble(vertex_of, {"FULLSCREEN_DEPTH": 0.0}), fragment=assemble(pieces, consts)
-            )
+            programs[name] = Program(vertex=assemble(vertex_of, _AT_FRONT), fragment=assemble(pieces, consts))
         draft.inputs["u_met"] = TargetInput(target="met")
     if below:
         programs["surface, low eye"] = Program(
-            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=whole,
             fragment=assemble(under_fragment, consts),
         )
     for spec in draft.passes:
-        vertex = assemble(_pieces(spec.vertex, marched, shore), {**consts, "FULLSCREEN_DEPTH": 0.0})
+        vertex = assemble(_pieces(spec.vertex, marched, shore), {**consts, **_AT_FRONT})
         for name, files in ((spec.program, spec.fragment), (f"{spec.program}, low eye", spec.under if below else ())):
             if files:
                 programs[name] = Program(vertex=vertex, fragment=assemble(_pieces(files, marched, shore), consts))
@@ -293,7 +293,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         targets[ABOVE] = Target(size=ViewportSize(scale=side), format="RGBA16F")
         targets["samples"] = Target(size=ViewportSize(scale=side), format=quality.target)
         programs["compose"] = Program(
-            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=whole,
             fragment=assemble(["common/numbers.glsl", "output/compose.glsl"], {}),
         )
         first = next(one for one in after if one.target == ABOVE).name
@@ -318,7 +318,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         linear = "linear"
         targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
         programs["resolve"] = Program(
-            vertex=assemble(_FULL, {"FULLSCREEN_DEPTH": 0.0}),
+            vertex=whole,
             fragment=assemble(["output/resolve.glsl"], consts),
         )
         resolve = [

@@ -58,14 +58,14 @@ export function choices(front: readonly TierCost[], scales: readonly number[], r
   if (known === undefined) return [];
   const speed = now.water / cost(known, now.pixels, now.scale);
   return front.map((each) => {
-    const keeps = (scale: number) => now.rest + speed * cost(each, now.pixels, scale) <= allowed(now.law, scale);
+    const time = (scale: number) => now.rest + speed * cost(each, now.pixels, scale);
+    const keeps = (scale: number) => time(scale) <= allowed(now.law, scale);
     let scale = LEAST;
     for (let step = 1; step <= STEPS; step++) {
       const tried = LEAST + ((1 - LEAST) * step) / STEPS;
       if (keeps(tried)) scale = tried;
     }
-    const time = now.rest + speed * cost(each, now.pixels, scale);
-    return { tier: each.tier, scale, error: errorAt(scales, each.errors, scale), keeps: time <= allowed(now.law, scale), time };
+    return { tier: each.tier, scale, error: errorAt(scales, each.errors, scale), keeps: keeps(scale), time: time(scale) };
   });
 }
 
