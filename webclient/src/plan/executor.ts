@@ -78,6 +78,8 @@ export class Executor {
   /** Positions of the passes that are drawn once. */
   private readonly setup: readonly number[];
   private disposed = false;
+  /** Called once there is a first frame, or there will be none. */
+  private begun: () => void = () => undefined;
   readonly programs = new Map<string, Program>();
 
   private constructor(
@@ -108,7 +110,8 @@ export class Executor {
       }
       const executor = new Executor(gpu, plan, new Map(await Promise.all(loading)), leases);
       executor.bind(programs);
-      if (rest) executor.whole = executor.loadRest();
+      // Drivers take programs and frames in the order they come in: the first frame does not wait for what it does not show.
+      if (rest) executor.whole = new Promise<void>((resolve) => (executor.begun = resolve)).then(() => executor.loadRest());
       return executor;
     } catch (error) {
       for (const lease of leases) lease.release();
@@ -118,6 +121,7 @@ export class Executor {
 
   /** Compiles what the first camera had no need of. */
   private async loadRest(): Promise<void> {
+    if (this.disposed) return;
     const missing = Object.keys(this.plan.programs).filter((name) => !this.programs.has(name));
     const programs = start(this.gpu, this.plan, missing);
     try {
@@ -162,6 +166,7 @@ export class Executor {
       if (shows) around(bound.pass, () => this.drawPass(bound, frame, (name) => this.target(name)));
       else this.clear(bound.pass);
     }
+    this.begun();
   }
 
   /** A target as the latest frame left it. */
@@ -179,6 +184,7 @@ export class Executor {
 
   dispose(): void {
     this.disposed = true;
+    this.begun();
     this.rest();
     for (const lease of this.leases) lease.release();
   }
