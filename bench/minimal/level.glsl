@@ -10,9 +10,11 @@ uniform vec3 u_ray_z;
 uniform vec3 u_sun_direction;
 uniform vec3 u_sun_irradiance;
 uniform vec3 u_sky_irradiance;
-uniform vec3 u_air_light;
-uniform vec3 u_rayleigh_depth;
-uniform float u_mie_depth;
+uniform vec3 u_air_rayleigh;
+uniform vec3 u_air_mie;
+uniform vec3 u_air_even;
+uniform vec3 u_air_depth;
+uniform vec3 u_air_horizon;
 uniform vec3 u_absorption_length;
 uniform float u_scattering;
 uniform float u_roughness;
@@ -29,13 +31,12 @@ float fresnel(float c) {
     return 0.5 * a * a * (1.0 + b * b);
 }
 
+vec3 scattered(float gamma) {
+    return u_air_even + (1.0 + gamma * gamma) * u_air_rayleigh + u_air_mie / pow(1.5776 - 1.52 * gamma, 1.5);
+}
+
 vec3 sky(vec3 d) {
-    float gamma = dot(d, u_sun_direction);
-    vec3 depth = u_rayleigh_depth + u_mie_depth;
-    float rayleigh = 0.0596831036594608 * (1.0 + gamma * gamma);
-    float mie = 0.0336144922 / pow(1.5776 - 1.52 * gamma, 1.5);
-    vec3 scattered = (u_rayleigh_depth * rayleigh + u_mie_depth * mie) / depth + 0.04;
-    return u_air_light * scattered * (1.0 - exp(-depth / (d.y + 0.09)));
+    return scattered(dot(d, u_sun_direction)) * (1.0 - exp(-u_air_depth / (d.y + 0.09)));
 }
 
 void main() {
@@ -61,7 +62,7 @@ void main() {
     vec3 glitter = u_sun_irradiance * (fresnel(max(dot(u_sun_direction, h), 0.0)) * slopes / (4.0 * cv));
 
     vec3 water = (1.0 - reflectance) * body + reflectance * reflected + min(glitter, 1e4);
-    vec3 haze = sky(vec3(normalize(d.xz), 0.0).xzy);
+    vec3 haze = u_air_horizon * scattered(dot(normalize(d.xz), u_sun_direction.xz));
     float clear = exp(-3.912 / u_visibility * (u_eye_height / -ray.y * reach));
     o_color = vec4(min(exp2(u_exposure) * mix(haze, water, clear), 65504.0), 0.0);
 }

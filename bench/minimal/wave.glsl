@@ -24,9 +24,11 @@ uniform float u_translucency;
 uniform vec3 u_sun_direction;
 uniform vec3 u_sun_irradiance;
 uniform vec3 u_sky_irradiance;
-uniform vec3 u_air_light;
-uniform vec3 u_rayleigh_depth;
-uniform float u_mie_depth;
+uniform vec3 u_air_rayleigh;
+uniform vec3 u_air_mie;
+uniform vec3 u_air_even;
+uniform vec3 u_air_depth;
+uniform vec3 u_air_horizon;
 uniform vec3 u_absorption_length;
 uniform float u_scattering;
 uniform float u_roughness;
@@ -43,13 +45,12 @@ float fresnel(float c) {
     return 0.5 * a * a * (1.0 + b * b);
 }
 
+vec3 scattered(float gamma) {
+    return u_air_even + (1.0 + gamma * gamma) * u_air_rayleigh + u_air_mie / pow(1.5776 - 1.52 * gamma, 1.5);
+}
+
 vec3 sky(vec3 d) {
-    float gamma = dot(d, u_sun_direction);
-    vec3 depth = u_rayleigh_depth + u_mie_depth;
-    float rayleigh = 0.0596831036594608 * (1.0 + gamma * gamma);
-    float mie = 0.0336144922 / pow(1.5776 - 1.52 * gamma, 1.5);
-    vec3 scattered = (u_rayleigh_depth * rayleigh + u_mie_depth * mie) / depth + 0.04;
-    return u_air_light * scattered * (1.0 - exp(-depth / (d.y + 0.09)));
+    return scattered(dot(d, u_sun_direction)) * (1.0 - exp(-u_air_depth / (d.y + 0.09)));
 }
 
 float theta(float x) {
@@ -142,7 +143,7 @@ void main() {
     vec3 water = (1.0 - reflectance) * body + reflectance * reflected + min(glitter, 1e4);
 
     vec3 seen = foamy ? u_foam_albedo / PI * light : water;
-    vec3 haze = sky(vec3(ray.x / speed, 0.0, ray.z / speed));
+    vec3 haze = u_air_horizon * scattered(dot(ray.xz, u_sun_direction.xz) / speed);
     float clear = exp(-3.912 / u_visibility * tau * size);
     o_color = vec4(min(exp2(u_exposure) * mix(haze, seen, clear), 65504.0), foamy ? 1.0 : 0.0);
 }

@@ -3,8 +3,7 @@ uniform vec3 u_boat_ambient;     // the sky's irradiance
 uniform float u_boat_visibility; // m
 
 vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
-    vec2 level = d.xz / max(length(d.xz), 1e-6);
-    return mix(sky_light(vec3(level.x, 0.0, level.y)), light, exp(-3.912 / u_boat_visibility * distance_to_eye));
+    return mix(horizon_light(d), light, exp(-3.912 / u_boat_visibility * distance_to_eye));
 }
 
 // d: unit vector toward the boat; o + t d is where it was met.

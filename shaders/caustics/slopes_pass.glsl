@@ -10,7 +10,7 @@ void main() {
     vec2 slope = vec2(0.0);
     for (int i = 0; i < CAUSTIC_WAVES; ++i) {
         vec3 wave = u_caustic_wave[i].xyz;
-        slope -= wave.z * normalize(wave.xy) * cos(wrap_phase(u_caustic_phase[i] - dot(wave.xy, p)));
+        slope -= wave.z * normalize(wave.xy) * whole_sine_cosine(wrap_phase(u_caustic_phase[i] - dot(wave.xy, p))).y;
     }
     o_slopes = vec4(slope, 0.0, 0.0);
 }

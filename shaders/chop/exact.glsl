@@ -8,7 +8,7 @@ vec3 chop_detail(vec2 p, Footprint fp) {
     vec2 slope = vec2(0.0);
     for (int i = 0; i < 2 * CHOP_WAVES; ++i) {
         vec4 wave = u_chop_wave[i];
-        float amount = -kept[int(wave.w)] * wave.z * cos(wrap_phase(u_chop_phase[i] - dot(wave.xy, p)));
+        float amount = -kept[int(wave.w)] * wave.z * whole_sine_cosine(wrap_phase(u_chop_phase[i] - dot(wave.xy, p))).y;
         slope += amount * normalize(wave.xy);
     }
     return vec3(slope, chop_lost(kept));

@@ -10,7 +10,7 @@ void main() {
     vec2 bands[2] = vec2[2](vec2(0.0), vec2(0.0));
     for (int i = 0; i < CHOP_WAVES; ++i) {
         vec3 wave = u_chop_wave[i].xyz;
-        vec2 slope = -wave.z * normalize(wave.xy) * cos(wrap_phase(u_chop_phase[i] - dot(wave.xy, p)));
+        vec2 slope = -wave.z * normalize(wave.xy) * whole_sine_cosine(wrap_phase(u_chop_phase[i] - dot(wave.xy, p))).y;
         bands[i * 2 / CHOP_WAVES] += slope;
     }
     o_slopes = vec4(bands[0], bands[1]);

@@ -17,6 +17,12 @@ vec2 sine_cosine(float x) {
     return vec2(sine, 1.0 + y * (-0.4999993201 + y * (4.166398104e-2 + y * (-1.385585915e-3 + y * 2.319275935e-5))));
 }
 
+// Sine and cosine of an angle in [-pi, pi], by those of its half: within 3e-7.
+vec2 whole_sine_cosine(float x) {
+    vec2 of_half = sine_cosine(0.5 * x);
+    return vec2(2.0 * of_half.x * of_half.y, 1.0 - 2.0 * of_half.x * of_half.x);
+}
+
 // How far the surface point moves, in metres on the (x, z) plane, from one sample to the next.
 struct Footprint {
     vec2 x;

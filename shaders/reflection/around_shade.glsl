@@ -7,6 +7,5 @@ vec3 irradiance(vec3 n) {
 }
 
 vec3 in_air(vec3 light, vec3 d, float distance_to_eye) {
-    vec2 level = d.xz / max(length(d.xz), 1e-6);
-    return mix(exposure() * sky_light(vec3(level.x, 0.0, level.y)), light, exp(-3.912 / u_visibility * distance_to_eye));
+    return mix(exposure() * horizon_light(d), light, exp(-3.912 / u_visibility * distance_to_eye));
 }

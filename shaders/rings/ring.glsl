@@ -22,11 +22,10 @@ vec4 ring_profile(vec2 way, vec4 now, vec4 shape) {
     float head = q * q * (3.0 - 2.0 * q);
     float tail = t * t * (3.0 - 2.0 * t);
     float change = 6.0 * band * (t * (1.0 - t) * head - q * (1.0 - q) * tail);
-    float theta = wrap_phase(shape.y * rho - shape.z * now.z);
-    float wave = cos(theta);
+    vec2 turn = whole_sine_cosine(wrap_phase(shape.y * rho - shape.z * now.z));
     return vec4(
-        amplitude * wave * head * tail,
-        amplitude * (change * wave - shape.y * sin(theta) * head * tail),
+        amplitude * turn.y * head * tail,
+        amplitude * (change * turn.y - shape.y * turn.x * head * tail),
         1.0 / far,
         amplitude * head * tail);
 }

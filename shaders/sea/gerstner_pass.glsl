@@ -6,8 +6,8 @@ void main() {
     vec3 sum = vec3(0.0);
     ivec2 waves = gerstner_waves(at.x / SEA_SIZE);
     for (int i = waves.x; i < waves.y; ++i) {
-        float theta = gerstner_theta(i, at, SEA_SIZE);
-        sum += u_gerstner[i].z * vec3(cos(theta), -sin(theta) * normalize(u_gerstner[i].xy));
+        vec2 turn = whole_sine_cosine(gerstner_theta(i, at, SEA_SIZE));
+        sum += u_gerstner[i].z * vec3(turn.y, -turn.x * normalize(u_gerstner[i].xy));
     }
     o_displaced = vec4(sum, 0.0);
 }

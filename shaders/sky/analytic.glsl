@@ -1,20 +1,26 @@
 // Sky radiance toward d: single scattering in closed form with a flat share for the rest. docs/formulae.md, section 6.
 // Any direction; below the horizon the horizon's own colour. Unit: that of the sun's irradiance.
 uniform vec3 u_sun_direction;
-uniform vec3 u_air_light;      // irradiance of the light in the air
-uniform vec3 u_rayleigh_depth; // optical depth at the zenith
-uniform float u_mie_depth;
+uniform vec3 u_air_rayleigh; // radiance of the whole air, square to the sun
+uniform vec3 u_air_mie;      // and of its haze, over its phase function's power
+uniform vec3 u_air_even;     // and of what was scattered more than once
+uniform vec3 u_air_depth;    // optical depth at the zenith
+uniform vec3 u_air_horizon;  // share of the whole air's light that the horizon has
 
-vec3 sky_light(vec3 d) {
-    float gamma = dot(d, u_sun_direction);
-    vec3 depth = u_rayleigh_depth + u_mie_depth;
-    float mass = 1.0 / (max(d.y, 0.0) + 0.09);
-    float rayleigh = 0.0596831036594608 * (1.0 + gamma * gamma);
+// gamma: cosine of the angle from the sun.
+vec3 air_scattered(float gamma) {
     // 1 + G^2 - 2 G gamma is at least (1 - G)^2, so the power stays finite
     float apart = max(1.5776 - 1.52 * gamma, 0.0576);
-    float mie = 0.0336144922 / (apart * sqrt(apart));
-    vec3 scattered = (u_rayleigh_depth * rayleigh + u_mie_depth * mie) / depth + 0.04;
-    return u_air_light * scattered * (1.0 - exp(-depth * mass));
+    return u_air_even + (1.0 + gamma * gamma) * u_air_rayleigh + u_air_mie / (apart * sqrt(apart));
+}
+
+vec3 sky_light(vec3 d) {
+    return air_scattered(dot(d, u_sun_direction)) * (1.0 - exp(-u_air_depth / (max(d.y, 0.0) + 0.09)));
+}
+
+// Toward the horizon under or over d; straight up and down are of no heading.
+vec3 horizon_light(vec3 d) {
+    return air_scattered(dot(d.xz, u_sun_direction.xz) / max(length(d.xz), 1e-6)) * u_air_horizon;
 }
 
 // As water mirrors it. r: reflected direction, over the horizon.

@@ -16,6 +16,12 @@ vec3 sky_light(vec3 d) {
     return sky_seen(d, SKY_EYE);
 }
 
+// Toward the horizon under or over d, where the air hides all clouds; straight up and down are of no heading.
+vec3 horizon_light(vec3 d) {
+    vec2 level = d.xz / max(length(d.xz), 1e-6);
+    return clear_sky(vec3(level.x, 0.0, level.y));
+}
+
 // As water mirrors it: its clouds blurred. r: reflected direction, over the horizon.
 vec3 mirrored_sky(vec3 r) {
     return sky_seen(r, SKY_MIRROR);

@@ -6,6 +6,5 @@ vec3 spray_light(vec3 d, float distance_to_eye) {
     float onward = max(dot(d, u_sun_direction), 0.0);
     onward *= onward * onward;
     vec3 light = (u_sun_irradiance * (0.6 + 0.9 * onward * onward) + 0.8 * u_sky_irradiance) / PI;
-    vec2 level = d.xz / max(length(d.xz), 1e-6);
-    return exposure() * mix(sky_light(vec3(level.x, 0.0, level.y)), light, exp(-3.912 / u_visibility * distance_to_eye));
+    return exposure() * mix(horizon_light(d), light, exp(-3.912 / u_visibility * distance_to_eye));
 }

@@ -93,6 +93,20 @@ def air_light(light: Light) -> Rgb:
     )
 
 
+def air_parts(light: Light) -> dict[str, Rgb]:
+    """What the sky's radiance is put together from, in ``sky/analytic.glsl``: numbers of which no direction is part."""
+    mie, air = _mie(light), air_light(light)
+    depth = [tau + mie for tau in _RAYLEIGH]
+    whole = [e / tau for e, tau in zip(air, depth, strict=True)]
+    return {
+        "rayleigh": _rgb([3.0 / (16.0 * math.pi) * tau * e for e, tau in zip(whole, _RAYLEIGH, strict=True)]),
+        "mie": _rgb([(1.0 - _G * _G) / (4.0 * math.pi) * mie * e for e in whole]),
+        "even": _rgb([0.04 * e for e in air]),
+        "depth": _rgb(depth),
+        "horizon": _rgb([1.0 - math.exp(-tau * _view_air_mass(0.0)) for tau in depth]),
+    }
+
+
 @lru_cache(maxsize=64)
 def sky_irradiance(light: Light) -> Rgb:
     """E_sky: irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
@@ -128,7 +142,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     if light.sky is None:
         sky: tuple[SlotFile, ...] = (SlotFile("sky", "sky/analytic.glsl", needs=("sky/exposure.glsl",)),)
-        air = {"u_air_light": vector(air_light(light))}
+        air = {f"u_air_{name}": vector(value) for name, value in air_parts(light).items()}
     else:
         toward = layered.sun(light)
         sky = (
@@ -138,6 +152,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
         air = {
             "u_haze_depth": number(light.sky.haze),
+            "u_rayleigh_depth": vector(_RAYLEIGH),
+            "u_mie_depth": number(significant(_mie(light))),
             "u_sky_sun": vector(_rgb(list(toward))),
             "u_sky_sun_path": vector(_rgb(list(layered.path(light, toward[1])))),
             "u_sky_sun_power": number(significant(layered.sun_power(light))),
@@ -154,8 +170,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_sun_irradiance": vector(sun_irradiance(light)),
             "u_sky_irradiance": vector(sky_irradiance(light)),
             **air,
-            "u_rayleigh_depth": vector(_RAYLEIGH),
-            "u_mie_depth": number(significant(_mie(light))),
             "u_visibility": number(light.visibility, "/light/visibility"),
             "u_exposure": number(light.exposure, "/light/exposure"),
         },
@@ -194,7 +208,7 @@ EFFECT = Effect(
                 light=Light(sun_elevation=math.pi / 2),
                 foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured"),
             ),
-            guard="level directions divided by at least 1e-6 (shade/lit.glsl)",
+            guard="level directions divided by at least 1e-6 (sky/analytic.glsl)",
             without="NaN straight down; no sample of the frame is exactly there, since cos(pi/2) is 6e-17",
             camera=Camera(position=(0.0, 3.0, 0.0), pitch=-math.pi / 2, roll=1.0, fov=0.01),
         ),

@@ -111,7 +111,10 @@ export class Executor {
       const executor = new Executor(gpu, plan, new Map(await Promise.all(loading)), leases);
       executor.bind(programs);
       // Drivers take programs and frames in the order they come in: the first frame does not wait for what it does not show.
-      if (rest) executor.whole = new Promise<void>((resolve) => (executor.begun = resolve)).then(() => executor.loadRest());
+      if (rest) {
+        const begun = new Promise<void>((resolve) => (executor.begun = resolve));
+        executor.whole = begun.then(() => (executor.disposed ? undefined : executor.loadRest()));
+      }
       return executor;
     } catch (error) {
       for (const lease of leases) lease.release();
@@ -121,7 +124,6 @@ export class Executor {
 
   /** Compiles what the first camera had no need of. */
   private async loadRest(): Promise<void> {
-    if (this.disposed) return;
     const missing = Object.keys(this.plan.programs).filter((name) => !this.programs.has(name));
     const programs = start(this.gpu, this.plan, missing);
     try {
