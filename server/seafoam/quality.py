@@ -190,6 +190,7 @@ TIERS: dict[Tier, Quality] = {
     "high": Quality(
         surface=SurfaceQuality(steps=384, tolerance=0.02),
         rings_size=2048,
+        sea_size=512,
         cube_size=512,
         refraction_steps=8,
         drift_size=512,
