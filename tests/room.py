@@ -1,4 +1,4 @@
-"""No process of a run of the tests may be larger than 3 GB: two of them, a browser and an editor share 8 GB."""
+"""No process of a run of the tests may be larger than 2 GB: two of them, a browser and an editor share 8 GB."""
 
 import ctypes
 import resource
@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-LIMIT = 3_000_000_000
+LIMIT = 2_000_000_000
 """Resident bytes, at their most, of the test process and of each process that it or its children started."""
 UNIT = 1 if sys.platform == "darwin" else 1024
 """Of ``ru_maxrss``, bytes."""
