@@ -53,7 +53,7 @@ function driver() {
     get: (_, name) =>
       typeof name === "string" && /^[A-Z0-9_]+$/.test(name) ? name : (calls[String(name)] ?? (() => undefined)),
   }) as unknown as WebGL2RenderingContext;
-  const gpu = new Gpu(gl, { extensions: new Set(), renderer: "none", software: true });
+  const gpu = new Gpu(gl, { extensions: new Set(), renderer: "none", software: true, alwaysBlends: false });
   const textures = () => [...alive].filter((one) => (one as { name: string }).name.startsWith("texture")).length;
   return { gpu, draws, textures };
 }

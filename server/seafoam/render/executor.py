@@ -168,6 +168,8 @@ class Executor:
             "version": self._context.info["GL_VERSION"],
         }
         self.max_side = int(self._context.info["GL_MAX_TEXTURE_SIZE"])
+        # llvmpipe compiles a program twice for a state that hides what was there: blended with none of it, once.
+        self._always_blends = "llvmpipe" in self.info["renderer"]
         self._programs = _Cache(_PROGRAMS_KEPT)
         self._textures = _Cache(_TEXTURES_KEPT)
         self._targets = _Cache(_TARGETS_KEPT)
@@ -300,7 +302,7 @@ class Executor:
         framebuffer.use()
         framebuffer.viewport = (0, 0, framebuffer.width, framebuffer.height)
         depth = moderngl.DEPTH_TEST if one.state.depth else 0
-        blend = moderngl.BLEND if one.state.blend != "none" else 0
+        blend = moderngl.BLEND if one.state.blend != "none" or self._always_blends else 0
         self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | depth | blend)
         self._context.depth_func = "<"
         self._context.blend_func = _BLENDS[one.state.blend]

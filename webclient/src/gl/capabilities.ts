@@ -5,6 +5,7 @@ import type { FramePlan } from "../generated/api";
 const WANTED = [
   "EXT_color_buffer_float",
   "EXT_color_buffer_half_float",
+  "EXT_float_blend",
   "OES_texture_float_linear",
   "KHR_parallel_shader_compile",
   "EXT_disjoint_timer_query_webgl2",
@@ -20,6 +21,8 @@ export interface Capabilities {
   renderer: string;
   /** Draws on the CPU: timer queries are not to be believed, and every pixel is dear. */
   software: boolean;
+  /** llvmpipe compiles a program twice for a state that hides what was there: blended with none of it, once. */
+  alwaysBlends: boolean;
 }
 
 /** Thrown where the machine lacks what a picture needs; the message is for the visitor. */
@@ -38,7 +41,8 @@ export function detect(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>):
         "which the light of the sea is computed in.",
     );
   }
-  return { extensions, renderer, software: /llvmpipe|softpipe|swiftshader|software|basic render/i.test(renderer) };
+  const software = /llvmpipe|softpipe|swiftshader|software|basic render/i.test(renderer);
+  return { extensions, renderer, software, alwaysBlends: /llvmpipe/i.test(renderer) && extensions.has("EXT_float_blend") };
 }
 
 /** Refuses a plan that the machine cannot draw, before anything is compiled. */

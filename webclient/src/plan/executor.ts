@@ -282,11 +282,12 @@ export class Executor {
     } else {
       gl.disable(gl.SCISSOR_TEST);
     }
-    if (pass.state.blend === "none") {
+    const { blend } = pass.state;
+    if (blend === "none" && !this.gpu.capabilities.alwaysBlends) {
       gl.disable(gl.BLEND);
     } else {
       gl.enable(gl.BLEND);
-      gl.blendFunc(gl.ONE, pass.state.blend === "add" ? gl.ONE : gl.ONE_MINUS_SRC_ALPHA);
+      gl.blendFunc(gl.ONE, blend === "none" ? gl.ZERO : blend === "add" ? gl.ONE : gl.ONE_MINUS_SRC_ALPHA);
     }
     gl.disable(gl.CULL_FACE);
     gl.depthMask(true);
