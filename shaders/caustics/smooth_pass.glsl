@@ -1,7 +1,5 @@
 // The caustic map from a refracted grid drawn at half texels, as smooth as the one from photons: the cubic B-spline of a texel.
-uniform sampler2D u_caustic_red;
-uniform sampler2D u_caustic_green;
-uniform sampler2D u_caustic_blue;
+uniform sampler2D u_caustic_light;
 out vec4 o_light;
 
 // At 1/4, 3/4 and 5/4 of a texel to either side; what is left at 7/4, 0.26 %, is shared out.
@@ -12,12 +10,7 @@ void main() {
     vec3 sum = vec3(0.0);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
-            ivec2 from = at + ivec2(i, j);
-            vec3 light = vec3(
-                texelFetch(u_caustic_red, from, 0).r,
-                texelFetch(u_caustic_green, from, 0).r,
-                texelFetch(u_caustic_blue, from, 0).r);
-            sum += light * (CAUSTIC_WEIGHTS[i] * CAUSTIC_WEIGHTS[j]);
+            sum += texelFetch(u_caustic_light, at + ivec2(i, j), 0).rgb * (CAUSTIC_WEIGHTS[i] * CAUSTIC_WEIGHTS[j]);
         }
     }
     o_light = vec4(sum, 0.0);

@@ -106,7 +106,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts |= {"CAUSTIC_CELLS": rays, "CAUSTIC_MARGIN": margin}
     spread = light.caustics.dispersion
     colours = dict(zip(COLOURS, COLOUR_INDEX, strict=True)) if spread > 0.0 else {"white": 0.0}
-    read = {f"u_caustic_{name}": f"caustic_{name if spread > 0.0 else 'white'}" for name in COLOURS}
+    if photons:
+        # Their four sums a texel take a target a colour.
+        drawn = {name: f"caustic_{name}" for name in colours}
+        read = {f"u_caustic_{name}": f"caustic_{name if spread > 0.0 else 'white'}" for name in COLOURS}
+    else:
+        drawn = dict.fromkeys(colours, "caustic_light")
+        read = {"u_caustic_light": "caustic_light"}
+    first = next(iter(colours))
     # A grid is drawn at half texels: its triangles light what centres they cover.
     rough = (texels if photons else 2 * texels) + 2 * RIM
     return Contribution(
@@ -129,8 +136,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         targets={
             "caustic_slopes": Target(size=FixedSize(width=rays, height=rays), format="RGBA32F"),
             **{
-                f"caustic_{name}": Target(size=FixedSize(width=rough, height=rough), format="RGBA16F")
-                for name in colours
+                target: Target(size=FixedSize(width=rough, height=rough), format="RGBA16F") for target in drawn.values()
             },
             "caustics": Target(
                 size=FixedSize(width=texels, height=texels), format="RGBA16F", filter="linear", wrap="repeat"
@@ -150,7 +156,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     program="caustic_light",
                     vertex=("caustics/landing.glsl", vertex),
                     fragment=(fragment,),
-                    target=f"caustic_{name}",
+                    target=drawn[name],
                     mesh=mesh,
                     inputs={"u_caustic_slopes": TargetInput(target="caustic_slopes")},
                     uniforms={
@@ -158,9 +164,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                         "u_caustic_flat": vector((significant(flat[0]), significant(flat[1]))),
                         "u_caustic_index": number(significant(INDEX + spread * bent)),
                         "u_caustic_tile": number(tile),
+                        "u_caustic_channels": vector(tuple(float(name in (one, "white")) for one in COLOURS)),
                     },
                     blend="add",
-                    clear=True,
+                    clear=photons or name == first,
                 )
                 for name, bent in colours.items()
             ),
