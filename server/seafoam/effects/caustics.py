@@ -95,25 +95,22 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "CAUSTIC_TEXELS": texels,
         "CAUSTIC_RIM": RIM,
     }
-    if photons:
-        mesh: Grid | Points = Points(count=rays * rays)
-        vertex, fragment, joined = "caustics/photon_vertex.glsl", "caustics/photon_pass.glsl", "caustics/fold_pass.glsl"
-        consts |= {"CAUSTIC_PHOTONS": rays}
-    else:
-        margin = _margin(light, depth, water.chop, tile, rays)
-        mesh = Grid(rows=rays + 2 * margin, columns=rays + 2 * margin)
-        vertex, fragment, joined = "caustics/grid_vertex.glsl", "caustics/grid_pass.glsl", "caustics/smooth_pass.glsl"
-        consts |= {"CAUSTIC_CELLS": rays, "CAUSTIC_MARGIN": margin}
     spread = light.caustics.dispersion
     colours = dict(zip(COLOURS, COLOUR_INDEX, strict=True)) if spread > 0.0 else {"white": 0.0}
     if photons:
         # Their four sums a texel take a target a colour.
         drawn = {name: f"caustic_{name}" for name in colours}
-        read = {f"u_caustic_{name}": f"caustic_{name if spread > 0.0 else 'white'}" for name in COLOURS}
+        read = {f"u_caustic_{name}": drawn.get(name, "caustic_white") for name in COLOURS}
+        mesh: Grid | Points = Points(count=rays * rays)
+        vertex, fragment, joined = "caustics/photon_vertex.glsl", "caustics/photon_pass.glsl", "caustics/fold_pass.glsl"
+        consts |= {"CAUSTIC_PHOTONS": rays}
     else:
         drawn = dict.fromkeys(colours, "caustic_light")
         read = {"u_caustic_light": "caustic_light"}
-    first = next(iter(colours))
+        margin = _margin(light, depth, water.chop, tile, rays)
+        mesh = Grid(rows=rays + 2 * margin, columns=rays + 2 * margin)
+        vertex, fragment, joined = "caustics/grid_vertex.glsl", "caustics/grid_pass.glsl", "caustics/smooth_pass.glsl"
+        consts |= {"CAUSTIC_CELLS": rays, "CAUSTIC_MARGIN": margin}
     # A grid is drawn at half texels: its triangles light what centres they cover.
     rough = (texels if photons else 2 * texels) + 2 * RIM
     return Contribution(
@@ -164,10 +161,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                         "u_caustic_flat": vector((significant(flat[0]), significant(flat[1]))),
                         "u_caustic_index": number(significant(INDEX + spread * bent)),
                         "u_caustic_tile": number(tile),
-                        "u_caustic_channels": vector(tuple(float(name in (one, "white")) for one in COLOURS)),
+                        **({} if photons else {"u_caustic_channels": _channels(name)}),
                     },
                     blend="add",
-                    clear=photons or name == first,
+                    clear=photons or name == next(iter(colours)),
                 )
                 for name, bent in colours.items()
             ),
@@ -181,6 +178,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         bound=_bound(scene, light, water.depth, waves),
     )
+
+
+def _channels(name: str) -> Uniform:
+    """1 in the channels that a colour is drawn into: white in all."""
+    return vector(tuple(float(name in (one, "white")) for one in COLOURS))
 
 
 def _slopes(waves: list[Ripple], tile: float) -> dict[str, Uniform]:

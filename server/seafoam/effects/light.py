@@ -93,17 +93,17 @@ def air_light(light: Light) -> Rgb:
     )
 
 
-def air_parts(light: Light) -> dict[str, Rgb]:
+def air_parts(light: Light) -> dict[str, list[float]]:
     """What the sky's radiance is put together from, in ``sky/analytic.glsl``: numbers of which no direction is part."""
     mie, air = _mie(light), air_light(light)
     depth = [tau + mie for tau in _RAYLEIGH]
     whole = [e / tau for e, tau in zip(air, depth, strict=True)]
     return {
-        "rayleigh": _rgb([3.0 / (16.0 * math.pi) * tau * e for e, tau in zip(whole, _RAYLEIGH, strict=True)]),
-        "mie": _rgb([(1.0 - _G * _G) / (4.0 * math.pi) * mie * e for e in whole]),
-        "even": _rgb([0.04 * e for e in air]),
-        "depth": _rgb(depth),
-        "horizon": _rgb([1.0 - math.exp(-tau * _view_air_mass(0.0)) for tau in depth]),
+        "rayleigh": [3.0 / (16.0 * math.pi) * tau * e for e, tau in zip(whole, _RAYLEIGH, strict=True)],
+        "mie": [(1.0 - _G * _G) / (4.0 * math.pi) * mie * e for e in whole],
+        "even": [0.04 * e for e in air],
+        "depth": depth,
+        "horizon": [1.0 - math.exp(-tau * _view_air_mass(0.0)) for tau in depth],
     }
 
 
@@ -113,8 +113,7 @@ def sky_irradiance(light: Light) -> Rgb:
     if light.sky is not None:
         return _rgb(list(layered.irradiance(light)))
     sun = sun_direction(light)
-    air = air_light(light)
-    mie_depth = _mie(light)
+    parts = air_parts(light)
     count = 96
     total = [0.0, 0.0, 0.0]
     for i in range(count):
@@ -126,13 +125,15 @@ def sky_irradiance(light: Light) -> Rgb:
         for j in range(count):
             phi = (j + 0.5) * math.pi / count
             gamma = level * math.hypot(sun[0], sun[2]) * math.cos(phi) + y * sun[1]
-            rayleigh = 3.0 / (16.0 * math.pi) * (1.0 + gamma * gamma)
-            mie = (1.0 - _G * _G) / (4.0 * math.pi * max(1.0 + _G * _G - 2.0 * _G * gamma, (1.0 - _G) ** 2) ** 1.5)
-            for channel, tau in enumerate(_RAYLEIGH):
-                ring[channel] += (tau * rayleigh + mie_depth * mie) / (tau + mie_depth) + 0.04
-        for channel, tau in enumerate(_RAYLEIGH):
-            total[channel] += ring[channel] / count * (1.0 - math.exp(-(tau + mie_depth) * mass))
-    return _rgb([math.pi * air[channel] * total[channel] / count for channel in range(3)])
+            rayleigh = 1.0 + gamma * gamma
+            mie = max(1.0 + _G * _G - 2.0 * _G * gamma, (1.0 - _G) ** 2) ** -1.5
+            for channel in range(3):
+                ring[channel] += (
+                    parts["even"][channel] + rayleigh * parts["rayleigh"][channel] + mie * parts["mie"][channel]
+                )
+        for channel, depth in enumerate(parts["depth"]):
+            total[channel] += ring[channel] / count * (1.0 - math.exp(-depth * mass))
+    return _rgb([math.pi * value / count for value in total])
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -142,7 +143,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     if light.sky is None:
         sky: tuple[SlotFile, ...] = (SlotFile("sky", "sky/analytic.glsl", needs=("sky/exposure.glsl",)),)
-        air = {f"u_air_{name}": vector(value) for name, value in air_parts(light).items()}
+        air = {f"u_air_{name}": vector(_rgb(value)) for name, value in air_parts(light).items()}
     else:
         toward = layered.sun(light)
         sky = (
