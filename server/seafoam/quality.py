@@ -140,13 +140,13 @@ class Quality(Knobs):
         "than `samples`: every pixel has as many",
     )
     samples_budget: float = Field(
-        default=2.5,
+        default=2.0,
         ge=0.1,
         le=3.0,
         description="Further samples that these take at most, in the mean of the pixels under the horizon",
     )
     samples_threshold: float = Field(
-        default=0.01,
+        default=0.004,
         ge=0.001,
         le=1.0,
         description="Contrast from which on a pixel is given more samples, white on black = 1; more contrast where the "
@@ -204,7 +204,7 @@ TIERS: dict[Tier, Quality] = {
         samples_max=16,
     ),
     "reference": Quality(
-        surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),
+        surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4),
         chop="exact",
         rings="exact",
         sea_size=512,

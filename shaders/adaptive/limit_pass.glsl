@@ -32,7 +32,8 @@ void main() {
     for (int k = 3; k >= 0; --k) {
         if (fours[k] <= budget) {
             limit = at[k];
-            next = k == 0 ? vec2(tried.x, 1.0) : vec2(limit / (closer * closer * closer), closer);
+            // Under the very least none is tried.
+            next = LIMITS_FIRST && k == 0 ? vec2(limit, 1.0) : vec2(limit / (closer * closer * closer), closer);
         }
     }
     o_limit = vec4(next, limit, 1.0);

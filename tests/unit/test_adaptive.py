@@ -1,5 +1,6 @@
 """More samples where a pixel needs them: which pixels, how many, and what they are then."""
 
+import hashlib
 import math
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from seafoam.effects.contribution import Fullscreen, ViewportSize
 from seafoam.plan import make_plan
 from seafoam.plan.adaptive import GREATEST, RATIO
+from seafoam.plan.model import FramePlan, Shader
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Scene
@@ -18,6 +20,16 @@ SIZE = (160, 90)
 STANDARD = TIERS["standard"]
 NEXT_LIMIT = (GREATEST / STANDARD.samples_threshold) ** (1.0 / 48.0)
 """Ratio of neighbouring limits in the last of three rounds."""
+
+
+PLACE = "return gl_FragCoord.xy;"
+TURNED = (
+    "vec2 pixel = floor(gl_FragCoord.xy / float({n}));\n"
+    "    vec2 within = floor(gl_FragCoord.xy) - float({n}) * pixel;\n"
+    "    vec2 turned = vec2(within.y + 0.5, float({n}) - 0.5 - within.x) / float({n});\n"
+    "    return float({n}) * pixel + within + turned;"
+)
+"""docs/formulae.md, section 1: where the samples of chosen pixels lie."""
 
 
 def quality(base: Quality = STANDARD, **changes: object) -> Quality:
@@ -31,12 +43,16 @@ def frame(
     size: tuple[int, int] = SIZE,
     camera: Camera | None = None,
     start: int = 1,
+    chosen: int = 0,
 ) -> NDArray[np.float32]:
     """Linear frame at 2.7 s, (height, width, 4); marches begin as ``start`` samples along a pixel begin them.
 
-    A march ends within a tolerance, and where it begins decides where in it.
+    A march ends within a tolerance, and where it begins decides where in it. ``chosen``: every pixel has so many
+    samples, set as those of chosen pixels are.
     """
-    plan = make_plan(scene, how)
+    plan = make_plan(scene, quality(how, samples=chosen, samples_max=1) if chosen else how)
+    if chosen:
+        plan = as_chosen(plan, chosen)
     if "start" in plan.targets:
         size_of = plan.targets["start"].size
         moved = size_of.model_copy(update={"scale": start})
@@ -46,6 +62,17 @@ def frame(
     return executor.render(  # type: ignore[return-value]
         plan, time=2.7, camera=seen, width=size[0], height=size[1], output="linear"
     ).pixels
+
+
+def as_chosen(plan: FramePlan, count: int) -> FramePlan:
+    """The plan of ``count`` samples everywhere, set as those of chosen pixels are."""
+    programs = {}
+    moved = TURNED.format(n=math.isqrt(count))
+    for name, program in plan.programs.items():
+        text = program.fragment.text.replace(PLACE, moved)
+        shader = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=program.fragment.files)
+        programs[name] = program.model_copy(update={"fragment": shader})
+    return plan.model_copy(update={"programs": programs})
 
 
 def contrast(one: NDArray[np.float32]) -> NDArray[np.float64]:
@@ -97,7 +124,8 @@ def test_a_chosen_pixel_is_what_as_many_samples_everywhere_make_it(executor: Exe
     start = quality(TIERS[base], samples_max=1)  # type: ignore[index]
     side = math.isqrt(start.samples)
     given = frame(executor, scene, quality(start, samples_max=16), start=side)
-    least, few, many = (frame(executor, scene, quality(start, samples=n), start=side) for n in (start.samples, 4, 16))
+    least = frame(executor, scene, start, start=side)
+    few, many = (frame(executor, scene, start, start=side, chosen=n) for n in (4, 16))
     as_one = same(given, least) | same(given, few) | same(given, many)
     assert as_one.all() if scene.shore is None else as_one.mean() >= 0.999
     near = [np.isclose(given, one, rtol=2**-10).all(axis=-1) for one in (least, few, many)]
@@ -106,13 +134,14 @@ def test_a_chosen_pixel_is_what_as_many_samples_everywhere_make_it(executor: Exe
     assert (given == frame(executor, scene, quality(start, samples_max=16), start=side)).all()
 
 
-@pytest.mark.parametrize("preset", ["default", "open-ocean", "paper-halftone"])
-@pytest.mark.parametrize("budget", [0.5, 2.5])
+@pytest.mark.parametrize("preset", ["default", "open-ocean", "storm", "paper-halftone"])
+@pytest.mark.parametrize("budget", [0.5, 1.5, 2.5])
 def test_the_pixels_that_stand_out_are_chosen_within_the_budget(executor: Executor, preset: str, budget: float) -> None:
     scene = load_preset(preset).scene
     how = quality(samples_max=16, samples_budget=budget)
     given = frame(executor, scene, how)
-    least, few, many = (frame(executor, scene, quality(samples=n)) for n in (1, 4, 16))
+    least = frame(executor, scene, STANDARD)
+    few, many = (frame(executor, scene, STANDARD, chosen=n) for n in (4, 16))
     level = np.select([same(given, many) & ~same(many, least), same(given, few) & ~same(few, least)], [2, 1], 0)
     stands_out = contrast(least)
     # Where 1, 4 and 16 samples make the same pixel nothing tells them apart.
@@ -143,7 +172,8 @@ def test_any_size_has_room_for_all_that_is_chosen(executor: Executor, size: tupl
     scene = load_preset("paper-halftone").scene
     how = quality(samples_max=16, samples_budget=3.0, samples_threshold=0.001)
     given = frame(executor, scene, how, size)
-    least, few, many = (frame(executor, scene, quality(samples=n), size) for n in (1, 4, 16))
+    least = frame(executor, scene, STANDARD, size)
+    few, many = (frame(executor, scene, STANDARD, size, chosen=n) for n in (4, 16))
     assert (same(given, least) | same(given, few) | same(given, many)).all()
     if min(size) > 4:
         assert (~same(given, least)).any()
@@ -158,7 +188,7 @@ def test_a_mesh_is_marched_where_more_samples_are_drawn(executor: Executor) -> N
     assert again
     assert all(isinstance(one.mesh, Fullscreen) for one in again)
     surface = how.surface.model_copy(update={"method": "march"})
-    marched = [frame(executor, scene, quality(how, surface=surface, samples=n, samples_max=1)) for n in (4, 16)]
+    marched = [frame(executor, scene, quality(how, surface=surface), chosen=n) for n in (4, 16)]
     given, least = frame(executor, scene, how), frame(executor, scene, drawn)
     found = [same(given, one) for one in (least, *marched)]
     assert np.logical_or.reduce(found).all()
@@ -182,6 +212,7 @@ def test_eyes_under_the_surface(executor: Executor) -> None:
     scene = load_preset("shallows").scene
     low = Camera(position=(0.0, -1.0, 0.0), pitch=0.4)
     given = frame(executor, scene, quality(samples_max=16), camera=low)
-    least, few, many = (frame(executor, scene, quality(samples=n), camera=low) for n in (1, 4, 16))
+    least = frame(executor, scene, STANDARD, camera=low)
+    few, many = (frame(executor, scene, STANDARD, camera=low, chosen=n) for n in (4, 16))
     assert (same(given, least) | same(given, few) | same(given, many)).all()
     assert (~same(given, least)).mean() > 0.01

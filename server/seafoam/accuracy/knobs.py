@@ -20,8 +20,8 @@ SPINE_KNOBS: tuple[Knob, ...] = (
     Knob("/surface/filter", "waves under a pixel become roughness", (False, True), "filtering"),
     Knob("/samples", "samples a pixel", (1, 4, 9, 16), "filtering"),
     Knob("/samples_max", "samples of a pixel that stands out", (1, 4, 16), "filtering"),
-    Knob("/samples_budget", "further samples, in the mean", (0.5, 1.0, 2.5), "filtering"),
-    Knob("/samples_threshold", "contrast of a pixel that stands out", (0.1, 0.03, 0.01), "filtering"),
+    Knob("/samples_budget", "further samples, in the mean", (0.5, 1.0, 2.0), "filtering"),
+    Knob("/samples_threshold", "contrast of a pixel that stands out", (0.1, 0.02, 0.004), "filtering"),
     Knob("/target", "digits of the linear frame", ("RGBA16F", "RGBA32F"), "precision"),
 )
 

@@ -36,7 +36,7 @@ GREATEST = 1.5
 """Contrast that hardly a pixel has: the greatest limit that is tried at first."""
 ROUNDS = 3
 """Rounds of four limits each: the first reach :data:`GREATEST`, the next ones lie between two of them."""
-PARTS = 64
+PARTS = 32
 """Parts along each side of the picture in which samples are counted."""
 
 _KIND = "adaptive/kind.glsl"
