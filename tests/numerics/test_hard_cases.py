@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from exact import UNFILTERED
 from gpu import Probe
 from report import Report
 from seafoam.effects import EFFECTS
@@ -19,7 +20,7 @@ from seafoam.scene.models import Camera, Foam, ParametricWave, Scene
 from seafoam.scene.presets import load_preset
 
 SIZE = (48, 27)
-EXACT = TIERS["reference"].model_copy(update={"samples": 1})
+EXACT = UNFILTERED.model_copy(update={"samples": 1})
 QUALITIES = {
     "exact": EXACT,
     "march": TIERS["standard"].model_copy(update={"target": "RGBA32F"}),

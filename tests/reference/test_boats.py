@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from exact import UNFILTERED
 from gpu import WHOLE, Probe
 from report import Report
 from seafoam.effects import boat as effect
@@ -130,7 +131,7 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     """Against the float64 surface, and its mean over discs: height, pitch and roll together, at the hull points."""
     boats = tuple(boat.model_copy(update={"smoothing": smoothing}) for boat in BOATS)
     scene = SEAS[sea].model_copy(update={"boats": boats})
-    plan = make_plan(scene, TIERS["reference"].model_copy(update={"samples": 1}))
+    plan = make_plan(scene, UNFILTERED.model_copy(update={"samples": 1}))
     off = 0.0
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
         found = poses(executor, plan, time, SKYWARD)
@@ -292,7 +293,7 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
 def picture(
     executor: Executor, scene: Scene, time: float = 0.0, size: tuple[int, int] = (160, 90), **knobs: object
 ) -> NDArray[np.float64]:
-    quality = TIERS["reference"].model_copy(update={"samples": 1, **knobs})
+    quality = UNFILTERED.model_copy(update={"samples": 1, **knobs})
     plan = make_plan(scene, Quality.model_validate(quality.model_dump()))
     seen = executor.render(plan, time=time, camera=scene.camera, width=size[0], height=size[1], output="samples")
     return np.clip(seen.pixels[..., :3].astype(np.float64), 0.0, 1.0)
@@ -402,8 +403,8 @@ OVERLAPPING = Scene(
 @pytest.mark.parametrize("method", ["march", "mesh"])
 def test_no_back_face_and_nothing_behind_a_crest_shows_through(executor: Executor, report: Report, method: str) -> None:
     """Overlapping crests from low over the water: every sample is the first surface alone, mixed by Fresnel."""
-    surface = TIERS["reference"].surface.model_copy(update={"method": method, "cells": 512})
-    quality = TIERS["reference"].model_copy(update={"samples": 1, "surface": surface})
+    surface = UNFILTERED.surface.model_copy(update={"method": method, "cells": 512})
+    quality = UNFILTERED.model_copy(update={"samples": 1, "surface": surface})
     plan = make_plan(OVERLAPPING, quality)
     drawn = [one for one in plan.passes if one.name == "surface"]
     assert {one.state.blend for one in drawn} == {"none"}

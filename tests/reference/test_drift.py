@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from exact import UNFILTERED
 from gpu import Probe
 from report import Report
 from seafoam.effects import drift as effect
@@ -36,7 +37,7 @@ FILES = (
     "saturation/drift_exact.glsl",
 )
 FOOTPRINT = "Footprint(vec2(0.0), vec2(0.0))"
-EXACT = TIERS["reference"]
+EXACT = UNFILTERED
 STANDARD = TIERS["standard"]
 SOURCE = DriftSaturation(life=20.0, patch=2.0)
 EDDIES = (

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from exact import UNFILTERED
 from report import Report
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS, Quality
@@ -81,7 +82,7 @@ def test_reference_quality_is_the_truth(executor: Executor, report: Report, pres
     truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
     want = white(truth.rgb)
     size = (want.shape[1], want.shape[0])
-    samples = draw(executor, scene, TIERS["reference"], time, size, "samples")
+    samples = draw(executor, scene, UNFILTERED, time, size, "samples")
     linear = mean_of(samples, size)
     got = white(linear[..., :3])
     below = cameras.depression(cameras.view(scene.camera, *size), *size) > np.radians(1.0)
@@ -111,7 +112,7 @@ def test_reference_quality_is_the_truth(executor: Executor, report: Report, pres
 def test_the_frame_is_the_mean_of_its_samples(executor: Executor, preset: str) -> None:
     """With passes over the picture and without."""
     scene, size = load_preset(preset).scene, (96, 54)
-    samples, linear = (draw(executor, scene, TIERS["reference"], 2.7, size, out) for out in ("samples", "linear"))
+    samples, linear = (draw(executor, scene, UNFILTERED, 2.7, size, out) for out in ("samples", "linear"))
     assert samples.shape[1] > size[0]
     want = mean_of(samples, size)
     # A sum of float32 in another order.

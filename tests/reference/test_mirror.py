@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from exact import UNFILTERED
 from report import Report
 from seafoam.plan import make_plan
-from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.render.executor import Executor
 from seafoam.scene.boats import Boat
@@ -40,7 +40,7 @@ RIPPLED = STILL.model_copy(
 def test_land_in_the_mirror(executor: Executor, report: Report, scene: Scene, traced: float, mapped: float) -> None:
     """By rays from the water within ``traced`` levels, by the map within ``mapped``; far from the sky alone."""
     truth = np.clip(render(scene, time=TIME, width=SIZE[0], height=SIZE[1]).rgb, 0.0, 1.0)
-    exact = TIERS["reference"].model_copy(update={"samples": 1})
+    exact = UNFILTERED.model_copy(update={"samples": 1})
     assert scene.light is not None
     alone = scene.model_copy(update={"light": scene.light.model_copy(update={"reflection": "sky"})})
     off = {}

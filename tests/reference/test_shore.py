@@ -17,11 +17,12 @@ from PIL import Image
 from pydantic import ValidationError
 from scipy import ndimage
 
+from exact import UNFILTERED
 from gpu import WHOLE
 from report import Report
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program, Shader
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import Quality
 from seafoam.reference import shore as truth
 from seafoam.reference.light import unit
 from seafoam.reference.relief import Relief
@@ -32,7 +33,7 @@ from seafoam.scene.models import Camera, Foam, ParametricWave, Scene, SurfSatura
 from seafoam.scene.shore import Shore, Surf, floor_grid
 from seafoam.textures import TextureData, shore_floor_name, shore_profiles, texture
 
-EXACT = TIERS["reference"].model_copy(update={"samples": 1})
+EXACT = UNFILTERED.model_copy(update={"samples": 1})
 SIDE = 100
 """Points along each side of a probe: 10,000 in all."""
 SHORE = Shore(

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from exact import UNFILTERED
 from gpu import Probe
 from report import Report
 from seafoam.effects import parametric
@@ -33,7 +34,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
         ParametricWave(amplitude=0.3, wavelength=2.3, exponent=1.0, direction=-1.0),
     )
     scene = Scene(waves=waves)
-    given = parametric.EFFECT.contribute(scene, TIERS["reference"])
+    given = parametric.EFFECT.contribute(scene, UNFILTERED)
     assert given is not None
     time, origin = 12.5, (1234.5, -77.0)
     state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
@@ -167,7 +168,7 @@ def test_frames_with_cells_and_two_textures_equal_float64(executor: Executor, lo
     )
     camera = Camera(position=(-5e6, 3.0, 7e6), yaw=0.3, pitch=-0.5)
     scene = Scene(waves=(ParametricWave(amplitude=0.9, wavelength=7.0),), foam=foam, light=None, camera=camera)
-    plan = make_plan(scene, TIERS["reference"].model_copy(update={"samples": 4}))
+    plan = make_plan(scene, UNFILTERED.model_copy(update={"samples": 4}))
     got = executor.render(plan, time=3.3, camera=camera, width=96, height=54, output="linear").pixels
     want = reference(scene, time=3.3, width=96, height=54, samples=2)
     assert want.alpha.std() > 0.05

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from exact import UNFILTERED
 from gpu import Probe
 from report import Report
 from seafoam.effects.spray import contribute, fastest_rise
@@ -94,7 +95,7 @@ def test_births_on_waves_equal_their_float64_form(
     probe: Probe, report: Report, time: float, place: tuple[float, float]
 ) -> None:
     camera = Camera(position=(place[0], 5.0, place[1]))
-    plan = make_plan(SCENE, TIERS["reference"])
+    plan = make_plan(SCENE, UNFILTERED)
     state = FrameState(time, camera, 16, 9, 16, 9, 0)
     assert SCENE.spray is not None
     want = flying.from_waves(SCENE.spray, SCENE, wave_set(SCENE, time, place), time, place)

@@ -7,7 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from seafoam.effects.contribution import Cause
 from seafoam.quality import Quality, Tier
 
-FORMAT = 3
+FORMAT = 4
 """Of the JSON; part of the cache's keys."""
 
 KnobValue = bool | int | float | str
@@ -122,8 +122,8 @@ class MeasuredPoint(Point):
 
     on_front: bool = Field(description="Nothing measured is both faster and more exact")
     beaten_by: tuple[str, ...] = Field(
-        description="Points that are faster by more than the quartiles of both, and at most as far from the truth; the "
-        "most exact first"
+        description="Points that are at most as far from the truth, and faster: the ratios of both by round lie under "
+        "1 by more than their interquartile range; the most exact first"
     )
     time: TimeSpread
     model: TimeModel
@@ -155,7 +155,9 @@ class Timing(Part):
     """How times were taken."""
 
     timer: Literal["wall", "gpu"] = Field(description="wall: around a frame and its finish; gpu: timer queries")
-    width: int = Field(description="Of the larger frames that are timed, pixels")
+    width: int = Field(
+        description="Of the larger frames that are timed, pixels; slow points are timed by the compared pictures"
+    )
     height: int
     small_width: int = Field(description="Of the smaller ones, for the fixed part of the model")
     small_height: int

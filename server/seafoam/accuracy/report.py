@@ -10,8 +10,8 @@ from seafoam.accuracy.model import Causes, MeasuredPoint, Sweep
 
 COLUMNS = (
     "id", "tier", "owner", "knob", "value", "cause", "on_front", "beaten_by", "time_ms", "time_low_ms", "time_high_ms",
-    "fixed_ms", "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry", "filtering",
-    "precision", "rest", "quality", "plan",
+    "rounds_ms", "fixed_ms", "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry",
+    "filtering", "precision", "rest", "quality", "plan",
 )  # fmt: skip
 
 HEADINGS = (
@@ -49,6 +49,7 @@ def csv_of(sweep: Sweep) -> str:
                 int(point.on_front),
                 " ".join(point.beaten_by),
                 *(round(value, 4) for value in (point.time.median_ms, point.time.low_ms, point.time.high_ms)),
+                " ".join(f"{value:g}" for value in point.time.rounds_ms),
                 round(point.model.fixed_ms, 4),
                 round(point.model.ns_per_pixel, 3),
                 *(None if value is None else f"{value:.6g}" for value in figures),
@@ -105,7 +106,8 @@ def page(sweep: Sweep, command: str) -> str:
         ("times", f"of frames of {timing.own_width} × {timing.own_height}, {timing.timer} clock"),
         (
             "told from",
-            f"frames of {timing.width} × {timing.height} and of {timing.small_width} × {timing.small_height} a round",
+            f"frames of {timing.width} × {timing.height} and of {timing.small_width} × {timing.small_height} a round; "
+            f"slow ones from those of {sweep.width} × {sweep.height}",
         ),
         ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples a pixel in float64"),
         ("versions", ", ".join(f"{package} {number}" for package, number in sweep.versions.items())),

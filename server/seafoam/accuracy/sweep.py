@@ -8,7 +8,7 @@ it is timed, for what compiling and allocating take; once that is done, only whe
 import os
 import platform
 import time as clock
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
@@ -53,6 +53,8 @@ LEAST_SHARE = 4
 would drown in maps and tiles, which cost the same at every size."""
 LONG_MS = 200.0
 """A frame that takes longer is not drawn once more before it is timed."""
+SLOW_MS = 100.0
+"""Where the pixels of the compared picture take longer, that picture is timed in place of one of the timing size."""
 SMALL = 10
 """The second size of the time model is so many times smaller along each side."""
 COMPILE_WEIGHT = 6.0
@@ -216,21 +218,25 @@ class _Sweeping:
             first = index % len(points)
             turned = [*points[first:], *points[:first]]
             for point in turned if index % 2 == 0 else reversed(turned):
-                long = index > 0 and models[point.id][-1].at(*timed) > LONG_MS
+                before = models[point.id][-1] if index > 0 else None
+                long = before is not None and before.at(*timed) > LONG_MS
+                slow = before is not None and before.at(*compared) - before.fixed_ms > SLOW_MS
                 warm = () if timed == compared or long else (Draw(*timed, "rgba8"),)
-                draws = (Draw(*compared, "linear", keep=True), *warm, Draw(*timed, "rgba8"), Draw(*small, "rgba8"))
+                larger = () if slow else (*warm, Draw(*timed, "rgba8"))
+                draws = (Draw(*compared, "linear", keep=True), *larger, Draw(*small, "rgba8"))
                 weight = 2.0 * (1.0 + point.quality.samples)
                 stage = f"round {index + 1} of {settings.rounds}"
                 drawn = self._draw(point.quality, index, draws, stage, weight)
                 assert drawn[0].pixels is not None
                 frames[point.id].append(drawn[0].pixels)
-                models[point.id].append(_model(1000.0 * drawn[-2].seconds, timed, 1000.0 * drawn[-1].seconds, small))
+                large = compared if slow else timed
+                models[point.id].append(_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small))
         measured = []
         errors = {point.id: metrics.errors(frames[point.id], truth) for point in points}
         times = {id: [model.at(*self.subject.size) for model in found] for id, found in models.items()}
         spreads = {id: _spread(values) for id, values in times.items()}
         best = front({id: (spread.median_ms, errors[id].rmse) for id, spread in spreads.items()})
-        beaten = beating({id: (spread.low_ms, spread.high_ms, errors[id].rmse) for id, spread in spreads.items()})
+        beaten = beating({id: (values, errors[id].rmse) for id, values in times.items()})
         for point in points:
             measured.append(
                 MeasuredPoint(
@@ -366,15 +372,22 @@ def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
     return tuple(best)
 
 
-def beating(found: Mapping[str, tuple[float, float, float]]) -> dict[str, tuple[str, ...]]:
-    """Of (first quartile, third quartile, error) by name: who is faster by more than the quartiles, with no more error.
+def beating(found: Mapping[str, tuple[Sequence[float], float]]) -> dict[str, tuple[str, ...]]:
+    """Of (times by round, error) by name: who is faster by more than the quartiles, with no more error.
 
-    The most exact first.
+    Times of a round are compared with one another: the median of these ratios lies under 1 by more than the ratios'
+    interquartile range. The most exact first.
     """
-    by_error = sorted(found, key=lambda name: found[name][2])
+    by_error = sorted(found, key=lambda name: found[name][1])
+
+    def faster(other: str, name: str) -> bool:
+        ratios = [a / b for a, b in zip(found[other][0], found[name][0], strict=True)]
+        low, middle, high = quantiles(ratios, n=4, method="inclusive")
+        return middle + (high - low) < 1.0
+
     return {
-        name: tuple(other for other in by_error if found[other][1] < low and found[other][2] <= error)
-        for name, (low, _, error) in found.items()
+        name: tuple(other for other in by_error if found[other][1] <= error and other != name and faster(other, name))
+        for name, (_, error) in found.items()
     }
 
 
