@@ -42,17 +42,18 @@ def test_the_front_is_what_nothing_beats_in_both():
     assert front({}) == ()
 
 
-def test_who_beats_whom_by_more_than_the_quartiles():
+def test_who_beats_whom_beyond_the_noise():
     # Every round is slower than the one before: only times of one round are compared.
     found = {
         "a": ((1.0, 2.0, 4.0), 5.0),
         "b": ((1.5, 3.1, 6.2), 5.0),
-        "c": ((1.4, 1.6, 4.4), 6.0),
+        "c": ((1.4, 2.1, 4.1), 6.0),
         "d": ((9.0, 18.0, 36.0), 4.0),
         "e": ((8.5, 17.0, 34.5), 1.0),
+        "f": ((7.0, 14.0, 39.0), 1.0),
     }
-    assert beating(found) == {"a": (), "b": ("a",), "c": (), "d": ("e",), "e": ()}
-    assert beating(found | {"f": ((9.5, 19.0, 38.0), 6.0)})["f"] == ("e", "d", "a", "b", "c")
+    assert beating(found) == {"a": (), "b": ("a",), "c": (), "d": (), "e": (), "f": ()}
+    assert beating(found | {"g": ((10.0, 20.0, 40.0), 6.0)})["g"] == ("e", "f", "d", "a", "b", "c")
 
 
 def test_times_are_taken_at_a_size_that_shows_more_than_maps(known):

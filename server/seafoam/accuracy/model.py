@@ -122,8 +122,8 @@ class MeasuredPoint(Point):
 
     on_front: bool = Field(description="Nothing measured is both faster and more exact")
     beaten_by: tuple[str, ...] = Field(
-        description="Points that are at most as far from the truth, and faster: the ratios of both by round lie under "
-        "1 by more than their interquartile range; the most exact first"
+        description="Points that are at most as far from the truth, and faster by a tenth and more in three quarters "
+        "of the rounds; the most exact first"
     )
     time: TimeSpread
     model: TimeModel

@@ -140,7 +140,7 @@ def page(sweep: Sweep, command: str) -> str:
 def _standing(sweep: Sweep, point: MeasuredPoint) -> str:
     """What a tier is beside everything else that was measured."""
     if not point.beaten_by:
-        return f"{point.id}: nothing measured is faster by more than the quartiles and as exact"
+        return f"{point.id}: nothing measured is as exact and faster by a tenth"
     better = [sweep.point(id) for id in point.beaten_by[:3]]
     told = ", ".join(f"{one.id} ({milliseconds(one.time.median_ms)} ms, {one.error.rmse:.2f})" for one in better)
     return f"{point.id} ({milliseconds(point.time.median_ms)} ms, {point.error.rmse:.2f}) is beaten by {told}"

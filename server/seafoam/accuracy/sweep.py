@@ -63,6 +63,10 @@ COMPILE_WEIGHT = 6.0
 TOLD = 1.02
 """Errors nearer to each other than by this factor are told as the same."""
 
+FASTER = 1.1
+"""Times of a round nearer to each other than by this factor are told as the same: of forty plans that cost the same
+some differ by as much on a shared machine."""
+
 Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
 
@@ -373,17 +377,16 @@ def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
 
 
 def beating(found: Mapping[str, tuple[Sequence[float], float]]) -> dict[str, tuple[str, ...]]:
-    """Of (times by round, error) by name: who is faster by more than the quartiles, with no more error.
+    """Of (times by round, error) by name: who has no more error, and is faster beyond the noise.
 
-    Times of a round are compared with one another: the median of these ratios lies under 1 by more than the ratios'
-    interquartile range. The most exact first.
+    Times of a round are compared with one another: the third quartile of their ratios is below 1 / :data:`FASTER`. The
+    most exact first.
     """
     by_error = sorted(found, key=lambda name: found[name][1])
 
     def faster(other: str, name: str) -> bool:
         ratios = [a / b for a, b in zip(found[other][0], found[name][0], strict=True)]
-        low, middle, high = quantiles(ratios, n=4, method="inclusive")
-        return middle + (high - low) < 1.0
+        return quantiles(ratios, n=4, method="inclusive")[2] < 1.0 / FASTER
 
     return {
         name: tuple(other for other in by_error if found[other][1] <= error and other != name and faster(other, name))
