@@ -12,6 +12,7 @@ from PIL import Image
 from playwright.sync_api import Page
 
 from browsers import Lane, opened
+from exact import UNFILTERED
 from report import REPORT
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS, SurfaceQuality
@@ -108,8 +109,10 @@ def test_same_pixels_at_every_tier(page: Page, executor: Executor, preset: str, 
         ("default", {"samples_max": 16}),
         ("spray-on-rocks", {"samples_max": 16}),
         ("default", {"surface": SurfaceQuality(method="mesh", cells=112, refine=2)}),
+        ("default", dict(UNFILTERED)),
+        ("paper-halftone", dict(UNFILTERED)),
     ],
-    ids=["more samples", "more samples, drops", "mesh"],
+    ids=["more samples", "more samples, drops", "mesh", "exact", "exact, looks"],
 )
 def test_same_pixels_by_other_ways(page: Page, executor: Executor, preset: str, changed: dict[str, Any]) -> None:
     """Ways to draw that no tier has."""
