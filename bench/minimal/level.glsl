@@ -26,9 +26,10 @@ const float PI = 3.14159265358979;
 
 float fresnel(float c) {
     float q = sqrt(0.7956 + c * c);
-    float a = (q - c) / (q + c);
-    float b = (c * (q + c) - 1.0) / (c * (q - c) + 1.0);
-    return 0.5 * a * a * (1.0 + b * b);
+    float s = c * (q - c) + 1.0;
+    float p = c * (q + c) - 1.0;
+    float a = (q - c) / ((q + c) * s);
+    return 0.5 * a * a * (s * s + p * p);
 }
 
 vec3 scattered(float gamma) {

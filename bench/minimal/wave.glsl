@@ -40,9 +40,10 @@ const float PI = 3.14159265358979;
 
 float fresnel(float c) {
     float q = sqrt(0.7956 + c * c);
-    float a = (q - c) / (q + c);
-    float b = (c * (q + c) - 1.0) / (c * (q - c) + 1.0);
-    return 0.5 * a * a * (1.0 + b * b);
+    float s = c * (q - c) + 1.0;
+    float p = c * (q + c) - 1.0;
+    float a = (q - c) / ((q + c) * s);
+    return 0.5 * a * a * (s * s + p * p);
 }
 
 vec3 scattered(float gamma) {
@@ -112,7 +113,9 @@ void main() {
     float b = tau * (2.0 / u_viewport.y) * dot(k, u_ray_y.xz - ray.xz * (dot(normal, u_ray_y) / facing));
     float kept = exp(-min(a * a + b * b, 1800.0) / 24.0);
     float height = mix(u_parametric_mean[0].y, amplitude * u * u, kept);
-    float sigma2 = u_roughness * u_roughness + (1.0 - kept * kept) * u_parametric_mean[0].x;
+    float base2 = u_roughness * u_roughness;
+    float lost2 = (1.0 - kept * kept) * u_parametric_mean[0].x;
+    float sigma2 = base2 + lost2;
     vec3 n = normalize(vec3(-kept * slope.x, 1.0, -kept * slope.y));
 
     // Foam.
@@ -124,10 +127,16 @@ void main() {
 
     // Light.
     float nv = max(-dot(n, d), 0.0);
-    float cv = sqrt(nv * nv + sigma2 * (1.0 - nv * nv));
-    float reflectance = fresnel(min(cv, 1.0));
-    vec3 r = reflect(d, n);
-    r.y = sqrt(max(r.y, 0.0) * max(r.y, 0.0) + sigma2);
+    float aside2 = max(1.0 - nv * nv, 1e-8);
+    float cv = sqrt(nv * nv + sigma2 * aside2);
+    float lean = sqrt(0.5 * lost2 * aside2);
+    vec2 c = clamp(nv + vec2(lean, -lean), 0.0, 1.0);
+    vec2 raised = sqrt(c * c + base2 * (1.0 - c * c));
+    vec2 mirrors = (c + 5e-7) / (c.x + c.y + 1e-6) * vec2(fresnel(raised.x), fresnel(raised.y));
+    float reflectance = mirrors.x + mirrors.y;
+    vec3 facet = n - lean * (mirrors.x - mirrors.y) / (reflectance * aside2) * (d + nv * n);
+    vec3 r = d - 2.0 * dot(d, facet) / dot(facet, facet) * facet;
+    r.y = sqrt(max(r.y, 0.0) * max(r.y, 0.0) + base2 + 0.5 * lost2);
     vec3 reflected = sky(normalize(r));
     vec3 light = irradiance(n);
     vec3 absorption = 1.0 / u_absorption_length;

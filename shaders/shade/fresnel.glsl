@@ -3,7 +3,9 @@ const float INDEX = 1.34;
 
 float fresnel(float c) {
     float q = sqrt(INDEX * INDEX - 1.0 + c * c);
-    float a = (q - c) / (q + c);
-    float b = (c * (q + c) - 1.0) / (c * (q - c) + 1.0);
-    return 0.5 * a * a * (1.0 + b * b);
+    // Both polarisations over one divisor.
+    float s = c * (q - c) + 1.0;
+    float p = c * (q + c) - 1.0;
+    float a = (q - c) / ((q + c) * s);
+    return 0.5 * a * a * (s * s + p * p);
 }

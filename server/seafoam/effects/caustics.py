@@ -39,6 +39,10 @@ RIM = 4
 """Texels around the map that a photon on its edge, or the smoothing there, can reach."""
 MOST_SPREAD = 4.0
 """Where light spreads farther, the grid's triangles cover the map many times over; photons cost alike at any depth."""
+SHIFTED = 0.125
+"""Colours whose light lands as far beside green's wherever it enters, to so many half texels, are drawn by one grid."""
+MOST_SHIFT = 8.0
+"""Half texels from green's light to that of a colour that one grid is drawn for, at most."""
 _LEVEL = 0.25
 """No ray falls by less: its cosine to the vertical."""
 _TALLEST = 4.0
@@ -57,16 +61,64 @@ def landing(light: Light, depth: float, slope: tuple[float, float], index: float
     return ray[0] * way, ray[2] * way
 
 
+def _tall(chop: Chop) -> list[tuple[float, float]]:
+    """Slopes of every heading up to the tallest."""
+    angles = [2.0 * math.pi * i / 64 for i in range(64)]
+    sizes = [share * _TALLEST * chop.slope for share in (0.25, 0.5, 0.75, 1.0)]
+    return [(size * math.cos(angle), size * math.sin(angle)) for angle in angles for size in sizes]
+
+
+def _shifts(
+    light: Light, depth: float, chop: Chop, indices: tuple[float, ...], half: float
+) -> list[tuple[float, float]]:
+    """How far beside green's the light of each index lands, in half texels of ``half`` m; empty: not evenly far."""
+    even = (0.0, 0.0)
+    green = landing(light, depth, even)
+    shifts = []
+    for index in indices:
+        x, z = landing(light, depth, even, index)
+        shift = x - green[0], z - green[1]
+        for slope in _tall(chop):
+            here, there = landing(light, depth, slope), landing(light, depth, slope, index)
+            apart = max(abs(b - a - moved) for a, b, moved in zip(here, there, shift, strict=True))
+            if apart > SHIFTED * half:
+                return []
+        shifts.append((shift[0] / half, shift[1] / half))
+    return shifts if all(abs(part) <= MOST_SHIFT for shift in shifts for part in shift) else []
+
+
+def _bspline(x: float) -> float:
+    """The uniform cubic one, x in texels."""
+    a = abs(x)
+    return (4.0 - 6.0 * a * a + 3.0 * a**3) / 6.0 if a < 1.0 else max(2.0 - a, 0.0) ** 3 / 6.0
+
+
+def _smoothing(shifts: list[tuple[float, float]]) -> tuple[int, int, dict[str, Uniform]]:
+    """Half texels before a texel's first that smoothing reads, how many along a side, and the weights of each colour.
+
+    What a spline leaves from 7/4 texel on, 0.26 % at most, is shared out.
+    """
+    span = math.ceil(MOST_SHIFT) + 4
+    places = [m for m in range(-span, span + 1) if any(abs(m - 0.5 + part) < 3.5 for both in shifts for part in both)]
+    uniforms = {}
+    for axis, name in enumerate(("u_caustic_across", "u_caustic_along")):
+        columns = []
+        for shift in shifts:
+            away = [0.5 * (m - 0.5 + shift[axis]) for m in places]
+            weights = [_bspline(x) if abs(x) < 1.75 else 0.0 for x in away]
+            columns.append([significant(weight / sum(weights)) for weight in weights])
+        rows = [Constant(value=row) for row in zip(*columns, strict=True)]
+        uniforms[name] = array("vec3", rows, len(rows))
+    return -places[0], len(places), uniforms
+
+
 def _margin(light: Light, depth: float, chop: Chop, tile: float, cells: int) -> int:
     """Cells beyond the tile from which light may land in it; at most a tile's."""
     flat = landing(light, depth, (0.0, 0.0))
-    tall = _TALLEST * chop.slope
     reach = 0.0
-    for i in range(64):
-        angle = 2.0 * math.pi * i / 64
-        for share in (0.25, 0.5, 0.75, 1.0):
-            x, z = landing(light, depth, (share * tall * math.cos(angle), share * tall * math.sin(angle)))
-            reach = max(reach, abs(x - flat[0]), abs(z - flat[1]))
+    for slope in _tall(chop):
+        x, z = landing(light, depth, slope)
+        reach = max(reach, abs(x - flat[0]), abs(z - flat[1]))
     # Colours part by their share of the whole way, which is below a thirtieth at the greatest dispersion.
     reach += abs(flat[0]) / 30.0 + abs(flat[1]) / 30.0
     return min(math.ceil(1.05 * reach / tile * cells) + 2, cells)
@@ -90,13 +142,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     photons = quality.caustics == "photons" or _spread(depth, waves) > MOST_SPREAD
     rays = quality.caustics_photons if photons else quality.caustics_cells
     texels = quality.caustics_size
-    consts: dict[str, Const] = {
-        "CAUSTIC_WAVES": len(waves),
-        "CAUSTIC_TEXELS": texels,
-        "CAUSTIC_RIM": RIM,
-    }
+    rim = RIM
+    consts: dict[str, Const] = {"CAUSTIC_WAVES": len(waves), "CAUSTIC_TEXELS": texels}
     spread = light.caustics.dispersion
     colours = dict(zip(COLOURS, COLOUR_INDEX, strict=True)) if spread > 0.0 else {"white": 0.0}
+    weights: dict[str, Uniform] = {}
     if photons:
         # Their four sums a texel take a target a colour.
         drawn = {name: f"caustic_{name}" for name in colours}
@@ -105,17 +155,24 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         vertex, fragment, joined = "caustics/photon_vertex.glsl", "caustics/photon_pass.glsl", "caustics/fold_pass.glsl"
         consts |= {"CAUSTIC_PHOTONS": rays}
     else:
+        indices = tuple(INDEX + spread * bent for bent in COLOUR_INDEX)
+        shifts = _shifts(light, depth, water.chop, indices, 0.5 * tile / texels)
+        if shifts:
+            colours = {"white": 0.0}
+        before, taps, weights = _smoothing(shifts or 3 * [(0.0, 0.0)])
+        rim = max(RIM, before, taps - before - 2)
         drawn = dict.fromkeys(colours, "caustic_light")
         read = {"u_caustic_light": "caustic_light"}
         margin = _margin(light, depth, water.chop, tile, rays)
         mesh = Grid(rows=rays + 2 * margin, columns=rays + 2 * margin)
         vertex, fragment, joined = "caustics/grid_vertex.glsl", "caustics/grid_pass.glsl", "caustics/smooth_pass.glsl"
-        consts |= {"CAUSTIC_CELLS": rays, "CAUSTIC_MARGIN": margin}
+        consts |= {"CAUSTIC_CELLS": rays, "CAUSTIC_MARGIN": margin, "CAUSTIC_BEFORE": before, "CAUSTIC_TAPS": taps}
+    consts["CAUSTIC_RIM"] = rim
     # A grid is drawn at half texels: its triangles light what centres they cover.
-    rough = (texels if photons else 2 * texels) + 2 * RIM
+    rough = (texels if photons else 2 * texels) + 2 * rim
     return Contribution(
-        why=f"{rays}² {'photons' if photons else 'cells'} on a tile of {tile:g} m, {len(colours)} "
-        + ("colours" if len(colours) > 1 else "colour for all"),
+        why=f"{rays}² {'photons' if photons else 'cells'} on a tile of {tile:g} m, "
+        + ("3 colours" if len(colours) > 1 else "3 colours by one, shifted" if spread > 0.0 else "one colour for all"),
         slots=(SlotFile("caustics", "bed/caustics.glsl"),),
         consts=consts,
         uniforms={
@@ -174,6 +231,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 fragment=(joined,),
                 target="caustics",
                 inputs={sampler: TargetInput(target=target) for sampler, target in read.items()},
+                uniforms=weights,
             ),
         ),
         bound=_bound(scene, light, water.depth, waves),

@@ -403,7 +403,7 @@ EFFECT = Effect(
                 foam=Foam(saturation=(DriftSaturation(life=12.0),), mask="clump", mask_tile=4.0),
             ),
             guard="steps no longer than a radian of the fastest vortex (effects/drift.py)",
-            without="2.5 rad a step at quality reference: foam off by 0.06 root mean square",
+            without="2.5 rad a step of 0.2 s: foam off by 0.06 root mean square",
             times=(5.0,),
             camera=Camera(position=(0.0, 3.0, -6.0), pitch=-math.pi / 2),
         ),

@@ -24,6 +24,7 @@ from seafoam.effects.contribution import (
 from seafoam.effects.sea import (
     displaced_target,
     drawn,
+    fitted,
     gerstner_uniforms,
     loop_uniforms,
     tile_target,
@@ -54,6 +55,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     raised = drawn(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution(why="", bound=Bound(0.0, "no sea that could fold"))
+    quality = fitted(scene.sea, quality)
     steps = quality.age_steps
     model = fold(scene.sea, found[0], scene.water.depth, steps, quality.age_step, quality.sea_size)
     if model is None:
