@@ -383,7 +383,8 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         ),
     ]
     spent: Spent | None = None
-    if quality.chosen_samples:
+    # Without light a sample costs less than its choice.
+    if quality.chosen_samples and scene.light is not None:
         fragments = {"surface": again_fragment, "surface, low eye": under_fragment, "sky": sky_fragment}
         depths = {"sky": _HORIZON_DEPTH}
         seen = (

@@ -1767,7 +1767,7 @@ export interface components {
             on_front: boolean;
             /**
              * Beaten By
-             * @description Points that are faster by more than the quartiles of both, and at most as far from the truth; the most exact first
+             * @description Points that are at most as far from the truth, and faster by a tenth and more in three quarters of the rounds; the most exact first
              */
             beaten_by: string[];
             time: components["schemas"]["TimeSpread"];
@@ -2348,13 +2348,13 @@ export interface components {
             /**
              * Samples Budget
              * @description Further samples that these take at most, in the mean of the pixels under the horizon
-             * @default 2.5
+             * @default 2
              */
             samples_budget: number;
             /**
              * Samples Threshold
              * @description Contrast from which on a pixel is given more samples, white on black = 1; more contrast where the budget would not do
-             * @default 0.01
+             * @default 0.004
              */
             samples_threshold: number;
             /**
@@ -3147,7 +3147,7 @@ export interface components {
         Sweep: {
             /**
              * Format
-             * @default 3
+             * @default 4
              */
             format: number;
             /**
@@ -3338,7 +3338,7 @@ export interface components {
             timer: "wall" | "gpu";
             /**
              * Width
-             * @description Of the larger frames that are timed, pixels
+             * @description Of the larger frames that are timed, pixels; slow points are timed by the compared pictures
              */
             width: number;
             /** Height */
