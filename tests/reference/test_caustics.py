@@ -138,6 +138,28 @@ def test_colours_part_as_their_indices_do(executor: Executor) -> None:
     assert (same[..., 0] == same[..., 2]).all()
 
 
+@pytest.mark.parametrize(("dispersion", "grids", "off"), [(1.0, 1, 0.3), (3.0, 3, 0.35)])
+def test_colours_by_grid_part_as_the_trace_has_them(
+    executor: Executor, report: Report, dispersion: float, grids: int, off: float
+) -> None:
+    """One grid where colours land evenly beside one another, moved for each; else a grid a colour."""
+    apart = POOL.model_copy(update={"light": PLAIN.model_copy(update={"caustics": Caustics(dispersion=dispersion)})})
+    quality = wanted(caustics_cells=512)
+    names = [one.name for one in make_plan(apart, quality).passes if one.name.endswith(" light")]
+    assert len(names) == grids
+    light, truth = drawn(executor, apart, quality), bed.photon_map(apart, TIME, TEXELS, 1024)
+    wide = np.abs(truth[..., 0] - truth[..., 2]).mean()
+    error = np.abs((light[..., 0] - light[..., 2]) - (truth[..., 0] - truth[..., 2])).mean() / wide
+    report.add(
+        "Red less blue light of caustics by grid, against the trace",
+        dispersion=f"{dispersion:g}",
+        grids=f"{grids}",
+        off=f"{100 * error:.0f} % of {wide:.3f}",
+    )
+    assert error <= off
+    assert np.abs(light - truth).mean() <= 0.06
+
+
 def test_ripples_repeat_with_their_light() -> None:
     long, short = REPEATING_TILES
     assert long / short == pytest.approx(3.0)
