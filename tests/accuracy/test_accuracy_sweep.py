@@ -79,15 +79,15 @@ def test_errors_and_their_causes(known):
     standard, four = known.point("standard"), known.point("samples=4")
     assert standard.error.rmse == pytest.approx(25.5, rel=0.1)
     assert four.error.rmse == pytest.approx(standard.error.rmse / 4, rel=1e-3)
-    assert standard.causes.filtering == pytest.approx(standard.error.rmse * 15 / 16, rel=1e-3)
+    assert standard.causes.filtering == pytest.approx(standard.error.rmse * 24 / 25, rel=1e-3)
     assert standard.causes.geometry == standard.causes.precision == 0.0
-    assert standard.causes.rest == pytest.approx(standard.error.rmse / 16, rel=1e-3)
+    assert standard.causes.rest == pytest.approx(standard.error.rmse / 25, rel=1e-3)
     assert known.point("reference").causes.filtering == 0.0
     assert {point.causes is None for point in known.points if point.tier is None} == {True}
 
 
 def test_what_it_says(known):
-    assert [known.point(id).quality.samples for id in known.front] == [1, 4, 9, 16]
+    assert [known.point(id).quality.samples for id in known.front] == [1, 4, 9, 16, 25]
     (step,) = [step for step in known.steps if step.point_from == "samples=4"]
     assert (step.pointer, step.value_from, step.value_to, step.point_to) == ("/samples", 4, 9, "samples=9")
     assert step.time_measurable
@@ -97,7 +97,7 @@ def test_what_it_says(known):
     (same,) = [step for step in known.steps if step.pointer == "/target"]
     assert same.error_per_ms is None
     assert "no measurable difference in time and the same error" in same.sentence
-    assert len(known.sentences) == 3
+    assert len(known.sentences) == 4
 
 
 def test_rounds_turn(monkeypatch, tmp_path):
