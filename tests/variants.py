@@ -5,6 +5,7 @@ from heapq import heapify, heappop, heapreplace
 from itertools import combinations, product
 from typing import get_args
 
+from exact import UNFILTERED
 from seafoam.plan import FramePlan, make_plan
 from seafoam.plan.model import Program
 from seafoam.quality import TIERS, Quality
@@ -45,8 +46,9 @@ SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
 
 
 def qualities() -> Iterator[Quality]:
-    """The tiers, and every choice of a knob that changes a program's text in kind."""
+    """The tiers, the tests' exact quality, and every choice of a knob that changes a program's text in kind."""
     yield from TIERS.values()
+    yield UNFILTERED
     standard = TIERS["standard"]
     for method, filtered, chop, target in product(
         ("mesh", "march"), (True, False), ("tile", "exact"), ("RGBA16F", "RGBA32F")
