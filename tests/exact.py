@@ -25,3 +25,6 @@ UNFILTERED = Quality(
     samples=16,
     target="RGBA32F",
 )
+
+EXACT = UNFILTERED.model_copy(update={"samples": 1})
+"""The same with one sample a pixel."""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from exact import UNFILTERED
+from exact import EXACT
 from gpu import Probe
 from report import Report
 from seafoam.effects import EFFECTS
@@ -20,7 +20,6 @@ from seafoam.scene.models import Camera, Foam, ParametricWave, Scene
 from seafoam.scene.presets import load_preset
 
 SIZE = (48, 27)
-EXACT = UNFILTERED.model_copy(update={"samples": 1})
 QUALITIES = {
     "exact": EXACT,
     "march": TIERS["standard"].model_copy(update={"target": "RGBA32F"}),

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from exact import UNFILTERED
+from exact import EXACT
 from report import Report
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS
@@ -33,7 +33,6 @@ from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Sky
 
-EXACT = UNFILTERED.model_copy(update={"samples": 1})
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
 POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)
 TIME = 2.7

@@ -8,7 +8,6 @@ import pytest
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from exact import UNFILTERED
 from report import Report
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS, Quality
@@ -19,7 +18,6 @@ from seafoam.scene.chop import REPEATING_TILES
 from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
 from seafoam.scene.shore import Shore
 
-EXACT = UNFILTERED.model_copy(update={"samples": 1})
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
 POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)
 TIME = 2.7

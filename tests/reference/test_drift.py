@@ -37,7 +37,6 @@ FILES = (
     "saturation/drift_exact.glsl",
 )
 FOOTPRINT = "Footprint(vec2(0.0), vec2(0.0))"
-EXACT = UNFILTERED
 STANDARD = TIERS["standard"]
 SOURCE = DriftSaturation(life=20.0, patch=2.0)
 EDDIES = (
@@ -72,7 +71,7 @@ def shader(
     at: Floats,
     time: float = 0.0,
     origin: tuple[float, float] = (0.0, 0.0),
-    quality: Quality = EXACT,
+    quality: Quality = UNFILTERED,
 ) -> Floats:
     contribution = given(scene, quality.model_copy(update={"drift": "exact"}))
     state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
@@ -307,10 +306,10 @@ def test_nothing_jumps_when_a_brood_comes_up(probe: Probe) -> None:
 def test_a_window_shorter_than_a_life_ends_smoothly(probe: Probe) -> None:
     at = places(500, 15.0) + np.array([0.0, -30.0])
     body = f"y.x = drift_saturation(x.xy, 0.0, {FOOTPRINT}); y.y = dot(drift_shares(), vec4(1.0));"
-    cut = EXACT.model_copy(update={"drift_window": 12.0})
+    cut = UNFILTERED.model_copy(update={"drift_window": 12.0})
     found = {
         name: [shader(probe, SCENE, body, at, time, quality=quality) for time in np.arange(0.0, 6.0, 0.05)]
-        for name, quality in (("cut", cut), ("whole", EXACT))
+        for name, quality in (("cut", cut), ("whole", UNFILTERED))
     }
     moved = {name: max(np.abs(b - a)[:, 0].max() for a, b in pairwise(frames)) for name, frames in found.items()}
     # What drifts by changes a place by itself; the window's end adds its slope, 0.5 a second.

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from exact import UNFILTERED
+from exact import EXACT
 from report import Report
 from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import Effect
@@ -42,8 +42,7 @@ def test_every_effect_says_when_it_cannot_be_seen(effect: Effect) -> None:
 def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
     executor: Executor, report: Report, effect: Effect, scene: Scene
 ) -> None:
-    quality = UNFILTERED.model_copy(update={"samples": 1})
-    lean, full = make_plan(scene, quality), make_plan(scene, quality, economy=False)
+    lean, full = make_plan(scene, EXACT), make_plan(scene, EXACT, economy=False)
     (note,) = [note for note in lean.skipped if note.name == effect.name]
     assert note.bound is not None
     assert note.bound < NEGLIGIBLE

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from exact import UNFILTERED
+from exact import EXACT
 from report import Report
 from seafoam.plan import make_plan
 from seafoam.reference import render
@@ -40,7 +40,6 @@ RIPPLED = STILL.model_copy(
 def test_land_in_the_mirror(executor: Executor, report: Report, scene: Scene, traced: float, mapped: float) -> None:
     """By rays from the water within ``traced`` levels, by the map within ``mapped``; far from the sky alone."""
     truth = np.clip(render(scene, time=TIME, width=SIZE[0], height=SIZE[1]).rgb, 0.0, 1.0)
-    exact = UNFILTERED.model_copy(update={"samples": 1})
     assert scene.light is not None
     alone = scene.model_copy(update={"light": scene.light.model_copy(update={"reflection": "sky"})})
     off = {}
@@ -50,7 +49,7 @@ def test_land_in_the_mirror(executor: Executor, report: Report, scene: Scene, tr
         ("map, 256", scene, {"reflection": "map", "reflection_size": 256}),
         ("sky alone", alone, {}),
     ):
-        plan = make_plan(one, exact.model_copy(update=knobs))
+        plan = make_plan(one, EXACT.model_copy(update=knobs))
         seen = executor.render(
             plan, time=TIME, camera=scene.camera, width=SIZE[0], height=SIZE[1], output="samples"
         ).pixels[..., :3]

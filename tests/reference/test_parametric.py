@@ -16,7 +16,6 @@ from seafoam.plan.rules import FrameState, evaluate
 from seafoam.reference.waves import ripple_set, wave_set
 from seafoam.scene.models import Camera, Chop, ParametricWave, Scene, Water
 
-EXACT = UNFILTERED
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 TIMES = (0.0, 12.5, 3600.0, 1e9)
 EXPONENTS = (0.75, 1.0, 1.4, 2.0, 3.5, 8.0, 30.0, 100.0)
@@ -57,7 +56,7 @@ def drawn(
     origin: tuple[float, float],
 ) -> NDArray[np.float64]:
     """What ``body`` gives at the places, with the uniforms of the effect's contribution; (n, 4)."""
-    given = effect.contribute(scene, EXACT)
+    given = effect.contribute(scene, UNFILTERED)
     assert given is not None
     state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
     uniforms = {name: evaluate(uniform, state) for name, uniform in given.uniforms.items()}

@@ -23,7 +23,6 @@ from seafoam.scene.ring_level import calm_level, ring_curvature, ring_slope, tra
 from seafoam.scene.rings import RINGS_MOST, Ring
 
 FILES = ("common/numbers.glsl", "rings/ring.glsl", "rings/exact.glsl")
-EXACT = UNFILTERED
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 
 
@@ -62,7 +61,7 @@ def points(scene: Scene, origin: tuple[float, float], seed: int, count: int) -> 
 
 
 def given(scene: Scene) -> Contribution:
-    contribution = effect.EFFECT.contribute(scene, EXACT)
+    contribution = effect.EFFECT.contribute(scene, UNFILTERED)
     assert contribution is not None
     return contribution
 

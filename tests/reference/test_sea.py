@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from exact import UNFILTERED
+from exact import EXACT
 from report import Report
 from seafoam.effects.sea import displaced_target
 from seafoam.plan import FramePlan, make_plan
@@ -26,7 +26,6 @@ Floats = NDArray[np.float64]
 
 TIMES = (0.0, 12.5, 3600.0, 1e9)
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
-EXACT = UNFILTERED.model_copy(update={"samples": 1})
 QUICK = TIERS["standard"].model_copy(update={"sea_digits": "float"})
 POINTS = 10_000
 SEAS = {

@@ -17,7 +17,7 @@ from PIL import Image
 from pydantic import ValidationError
 from scipy import ndimage
 
-from exact import UNFILTERED
+from exact import EXACT
 from gpu import WHOLE
 from report import Report
 from seafoam.plan import FramePlan, make_plan
@@ -33,7 +33,6 @@ from seafoam.scene.models import Camera, Foam, ParametricWave, Scene, SurfSatura
 from seafoam.scene.shore import Shore, Surf, floor_grid
 from seafoam.textures import TextureData, shore_floor_name, shore_profiles, texture
 
-EXACT = UNFILTERED.model_copy(update={"samples": 1})
 SIDE = 100
 """Points along each side of a probe: 10,000 in all."""
 SHORE = Shore(

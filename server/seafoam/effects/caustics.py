@@ -72,19 +72,17 @@ def _shifts(
     light: Light, depth: float, chop: Chop, indices: tuple[float, ...], half: float
 ) -> list[tuple[float, float]]:
     """How far beside green's the light of each index lands, in half texels of ``half`` m; empty: not evenly far."""
-    even = (0.0, 0.0)
-    green = landing(light, depth, even)
+    slopes = [(0.0, 0.0), *_tall(chop)]
+    green = [landing(light, depth, slope) for slope in slopes]
     shifts = []
     for index in indices:
-        x, z = landing(light, depth, even, index)
-        shift = x - green[0], z - green[1]
-        for slope in _tall(chop):
-            here, there = landing(light, depth, slope), landing(light, depth, slope, index)
-            apart = max(abs(b - a - moved) for a, b, moved in zip(here, there, shift, strict=True))
-            if apart > SHIFTED * half:
-                return []
-        shifts.append((shift[0] / half, shift[1] / half))
-    return shifts if all(abs(part) <= MOST_SHIFT for shift in shifts for part in shift) else []
+        there = (landing(light, depth, slope, index) for slope in slopes)
+        # The first is what level water makes of it.
+        (x, z), *others = [((b[0] - a[0]) / half, (b[1] - a[1]) / half) for a, b in zip(green, there, strict=True)]
+        if any(max(abs(u - x), abs(v - z)) > SHIFTED for u, v in others) or max(abs(x), abs(z)) > MOST_SHIFT:
+            return []
+        shifts.append((x, z))
+    return shifts
 
 
 def _bspline(x: float) -> float:
