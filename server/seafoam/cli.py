@@ -112,7 +112,7 @@ def render(
         float | None, typer.Option(help="With auto: milliseconds that drawing may take; measures first where needed.")
     ] = None,
     look: Annotated[str | None, typer.Option(help="Look of the foam [default: the preset's].")] = None,
-    mask: Annotated[str | None, typer.Option(help="Mask of the foam, or family:sigma:size:seed.")] = None,
+    mask: Annotated[str | None, typer.Option(help="Mask of the foam, or family:sigma:size:seed[:aspect:age].")] = None,
     x: Annotated[float | None, typer.Option(help="Eye, m along +x [default, as below: the preset's].")] = None,
     y: Annotated[float | None, typer.Option(help="Eye, m above the troughs.")] = None,
     z: Annotated[float | None, typer.Option(help="Eye, m along +z.")] = None,
@@ -354,10 +354,12 @@ def list_masks() -> None:
 @masks.command("make")
 def make_mask(
     output: Output,
-    family: Annotated[str, typer.Option(help="vac, blur, clump, bubble or mix.")] = "vac",
+    family: Annotated[str, typer.Option(help="vac, blur, clump, bubble, mix or lace.")] = "vac",
     sigma: Annotated[float | None, typer.Option(help="The family's length, texels [default: the family's].")] = None,
     size: Annotated[int, typer.Option(help="Side of the tile, texels: 32, 64, 128, 256 or 512.")] = 512,
-    seed: Annotated[int, typer.Option(help="Which mask of its kind.")] = 0,
+    seed: Annotated[int, typer.Option(help="Random seed.")] = 0,
+    aspect: Annotated[float, typer.Option(help="Of lace: length of cells along x over width, 1 to 6.")] = 1.0,
+    age: Annotated[float, typer.Option(help="Of lace: 0, young foam, to 1, old and torn.")] = 0.0,
     method: Annotated[str, typer.Option(help="How vac is ordered: exact takes minutes, batched seconds.")] = "batched",
     bits: Annotated[int, typer.Option(help="Of a .png: 16 or 8.")] = 16,
 ) -> None:
@@ -386,6 +388,8 @@ def make_mask(
                 sigma=sigma,
                 size=size,
                 seed=seed,
+                aspect=aspect,
+                age=age,
                 method=method,
                 progress=lambda share: bar.update(task, completed=share),
             )
@@ -398,7 +402,7 @@ def make_mask(
 
 @masks.command("spectrum")
 def mask_spectrum(
-    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed.")],
+    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the spectrum as JSON.")] = False,
 ) -> None:
@@ -414,6 +418,35 @@ def mask_spectrum(
     _extension(output, ("png",))
     _write(output, plot_spectrum(mask.spectrum, mask.entry.title))
     typer.echo(f"{output}: spectrum of {mask.entry.title}")
+
+
+@masks.command("shapes")
+def mask_shapes(
+    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
+    as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
+) -> None:
+    """Measure the shapes of a mask's foam: pieces, holes and chords (texels), by saturation."""
+    mask = _mask(name)
+    if as_json:
+        typer.echo(json.dumps(mask.morphology.to_json()))
+        return
+    from rich.console import Console
+    from rich.table import Table
+
+    columns = ("saturation", "largest piece", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
+    table = Table(*columns, box=None, pad_edge=False)
+    for entry in mask.morphology.shapes:
+        holes = " / ".join(f"{diameter:.0f}" for diameter in entry.hole_diameters)
+        table.add_row(
+            f"{entry.saturation:g}",
+            f"{entry.largest_piece:.2f}",
+            str(entry.euler_number),
+            holes,
+            f"{entry.foam_chord:.1f}",
+            f"{entry.water_chord:.1f}",
+        )
+    Console().print(table)
+    typer.echo(f"One piece holds more than half of the foam from saturation {mask.morphology.joined_from:g} on.")
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
@@ -469,14 +502,14 @@ def _extension(path: Path, known: Sequence[E]) -> E:
 
 
 def _mask(name: str) -> "Mask":
-    from seafoam.masks.catalogue import UnknownMaskError, load_catalogue
-    from seafoam.textures import mask_by_name
+    from seafoam.masks.catalogue import UnknownMaskError, load_catalogue, mask_by_name
+    from seafoam.masks.families import TEXT_FORM
 
     try:
         return mask_by_name(name)
     except UnknownMaskError:
         known = ", ".join(load_catalogue())
-        raise CommandError(f"NAME: there is no mask {name!r}; there are {known}, or family:sigma:size:seed") from None
+        raise CommandError(f"NAME: there is no mask {name!r}; there are {known}, or {TEXT_FORM}") from None
     except ValueError as error:
         raise CommandError(f"NAME: {error}") from error
 

@@ -84,7 +84,7 @@ class SceneOverrides(Parameters):
     )
     mask: str | None = _same(
         Foam.model_fields["mask"],
-        "Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed",
+        "Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed[:aspect:age]",
         examples=["vac-6"],
     )
 

@@ -23,7 +23,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.effects.extremes import foam_limit, greatest_saturation
 from seafoam.effects.noise import HASH
-from seafoam.masks.catalogue import Mask
+from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -36,7 +36,7 @@ from seafoam.scene.models import (
     Scene,
     Water,
 )
-from seafoam.textures import foam_texture, mask_by_name
+from seafoam.textures import foam_texture
 
 CELLS = 4096
 """Cells along each side of their lattice before their turns come again."""

@@ -13,11 +13,13 @@ from .catalogue import (
     custom_mask,
     load_catalogue,
     load_mask,
+    mask_by_name,
     rank_sha256,
 )
 from .construct import estimated_seconds, make_mask
-from .families import FAMILIES, METHODS, SIZES, Family, Method, check_parameters, sigma_range
+from .families import FAMILIES, METHODS, SIZES, Family, Method, check_parameters, parse_parameters, sigma_range
 from .formats import to_dds, to_npy, to_png8, to_png16, to_u16
+from .morphology import FoamShapes, MaskMorphology, measure_morphology
 from .prefilter import (
     bspline_weights,
     footprint_deviations,
@@ -33,9 +35,11 @@ __all__ = [
     "METHODS",
     "SIZES",
     "Family",
+    "FoamShapes",
     "GreySpectrum",
     "Mask",
     "MaskEntry",
+    "MaskMorphology",
     "MaskSpectrum",
     "MaskTables",
     "MaskTooSlowError",
@@ -49,7 +53,10 @@ __all__ = [
     "load_catalogue",
     "load_mask",
     "make_mask",
+    "mask_by_name",
+    "measure_morphology",
     "measure_spectrum",
+    "parse_parameters",
     "quantile_lookup",
     "quantile_position",
     "quantile_table",

@@ -1,4 +1,7 @@
-"""Baking the shipped masks: ``python -m seafoam.masks.bake [--out masks]`` constructs, measures and writes them."""
+"""Baking the shipped masks: ``python -m seafoam.masks.bake [--out masks] [--only NAME ...]``.
+
+It constructs, measures and writes them; with ``--only`` the others keep the ranks that they have.
+"""
 
 from __future__ import annotations
 
@@ -10,21 +13,23 @@ from rich.progress import Progress as ProgressBar
 
 from .catalogue import CATALOGUE_FILE, MaskTables, describe, rank_file
 from .construct import estimated_seconds, make_mask
-from .formats import encode_ranks
+from .families import check_parameters
+from .formats import decode_ranks, encode_ranks
 from .shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
 from .torus import Progress, no_progress
 
 MEASURING_SECONDS = 1.0
 
 
-def bake_all(directory: Path, progress: Progress = no_progress) -> None:
+def bake_all(directory: Path, progress: Progress = no_progress, only: tuple[str, ...] = ()) -> None:
     """Construct and measure every shipped mask, and write ``<name>.ranks`` files and ``catalogue.json``.
 
-    The directory is made if need be. ``progress`` gets fractions of the expected time. Takes some four minutes:
-    the `vac` masks are ordered exactly.
+    The directory is made if need be. Where ``only`` names some, the ranks of the others are read there instead of
+    made. ``progress`` gets fractions of the expected time. Takes some four minutes: `vac` is ordered exactly.
     """
     directory.mkdir(parents=True, exist_ok=True)
-    expected = [_expected_seconds(mask) for mask in SHIPPED]
+    made = [not only or mask.name in only for mask in SHIPPED]
+    expected = [_expected_seconds(mask, new) for mask, new in zip(SHIPPED, made, strict=True)]
     total = sum(expected)
     records = []
     for index, mask in enumerate(SHIPPED):
@@ -33,29 +38,37 @@ def bake_all(directory: Path, progress: Progress = no_progress) -> None:
         def report(part: float, before: float = before, own: float = expected[index]) -> None:
             progress((before + part * own) / total)
 
-        records.append(_bake(directory, mask, report))
+        records.append(_bake(directory, mask, made[index], report))
     # A line a mask, so that the change of one shows as such.
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)
     (directory / CATALOGUE_FILE).write_text(f'{{"masks": [\n{lines}\n]}}\n', "utf-8")
     progress(1.0)
 
 
-def _expected_seconds(mask: ShippedMask) -> float:
-    return MEASURING_SECONDS + estimated_seconds(mask.family, mask.sigma, SHIPPED_SIZE, method=SHIPPED_METHOD)
+def _expected_seconds(mask: ShippedMask, new: bool) -> float:
+    making = estimated_seconds(mask.family, mask.sigma, SHIPPED_SIZE, method=SHIPPED_METHOD) if new else 0.0
+    return MEASURING_SECONDS + making
 
 
-def _bake(directory: Path, mask: ShippedMask, progress: Progress) -> dict[str, object]:
-    """Write the ranks of one mask and return its record for the catalogue."""
-    ranks = make_mask(
-        mask.family,
-        sigma=mask.sigma,
-        size=SHIPPED_SIZE,
-        seed=SHIPPED_SEED,
-        method=SHIPPED_METHOD,
-        progress=progress,
-    )
-    rank_file(directory, mask.name).write_bytes(encode_ranks(ranks))
-    entry = describe(mask.name, mask.family, mask.sigma, SHIPPED_SEED, SHIPPED_METHOD, ranks)
+def _bake(directory: Path, mask: ShippedMask, new: bool, progress: Progress) -> dict[str, object]:
+    """Write the ranks of one mask, or read them where it is not new, and return its record for the catalogue."""
+    file = rank_file(directory, mask.name)
+    made = check_parameters(mask.family, mask.sigma, SHIPPED_SIZE, SHIPPED_SEED, mask.aspect, mask.age)
+    if new:
+        ranks = make_mask(
+            made.family,
+            sigma=made.sigma,
+            size=made.size,
+            seed=made.seed,
+            aspect=made.aspect,
+            age=made.age,
+            method=SHIPPED_METHOD,
+            progress=progress,
+        )
+        file.write_bytes(encode_ranks(ranks))
+    else:
+        ranks = decode_ranks(file.read_bytes(), SHIPPED_SIZE)
+    entry = describe(mask.name, made, SHIPPED_METHOD, ranks)
     return {**entry.to_json(), **MaskTables.measure(ranks).to_json()}
 
 
@@ -63,10 +76,13 @@ def main() -> None:
     """The command."""
     parser = argparse.ArgumentParser(description="Bake the shipped masks and their catalogue.")
     parser.add_argument("--out", type=Path, default=Path("masks"), help="directory to write to")
-    directory = parser.parse_args().out
+    names = [mask.name for mask in SHIPPED]
+    parser.add_argument("--only", nargs="+", choices=names, default=(), help="masks to make; the others are kept")
+    arguments = parser.parse_args()
+    directory = arguments.out
     with ProgressBar() as bar:
         task = bar.add_task("masks", total=1.0)
-        bake_all(directory, lambda fraction: bar.update(task, completed=fraction))
+        bake_all(directory, lambda fraction: bar.update(task, completed=fraction), tuple(arguments.only))
 
 
 if __name__ == "__main__":

@@ -17,8 +17,18 @@ from seafoam.resources import data_dir
 
 from . import prefilter
 from .construct import estimated_seconds, make_mask
-from .families import GENERATOR, LICENSE, VALUE_RULE, Family, Method, check_parameters
+from .families import (
+    GENERATOR,
+    LICENSE,
+    VALUE_RULE,
+    Family,
+    MaskParameters,
+    Method,
+    check_parameters,
+    parse_parameters,
+)
 from .formats import decode_ranks
+from .morphology import MaskMorphology, measure_morphology
 from .shipped import FAMILY_SUMMARIES, FAMILY_TITLES
 from .spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
 from .torus import Field, Ranks
@@ -47,6 +57,7 @@ class MaskTables:
     quantile: tuple[float, ...]
     """Quantile table for magnification (:func:`prefilter.quantile_table`)."""
     spectrum: MaskSpectrum
+    morphology: MaskMorphology
 
     @staticmethod
     def measure(ranks: Ranks) -> MaskTables:
@@ -55,6 +66,7 @@ class MaskTables:
             tuple(_rounded(prefilter.footprint_deviations(ranks))),
             tuple(_rounded(prefilter.quantile_table(ranks))),
             measure_spectrum(ranks),
+            measure_morphology(ranks),
         )
 
     def to_json(self) -> dict[str, object]:
@@ -63,6 +75,7 @@ class MaskTables:
             "sigma_l": list(self.sigma_l),
             "quantile": {"abscissa": QUANTILE_ABSCISSA, "entries": list(self.quantile)},
             "spectrum": self.spectrum.to_json(),
+            "morphology": self.morphology.to_json(),
         }
 
     @staticmethod
@@ -72,6 +85,7 @@ class MaskTables:
             tuple(document["sigma_l"]),
             tuple(document["quantile"]["entries"]),
             spectrum_from_json(document["spectrum"]),
+            MaskMorphology.from_json(document["morphology"]),
         )
 
 
@@ -86,6 +100,9 @@ class MaskEntry:
     sigma: float
     size: int
     seed: int
+    aspect: float | None
+    age: float | None
+    """Of `lace`; ``None`` for the other families."""
     method: Method | None
     """How `vac` was ordered; ``None`` for the other families."""
     sha256: str
@@ -100,7 +117,14 @@ class MaskEntry:
             "title": self.title,
             "summary": self.summary,
             "family": self.family,
-            "parameters": {"sigma": self.sigma, "size": self.size, "seed": self.seed, "method": self.method},
+            "parameters": {
+                "sigma": self.sigma,
+                "size": self.size,
+                "seed": self.seed,
+                "aspect": self.aspect,
+                "age": self.age,
+                "method": self.method,
+            },
             "generator": self.generator,
             "sha256": self.sha256,
             "value_rule": VALUE_RULE,
@@ -119,6 +143,8 @@ class MaskEntry:
             sigma=parameters["sigma"],
             size=parameters["size"],
             seed=parameters["seed"],
+            aspect=parameters["aspect"],
+            age=parameters["age"],
             method=parameters["method"],
             sha256=document["sha256"],
             generator=document["generator"],
@@ -145,6 +171,11 @@ class Mask:
     def spectrum(self) -> MaskSpectrum:
         """Its RAPS and anisotropy."""
         return self.tables.spectrum
+
+    @property
+    def morphology(self) -> MaskMorphology:
+        """Pieces, holes and chords of its foam."""
+        return self.tables.morphology
 
     @property
     def sigma_l(self) -> tuple[float, ...]:
@@ -188,16 +219,21 @@ def rank_sha256(ranks: Ranks) -> str:
     return hashlib.sha256(ranks.astype("<u4").tobytes()).hexdigest()
 
 
-def describe(name: str, family: Family, sigma: float, seed: int, method: Method, ranks: Ranks) -> MaskEntry:
-    """The entry of a mask just constructed with these (checked) arguments."""
+def describe(name: str, made: MaskParameters, method: Method, ranks: Ranks) -> MaskEntry:
+    """The entry of a mask just constructed with these arguments."""
+    family = made.family
+    lace = family == "lace"
+    own = f", aspect {made.aspect:g}, age {made.age:g}" if lace else ""
     return MaskEntry(
         name=name,
-        title=f"{FAMILY_TITLES[family]}, {'spacing' if family == 'bubble' else 'sigma'} {sigma:g} texels",
+        title=f"{FAMILY_TITLES[family]}, {'spacing' if family == 'bubble' else 'sigma'} {made.sigma:g} texels{own}",
         summary=FAMILY_SUMMARIES[family],
         family=family,
-        sigma=sigma,
-        size=ranks.shape[0],
-        seed=seed,
+        sigma=made.sigma,
+        size=made.size,
+        seed=made.seed,
+        aspect=made.aspect if lace else None,
+        age=made.age if lace else None,
         method=method if family == "vac" else None,
         sha256=rank_sha256(ranks),
     )
@@ -239,28 +275,45 @@ def load_mask(name: str) -> Mask:
     return Mask(entry, ranks, tables)
 
 
-def custom_mask(family: str, sigma: float | None = None, size: int = 256, seed: int = 0) -> Mask:
+def mask_by_name(name: str) -> Mask:
+    """A shipped mask, or one made on request that is named by its parameters (:data:`families.TEXT_FORM`).
+
+    Raises :class:`UnknownMaskError` for an unknown name, ``ValueError`` for parameters out of range.
+    """
+    if ":" not in name:
+        return load_mask(name)
+    made = parse_parameters(name)
+    return custom_mask(made.family, made.sigma, made.size, made.seed, made.aspect, made.age)
+
+
+def custom_mask(
+    family: str,
+    sigma: float | None = None,
+    size: int = 256,
+    seed: int = 0,
+    aspect: float = 1.0,
+    age: float = 0.0,
+) -> Mask:
     """A mask made on request, from the arguments of :func:`make_mask`; ``vac`` is ordered in batches.
 
     The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises ``ValueError`` for bad arguments and its subclass
     :class:`MaskTooSlowError` for good ones that would take too long.
     """
-    asked = check_parameters(family, sigma, size, seed)
+    asked = check_parameters(family, sigma, size, seed, aspect, age)
     seconds = estimated_seconds(asked.family, asked.sigma, asked.size)
     if seconds > ON_REQUEST_SECONDS:
         raise MaskTooSlowError(
             f"a {asked.family} mask of sigma {asked.sigma:g} at size {asked.size} takes about {seconds:.0f} s; "
             f"at most {ON_REQUEST_SECONDS:g} s are allowed: lower sigma or size"
         )
-    return _custom(asked.family, asked.sigma, asked.size, asked.seed)
+    return _custom(asked)
 
 
 @lru_cache(maxsize=CUSTOM_MASKS_KEPT)
-def _custom(family: Family, sigma: float, size: int, seed: int) -> Mask:
-    ranks = make_mask(family, sigma=sigma, size=size, seed=seed)
+def _custom(made: MaskParameters) -> Mask:
+    ranks = make_mask(made.family, sigma=made.sigma, size=made.size, seed=made.seed, aspect=made.aspect, age=made.age)
     ranks.setflags(write=False)
-    name = f"{family}-{sigma:g}-{size}-{seed}"
-    return Mask(describe(name, family, sigma, seed, "batched", ranks), ranks)
+    return Mask(describe(made.text.replace(":", "-"), made, "batched", ranks), ranks)
 
 
 def _rounded(values: list[float]) -> list[float]:

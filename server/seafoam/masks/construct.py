@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import bubble, filtered, void_cluster
+from . import bubble, filtered, lace, void_cluster
 from .families import check_method, check_parameters
 from .torus import Progress, Ranks, no_progress
 
@@ -15,6 +15,8 @@ def make_mask(
     sigma: float | None = None,
     size: int = 512,
     seed: int = 0,
+    aspect: float = 1.0,
+    age: float = 0.0,
     method: str = "batched",
     progress: Progress = no_progress,
 ) -> Ranks:
@@ -25,12 +27,13 @@ def make_mask(
     size: tile side in texels, one of ``families.SIZES``.
     seed: 0..2^32-1, for a PCG64 generator. The same arguments give the same ranks on the same machine; across
         machines FFT rounding may order near-equal texels otherwise, so files are the reference, not this call.
+    aspect, age: of ``lace`` alone, see :func:`seafoam.masks.lace.lace`.
     method: how ``vac`` is ordered, ``"exact"`` (one texel at a time) or ``"batched"``; no other family reads it.
     progress: called with fractions in 0..1, not decreasing; the last is 1.
 
     Returns uint32 ranks of shape (size, size), each of 0..size^2-1 once. Raises ``ValueError`` for bad arguments.
     """
-    asked = check_parameters(family, sigma, size, seed)
+    asked = check_parameters(family, sigma, size, seed, aspect, age)
     chosen_method = check_method(method)
     rng = np.random.Generator(np.random.PCG64(asked.seed))
     match asked.family:
@@ -41,6 +44,8 @@ def make_mask(
             return bubble.bubble(asked.size, asked.sigma, rng, progress)
         case "mix":
             return bubble.mix(asked.size, asked.sigma, rng, progress)
+        case "lace":
+            ranks = lace.lace(asked.size, asked.sigma, asked.aspect, asked.age, rng, progress)
         case "blur":
             ranks = filtered.blur(asked.size, asked.sigma, rng)
         case "clump":
@@ -65,6 +70,8 @@ def estimated_seconds(family: str, sigma: float | None, size: int, *, method: st
         case "bubble" | "mix":
             cells = (asked.size / asked.sigma / 512) ** 2
             return 0.5 * tile + _batched_seconds(bubble.SITE_SIGMA, cells)
+        case "lace":
+            return 1.5 * tile
         case "blur" | "clump":
             return 0.1 * tile
 

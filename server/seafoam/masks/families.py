@@ -1,6 +1,6 @@
 """The mask families, their parameters and the bounds of what may be asked for.
 
-A family has one length parameter, ``sigma``, in texels:
+A family has one length parameter, ``sigma``, in texels; ``lace`` has an aspect and an age besides:
 
 ======== ==========================================================================
 family   what ``sigma`` is
@@ -10,6 +10,7 @@ blur     standard deviation of the Gaussian that filters the white noise
 clump    narrow Gaussian of the difference of Gaussians; the wide one is 4 sigma
 bubble   mean distance between bubble sites (rounded so that a whole number fits)
 mix      both: narrow Gaussian of its clumps, and distance between its bubble sites
+lace     spacing of the finest of the three grids that its coarse cells come from
 ======== ==========================================================================
 """
 
@@ -19,7 +20,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-Family = Literal["vac", "blur", "clump", "bubble", "mix"]
+Family = Literal["vac", "blur", "clump", "bubble", "mix", "lace"]
 Method = Literal["exact", "batched"]
 
 FAMILIES: tuple[Family, ...] = get_args(Family)
@@ -38,9 +39,14 @@ SIGMA_MAX_SHARE = 1.0 / 8.0
 """sigma may not exceed this share of the tile side, so that a tile holds at least 8 x 8 features."""
 SPACING_MIN = 2.0
 """Least distance of bubble sites in texels; closer ones are single texels, not discs."""
+LACE_SIGMA_MIN = 4.0
+"""At less the finest cells of ``lace`` would be narrower than two texels."""
+ASPECT_MAX = 6.0
 SEED_MAX = 2**32 - 1
+TEXT_FORM = "family:sigma:size:seed (lace: also :aspect:age)"
+"""How a mask made on request is called."""
 
-DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "bubble": 4.0, "mix": 4.0}
+DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "bubble": 4.0, "mix": 4.0, "lace": 10.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,18 +57,31 @@ class MaskParameters:
     sigma: float
     size: int
     seed: int
+    aspect: float = 1.0
+    """Length of cells along x over their width, 1..6; only ``lace`` takes another than 1."""
+    age: float = 0.0
+    """0, young foam, to 1, old and torn; only ``lace`` takes another than 0."""
+
+    @property
+    def text(self) -> str:
+        """``family:sigma:size:seed``, for ``lace`` with ``:aspect:age``: the inverse of :func:`parse_parameters`."""
+        own = f":{self.aspect:g}:{self.age:g}" if self.family == "lace" else ""
+        return f"{self.family}:{self.sigma:g}:{self.size}:{self.seed}{own}"
 
 
 def sigma_range(family: Family, size: int) -> tuple[float, float]:
     """Least and greatest ``sigma`` (texels) of a family at a tile side of ``size`` texels."""
-    least = SPACING_MIN if family in ("bubble", "mix") else SIGMA_MIN
+    least = LACE_SIGMA_MIN if family == "lace" else SPACING_MIN if family in ("bubble", "mix") else SIGMA_MIN
     return least, min(SIGMA_MAX, size * SIGMA_MAX_SHARE)
 
 
-def check_parameters(family: str, sigma: float | None, size: int, seed: int) -> MaskParameters:
+def check_parameters(
+    family: str, sigma: float | None, size: int, seed: int, aspect: float = 1.0, age: float = 0.0
+) -> MaskParameters:
     """Check a request and return it with its types settled.
 
-    ``sigma=None`` takes the family's :data:`DEFAULT_SIGMA`, held to what the size allows.
+    ``sigma=None`` takes the family's :data:`DEFAULT_SIGMA`, held to what the size allows. ``aspect`` (1..6) and
+    ``age`` (0..1) are of ``lace`` alone.
 
     Raises ``ValueError`` naming the argument, its value and what is allowed.
     """
@@ -77,7 +96,25 @@ def check_parameters(family: str, sigma: float | None, size: int, seed: int) -> 
     chosen = min(DEFAULT_SIGMA[known], greatest) if sigma is None else float(sigma)
     if not (math.isfinite(chosen) and least <= chosen <= greatest):
         raise ValueError(f"sigma {chosen!r} is outside {least:g}..{greatest:g} texels for {known} at size {size}")
-    return MaskParameters(known, chosen, size, seed)
+    for name, value, low, high in (("aspect", aspect, 1.0, ASPECT_MAX), ("age", age, 0.0, 1.0)):
+        if known != "lace":
+            if value != low:
+                raise ValueError(f"{name} {value!r} is not for {known}, only for lace")
+        elif not (math.isfinite(value) and low <= value <= high):
+            raise ValueError(f"{name} {value!r} is outside {low:g}..{high:g}")
+    return MaskParameters(known, chosen, size, seed, float(aspect), float(age))
+
+
+def parse_parameters(text: str) -> MaskParameters:
+    """Parameters written ``family:sigma:size:seed``, for ``lace`` also ``family:sigma:size:seed:aspect:age``.
+
+    Raises ``ValueError`` as :func:`check_parameters` does, and where the text has another form.
+    """
+    parts = text.split(":")
+    if len(parts) not in (4, 6):
+        raise ValueError(f"{text!r} is not {TEXT_FORM}")
+    family, sigma, size, seed, *lace = parts
+    return check_parameters(family, float(sigma), int(size), int(seed), *map(float, lace))
 
 
 def check_method(method: str) -> Method:

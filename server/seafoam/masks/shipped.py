@@ -19,6 +19,7 @@ FAMILY_TITLES: dict[Family, str] = {
     "clump": "Clumps",
     "bubble": "Bubbles",
     "mix": "Clustered bubbles",
+    "lace": "Lace",
 }
 
 FAMILY_SUMMARIES: dict[Family, str] = {
@@ -28,6 +29,8 @@ FAMILY_SUMMARIES: dict[Family, str] = {
     "clump": "Band-passed noise: irregular lace that magnifies smoothly. Not from the paper.",
     "bubble": "Unions of discs that shrink and go out as saturation falls. Not from the paper.",
     "mix": "Clusters of round bubbles with open water between; cover is patchy by design. Not from the paper.",
+    "lace": "The walls of a foam of large and small cells: holes grow and merge as saturation falls, and threads of "
+    "foam go last. Not from the paper.",
 }
 
 
@@ -38,6 +41,8 @@ class ShippedMask:
     name: str
     family: Family
     sigma: float
+    aspect: float = 1.0
+    age: float = 0.0
 
 
 SHIPPED: tuple[ShippedMask, ...] = (
@@ -52,4 +57,7 @@ SHIPPED: tuple[ShippedMask, ...] = (
     ShippedMask("clump", "clump", 1.5),
     ShippedMask("bubble", "bubble", 4.0),
     ShippedMask("mix", "mix", 4.0),
+    ShippedMask("lace", "lace", 10.0),
+    ShippedMask("lacetorn", "lace", 15.0, aspect=1.3, age=1.0),
+    ShippedMask("streak", "lace", 11.0, aspect=3.0, age=0.7),
 )

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from seafoam.masks import Mask, custom_mask, load_mask
+from seafoam.masks import Mask, mask_by_name
 from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
 from seafoam.textures import foam_texture
 
@@ -67,13 +67,7 @@ class Assets:
         """The images of a scene's foam; None without foam. Raises ``KeyError`` or ``ValueError`` for a bad mask."""
         if scene.foam is None:
             return None
-        name = scene.foam.mask
-        if ":" in name:
-            family, sigma, size, seed = name.split(":")
-            mask = custom_mask(family, float(sigma), int(size), int(seed))
-        else:
-            mask = load_mask(name)
-        return Assets.of(mask, foam_texture())
+        return Assets.of(mask_by_name(scene.foam.mask), foam_texture())
 
 
 @dataclass(frozen=True, eq=False)

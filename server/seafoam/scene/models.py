@@ -213,8 +213,8 @@ class Foam(Part):
     mask: str = Field(
         default="vac-24",
         max_length=40,
-        pattern=r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+$",
-        description="A mask of the catalogue, or family:sigma:size:seed",
+        pattern=r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+(:[0-9.]+:[0-9.]+)?$",
+        description="A mask of the catalogue, or family:sigma:size:seed; lace: also :aspect:age",
         json_schema_extra={"choices_from": "/api/masks"},
     )
     mask_tile: float = Field(default=12.0, ge=0.05, le=1000.0, description="Side of one tile of the mask, m")

@@ -5,7 +5,7 @@ from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_
 from seafoam.textures.sea import sea_spectrum_name
 from seafoam.textures.shore import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
 from seafoam.textures.spray import spray_rocks_name
-from seafoam.textures.store import TextureData, UnknownTextureError, mask_by_name, texture
+from seafoam.textures.store import TextureData, UnknownTextureError, texture
 
 __all__ = [
     "FRONT_NODES",
@@ -16,7 +16,6 @@ __all__ = [
     "front_fading",
     "front_full",
     "front_integral_name",
-    "mask_by_name",
     "sea_spectrum_name",
     "shore_floor_name",
     "shore_profiles",

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.masks.catalogue import Mask, UnknownMaskError, custom_mask, load_mask
+from seafoam.masks.catalogue import UnknownMaskError, mask_by_name
 from seafoam.masks.formats import quantised, to_u16
 from seafoam.masks.prefilter import atlas
 from seafoam.textures.foam import foam_texture
@@ -47,17 +47,6 @@ class TextureData:
         """The data as gzip has it, where that takes three quarters or less: atlases hold each texel four times."""
         packed = gzip.compress(self.data, GZIP_LEVEL, mtime=0)
         return packed if 4 * len(packed) <= 3 * len(self.data) else None
-
-
-def mask_by_name(name: str) -> Mask:
-    """A mask of the catalogue, or ``family:sigma:size:seed`` made on request.
-
-    Raises ``KeyError`` for an unknown name, ``ValueError`` for parameters out of range.
-    """
-    if ":" not in name:
-        return load_mask(name)
-    family, sigma, size, seed = name.split(":")
-    return custom_mask(family, float(sigma), int(size), int(seed))
 
 
 @lru_cache(maxsize=64)

@@ -366,6 +366,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/masks/custom/shapes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Custom Shapes
+         * @description The measured shapes of the foam of a mask made on request.
+         */
+        get: operations["get_custom_shapes_api_masks_custom_shapes_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/masks/custom/spectrum.png": {
         parameters: {
             query?: never;
@@ -478,6 +498,26 @@ export interface paths {
          * @description The measured spectrum of a shipped mask.
          */
         get: operations["get_spectrum_api_masks__mask__spectrum_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/masks/{mask}/shapes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Shapes
+         * @description The measured shapes of the foam of a shipped mask.
+         */
+        get: operations["get_shapes_api_masks__mask__shapes_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1155,7 +1195,7 @@ export interface components {
             look: "textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered";
             /**
              * Mask
-             * @description A mask of the catalogue, or family:sigma:size:seed
+             * @description A mask of the catalogue, or family:sigma:size:seed; lace: also :aspect:age
              * @default vac-24
              */
             mask: string;
@@ -1691,7 +1731,7 @@ export interface components {
              * Family
              * @enum {string}
              */
-            family: "vac" | "blur" | "clump" | "bubble" | "mix";
+            family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
             parameters: components["schemas"]["MaskParameters"];
             /**
              * Generator
@@ -1725,6 +1765,16 @@ export interface components {
             size: number;
             /** Seed */
             seed: number;
+            /**
+             * Aspect
+             * @description Of lace: length of cells along x over width; null for the others
+             */
+            aspect: number | null;
+            /**
+             * Age
+             * @description Of lace: 0, young foam, to 1, old and torn; null for the others
+             */
+            age: number | null;
             /**
              * Method
              * @description How vac was ordered; null for the others
@@ -3980,7 +4030,7 @@ export interface operations {
             query?: {
                 /** @description Look of the foam instead of the preset's */
                 look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
-                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed */
+                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed[:aspect:age] */
                 mask?: string | null;
                 /** @description Tier of quality; POST takes single knobs */
                 quality?: "draft" | "standard" | "high" | "reference";
@@ -4148,7 +4198,7 @@ export interface operations {
             query?: {
                 /** @description Look of the foam instead of the preset's */
                 look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
-                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed */
+                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed[:aspect:age] */
                 mask?: string | null;
                 /** @description Tier of quality, or auto: the most exact that is predicted to be drawn within budget_ms; POST takes single knobs */
                 quality?: "draft" | "standard" | "high" | "reference" | "auto";
@@ -4862,14 +4912,18 @@ export interface operations {
     get_custom_mask_api_masks_custom_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
-                family: "vac" | "blur" | "clump" | "bubble" | "mix";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
-                /** @description Which mask of its kind */
+                /** @description Random seed */
                 seed?: number;
+                /** @description Of lace: length of cells along x over width */
+                aspect?: number;
+                /** @description Of lace: 0, young foam, to 1, old and torn */
+                age?: number;
             };
             header?: never;
             path?: never;
@@ -4927,14 +4981,18 @@ export interface operations {
     get_custom_data_api_masks_custom_data__format__get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
-                family: "vac" | "blur" | "clump" | "bubble" | "mix";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
-                /** @description Which mask of its kind */
+                /** @description Random seed */
                 seed?: number;
+                /** @description Of lace: length of cells along x over width */
+                aspect?: number;
+                /** @description Of lace: 0, young foam, to 1, old and torn */
+                age?: number;
             };
             header?: never;
             path: {
@@ -5005,14 +5063,18 @@ export interface operations {
     get_custom_data8_api_masks_custom_data8_png_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
-                family: "vac" | "blur" | "clump" | "bubble" | "mix";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
-                /** @description Which mask of its kind */
+                /** @description Random seed */
                 seed?: number;
+                /** @description Of lace: length of cells along x over width */
+                aspect?: number;
+                /** @description Of lace: 0, young foam, to 1, old and torn */
+                age?: number;
             };
             header?: never;
             path?: never;
@@ -5077,14 +5139,18 @@ export interface operations {
     get_custom_sidecar_api_masks_custom_sidecar_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
-                family: "vac" | "blur" | "clump" | "bubble" | "mix";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
-                /** @description Which mask of its kind */
+                /** @description Random seed */
                 seed?: number;
+                /** @description Of lace: length of cells along x over width */
+                aspect?: number;
+                /** @description Of lace: 0, young foam, to 1, old and torn */
+                age?: number;
             };
             header?: never;
             path?: never;
@@ -5149,14 +5215,18 @@ export interface operations {
     get_custom_spectrum_api_masks_custom_spectrum_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
-                family: "vac" | "blur" | "clump" | "bubble" | "mix";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
-                /** @description Which mask of its kind */
+                /** @description Random seed */
                 seed?: number;
+                /** @description Of lace: length of cells along x over width */
+                aspect?: number;
+                /** @description Of lace: 0, young foam, to 1, old and torn */
+                age?: number;
             };
             header?: never;
             path?: never;
@@ -5218,17 +5288,97 @@ export interface operations {
             };
         };
     };
-    get_custom_plot_api_masks_custom_spectrum_png_get: {
+    get_custom_shapes_api_masks_custom_shapes_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix */
-                family: "vac" | "blur" | "clump" | "bubble" | "mix";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, or what size allows */
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
-                /** @description Which mask of its kind */
+                /** @description Random seed */
                 seed?: number;
+                /** @description Of lace: length of cells along x over width */
+                aspect?: number;
+                /** @description Of lace: 0, young foam, to 1, old and torn */
+                age?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Pieces, holes and chords of the foam by saturation; lengths in texels */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered; The measurement failed */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_custom_plot_api_masks_custom_spectrum_png_get: {
+        parameters: {
+            query: {
+                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
+                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                sigma?: number | null;
+                /** @description Side of the tile, texels */
+                size?: components["schemas"]["MaskSize"];
+                /** @description Random seed */
+                seed?: number;
+                /** @description Of lace: length of cells along x over width */
+                aspect?: number;
+                /** @description Of lace: 0, young foam, to 1, old and torn */
+                age?: number;
             };
             header?: never;
             path?: never;
@@ -5601,6 +5751,81 @@ export interface operations {
         requestBody?: never;
         responses: {
             /** @description RAPS and anisotropy by grey level */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description The client's copy (If-None-Match) is current */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The frame could not be rendered; The measurement failed */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_shapes_api_masks__mask__shapes_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of a mask, see /api/masks */
+                mask: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Pieces, holes and chords of the foam by saturation; lengths in texels */
             200: {
                 headers: {
                     [name: string]: unknown;

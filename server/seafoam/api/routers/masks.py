@@ -24,7 +24,16 @@ from seafoam.masks.catalogue import (
     load_mask,
 )
 from seafoam.masks.construct import estimated_seconds
-from seafoam.masks.families import DEFAULT_SIGMA, SEED_MAX, SIGMA_MAX, SIGMA_MIN, Family, Method, sigma_range
+from seafoam.masks.families import (
+    ASPECT_MAX,
+    DEFAULT_SIGMA,
+    SEED_MAX,
+    SIGMA_MAX,
+    SIGMA_MIN,
+    Family,
+    Method,
+    sigma_range,
+)
 from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
 from seafoam.masks.torus import Ranks
 
@@ -64,18 +73,24 @@ class CustomMask(Parameters):
     """A mask made on request. The same arguments give the same mask."""
 
     family: Family = Field(
-        description="vac: void and cluster; blur: filtered white noise; clump; bubble; mix", examples=["vac"]
+        description="vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace", examples=["vac"]
     )
     sigma: float | None = Field(
         default=None,
         ge=SIGMA_MIN,
         le=SIGMA_MAX,
-        description="The family's length, texels, at most an eighth of size (bubble and mix: at least 2); "
+        description="The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); "
         f"absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or what size allows",
         examples=[3.0],
     )
     size: MaskSize = Field(default=MaskSize.S256, description="Side of the tile, texels", examples=[128])
-    seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Which mask of its kind", examples=[2011])
+    seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Random seed", examples=[2011])
+    aspect: float = Field(
+        default=1.0, ge=1.0, le=ASPECT_MAX, description="Of lace: length of cells along x over width", examples=[1.0]
+    )
+    age: float = Field(
+        default=0.0, ge=0.0, le=1.0, description="Of lace: 0, young foam, to 1, old and torn", examples=[0.0]
+    )
 
 
 class MaskParameters(BaseModel):
@@ -84,6 +99,8 @@ class MaskParameters(BaseModel):
     sigma: float = Field(description="The family's length, texels")
     size: int = Field(description="Side of the tile, texels")
     seed: int
+    aspect: float | None = Field(description="Of lace: length of cells along x over width; null for the others")
+    age: float | None = Field(description="Of lace: 0, young foam, to 1, old and torn; null for the others")
     method: Method | None = Field(description="How vac was ordered; null for the others")
 
 
@@ -115,6 +132,7 @@ _DATA = ("The mask's ranks", *(media for media, _ in ENCODERS.values()))
 _DATA8 = ("8-bit greyscale PNG of floor(rank 256/N), for quick use", "image/png")
 _SIDECAR = ("How the mask was made, its hash, filtering tables and spectrum", "application/json")
 _SPECTRUM = ("RAPS and anisotropy by grey level", "application/json")
+_SHAPES = ("Pieces, holes and chords of the foam by saturation; lengths in texels", "application/json")
 _PLOT = ("RAPS and anisotropy, plotted", "image/png")
 
 
@@ -136,6 +154,16 @@ def check_custom(asked: CustomMask) -> None:
         raise BadRequestError(
             FieldProblem(parameter="sigma", detail=detail, allowed={"minimum": least, "maximum": greatest})
         )
+    if asked.family != "lace":
+        refused = [
+            FieldProblem(
+                parameter=name, detail=f"{name}: only lace takes one, not {asked.family}", allowed={"enum": [unset]}
+            )
+            for name, unset in (("aspect", 1.0), ("age", 0.0))
+            if getattr(asked, name) != unset
+        ]
+        if refused:
+            raise BadRequestError(*refused)
     seconds = estimated_seconds(asked.family, asked.sigma, int(asked.size))
     if seconds > ON_REQUEST_SECONDS:
         steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
@@ -153,7 +181,7 @@ def check_custom(asked: CustomMask) -> None:
 
 def _custom(asked: CustomMask) -> Mask:
     check_custom(asked)
-    return custom_mask(asked.family, asked.sigma, int(asked.size), asked.seed)
+    return custom_mask(asked.family, asked.sigma, int(asked.size), asked.seed, asked.aspect, asked.age)
 
 
 def _ranks_as(encoder: Callable[[Ranks], bytes]) -> Callable[[Mask], bytes]:
@@ -170,6 +198,10 @@ def _sidecar(mask: Mask) -> bytes:
 
 def _spectrum(mask: Mask) -> bytes:
     return json.dumps(mask.spectrum.to_json()).encode()
+
+
+def _shapes(mask: Mask) -> bytes:
+    return json.dumps(mask.morphology.to_json()).encode()
 
 
 @lru_cache(maxsize=32)
@@ -244,6 +276,12 @@ async def get_custom_spectrum(asked: Annotated[CustomMask, Query()], request: Re
     return await _answer(lambda: _custom(asked), _spectrum, "application/json", request, context)
 
 
+@router.get("/masks/custom/shapes", responses=_answers(*_SHAPES, custom=True), response_class=Response)
+async def get_custom_shapes(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
+    """The measured shapes of the foam of a mask made on request."""
+    return await _answer(lambda: _custom(asked), _shapes, "application/json", request, context)
+
+
 @router.get("/masks/custom/spectrum.png", responses=_answers(*_PLOT, custom=True), response_class=Response)
 async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
     """The measured spectrum of a mask made on request, as a plot."""
@@ -293,6 +331,14 @@ async def get_spectrum(
 ) -> Response:
     """The measured spectrum of a shipped mask."""
     return await _answer(lambda: _shipped(mask), _spectrum, "application/json", request, context)
+
+
+@router.get("/masks/{mask}/shapes", responses=_answers(*_SHAPES, custom=False), response_class=Response)
+async def get_shapes(
+    mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
+    """The measured shapes of the foam of a shipped mask."""
+    return await _answer(lambda: _shipped(mask), _shapes, "application/json", request, context)
 
 
 @router.get("/masks/{mask}/spectrum.png", responses=_answers(*_PLOT, custom=False), response_class=Response)
