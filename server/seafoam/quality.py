@@ -51,6 +51,9 @@ class Quality(Knobs):
         default=16,
         description="Texels of the mask that the filtered look averages where it is minified: 2 by 2 or 4 by 4",
     )
+    foam_octaves: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = Field(
+        default=4, description="Octaves of the mask at most: how fine foam is near the eye"
+    )
     chop: Literal["tile", "exact"] = Field(
         default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
     )
@@ -169,6 +172,7 @@ TIERS: dict[Tier, Quality] = {
     "draft": Quality(
         surface=SurfaceQuality(tolerance=0.2),
         foam_taps=4,
+        foam_octaves=2,
         chop_size=128,
         sea_size=128,
         sea_tiles=3,

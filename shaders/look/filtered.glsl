@@ -1,7 +1,9 @@
 // The area-correct threshold: share of the footprint where s exceeds the mask's B-spline, from a smooth edge on it when magnified,
 // from texels that hold where their thresholds lie when small. docs/formulae.md, section 5. s in [0, 1]; exact at 0 and 1.
+// With octaves the threshold leaves a ramp, and the mask, turned and five times finer, is a threshold of what the ramp left.
 uniform usampler2D u_mask_atlas;    // the mask, its levels below one another beside it; a fetch gets four texels, from the one before on
 uniform sampler2D u_mask_quantiles; // an entry and the next; row 0: of the B-spline; row 1 + level: of a level's texels
+                                    // with octaves of their ramps, and the last row has the ramp's width over the B-spline
 uniform float u_foam_fade;          // width of the ramp, in shares of the plane
 uniform float u_foam_texture_share;
 
@@ -39,7 +41,7 @@ vec4 ramp_integral(vec4 x, float fade) {
 
 // Mean of the ramp over thresholds that lie evenly over a width, the lowest of them `above` under the threshold.
 vec4 ramp_mean(vec4 above, vec4 width, float fade) {
-    if (!FOAM_FADES) {
+    if (!FOAM_FADES && FOAM_OCTAVES == 1) {
         return clamp(above / width, 0.0, 1.0);
     }
     return (ramp_integral(above, fade) - ramp_integral(above - width, fade)) / width;
@@ -62,7 +64,9 @@ float magnified_coverage(float s, float threshold, mat4 m, vec2 t, vec2 uv_x, ve
     float mean = (dot(along, wy) + curvature / 24.0 + 0.5) / 65536.0;
     float arm = max(length(vec2(dot(slope, x), dot(slope, y))) / 131072.0, 5e-4);
     float fade = 0.0;
-    if (FOAM_FADES) {
+    if (FOAM_OCTAVES > 1) {
+        fade = quantile(s, 1 + MASK_LEVELS);
+    } else if (FOAM_FADES) {
         // The ramp runs over shares of the plane; the spline crowds them together.
         float part = min(s, u_foam_fade);
         fade = (threshold - quantile(s - part, 0)) * u_foam_fade / max(part, 1e-30);
@@ -81,7 +85,8 @@ vec4 box_shares(float t, float width) {
 vec4 row_coverage(uvec2 row, float threshold) {
     uvec4 four = uvec4(row.x, row.x >> 16u, row.y, row.y >> 16u);
     vec4 low = vec4(four & 255u);
-    return ramp_mean(256.0 * threshold - low, vec4(((four >> 8u) & 255u) + 1u), 256.0 * u_foam_fade);
+    float fade = FOAM_OCTAVES > 1 ? OCTAVE_RAMP : u_foam_fade;
+    return ramp_mean(256.0 * threshold - low, vec4(((four >> 8u) & 255u) + 1u), 256.0 * fade);
 }
 
 vec4 row_thresholds(uvec2 row) {
@@ -141,13 +146,41 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
         forms -= 1;
     } while (forms > 0);
     covered *= smoothstep(0.0, 1.0 / 256.0, s);
-    float share = FOAM_FADES ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
+    float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
     // The quotient's rounding passes 1, and foam over glitter would turn negative.
     return clamp(share, 0.0, 1.0);
 }
 
+// The Gaussian integer 4 + 3i: five times finer and turned by 37 degrees, and of whole numbers, so that the tile maps onto itself.
+vec2 octave(vec2 uv) {
+    return vec2(4.0 * uv.x - 3.0 * uv.y, 3.0 * uv.x + 4.0 * uv.y);
+}
+
+// What each octave's ramp leaves grey is thresholded by the next, as far as the footprint shows it; all and none stay.
+float octaves_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
+    float shown = 1.0;
+    int octaves = FOAM_OCTAVES;
+    do {
+        s = mix(s, filtered_coverage(s, uv, uv_x, uv_y), shown);
+        uv = octave(fract(uv));
+        uv_x = octave(uv_x);
+        uv_y = octave(uv_y);
+        vec2 side = uv_x * uv_x + uv_y * uv_y;
+        shown = 1.0 - smoothstep(32.0, 64.0, float(MASK_SIZE) * sqrt(max(side.x, side.y)));
+        octaves -= 1;
+    } while (octaves > 0 && shown > 0.0 && s > 0.0 && s < 1.0);
+    return s;
+}
+
 float foam_amount(float f, vec2 p, Footprint fp) {
     float s = clamp(f, 0.0, 1.0);
-    float covered = filtered_coverage(s, mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
+    vec2 uv = mask_uv(p);
+    vec2 uv_x = mask_turn(fp.x);
+    vec2 uv_y = mask_turn(fp.y);
+    if (FOAM_OCTAVES > 1) {
+        // As much in the mean as the fading look shows.
+        s = ramp_integral(vec4(s), u_foam_fade).x;
+    }
+    float covered = FOAM_OCTAVES > 1 ? octaves_coverage(s, uv, uv_x, uv_y) : filtered_coverage(s, uv, uv_x, uv_y);
     return FOAM_TEXTURED ? covered * mix(1.0, foam_texture(p, fp), u_foam_texture_share) : covered;
 }

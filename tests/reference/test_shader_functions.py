@@ -1,14 +1,18 @@
 """Every look and saturation of the GLSL against its float64 form, poles included (docs/formulae.md)."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from gpu import Probe
-from seafoam.reference import looks, sampling, saturation, waves
-from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name, mask_by_name
+from seafoam.masks import Mask, mask_by_name
+from seafoam.masks.prefilter import OCTAVE_RAMP
+from seafoam.reference import Assets, frame, looks, sampling, saturation, waves
+from seafoam.scene.models import Foam
+from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
 TOLERANCE = 1e-5
 NUMBERS = "common/numbers.glsl"
@@ -252,6 +256,11 @@ def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
     assert np.abs(got - HARD[look](f, m, t)).max() <= TOLERANCE
 
 
+def sixteen_bits(mask: Mask) -> Assets:
+    """What the filtered look reads: the spline has 16 bits of each threshold."""
+    return replace(Assets.of(mask, np.ones((1, 1))), thresholds=((mask.ranks >> 2) + 0.5) / 65536.0)
+
+
 @pytest.mark.parametrize("mask_name", ["vac-1.5", "vac-24", "mix"])
 @pytest.mark.parametrize("fade", [0.0, 0.3])
 def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str, fade: float) -> None:
@@ -276,6 +285,8 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
             "MASK_LEVELS": 10,
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": fade > 0,
+            "FOAM_OCTAVES": 1,
+            "OCTAVE_RAMP": 0.6,
             "FOAM_TEXTURED": False,
             "FOAM_SIDE": 4,
         },
@@ -286,16 +297,11 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
         },
     )[:, 0]
     s, u, v, w = inputs.astype(np.float64).T
-    # The spline reads 16 bits of each threshold.
-    held = ((mask.ranks >> 2) + 0.5) / 65536.0
     foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
     size = 512.0 * np.hypot(foot_u, foot_v)
-    fades = float(np.float32(fade))
-    spans = [level.astype(np.float64) for level in mask.spans]
-    minified = looks.minified_coverage(s, u, v, size, spans, mask.quantiles[1:], fades)
-    b, e = looks.spline_over_footprint(sampling.bspline(held, u, v), foot_u, foot_v)
-    magnified = looks.magnified_coverage(s, b, e, mask.quantiles[0], fades)
-    want = looks.filtered_coverage(s, minified, magnified, size, fades)
+    assets = sixteen_bits(mask)
+    _, e = looks.spline_over_footprint(sampling.bspline(assets.thresholds, u, v), foot_u, foot_v)
+    want = frame.covered(assets, s, u, v, foot_u, foot_v, float(np.float32(fade)))
     half = np.where(looks.minification(size) < 1.0, np.maximum(e, 5e-4), 0.05)
     assert np.isfinite(got).all()
     assert (got[s == 0.0] == 0.0).all()
@@ -304,3 +310,54 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
     # The quotient by 2 half spreads float32's rounding of the thresholds.
     assert (np.abs(got - want) <= TOLERANCE + 2e-6 / half).all()
     assert (half > 0.04).sum() > 1000
+
+
+@pytest.mark.parametrize("fade", [0.0, 0.4])
+@pytest.mark.parametrize("octaves", [2, 4])
+def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: float) -> None:
+    mask = mask_by_name("lace")
+    rng = np.random.default_rng(9)
+    count = 6000
+    texels = 2.0 ** rng.uniform(-9, 7, count)
+    # Places of 16 bits: the Gaussian integer multiplies them without rounding.
+    u, v = rng.integers(0, 65536, (2, count)) / 65536.0
+    s = rng.choice([0.0, 1e-3, 0.02, 0.3, 0.6, 0.97, 1.0], count)
+    inputs = np.column_stack([s, u, v, texels / 512]).astype(np.float32)
+    stand_in = (
+        "=vec4 given;\nvec2 mask_uv(vec2 p) {\n    return given.yz;\n}\nvec2 mask_turn(vec2 p) {\n    return p;\n}\n"
+    )
+    texture = "=float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"
+    got = probe(
+        [NUMBERS, stand_in, texture, "look/filtered.glsl"],
+        "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",
+        inputs,
+        consts={
+            "MASK_SIZE": 512,
+            "MASK_LEVELS": 10,
+            "QUANTILES": len(mask.quantile),
+            "FOAM_FADES": fade > 0,
+            "FOAM_OCTAVES": octaves,
+            "OCTAVE_RAMP": OCTAVE_RAMP,
+            "FOAM_TEXTURED": False,
+            "FOAM_SIDE": 4,
+        },
+        uniforms={"u_foam_fade": fade},
+        textures={"u_mask_atlas": "mask/lace/atlas", "u_mask_quantiles": "mask/lace/ramps"},
+    )[:, 0]
+    s, u, v, w = inputs.astype(np.float64).T
+    foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
+    assets = sixteen_bits(mask)
+    foam = Foam(octaves=octaves, fade=float(np.float32(fade)))
+    want = frame.coverage(foam, assets, s, u, v, foot_u, foot_v, filtering=True)
+    assert np.isfinite(got).all()
+    assert (got[s == 0.0] == 0.0).all()
+    if fade == 0.0:
+        assert (got[s == 1.0] == 1.0).all()
+    # Next to none and next to all a ramp stands on a root of the share, and spreads what the octave before rounded.
+    off = np.abs(got - want)
+    assert np.quantile(off, 0.98) <= 1e-5
+    assert off.max() <= 2e-3
+    # Near the eye most is whole or clear.
+    near = (texels < 2.0**-7) & (np.abs(s - 0.6) < 1e-6)
+    assert near.sum() > 50
+    assert ((got[near] == 0.0) | (got[near] == 1.0)).mean() > (0.5 if octaves == 4 else 0.3)

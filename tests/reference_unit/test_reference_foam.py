@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from seafoam.masks import custom_mask
-from seafoam.reference import looks, sampling
+from seafoam.reference import Assets, frame, looks, sampling
 from seafoam.reference.relief import Relief
 from seafoam.reference.saturation import (
     CAP,
@@ -205,19 +205,14 @@ def test_looks_are_the_papers_equations() -> None:
 MASK = custom_mask("vac", 1.5, 64, 5)
 
 
-def covered(s: float, texels: float, fade: float, aspect: float = 0.6) -> np.ndarray:
+ASSETS = Assets.of(MASK, np.ones((1, 1)))
+
+
+def covered(s: float, texels: float, fade: float | None, aspect: float = 0.6) -> np.ndarray:
     """A(s) of 20 000 footprints of the mask, as wide and as high as they are told."""
     u, v = np.random.default_rng(8).random((2, 20_000))
     foot_u, foot_v = np.full((u.size, 2), [texels / 64.0, 0.0]), np.full((u.size, 2), [0.0, aspect * texels / 64.0])
-    size = 64.0 * np.hypot(foot_u, foot_v)
-    saturation = np.full(u.size, s)
-    tables = MASK.quantiles
-    chain = [level.astype(np.float64) for level in MASK.spans]
-    small = looks.minified_coverage(saturation, u, v, size, chain, tables[1:], fade)
-    b, e = looks.spline_over_footprint(sampling.bspline(MASK.thresholds, u, v), foot_u, foot_v)
-    return looks.filtered_coverage(
-        saturation, small, looks.magnified_coverage(saturation, b, e, tables[0], fade), size, fade
-    )
+    return frame.covered(ASSETS, np.full(u.size, s), u, v, foot_u, foot_v, fade)
 
 
 @pytest.mark.parametrize("fade", [0.0, 0.2])
@@ -231,10 +226,11 @@ def test_filtered_coverage_is_the_saturation_on_average(texels: float, fade: flo
         assert A.mean() == pytest.approx(s * s / (2.0 * fade) if s < fade else s - 0.5 * fade, abs=0.035)
 
 
+@pytest.mark.parametrize("fade", [0.0, None])
 @pytest.mark.parametrize("texels", [1e-9, 0.7, 1.0, 1.3, 9.0, 1e4])
-def test_filtered_coverage_ends_exactly(texels: float) -> None:
-    np.testing.assert_array_equal(covered(0.0, texels, 0.0), 0.0)
-    np.testing.assert_array_equal(covered(1.0, texels, 0.0), 1.0)
+def test_filtered_coverage_ends_exactly(texels: float, fade: float | None) -> None:
+    np.testing.assert_array_equal(covered(0.0, texels, fade), 0.0)
+    np.testing.assert_array_equal(covered(1.0, texels, fade), 1.0)
 
 
 @pytest.mark.parametrize(("texels", "within"), [(0.5, 0.04), (1.0, 0.08), (2.0, 0.08), (4.0, 0.08), (8.0, 0.04)])
@@ -261,7 +257,7 @@ def test_magnified_coverage_is_the_hard_threshold() -> None:
     b = rng.uniform(0.0, 1.0, 500)
     s = rng.uniform(0.05, 0.95, 500)
     clear = np.abs(sampling.quantile(EVEN, s) - b) > 1e-3
-    sharp = looks.magnified_coverage(s, b, np.zeros(500), EVEN, 0.0)
+    sharp = looks.magnified_coverage(b, np.zeros(500), sampling.quantile(EVEN, s), np.zeros(500))
     np.testing.assert_allclose(sharp[clear], looks.converged_coverage(s, b, EVEN, 0.0)[clear], atol=1e-12)
 
 

@@ -24,6 +24,7 @@ from seafoam.effects.contribution import (
 from seafoam.effects.extremes import foam_limit, greatest_saturation
 from seafoam.effects.noise import HASH
 from seafoam.masks.catalogue import Mask, mask_by_name
+from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -120,11 +121,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         inputs["u_foam_texture"] = TextureInput(texture="foam_texture")
         textures["foam_texture"] = TextureUse("foam", filter="linear_mipmap_linear")
     if foam.look == "filtered":
+        octaves = min(foam.octaves, quality.foam_octaves)
+        tables = "ramps" if octaves > 1 else "quantiles"
         if not textured:
             needs += ("foam/no_texture.glsl",)
         consts |= {
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,
+            "FOAM_OCTAVES": octaves,
+            "OCTAVE_RAMP": OCTAVE_RAMP,
             "FOAM_TEXTURED": textured,
             "FOAM_SIDE": math.isqrt(quality.foam_taps),
             "MASK_LEVELS": mask.ranks.shape[0].bit_length(),
@@ -133,11 +138,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms["u_foam_texture_share"] = number(foam.texture)
         inputs |= {
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
-            "u_mask_quantiles": TextureInput(texture="mask_quantiles"),
+            "u_mask_quantiles": TextureInput(texture=f"mask_{tables}"),
         }
         consts |= mask_atlas.consts(mask)
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/ranks")
-        textures["mask_quantiles"] = TextureUse(f"mask/{foam.mask}/quantiles", wrap="clamp_to_edge")
+        for kind in {"quantiles", tables}:
+            textures[f"mask_{kind}"] = TextureUse(f"mask/{foam.mask}/{kind}", wrap="clamp_to_edge")
     look = f"look/{foam.look}.glsl"
     if masked and foam.cells:
         needs += (f"{look}?foam_amount=cell_amount",)
@@ -212,6 +218,7 @@ EFFECT = Effect(
     knobs=(
         Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         Knob("/foam_taps", "texels of the mask that a small footprint averages", (4, 16), "filtering"),
+        Knob("/foam_octaves", "octaves of the mask at most", (1, 2, 3, 4), "filtering"),
     ),
     hard_cases=(
         HardCase(

@@ -209,6 +209,13 @@ class Mask:
         rows.setflags(write=False)
         return rows
 
+    @cached_property
+    def ramps(self) -> Field:
+        """Tables of the ramp of an octave, see :func:`prefilter.ramp_tables`; read-only."""
+        rows = prefilter.ramp_tables(self.quantile, self.spans)
+        rows.setflags(write=False)
+        return rows
+
     def sidecar(self) -> dict[str, object]:
         """The description that accompanies a download, as plain JSON values."""
         return {**self.entry.to_json(), **self.tables.to_json()}

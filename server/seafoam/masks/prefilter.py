@@ -27,6 +27,11 @@ ENTRY_BITS = 21
 SPAN_STEPS = 256
 """Steps of 0..1 in which spans begin and end: what a texel covers differs by 0.001 to 0.005 root mean square from that
 of endless digits, a tenth of what four by four texels leave in a footprint."""
+OCTAVE_RAMP = 0.6
+"""Width, in shares of the plane, of the ramp that an octave leaves to the next: 0.4 leaves walls smooth, 0.9 dissolves
+them."""
+RAMP_SAMPLES = 4096
+"""Values of the interpolated mask over which the ramp's mean is taken."""
 END_MARGIN = 1.0 / 64.0
 """The interpolated mask lies within this of its sampled extremes: its second derivatives are at most 2, and at an
 extreme, where the gradient is zero, a sample is at most 1/16 texel away along each axis."""
@@ -222,6 +227,71 @@ def span_quantiles(chain: Sequence[Level]) -> Field:
         row[0], row[-1] = 0.0, 1.0
         rows.append(row)
     return np.stack(rows)
+
+
+def ramp_threshold(s: ArrayLike) -> Field:
+    """T at which a ramp of :data:`OCTAVE_RAMP` = w over even thresholds, clamp((T - u) / w, 0, 1), covers a share s.
+
+    0 at s = 0 and 1 + w at s = 1, where all is whole. The mean over u in 0..1 is T^2 / (2 w) up to T = w, T - w / 2 up
+    to T = 1 and 1 - (1 + w - T)^2 / (2 w) beyond.
+    """
+    share, w = np.clip(np.asarray(s, np.float64), 0.0, 1.0), OCTAVE_RAMP
+    threshold: Field = np.where(
+        share < w / 2.0,
+        np.sqrt(2.0 * w * share),
+        np.where(share <= 1.0 - w / 2.0, share + w / 2.0, 1.0 + w - np.sqrt(2.0 * w * (1.0 - share))),
+    )
+    return threshold
+
+
+def ramp_tables(quantile: ArrayLike, chain: Sequence[Level]) -> Field:
+    """Where the ramp of an octave stands so that it covers a share s, 65 entries a row; (levels + 2, 65) float64.
+
+    Entry i is for ``quantile_saturation(i / 64)``. Row 0: T for the interpolated mask, whose values b the ramp makes
+    clamp((T - b) / W, 0, 1) of; its width W is in the last row. Rows 1 and on: T for the texels of a level of
+    :func:`spans`, ramp :data:`OCTAVE_RAMP`. Both ends of the ramp go through the distribution of what it is laid
+    over, so the cover is s at every scale.
+    """
+    shares = quantile_saturation(np.arange(QUANTILE_ENTRIES) / (QUANTILE_ENTRIES - 1))
+    threshold, width = _spline_ramp(np.asarray(quantile, np.float64), shares)
+    return np.vstack((threshold, [_span_ramp(level, shares) for level in chain], width))
+
+
+def _spline_ramp(quantile: Field, shares: Field) -> tuple[Field, Field]:
+    """T and W of the ramp over the interpolated mask, straight between its ends in shares of the plane; (65,) each."""
+    even = ramp_threshold(shares)
+    low, high = np.maximum(even - OCTAVE_RAMP, 0.0), np.minimum(even, 1.0)
+    top, bottom = np.minimum(even / OCTAVE_RAMP, 1.0), np.maximum(even - 1.0, 0.0) / OCTAVE_RAMP
+    rise = np.where(top > bottom, top - bottom, 1.0)
+    width = (quantile_lookup(quantile, high) - quantile_lookup(quantile, low)) / rise
+    # At both ends the ramp has shrunk to a point: as steep as beside it.
+    width[0], width[-1] = width[1], width[-2]
+    threshold = quantile_lookup(quantile, high) + bottom * width
+    # Between its ends the distribution is bent: moved until the mean is the share.
+    values = quantile_lookup(quantile, (np.arange(RAMP_SAMPLES) + 0.5) / RAMP_SAMPLES)
+    left, right = threshold - width, threshold + width
+    for _ in range(40):
+        middle = 0.5 * (left + right)
+        mean = np.clip((middle[:, None] - values) / width[:, None], 0.0, 1.0).mean(axis=1)
+        left, right = np.where(mean < shares, middle, left), np.where(mean < shares, right, middle)
+    threshold[1:-1] = 0.5 * (left + right)[1:-1]
+    threshold[0], threshold[-1] = quantile[0], quantile[-1] + width[-1]
+    return threshold, width
+
+
+def _span_ramp(level: Level, shares: Field) -> Field:
+    """T of the ramp over the texels of a level; (65,)."""
+    low, width = np.moveaxis(np.rint(level.reshape(-1, 2) * SPAN_STEPS).astype(np.int64), -1, 0)
+    # Integral of the ramp over a texel's thresholds: from its lowest on, less from its highest on.
+    count = SPAN_STEPS + 1
+    ends = np.bincount(low, SPAN_STEPS / width, count) - np.bincount(low + width, SPAN_STEPS / width, count)
+    grid = ramp_threshold(quantile_saturation(np.linspace(0.0, 1.0, 16 * QUANTILE_ENTRIES)))
+    above = np.maximum(grid[:, None] - np.arange(count) / SPAN_STEPS, 0.0)
+    held = np.minimum(above, OCTAVE_RAMP)
+    covered = (held * held / (2.0 * OCTAVE_RAMP) + (above - held)) @ ends / low.size
+    row = np.interp(shares, np.maximum.accumulate(covered), grid)
+    row[0], row[-1] = 0.0, 1.0 + OCTAVE_RAMP
+    return row
 
 
 def atlas(ranks: Ranks, chain: Sequence[Level]) -> NDArray[np.uint32]:

@@ -49,6 +49,8 @@ class Assets:
     """Chain of (low, width): where the thresholds of a level's texels lie; level l is (size/2^l, size/2^l, 2)."""
     quantiles: Floats
     """Tables of Q, see :func:`sampling.quantile`, (1 + levels, 65): of the B-spline mask, then of each level."""
+    ramps: Floats
+    """Tables of an octave's ramp, (2 + levels, 65): of the B-spline mask, of each level, width over the former."""
     texture: list[Floats]
     """Box-averaged chain of the foam texture t in [0, 1]."""
 
@@ -59,6 +61,7 @@ class Assets:
             thresholds=sampling.thresholds(mask.ranks),
             spans=[level.astype(np.float64) for level in mask.spans],
             quantiles=mask.quantiles,
+            ramps=mask.ramps,
             texture=sampling.box_chain(np.asarray(texture, np.float64)),
         )
 
@@ -556,7 +559,7 @@ class _Shader:
     ) -> Floats:
         """The amount of a masked look at places (u, v) of the mask, footprints ``feet`` in its tiles; (r,)."""
         if foam.look == "filtered":
-            return looks.thinned(self._coverage(foam, assets, f, u, v, *feet), t, foam.texture)
+            return looks.thinned(coverage(foam, assets, f, u, v, *feet, filtering=self.filtering), t, foam.texture)
         m = sampling.nearest(assets.thresholds, u, v)
         if foam.look == "halftone":
             return looks.halftone(f, m)
@@ -584,25 +587,56 @@ class _Shader:
         level = sampling.footprint_level(foot_x / tile, foot_y / tile, assets.texture[0].shape[0])
         return sampling.trilinear(assets.texture, u, v, level)
 
-    def _coverage(
-        self, foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats
-    ) -> Floats:
-        if not self.filtering:
+
+def coverage(
+    foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats, *, filtering: bool
+) -> Floats:
+    """The share that the filtered look covers at places (u, v) of its mask, 1 a tile, saturation s in [0, 1]; (r,).
+
+    With ``filtering`` under footprints (r, 2), else in the limit of infinitely many samples.
+    """
+    if foam.octaves == 1:
+        if filtering:
+            return covered(assets, s, u, v, foot_u, foot_v, foam.fade)
+        b = sampling.bspline(assets.thresholds, u, v).value
+        return looks.converged_coverage(s, b, assets.quantiles[0], foam.fade)
+    left = looks.faded(s, foam.fade)
+    for number in range(foam.octaves):
+        if filtering:
+            size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]
+            shown = looks.octave_shown(size) if number else np.ones_like(s)
+            own = covered(assets, left, u, v, foot_u, foot_v, None)
+            left = left + shown * (own - left)
+        else:
             b = sampling.bspline(assets.thresholds, u, v).value
-            return looks.converged_coverage(s, b, assets.quantiles[0], foam.fade)
-        # The sides of the box that has the footprint's variance along the mask's axes.
-        size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]
-        minified, magnified = np.zeros_like(s), np.zeros_like(s)
-        w = looks.minification(size)
-        far, near = np.flatnonzero(w > 0.0), np.flatnonzero(w < 1.0)
-        minified[far] = looks.minified_coverage(
-            s[far], u[far], v[far], size[far], assets.spans, assets.quantiles[1:], foam.fade
-        )
-        b, e = looks.spline_over_footprint(
-            sampling.bspline(assets.thresholds, u[near], v[near]), foot_u[near], foot_v[near]
-        )
-        magnified[near] = looks.magnified_coverage(s[near], b, e, assets.quantiles[0], foam.fade)
-        return looks.filtered_coverage(s, minified, magnified, size, foam.fade)
+            threshold, width = (sampling.quantile(assets.ramps[row], left) for row in (0, -1))
+            left = looks.converged_octave(left, b, threshold, width)
+        u, v = looks.octave(u, v)
+        foot_u, foot_v = (np.stack(looks.octave(foot[:, 0], foot[:, 1]), axis=-1) for foot in (foot_u, foot_v))
+    return left
+
+
+def covered(
+    assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats, fade: float | None
+) -> Floats:
+    """A(s) of the mask at places (u, v), 1 a tile, under footprints (r, 2); (r,). ``fade`` None: an octave's ramp."""
+    # The sides of the box that has the footprint's variance along the mask's axes.
+    size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]
+    minified, magnified = np.zeros_like(s), np.zeros_like(s)
+    w = looks.minification(size)
+    far, near = np.flatnonzero(w > 0.0), np.flatnonzero(w < 1.0)
+    tables, ramp = (assets.ramps[1:-1], looks.OCTAVE_RAMP) if fade is None else (assets.quantiles[1:], fade)
+    minified[far] = looks.minified_coverage(s[far], u[far], v[far], size[far], assets.spans, tables, ramp)
+    b, e = looks.spline_over_footprint(
+        sampling.bspline(assets.thresholds, u[near], v[near]), foot_u[near], foot_v[near]
+    )
+    if fade is None:
+        threshold, width = (sampling.quantile(assets.ramps[row], s[near]) for row in (0, -1))
+    else:
+        threshold = sampling.quantile(assets.quantiles[0], s[near])
+        width = looks.spline_fade(assets.quantiles[0], s[near], fade)
+    magnified[near] = looks.magnified_coverage(b, e, threshold, width)
+    return looks.filtered_coverage(s, minified, magnified, size, whole=fade is None or fade == 0.0)
 
 
 def _tiles(position: float, tile: float) -> float:

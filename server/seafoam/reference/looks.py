@@ -10,6 +10,10 @@ from .sampling import Spline, quantile, texel
 from .types import Floats, smoothstep
 
 LEAST_HALF = 5e-4
+OCTAVE_RAMP = 0.6
+"""Width of the ramp that an octave leaves to the next, in shares of the plane."""
+OCTAVE_SHOWN = (32.0, 64.0)
+"""Texels of an octave in a footprint between which it fades out."""
 END = 1.0 / 256.0
 
 
@@ -67,13 +71,14 @@ def spline_fade(table: Floats, s: Floats, fade: float) -> Floats:
     return result
 
 
-def magnified_coverage(s: Floats, b: Floats, e: Floats, table: Floats, fade: float) -> Floats:
-    """Share of a footprint where Q(s) exceeds the B-spline mask, which lies evenly in b ± e there; (r,).
+def magnified_coverage(b: Floats, e: Floats, threshold: Floats, width: Floats) -> Floats:
+    """Share of a footprint where a threshold exceeds the B-spline mask, which lies evenly in b ± e there; (r,).
 
-    b and e come from :func:`spline_over_footprint`, ``table`` (65,) is Q.
+    b and e come from :func:`spline_over_footprint`. ``threshold`` is Q(s) and ``width`` its :func:`spline_fade`, or for
+    an octave both are read from the tables of its ramp.
     """
     half = np.maximum(e, LEAST_HALF)
-    return _ramp_mean(quantile(table, s), b - half, 2.0 * half, spline_fade(table, s, fade))
+    return _ramp_mean(threshold, b - half, 2.0 * half, width)
 
 
 def minified_coverage(
@@ -96,15 +101,40 @@ def minified_coverage(
     return covered
 
 
-def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floats, fade: float) -> Floats:
-    """A(s): the share of a footprint that a threshold of the mask covers, from its two forms; in [0, 1]."""
+def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floats, whole: bool) -> Floats:
+    """A(s): the share of a footprint that a threshold of the mask covers, from its two forms; in [0, 1].
+
+    ``whole``: all is covered where s is 1, as it is without a fade and in every octave.
+    """
     w = minification(size)
     A = w * minified + (1.0 - w) * magnified
     A = A * smoothstep(0.0, END, s)
-    if fade == 0.0:
+    if whole:
         A = 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
     # Rounding of the quotient.
     return np.clip(A, 0.0, 1.0)
+
+
+def faded(s: Floats, fade: float) -> Floats:
+    """R(s): what the look with a fade covers in the mean where the saturation is s; octaves share out as much."""
+    return _ramp(s, fade)
+
+
+def octave(u: Floats, v: Floats) -> tuple[Floats, Floats]:
+    """Places or footprints in the next octave: times the Gaussian integer 4 + 3i, five times finer, turned by 37°."""
+    return 4.0 * u - 3.0 * v, 3.0 * u + 4.0 * v
+
+
+def octave_shown(size: Floats) -> Floats:
+    """How far an octave shows under footprints of sides (r, 2) in its texels: 1 to 32 of them, 0 from 64 on."""
+    return 1.0 - smoothstep(*OCTAVE_SHOWN, size.max(axis=1))
+
+
+def converged_octave(s: Floats, b: Floats, threshold: Floats, width: Floats) -> Floats:
+    """The limit of an octave with infinitely many samples: its ramp over the B-spline mask b, ended as the filtered."""
+    A = np.clip((threshold - b) / width, 0.0, 1.0) * smoothstep(0.0, END, s)
+    result: Floats = 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
+    return result
 
 
 def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floats:

@@ -241,6 +241,13 @@ class Foam(Part):
     fade: Share = Field(
         default=0.0, description="Width of the filtered look's ramp: bubbles fade over it before they pop"
     )
+    octaves: int = Field(
+        default=1,
+        ge=1,
+        le=4,
+        description="Times that the filtered look thresholds by the mask, each time turned and five times finer, as "
+        "far as a pixel shows it: foam keeps detail near the eye",
+    )
     albedo: Share = Field(default=0.9, description="Share of light that foam scatters back")
 
     @model_validator(mode="after")

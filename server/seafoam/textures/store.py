@@ -55,8 +55,9 @@ def texture(name: str) -> TextureData:
 
     ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/atlas`` (RG32UI, see
     :func:`seafoam.masks.prefilter.atlas`), ``mask/NAME/quantiles`` (RG32F, an entry and the next, a row for the
-    magnified mask and one for each level), ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R8, all levels),
-    ``fft-twiddles`` (RG32F, a row), ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
+    magnified mask and one for each level) and ``ramps`` (the same for an octave's ramp),
+    ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R8, all levels), ``fft-twiddles`` (RG32F, a row),
+    ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
     ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F),
     ``spray-rocks/STEEP/GROUND`` (RGBA32F, a row).
     Raises :class:`UnknownTextureError`.
@@ -106,9 +107,16 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
             image = atlas(mask.ranks, mask.spans)
             return _data(name, "RG32UI", image.shape[1], size, 1, image.astype("<u4").tobytes())
         case "quantiles":
-            return _pack(name, "RG32F", [np.stack((mask.quantiles[:, :-1], mask.quantiles[:, 1:]), axis=-1)])
+            return _entries(name, mask.quantiles)
+        case "ramps":
+            return _entries(name, mask.ramps)
         case _:
             raise UnknownTextureError(name)
+
+
+def _entries(name: str, tables: NDArray[np.float64]) -> TextureData:
+    """Tables (rows, n), each entry with the next: a fetch gets both."""
+    return _pack(name, "RG32F", [np.stack((tables[:, :-1], tables[:, 1:]), axis=-1)])
 
 
 def _shore(name: str, make: Callable[[], NDArray[np.float32]]) -> NDArray[np.float32]:

@@ -1241,6 +1241,12 @@ export interface components {
              */
             fade: number;
             /**
+             * Octaves
+             * @description Times that the filtered look thresholds by the mask, each time turned and five times finer, as far as a pixel shows it: foam keeps detail near the eye
+             * @default 1
+             */
+            octaves: number;
+            /**
              * Albedo
              * @description Share of light that foam scatters back
              * @default 0.9
@@ -2157,6 +2163,13 @@ export interface components {
              * @enum {integer}
              */
             foam_taps: 4 | 16;
+            /**
+             * Foam Octaves
+             * @description Octaves of the mask at most: how fine foam is near the eye
+             * @default 4
+             * @enum {integer}
+             */
+            foam_octaves: 1 | 2 | 3 | 4;
             /**
              * Chop
              * @description Ripples from a tile drawn each frame, or summed per pixel
