@@ -1,5 +1,5 @@
 // Water, foam and air under sun and sky. docs/formulae.md, section 6. d, n: unit vectors; lost: mean square slope that the footprint
-// took out, of waves (x) and of ripples (y).
+// took out, of waves (x) and of ripples (y); f: saturation of the foam over the water.
 uniform float u_roughness;           // root mean square slope
 uniform float u_visibility;          // m
 
@@ -7,7 +7,7 @@ vec3 irradiance(vec3 n) {
     return u_sun_irradiance * max(dot(n, u_sun_direction), 0.0) + u_sky_irradiance * (0.5 + 0.5 * n.y);
 }
 
-vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height) {
+vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height, float f) {
     float base2 = u_roughness * u_roughness;
     float lost2 = lost.x + lost.y;
     float sigma2 = base2 + lost2;
@@ -32,8 +32,10 @@ vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height) {
 
     vec3 below = 0.95 * irradiance(n) / PI;
     vec3 absorption = 1.0 / u_absorption_length;
-    vec3 deep = 0.4 * u_scattering / (absorption + u_scattering) * below;
-    vec3 body = water_body(below, deep, absorption + u_scattering, cv, height);
+    vec3 extinction = absorption + u_scattering;
+    vec3 deep = 0.4 * u_scattering / extinction * below;
+    vec3 body = water_body(below, deep, extinction, cv, height);
+    body = aerated(body, deep, below, extinction, cv, f);
     body += crest_light(d, absorption, height);
     return (1.0 - reflectance) * body + reflectance * reflected + glitter_light(d, n, sigma2, cv);
 }

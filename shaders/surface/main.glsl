@@ -29,7 +29,7 @@ void main() {
     vec3 normal = normalize(vec3(-shading.y - ripple.x, 1.0, -shading.z - ripple.y));
     look_through(p, shading.x, d, normal, shading.w + ripple.z, fp);
     vec3 place = vec3(p.x, u_eye_height + tau * ray.y, p.y);
-    vec3 water = exposure() * water_light(place, d, normal, vec2(shading.w, ripple.z), shading.x);
+    vec3 water = exposure() * water_light(place, d, normal, vec2(shading.w, ripple.z), shading.x, f);
     vec3 foam = exposure() * foam_light(foam_normal);
     vec3 light = in_air(foam_over(water, foam, amount), d, tau * length(ray));
     o_color = vec4(min(light, BRIGHTEST), min(amount, 1.0));

@@ -1,6 +1,7 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
 from seafoam.effects import (
+    aeration,
     below,
     boat,
     caustics,
@@ -58,6 +59,7 @@ EFFECTS: tuple[Effect, ...] = (
     cubemap.EFFECT,
     drift.EFFECT,
     crest.EFFECT,
+    aeration.EFFECT,
     spray.EFFECT,
     wake_foam.EFFECT,
     boat.EFFECT,

@@ -133,6 +133,15 @@ def crest_limit(scene: Scene) -> float:
     return max(passed) * math.exp2(light.exposure)
 
 
+def body_limit(scene: Scene) -> float:
+    """Brightest light that scattering can send back from the water, display white = 1."""
+    light = scene.light
+    if light is None:
+        return 0.0
+    both = (sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True))
+    return 0.4 * 0.95 / math.pi * max(both) * math.exp2(light.exposure)
+
+
 def foam_limit(foam: Foam, scene: Scene) -> float:
     """Brightest foam, display white = 1; at least white."""
     light = scene.light

@@ -132,6 +132,8 @@ SKY_MAIN = Slot("sky main", default="sky/main.glsl")
 DISC = Slot("disc", default="sky/no_disc.glsl")
 BODY = Slot("body", default="body/deep.glsl", under="shade")
 CREST = Slot("crest", default="crest/none.glsl", under="shade")
+PLUME = Slot("plume", default="plume/none.glsl", under="shade")
+"""Bubbles in the water under foam."""
 GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
 REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 """What the water mirrors."""
@@ -169,13 +171,13 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
+    lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
     return (*waves, DETAIL, *MARCH_SLOTS, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, LAND_COLOR, MAIN)
 
 
 def land_slots() -> tuple[Slot, ...]:
     """The slots of the fragment shader that draws land where rays meet it, in the order of the text."""
-    lit = (*SKY_SLOTS, BODY, CREST, GLITTER, REFLECTION, SHADE)
+    lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
     return (OPEN_WAVES, SHORE, OVER, ALBEDO, *lit, LAND_COLOR)
 
 

@@ -291,7 +291,7 @@ class _Shader:
             light_up = bed.ceiling(x, z, H, d[up], n, s, feet)
             if scene.foam is not None and self.assets is not None and scene.light is not None:
                 N = -surface.normal(met_x, met_z)
-                a = self._foam(scene.foam, self.assets, x, z, H, s / length[up], D[up], N)
+                a, _ = self._foam(scene.foam, self.assets, x, z, H, s / length[up], D[up], N)
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
                 white = FOAM_THROUGH * light.foam(bed.air, scene.foam.albedo, stiff)
                 light_up = self._laid(light_up, white, a)
@@ -450,10 +450,10 @@ class _Shader:
         H = self.relief.height(x, z)
         met, (h_x, h_z), (c_x, c_z) = self._slopes(x, z)
         N = surface.normal(*met)
-        a = np.zeros_like(x)
+        a, f = np.zeros_like(x), None
         if scene.foam is not None and self.assets is not None:
             tau = distance / np.sqrt(dot(D, D))
-            a = self._foam(scene.foam, self.assets, x, z, H, tau, D, N)
+            a, f = self._foam(scene.foam, self.assets, x, z, H, tau, D, N)
         if air is None or scene.light is None:
             colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
@@ -480,6 +480,7 @@ class _Shader:
                 mirrored=lambda r: self._mirror(place, r),
                 sun=self.sun,
                 lit=lit,
+                saturation=f,
             )
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
@@ -490,8 +491,8 @@ class _Shader:
 
     def _foam(
         self, foam: Foam, assets: Assets, x: Floats, z: Floats, H: Floats, tau: Floats, D: Floats, N: Floats
-    ) -> Floats:
-        """The look's foam amount at r places; (r,), in [0, 3] for ``listing``, else in [0, 1]."""
+    ) -> tuple[Floats, Floats]:
+        """At r places the look's foam amount, in [0, 3] for ``listing``, else in [0, 1], and the saturation; (r,) each."""
         foot_x = surface.footprint(tau, D, N, self.delta_x)
         foot_y = surface.footprint(tau, D, N, self.delta_y)
         filtered = foam.look == "filtered"
@@ -517,13 +518,13 @@ class _Shader:
         )
         carried = self._carried(foam, x, z)
         if not carried:
-            return self._look(foam, assets, f, x, z, foot_x, foot_y)
+            return self._look(foam, assets, f, x, z, foot_x, foot_y), f
         free = np.ones_like(x)
         for copy in carried:
             part = cells.part(f, copy.weight)
             amount = self._look(foam, assets, part, copy.x, copy.z, copy.turned(foot_x), copy.turned(foot_y))
             free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
-        return 1.0 - free
+        return 1.0 - free, f
 
     def _look(
         self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats

@@ -157,6 +157,7 @@ def water(
     mirrored: Callable[[Floats], Floats] | None = None,
     sun: Glint | None = None,
     lit: tuple[Floats, Floats, Floats] | None = None,
+    saturation: Floats | None = None,
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
@@ -164,12 +165,16 @@ def water(
     way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light
     that comes from directions (r, 3) over the water; absent: the sky's. ``sun``: in place of the smooth glint. ``lit``:
     a level floor that is lit by itself: its radiance (r, 3), the way from it up, and straight down to it, (r,) m.
+    ``saturation`` (r,): of the foam over the water, whose bubbles make it milky.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
-    inner = (1.0 - mirror) * (_body(of, body, n, H, cv, bed, lit) + _crest(of, body, top, d, H))
+    within = _body(of, body, n, H, cv, bed, lit)
+    if saturation is not None and body.aeration > 0.0:
+        within = _aerated(of, body, n, cv, within, saturation)
+    inner = (1.0 - mirror) * (within + _crest(of, body, top, d, H))
     seen = of.mirrored if mirrored is None else mirrored
     glinting = partial(glint, of) if sun is None else sun
     return inner + mirror * seen(_reflected(d, n, sigma2)) + glinting(d, n, cv, sigma2)
@@ -259,9 +264,8 @@ def _body(
     lit: tuple[Floats, Floats, Floats] | None,
 ) -> Floats:
     """L_body: light scattered back by the water, and by its floor; (r, 3)."""
-    absorption = 1.0 / np.array(body.absorption_length)
-    extinction = absorption + body.scattering
-    down = ENTERS * (of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None] + sky_light(of, n[:, 1]))
+    extinction = 1.0 / np.array(body.absorption_length) + body.scattering
+    down = _entering(of, n)
     deep = BACKSCATTER * body.scattering / extinction * down / math.pi
     if lit is not None:
         radiance, way, straight = lit
@@ -278,6 +282,30 @@ def _body(
     path = (body.depth + H) * (1.0 + 1.0 / refracted)
     through = np.exp(-extinction * path[:, None])
     result: Floats = deep * (1.0 - through) + np.array(body.floor_albedo) * down / math.pi * through
+    return result
+
+
+def _entering(of: Air, n: Floats) -> Floats:
+    """Irradiance that enters the water of unit normals n (r, 3); (r, 3)."""
+    direct = of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None]
+    result: Floats = ENTERS * (direct + sky_light(of, n[:, 1]))
+    return result
+
+
+def _aerated(of: Air, body: Water, n: Floats, cv: Floats, clear: Floats, saturation: Floats) -> Floats:
+    """L_body under foam of a saturation (r,): a layer of bubbles before what the ``clear`` water sends back; (r, 3)."""
+    absorption = 1.0 / np.array(body.absorption_length)
+    way = body.plume_depth * np.clip(saturation, 0.0, 1.0) * (1.0 + 1.0 / np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2))
+    down = _entering(of, n) / math.pi
+
+    def layer(scattering: float) -> Floats:
+        """What a layer of water that scatters so much sends back; (r, 3)."""
+        extinction = absorption + scattering
+        sent: Floats = BACKSCATTER * scattering / extinction * down * (1.0 - np.exp(-extinction * way[:, None]))
+        return sent
+
+    below = (clear - layer(body.scattering)) * np.exp(-body.aeration * way)[:, None]
+    result: Floats = np.maximum(layer(body.scattering + body.aeration) + below, 0.0)
     return result
 
 

@@ -303,6 +303,18 @@ class Water(Part):
     translucency: float = Field(
         default=0.25, ge=0.0, le=2.0, description="How strongly a thin crest lets the sun through"
     )
+    aeration: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=10.0,
+        description="Scattering coefficient of the bubbles in the water under foam, 1/m; 0: the water stays clear",
+    )
+    plume_depth: float = Field(
+        default=1.5,
+        ge=0.01,
+        le=20.0,
+        description="How deep bubbles reach where the saturation is 1, m; less foam, the shallower",
+    )
     roughness: float = Field(
         default=0.05, ge=0.03, le=0.5, description="Root mean square slope of what is smaller than a ripple"
     )
