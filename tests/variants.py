@@ -58,6 +58,7 @@ def qualities() -> Iterator[Quality]:
     yield standard.model_copy(update={"cube": "exact", "cloud_octaves": 2})
     for mask, taps in product(("u8", "half"), (4, 16)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
+    yield standard.model_copy(update={"foam_octaves": 1})
     for wake, reflection, rays in (("map", "traced", 4), ("exact", "map", 1)):
         yield standard.model_copy(update={"wake": wake, "reflection": reflection, "boat_samples": rays})
     for size, tiles, digits, steps in ((64, 2, "half", 0), (128, 3, "float", 4), (512, 4, "half", 8)):
@@ -79,14 +80,16 @@ def scenes() -> Iterator[Scene]:
         for combine in ("max", "product") if len(saturation) > 1 else ("max",):
             foam = Foam(look=look, saturation=saturation, combine=combine)  # type: ignore[arg-type]
             yield sea.model_copy(update={"foam": foam})
-    for fade, texture in product((0.0, 0.3), repeat=2):
-        yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"fade": fade, "texture": texture})})
+    for fade, texture, octaves in product((0.0, 0.3), (0.0, 0.3), (1, 3)):
+        look = {"fade": fade, "texture": texture, "octaves": octaves}
+        yield sea.model_copy(update={"foam": sea.foam.model_copy(update=look)})
     yield sea.model_copy(update={"foam": None})
     yield sea.model_copy(update={"light": Light(sun_elevation=-0.2)})
     yield sea.model_copy(update={"light": None})
     yield sea.model_copy(update={"light": None, "foam": None})
     yield sea.model_copy(update={"water": Water()})
     yield sea.model_copy(update={"water": Water(depth=3.0)})
+    yield sea.model_copy(update={"water": Water(depth=3.0, aeration=0.2)})
     for waves in ((), sea.waves):
         for light in (None, sea.light):
             yield sea.model_copy(update={"rings": (Ring(), Ring(every=30.0)), "waves": waves, "light": light})
@@ -117,6 +120,7 @@ def scenes() -> Iterator[Scene]:
     for light, saturation in product((Light(), None), ((SurfSaturation(),), (SurfSaturation(), HeightSaturation()))):
         foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
         yield Scene(shore=shore, foam=foam, light=light)
+        yield Scene(shore=shore, foam=foam, light=light, water=Water(aeration=0.2))
     yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
     for sky in (None, Sky(), Sky(clouds=Clouds()), Sky(moon=Moon(), stars=1.0), Sky(clouds=Clouds(), moon=Moon())):
         for around, reflection in product((None, shore), ("sky", "cubemap")):

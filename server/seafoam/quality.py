@@ -172,7 +172,6 @@ TIERS: dict[Tier, Quality] = {
     "draft": Quality(
         surface=SurfaceQuality(tolerance=0.2),
         foam_taps=4,
-        foam_octaves=2,
         chop_size=128,
         sea_size=128,
         sea_tiles=3,

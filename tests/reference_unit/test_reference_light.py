@@ -121,3 +121,38 @@ def test_haze_ends_in_the_sky_at_the_horizon() -> None:
     np.testing.assert_allclose(far[1:], air.sky(unit(d[1:] * [1.0, 0.0, 1.0])))
     seen = light.haze(air, 1000.0, np.zeros((100, 3)), d, np.full(100, 1000.0))
     np.testing.assert_allclose(seen / far, 0.98, atol=1e-3)
+
+
+def milky(aeration: float, f: float, depth: float | None = None, plume: float = 1.5) -> np.ndarray:
+    """Water of an aeration under foam of a saturation, from 200 directions above; (200, 3)."""
+    d = sphere(200, 5)
+    d[:, 1] = -np.abs(d[:, 1]) - 0.05
+    d = unit(d)
+    n = np.tile((0.0, 1.0, 0.0), (200, 1))
+    body = Water(aeration=aeration, plume_depth=plume, depth=depth, scattering=0.01)
+    return light.water(light.air(Light()), body, 0.0, d, n, np.zeros(200), saturation=np.full(200, f))
+
+
+@pytest.mark.parametrize("depth", [None, 2.0])
+def test_no_bubbles_and_no_foam_leave_the_water_alone(depth: float | None) -> None:
+    clear = milky(0.0, 1.0, depth)
+    np.testing.assert_array_equal(milky(0.5, 0.0, depth), clear)
+    np.testing.assert_allclose(milky(1e-12, 1.0, depth), clear, rtol=1e-9)
+
+
+def test_more_foam_more_bubbles_and_deeper_plumes_whiten() -> None:
+    for low, high in ((milky(0.1, 0.3), milky(0.1, 0.9)), (milky(0.1, 0.5), milky(0.4, 0.5))):
+        assert (high > low).all()
+    assert (milky(0.1, 0.5, plume=3.0) > milky(0.1, 0.5, plume=0.5)).all()
+    # Of white light less red comes back than green, which clear water keeps.
+    share = milky(0.3, 1.0) / light.foam(light.air(Light()), 1.0, np.array([[0.0, 1.0, 0.0]]))
+    assert (share[:, 1] > share[:, 0]).all()
+
+
+def test_an_endless_plume_is_water_that_scatters_as_much() -> None:
+    d = unit(np.array([[0.6, -0.5, 0.2], [0.0, -1.0, 0.0]]))
+    n = np.tile((0.0, 1.0, 0.0), (2, 1))
+    plume = Water(aeration=0.2, plume_depth=20.0, scattering=0.1)
+    got = light.water(light.air(Light()), plume, 0.0, d, n, np.zeros(2), saturation=np.ones(2))
+    want = light.water(light.air(Light()), Water(scattering=0.3), 0.0, d, n, np.zeros(2))
+    np.testing.assert_allclose(got, want, rtol=1e-4)

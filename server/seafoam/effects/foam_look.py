@@ -287,6 +287,35 @@ EFFECT = Effect(
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
         HardCase(
+            name="four octaves, a hair below all",
+            scene=Scene(
+                foam=Foam(
+                    saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),),
+                    look="filtered",
+                    mask="lace",
+                    octaves=4,
+                )
+            ),
+            guard="no octave after one that left all or nothing (look/filtered.glsl)",
+            without="nothing on llvmpipe: ramps end at all and at nothing exactly",
+            camera=Camera(position=(0.37, 0.3, -0.21), yaw=1.0, pitch=-0.3),
+        ),
+        HardCase(
+            name="four octaves, ten thousand kilometres away",
+            scene=Scene(
+                foam=Foam(
+                    saturation=(HeightSaturation(base=-0.4, full=0.6),),
+                    look="filtered",
+                    mask="lace",
+                    octaves=4,
+                    mask_tile=0.7,
+                )
+            ),
+            guard="each octave's place taken modulo a tile, which whole numbers map onto itself (look/filtered.glsl)",
+            without="0.01 of a tile lost at the third octave: the pattern of the fourth is another",
+            camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
+        ),
+        HardCase(
             name="a mask turned in each cell, ten thousand kilometres away",
             scene=Scene(
                 foam=Foam(

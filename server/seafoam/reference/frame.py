@@ -492,7 +492,7 @@ class _Shader:
     def _foam(
         self, foam: Foam, assets: Assets, x: Floats, z: Floats, H: Floats, tau: Floats, D: Floats, N: Floats
     ) -> tuple[Floats, Floats]:
-        """At r places the look's foam amount, in [0, 3] for ``listing``, else in [0, 1], and the saturation; (r,) each."""
+        """At r places the look's foam amount, in [0, 3] for ``listing``, else in [0, 1], and f; (r,) each."""
         foot_x = surface.footprint(tau, D, N, self.delta_x)
         foot_y = surface.footprint(tau, D, N, self.delta_y)
         filtered = foam.look == "filtered"

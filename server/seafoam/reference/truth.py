@@ -21,8 +21,8 @@ from .types import Bools, Floats
 _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None, "drift": None, "spray": None, "boats": []},
     "shore": {"image": None},
-    "foam": {"texture_second": None, "cells": False},
-    "water": {"floor_tile": None, "view_below": True},
+    "foam": {"texture_second": None, "cells": False, "octaves": 1},
+    "water": {"floor_tile": None, "view_below": True, "aeration": 0.0, "plume_depth": 1.5},
     "water/chop": {"gusts": None},
     "light": {
         "day": None,

@@ -3636,6 +3636,18 @@ export interface components {
              */
             translucency: number;
             /**
+             * Aeration
+             * @description Scattering coefficient of the bubbles in the water under foam, 1/m; 0: the water stays clear
+             * @default 0
+             */
+            aeration: number;
+            /**
+             * Plume Depth
+             * @description How deep bubbles reach where the saturation is 1, m; less foam, the shallower
+             * @default 1.5
+             */
+            plume_depth: number;
+            /**
              * Roughness
              * @description Root mean square slope of what is smaller than a ripple
              * @default 0.05
