@@ -122,53 +122,50 @@ float form_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y, vec2 size, int form)
     return down.x * dot(across, row_coverage(a, threshold)) + middle + down.w * dot(across, row_coverage(d, threshold));
 }
 
-float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
-    // The sides of the box that has the footprint's variance along the mask's axes.
-    vec2 size = float(MASK_SIZE) * sqrt(uv_x * uv_x + uv_y * uv_y);
-    float most = max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)));
-    float held = clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)));
-    // The finest level whose texels hold the footprint, led over to the next where they hardly do: the binary exponent, so that no
-    // driver's logarithm decides on it.
-    int form = (floatBitsToInt(held) >> 23) - 127;
-    float next = smoothstep(1.75, 2.0, held * intBitsToFloat((127 - form) << 23));
-    if (most < 1.0) {
-        form = -1;
-        next = smoothstep(2.0 / 3.0, 1.0, most);
-    }
-    float covered = 0.0;
-    float weight = 1.0 - next;
-    // Asked at the end: drivers without branches would run a loop that asks first once more, for nothing.
-    int forms = next > 0.0 ? 2 : 1;
-    do {
-        covered += weight * form_coverage(s, uv, uv_x, uv_y, size, form);
-        weight = next;
-        form += 1;
-        forms -= 1;
-    } while (forms > 0);
-    covered *= smoothstep(0.0, 1.0 / 256.0, s);
-    float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
-    // The quotient's rounding passes 1, and foam over glitter would turn negative.
-    return clamp(share, 0.0, 1.0);
-}
-
 // The Gaussian integer 4 + 3i: five times finer and turned by 37 degrees, and of whole numbers, so that the tile maps onto itself.
 vec2 octave(vec2 uv) {
     return vec2(4.0 * uv.x - 3.0 * uv.y, 3.0 * uv.x + 4.0 * uv.y);
 }
 
 // What each octave's ramp leaves grey is thresholded by the next, as far as the footprint shows it; all and none stay.
-float octaves_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
-    float shown = 1.0;
+float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
+    float covered = 0.0;
+    float second = 0.0;
     int octaves = FOAM_OCTAVES;
+    // One loop for octaves and for both forms of each, asked at the end: drivers without branches would run one that asks first
+    // once more, for nothing, and in two loops GPUs would hold half as many waves.
     do {
-        s = mix(s, filtered_coverage(s, uv, uv_x, uv_y), shown);
-        uv = octave(fract(uv));
-        uv_x = octave(uv_x);
-        uv_y = octave(uv_y);
-        vec2 side = uv_x * uv_x + uv_y * uv_y;
-        shown = 1.0 - smoothstep(32.0, 64.0, float(MASK_SIZE) * sqrt(max(side.x, side.y)));
-        octaves -= 1;
-    } while (octaves > 0 && shown > 0.0 && s > 0.0 && s < 1.0);
+        // The sides of the box that has the footprint's variance along the mask's axes.
+        vec2 size = float(MASK_SIZE) * sqrt(uv_x * uv_x + uv_y * uv_y);
+        float most = max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)));
+        float held = clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)));
+        // The finest level whose texels hold the footprint, led over to the next where they hardly do: the binary exponent, so that
+        // no driver's logarithm decides on it.
+        int form = (floatBitsToInt(held) >> 23) - 127;
+        float next = smoothstep(1.75, 2.0, held * intBitsToFloat((127 - form) << 23));
+        if (most < 1.0) {
+            form = -1;
+            next = smoothstep(2.0 / 3.0, 1.0, most);
+        }
+        bool first = second == 0.0;
+        covered += (first ? 1.0 - next : next) * form_coverage(s, uv, uv_x, uv_y, size, first ? form : form + 1);
+        second = first ? next : 0.0;
+        if (second == 0.0) {
+            covered *= smoothstep(0.0, 1.0 / 256.0, s);
+            float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
+            // The quotient's rounding passes 1, and foam over glitter would turn negative.
+            share = clamp(share, 0.0, 1.0);
+            float shown = octaves == FOAM_OCTAVES ? 1.0 : 1.0 - smoothstep(32.0, 64.0, max(size.x, size.y));
+            s = FOAM_OCTAVES > 1 ? s + shown * (share - s) : share;
+            covered = 0.0;
+            uv = octave(fract(uv));
+            uv_x = octave(uv_x);
+            uv_y = octave(uv_y);
+            // The longer side is at least the diagonal over the root of 2: from 64 texels on nothing of the next octave shows.
+            bool seen = dot(uv_x, uv_x) + dot(uv_y, uv_y) < 8192.0 / float(MASK_SIZE * MASK_SIZE);
+            octaves = seen && s > 0.0 && s < 1.0 ? octaves - 1 : 0;
+        }
+    } while (octaves > 0);
     return s;
 }
 
@@ -181,6 +178,6 @@ float foam_amount(float f, vec2 p, Footprint fp) {
         // As much in the mean as the fading look shows.
         s = ramp_integral(vec4(s), u_foam_fade).x;
     }
-    float covered = FOAM_OCTAVES > 1 ? octaves_coverage(s, uv, uv_x, uv_y) : filtered_coverage(s, uv, uv_x, uv_y);
+    float covered = filtered_coverage(s, uv, uv_x, uv_y);
     return FOAM_TEXTURED ? covered * mix(1.0, foam_texture(p, fp), u_foam_texture_share) : covered;
 }
