@@ -188,6 +188,58 @@ def below(executor: Executor) -> None:
     sheet(made, 3).save(PICTURES / "below.webp", quality=82)
 
 
+BEFORE: dict[str, tuple[str, float]] = {
+    "default": ("mix", 5.0),
+    "open-ocean": ("mix", 8.0),
+    "storm": ("mix", 26.0),
+    "swell": ("mix", 5.0),
+    "shallows": ("clump", 5.0),
+    "boat-race": ("mix", 2.2),
+    "spray-on-rocks": ("clump", 5.0),
+    "drift-vortices": ("bubble", 2.5),
+    "boat-in-storm": ("mix", 26.0),
+    "island-surf": ("clump", 5.0),
+    "coastline": ("clump", 6.0),
+    "beach": ("clump", 4.0),
+    "lagoon": ("clump", 4.0),
+    "murky-estuary": ("clump", 2.5),
+    "lake-choppy": ("mix", 1.6),
+    "explosion": ("mix", 6.0),
+    "river": ("mix", 2.5),
+}
+"""Mask and tile (m) of the presets' foam before it had octaves."""
+
+
+def foam(executor: Executor) -> None:
+    """Every preset of octaves beside one octave of the mask it had, in clear water; one, two and four by height."""
+    quality = TIERS["standard"].model_copy(update={"samples": 4})
+
+    def drawn(name: str, camera: Camera | None = None, aeration: float | None = None, **changes: object) -> Image.Image:
+        preset = load_preset(name)
+        scene = preset.scene
+        assert scene.foam is not None
+        scene = scene.model_copy(update={"foam": scene.foam.model_copy(update=changes)})
+        if aeration is not None:
+            scene = scene.model_copy(update={"water": scene.water.model_copy(update={"aeration": aeration})})
+        pixels = executor.render(
+            make_plan(scene, quality), time=preset.time, camera=camera or scene.camera, width=640, height=360
+        ).pixels
+        executor.forget()
+        return Image.fromarray(pixels[..., :3])
+
+    pairs = []
+    for name, (mask, tile) in BEFORE.items():
+        pairs += [drawn(name, aeration=0.0, mask=mask, mask_tile=tile, octaves=1), drawn(name)]
+    sheet(pairs, 4).save(PICTURES / "foam-presets.webp", quality=80)
+    start = load_preset("default").scene.camera
+    near = [
+        drawn("default", start.model_copy(update={"position": (0.0, height, 0.0), "pitch": pitch}), octaves=octaves)
+        for height, pitch in ((4.4, -0.5), (12.0, -0.5), (45.0, -0.5))
+        for octaves in (1, 2, 4)
+    ]
+    sheet(near, 3).save(PICTURES / "foam-octaves.webp", quality=82)
+
+
 def boats(executor: Executor) -> None:
     """The boats' presets at three times; the race's mirror: of the sky alone, planar, by rays from the water."""
     quality = TIERS["standard"].model_copy(update={"samples": 4})
@@ -239,6 +291,7 @@ def main() -> None:
     pool(executor)
     below(executor)
     boats(executor)
+    foam(executor)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy import ndimage
 from scipy.ndimage import gaussian_filter
 
 from report import Report
@@ -191,3 +192,68 @@ def test_the_horizon_does_not_shimmer(executor: Executor, report: Report) -> Non
 def test_filtered_thickens_with_saturation(executor: Executor) -> None:
     means = [float(coverage(executor, s, 4.0, 128).mean()) for s in (0.1, 0.3, 0.5, 0.7)]
     assert means == sorted(means)
+
+
+def lace(saturation: float, octaves: int) -> Scene:
+    scene = flat(saturation, mask="lace")
+    assert scene.foam is not None
+    return scene.model_copy(update={"foam": scene.foam.model_copy(update={"mask_tile": 20.0, "octaves": octaves})})
+
+
+def amounts(
+    executor: Executor, scene: Scene, camera: Camera, size: tuple[int, int] = (192, 108)
+) -> NDArray[np.float32]:
+    rendered = executor.render(
+        make_plan(scene, TIERS["standard"]), time=0.0, camera=camera, width=size[0], height=size[1], output="linear"
+    )
+    return rendered.pixels[..., 3]  # type: ignore[return-value]
+
+
+@pytest.mark.parametrize("height", [0.3, 1.0, 4.0, 15.0, 45.0, 200.0])
+def test_flights_do_not_pop(executor: Executor, report: Report, height: float) -> None:
+    """A millimetre toward the water and along it moves edges and nothing else, by as much as it moves the picture."""
+    scene = lace(0.4, 4)
+    start = Camera(position=(0.37, height, -0.21), pitch=-math.pi / 2)
+    before = amounts(executor, scene, start)
+    # Pixels that the picture's corner and its middle move by.
+    pixel = 2.0 * height * math.tan(0.5 * start.fov) / 108.0
+    moved = {"toward": 1e-3 / height * 0.5 * math.hypot(192.0, 108.0), "along": 1e-3 / pixel}
+    for way, step in (("toward", (0.0, -1e-3, 0.0)), ("along", (1e-3, 0.0, 0.0))):
+        x, y, z = start.position
+        camera = start.model_copy(update={"position": (x + step[0], y + step[1], z + step[2])})
+        change = np.abs(amounts(executor, scene, camera) - before)
+        report.add(
+            "Foam amounts of frames 1 mm apart, level water, four octaves",
+            height=f"{height:g} m",
+            way=way,
+            moved=f"{moved[way]:.4f} pixels",
+            largest=f"{change.max():.4f}",
+            mean=f"{change.mean():.5f}",
+        )
+        # An edge between all and nothing that crosses a pixel changes it by as much as it moves; smoothed, twice that.
+        assert change.max() <= 2e-3 + 2.5 * moved[way]
+
+
+@pytest.mark.parametrize("height", [2.0, 6.0, 20.0, 45.0])
+def test_a_metre_nearer_resolves_only_grey(executor: Executor, height: float) -> None:
+    """What was whole foam or clear water in a pixel and those round it still is; the cover of it all stays."""
+    scene = lace(0.4, 4)
+    side = 240
+    far = Camera(position=(0.37, height, -0.21), pitch=-math.pi / 2, fov=0.5)
+    nearer = far.model_copy(update={"position": (0.37, height - 1.0, -0.21)})
+    before, after = (amounts(executor, scene, camera, (side, side)) for camera in (far, nearer))
+    # Where pixels of the nearer picture are in the far one.
+    middle = 0.5 * (side - 1.0)
+    place = np.rint(middle + (np.arange(side) - middle) * (height - 1.0) / height).astype(int)
+    rows, columns = np.ix_(place, place)
+    whole, clear = (
+        ndimage.minimum_filter(test, 3, mode="constant", cval=False)[rows, columns]
+        for test in (before > 0.999, before < 0.001)
+    )
+    assert whole.sum() > 20
+    assert clear.sum() > 1000
+    # A texel of a level says where its thresholds lie by two numbers, so that single specks in it are not seen from far.
+    for off in (1.0 - after[whole], after[clear]):
+        assert np.quantile(off, 0.995) < 0.01
+        assert off.max() < 0.15
+    assert after.mean() == pytest.approx(before[rows, columns].mean(), abs=0.01)
