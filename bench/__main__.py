@@ -17,6 +17,7 @@ from bench import (
     document,
     economy,
     effects,
+    foam,
     frames,
     http,
     machine,
@@ -32,7 +33,7 @@ from bench.watch import Watch
 from seafoam.render.executor import Executor
 from seafoam.scene.presets import preset_names
 
-DRAWN = ("frames", "economy", "effects", "budget", "yardstick", "passes")
+DRAWN = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")
 SERVED = ("yardstick", "http", "page")
 SECTIONS = (*DRAWN, "compiler", "http", "page")
 QUICK = 0.2
@@ -133,7 +134,8 @@ def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
     executor = Executor()
     try:
         run.about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
-        for name, section in (("frames", frames), ("economy", economy), ("effects", effects), ("budget", budget)):
+        drawn = {"frames": frames, "economy": economy, "effects": effects, "foam": foam, "budget": budget}
+        for name, section in drawn.items():
             if name in asked.only:
                 run.add(name, section.measure(executor, watch))
         if "yardstick" in asked.only:

@@ -214,7 +214,7 @@ def _presets(executor: Executor, watch: Watch) -> Table:
     """Filtered foam against halftoned, each once a pixel, in every preset that foams."""
     looks: tuple[Look, Look] = ("halftone", "filtered")
     # What halftone has not, filtered is to do without.
-    plain = {"texture": 0.0, "fade": 0.0}
+    plain = {"texture": 0.0, "fade": 0.0, "octaves": 1}
     rows = []
     for name in preset_names():
         scene = load_preset(name).scene

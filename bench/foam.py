@@ -1,0 +1,90 @@
+"""What octaves and milky water add to the filtered look, drawn side by side, and to a GPU's program."""
+
+from dataclasses import dataclass
+from statistics import median
+
+from bench.compiler import Use, compiled, missing
+from bench.frames import SIZE, ratios, side_by_side
+from bench.report import Column, Table, count, extra, ms, percent, ratio_columns
+from bench.watch import Watch
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.executor import Executor
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+
+PRESETS = ("default", "storm", "island-surf")
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A preset's foam with so many octaves, its water clear or as milky as the preset has it."""
+
+    octaves: int
+    milky: bool
+
+    def of(self, scene: Scene) -> Scene:
+        """The scene so."""
+        assert scene.foam is not None
+        foam = scene.foam.model_copy(update={"octaves": self.octaves})
+        water = scene.water if self.milky else scene.water.model_copy(update={"aeration": 0.0})
+        return scene.model_copy(update={"foam": foam, "water": water})
+
+    def __str__(self) -> str:
+        return f"{self.octaves} {'octave' if self.octaves == 1 else 'octaves'}{', milky' if self.milky else ''}"
+
+
+BASE = Variant(1, False)
+VARIANTS = (BASE, Variant(2, False), Variant(4, False), Variant(1, True), Variant(2, True), Variant(4, True))
+
+
+def measure(executor: Executor, watch: Watch) -> list[Table]:
+    """Draw presets with one, two and four octaves, in clear and in milky water."""
+    quality = TIERS["standard"]
+    plans = {
+        name: {variant: make_plan(variant.of(load_preset(name).scene), quality) for variant in VARIANTS}
+        for name in PRESETS
+    }
+    uses = {
+        (name, variant): (Use(name, str(variant), "surface"), plan.programs["surface"])
+        for name, by in plans.items()
+        for variant, plan in by.items()
+    }
+    figures = {} if missing() else compiled(dict(uses.values())).figures
+    rows = []
+    for name, by in plans.items():
+        rounds = watch.rounds(f"octaves, {name}", 15, 20.0, least=3)
+        costs = side_by_side(executor, by, load_preset(name).scene.camera, SIZE, rounds)
+        base = figures.get(str(uses[name, BASE][0]))
+        for variant, taken in costs.items():
+            compiled_to = figures.get(str(uses[name, variant][0]))
+            rows.append(
+                (
+                    name,
+                    str(variant),
+                    *ratios(taken, costs[BASE]),
+                    median(cost.cpu for cost in taken),
+                    len(taken),
+                    compiled_to.instructions if compiled_to else None,
+                    compiled_to.instructions / base.instructions - 1.0 if compiled_to and base else None,
+                    compiled_to.vgprs if compiled_to else None,
+                )
+            )
+    return [
+        Table(
+            "Octaves and milky water",
+            f"Frames of {SIZE[0]} x {SIZE[1]}, quality standard, against one octave in clear water; medians of per-"
+            "round ratios (interquartile range). Instructions and VGPR: of the surface's program, by a GPU's compiler.",
+            (
+                Column("preset", "preset"),
+                Column("foam", "foam"),
+                *ratio_columns(extra),
+                Column("cpu", "processor, ms", ms),
+                Column("rounds", "rounds", count),
+                Column("instructions", "instructions", count),
+                Column("more", "more", percent),
+                Column("vgprs", "VGPR", count),
+            ),
+            rows,
+        )
+    ]
