@@ -252,7 +252,7 @@ def test_a_metre_nearer_resolves_only_grey(executor: Executor, height: float) ->
     )
     assert whole.sum() > 20
     assert clear.sum() > 1000
-    # A texel of a level says where its thresholds lie by two numbers, so that single specks in it are not seen from far.
+    # A texel of a level says where its thresholds lie by two numbers, so specks in it are not seen from far.
     for off in (1.0 - after[whole], after[clear]):
         assert np.quantile(off, 0.995) < 0.01
         assert off.max() < 0.15

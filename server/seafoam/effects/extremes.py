@@ -10,6 +10,7 @@ from seafoam.scene.models import (
     FoldSaturation,
     FrontSaturation,
     HeightSaturation,
+    Light,
     Saturation,
     Scene,
     SlopeSaturation,
@@ -135,17 +136,15 @@ def crest_limit(scene: Scene) -> float:
 
 def body_limit(scene: Scene) -> float:
     """Brightest light that scattering can send back from the water, display white = 1."""
-    light = scene.light
-    if light is None:
-        return 0.0
-    both = (sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True))
-    return 0.4 * 0.95 / math.pi * max(both) * math.exp2(light.exposure)
+    return 0.0 if scene.light is None else 0.4 * 0.95 / math.pi * _brightest_irradiance(scene.light)
 
 
 def foam_limit(foam: Foam, scene: Scene) -> float:
     """Brightest foam, display white = 1; at least white."""
-    light = scene.light
-    if light is None:
-        return 1.0
+    return 1.0 if scene.light is None else max(foam.albedo / math.pi * _brightest_irradiance(scene.light), 1.0)
+
+
+def _brightest_irradiance(light: Light) -> float:
+    """Of the sun overhead and the whole sky, its brightest channel, exposed."""
     both = (sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True))
-    return max(foam.albedo / math.pi * max(both) * math.exp2(light.exposure), 1.0)
+    return max(both) * math.exp2(light.exposure)

@@ -12,7 +12,7 @@ from pathlib import Path
 from rich.progress import Progress as ProgressBar
 
 from .catalogue import CATALOGUE_FILE, MaskTables, describe, rank_file
-from .construct import estimated_seconds, make_mask
+from .construct import build, estimated_seconds
 from .families import check_parameters
 from .formats import decode_ranks, encode_ranks
 from .shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
@@ -55,16 +55,7 @@ def _bake(directory: Path, mask: ShippedMask, new: bool, progress: Progress) -> 
     file = rank_file(directory, mask.name)
     made = check_parameters(mask.family, mask.sigma, SHIPPED_SIZE, SHIPPED_SEED, mask.aspect, mask.age)
     if new:
-        ranks = make_mask(
-            made.family,
-            sigma=made.sigma,
-            size=made.size,
-            seed=made.seed,
-            aspect=made.aspect,
-            age=made.age,
-            method=SHIPPED_METHOD,
-            progress=progress,
-        )
+        ranks = build(made, SHIPPED_METHOD, progress)
         file.write_bytes(encode_ranks(ranks))
     else:
         ranks = decode_ranks(file.read_bytes(), SHIPPED_SIZE)

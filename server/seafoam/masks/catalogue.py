@@ -16,7 +16,7 @@ import numpy as np
 from seafoam.resources import data_dir
 
 from . import prefilter
-from .construct import estimated_seconds, make_mask
+from .construct import build, estimated_seconds
 from .families import (
     GENERATOR,
     LICENSE,
@@ -301,7 +301,7 @@ def custom_mask(
     aspect: float = 1.0,
     age: float = 0.0,
 ) -> Mask:
-    """A mask made on request, from the arguments of :func:`make_mask`; ``vac`` is ordered in batches.
+    """A mask made on request, from the arguments of ``make_mask``; ``vac`` is ordered in batches.
 
     The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises ``ValueError`` for bad arguments and its subclass
     :class:`MaskTooSlowError` for good ones that would take too long.
@@ -318,7 +318,7 @@ def custom_mask(
 
 @lru_cache(maxsize=CUSTOM_MASKS_KEPT)
 def _custom(made: MaskParameters) -> Mask:
-    ranks = make_mask(made.family, sigma=made.sigma, size=made.size, seed=made.seed, aspect=made.aspect, age=made.age)
+    ranks = build(made)
     ranks.setflags(write=False)
     return Mask(describe(made.text.replace(":", "-"), made, "batched", ranks), ranks)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import bubble, filtered, lace, void_cluster
-from .families import check_method, check_parameters
+from .families import MaskParameters, Method, check_method, check_parameters
 from .torus import Progress, Ranks, no_progress
 
 
@@ -33,12 +33,15 @@ def make_mask(
 
     Returns uint32 ranks of shape (size, size), each of 0..size^2-1 once. Raises ``ValueError`` for bad arguments.
     """
-    asked = check_parameters(family, sigma, size, seed, aspect, age)
-    chosen_method = check_method(method)
+    return build(check_parameters(family, sigma, size, seed, aspect, age), check_method(method), progress)
+
+
+def build(asked: MaskParameters, method: Method = "batched", progress: Progress = no_progress) -> Ranks:
+    """Construct the mask of checked parameters; otherwise as :func:`make_mask`."""
     rng = np.random.Generator(np.random.PCG64(asked.seed))
     match asked.family:
         case "vac":
-            build = void_cluster.exact if chosen_method == "exact" else void_cluster.batched
+            build = void_cluster.exact if method == "exact" else void_cluster.batched
             return build(asked.size, asked.sigma, rng, progress)
         case "bubble":
             return bubble.bubble(asked.size, asked.sigma, rng, progress)
