@@ -57,6 +57,7 @@ BY_SCENE = (
     "FRONT_FULL",
     "FRONT_FADING",
     "FOAM_FADES",
+    "FOAM_OCTAVES",
     "FOAM_TEXTURED",
 )
 """Compile-time numbers that hang on the scene."""
@@ -161,7 +162,7 @@ def slot_files(quality: Quality) -> tuple[str, ...]:
 
 
 def held_effects(quality: Quality) -> frozenset[str]:
-    """Names of the effects that the program holds: those of the paper and its water."""
+    """Names of the effects that the program holds: those of the paper and its water, clear or milky."""
     return frozenset(note.name for plan in _uber(quality, True).plans for note in plan.effects)
 
 
@@ -205,7 +206,7 @@ def _variants(quality: Quality, exact_ripples: bool) -> list[tuple[Scene, Qualit
         Scene(
             waves=(ParametricWave(),),
             foam=Foam(saturation=(FrontSaturation(), HeightSaturation()), look=look, texture=0.5, fade=0.5),
-            water=Water(depth=2.0, chop=Chop()),
+            water=Water(depth=2.0, chop=Chop(), aeration=0.1),
         )
         for look in get_args(Look)
     ]

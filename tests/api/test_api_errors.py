@@ -42,7 +42,10 @@ FRAME = "/api/frames/default.png"
         ("/api/masks/custom?family=vac&size=100", "size", {"enum": [32, 64, 128, 256, 512]}),
         ("/api/masks/custom?family=vac&size=64&sigma=9", "sigma", {"minimum": 0.5, "maximum": 8.0}),
         ("/api/masks/custom?family=bubble&size=64&sigma=1", "sigma", {"minimum": 2.0, "maximum": 8.0}),
-        ("/api/masks/custom?family=lace", "family", {"enum": ["vac", "blur", "clump", "bubble", "mix"]}),
+        ("/api/masks/custom?family=veil", "family", {"enum": ["vac", "blur", "clump", "bubble", "mix", "lace"]}),
+        ("/api/masks/custom?family=lace&sigma=3", "sigma", {"minimum": 4.0, "maximum": 24.0}),
+        ("/api/masks/custom?family=lace&age=1.5", "age", {"minimum": 0.0, "maximum": 1.0}),
+        ("/api/masks/custom?family=vac&aspect=2", "aspect", {"enum": [1.0]}),
         ("/api/masks/custom?family=vac&seed=-1", "seed", {"minimum": 0, "maximum": 2**32 - 1}),
     ],
 )

@@ -313,7 +313,8 @@ class _Shader:
             N = -surface.normal(*self.relief.gradient(x, z))
             tau = s / np.sqrt(dot(D[up], D[up]))
             H = self.relief.height(x, z)
-            amount[up] = np.minimum(self._foam(self.scene.foam, self.assets, x, z, H, tau, D[up], N), 1.0)
+            a, _ = self._foam(self.scene.foam, self.assets, x, z, H, tau, D[up], N)
+            amount[up] = np.minimum(a, 1.0)
         return np.repeat(amount[:, None], 3, axis=1), amount, np.ones(d.shape[0], np.bool_)
 
     def _sunk(self, fleet: fleets.Fleet, bed: Bed, d: Floats, nearer: Floats, colour: Floats) -> None:
