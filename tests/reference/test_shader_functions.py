@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from gpu import Probe
+from seafoam.effects.contribution import Const
 from seafoam.masks import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.reference import Assets, frame, looks, sampling, saturation, waves
@@ -256,6 +257,20 @@ def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
     assert np.abs(got - HARD[look](f, m, t)).max() <= TOLERANCE
 
 
+def filtered_consts(mask: Mask, fade: float, octaves: int) -> dict[str, Const]:
+    """Compile-time numbers of the filtered look, 512 texels a side, 16 of them a footprint."""
+    return {
+        "MASK_SIZE": 512,
+        "MASK_LEVELS": 10,
+        "QUANTILES": len(mask.quantile),
+        "FOAM_FADES": fade > 0,
+        "FOAM_OCTAVES": octaves,
+        "OCTAVE_RAMP": OCTAVE_RAMP,
+        "FOAM_TEXTURED": False,
+        "FOAM_SIDE": 4,
+    }
+
+
 def sixteen_bits(mask: Mask) -> Assets:
     """What the filtered look reads: the spline has 16 bits of each threshold."""
     return replace(Assets.of(mask, np.ones((1, 1))), thresholds=((mask.ranks >> 2) + 0.5) / 65536.0)
@@ -280,16 +295,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
         ],
         "y.x = filtered_coverage(x.x, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
         inputs,
-        consts={
-            "MASK_SIZE": 512,
-            "MASK_LEVELS": 10,
-            "QUANTILES": len(mask.quantile),
-            "FOAM_FADES": fade > 0,
-            "FOAM_OCTAVES": 1,
-            "OCTAVE_RAMP": 0.6,
-            "FOAM_TEXTURED": False,
-            "FOAM_SIDE": 4,
-        },
+        consts=filtered_consts(mask, fade, 1),
         uniforms={"u_foam_fade": fade},
         textures={
             "u_mask_atlas": f"mask/{mask_name}/atlas",
@@ -331,16 +337,7 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
         [NUMBERS, stand_in, texture, "look/filtered.glsl"],
         "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",
         inputs,
-        consts={
-            "MASK_SIZE": 512,
-            "MASK_LEVELS": 10,
-            "QUANTILES": len(mask.quantile),
-            "FOAM_FADES": fade > 0,
-            "FOAM_OCTAVES": octaves,
-            "OCTAVE_RAMP": OCTAVE_RAMP,
-            "FOAM_TEXTURED": False,
-            "FOAM_SIDE": 4,
-        },
+        consts=filtered_consts(mask, fade, octaves),
         uniforms={"u_foam_fade": fade},
         textures={"u_mask_atlas": "mask/lace/atlas", "u_mask_quantiles": "mask/lace/ramps"},
     )[:, 0]

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.contribution import Bound, Contribution, Effect, HardCase, SlotFile, number
-from seafoam.effects.extremes import body_limit, greatest_saturation
+from seafoam.effects.extremes import body_limit, greatest_saturation, saturation_fields
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene, Water
 
@@ -16,6 +16,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     most = min(greatest_saturation(foam, scene), 1.0)
     # Twice the layer and more is what light crosses, and at most three times: the refracted ray is never flatter.
     whitened = 1.0 - math.exp(-3.0 * water.aeration * water.plume_depth * most)
+    bound = Bound(
+        whitened * body_limit(scene),
+        "next to no bubbles, no foam over them, or no light on them",
+        ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(foam)),
+    )
     return Contribution(
         why=f"bubbles down to {water.plume_depth:g} m under foam",
         slots=(SlotFile("plume", "plume/bubbles.glsl", needs=("shade/optics.glsl", "shade/fresnel.glsl")),),
@@ -23,11 +28,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_aeration": number(water.aeration, "/water/aeration"),
             "u_plume_depth": number(water.plume_depth, "/water/plume_depth"),
         },
-        bound=Bound(
-            whitened * body_limit(scene),
-            "next to no bubbles, no foam over them, or no light on them",
-            ("/light/exposure", "/water/aeration", "/water/plume_depth"),
-        ),
+        # Caustics make a floor brighter than any even light.
+        bound=None if scene.light.caustics is not None else bound,
     )
 
 

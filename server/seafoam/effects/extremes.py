@@ -134,9 +134,25 @@ def crest_limit(scene: Scene) -> float:
     return max(passed) * math.exp2(light.exposure)
 
 
+def saturation_fields(foam: Foam) -> tuple[str, ...]:
+    """JSON pointers of the live fields that :func:`greatest_saturation` hangs on."""
+    return tuple(
+        f"/foam/saturation/{i}/{name}"
+        for i, source in enumerate(foam.saturation)
+        for name in (
+            ("base", "full")
+            if isinstance(source, HeightSaturation)
+            else ("amount",)
+            if isinstance(source, DriftSaturation)
+            else ("base", "gain")
+        )
+        if not isinstance(source, FrontSaturation)
+    )
+
+
 def body_limit(scene: Scene) -> float:
-    """Brightest light that scattering can send back from the water, display white = 1."""
-    return 0.0 if scene.light is None else 0.4 * 0.95 / math.pi * _brightest_irradiance(scene.light)
+    """Brightest light from within the water, what it scatters and a white floor alike, display white = 1."""
+    return 0.0 if scene.light is None else 0.95 / math.pi * _brightest_irradiance(scene.light)
 
 
 def foam_limit(foam: Foam, scene: Scene) -> float:

@@ -21,14 +21,13 @@ from seafoam.effects.contribution import (
     number,
     vector,
 )
-from seafoam.effects.extremes import foam_limit, greatest_saturation
+from seafoam.effects.extremes import foam_limit, greatest_saturation, saturation_fields
 from seafoam.effects.noise import HASH
 from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
-    DriftSaturation,
     Foam,
     FrontSaturation,
     HeightSaturation,
@@ -142,7 +141,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         }
         consts |= mask_atlas.consts(mask)
         textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/ranks")
-        for kind in {"quantiles", tables}:
+        # The atlas is made with the quantiles whatever the look itself reads.
+        for kind in ("quantiles", "ramps") if octaves > 1 else ("quantiles",):
             textures[f"mask_{kind}"] = TextureUse(f"mask/{foam.mask}/{kind}", wrap="clamp_to_edge")
     look = f"look/{foam.look}.glsl"
     if masked and foam.cells:
@@ -175,18 +175,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _bound(foam: Foam, scene: Scene) -> Bound | None:
     """What foam can change at most: its amount, as white over black."""
     most = greatest_saturation(foam, scene)
-    fields = tuple(
-        f"/foam/saturation/{i}/{name}"
-        for i, source in enumerate(foam.saturation)
-        for name in (
-            ("base", "full")
-            if isinstance(source, HeightSaturation)
-            else ("amount",)
-            if isinstance(source, DriftSaturation)
-            else ("base", "gain")
-        )
-        if not isinstance(source, FrontSaturation)
-    )
+    fields = saturation_fields(foam)
     if most == 0.0:
         return Bound(0.0, "the saturation is 0 everywhere", fields)
     if foam.look == "textured":
