@@ -7,13 +7,16 @@ uniform sampler2D u_mask_quantiles; // an entry and the next; row 0: of the B-sp
 uniform float u_foam_fade;          // width of the ramp, in shares of the plane
 uniform float u_foam_texture_share;
 
+// Which of the masks that lie over one another.
+int foam_mask = 0;
+
 // Where to threshold so that a share s is covered. Table entries crowd toward s = 0 and 1, where the quantiles bend most.
 float quantile(float s, int row) {
     float held = clamp(s, 0.0, 1.0);
     float root = sqrt(0.5 * min(held, 1.0 - held));
     float x = (held <= 0.5 ? root : 1.0 - root) * float(QUANTILES - 1);
     int i = min(int(x), QUANTILES - 2);
-    vec2 entry = texelFetch(u_mask_quantiles, ivec2(i, row), 0).rg;
+    vec2 entry = texelFetch(u_mask_quantiles, ivec2(i, foam_mask * MASK_ROWS + row), 0).rg;
     return mix(entry.x, entry.y, x - float(i));
 }
 
@@ -101,6 +104,7 @@ float form_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y, vec2 size, int form)
     ivec2 base = ivec2(floor(at));
     vec2 t = at - vec2(base);
     ivec2 corner = form < 0 ? ivec2(0) : level > 0 ? ivec2(2 * MASK_SIZE, MASK_SIZE - 2 * texels) : ivec2(MASK_SIZE, 0);
+    corner.y += foam_mask * MASK_SIZE;
     int last = texels - 1;
     int column = corner.x + (base.x & last);
     uvec2 a = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y - 1) & last)), 0).rg;
@@ -169,15 +173,14 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     return s;
 }
 
-float foam_amount(float f, vec2 p, Footprint fp) {
+// What a saturation covers in the mean: as much as the fading look shows.
+float foam_share(float f) {
     float s = clamp(f, 0.0, 1.0);
-    vec2 uv = mask_uv(p);
-    vec2 uv_x = mask_turn(fp.x);
-    vec2 uv_y = mask_turn(fp.y);
-    if (FOAM_OCTAVES > 1) {
-        // As much in the mean as the fading look shows.
-        s = ramp_integral(vec4(s), u_foam_fade).x;
-    }
-    float covered = filtered_coverage(s, uv, uv_x, uv_y);
+    return FOAM_OCTAVES > 1 ? ramp_integral(vec4(s), u_foam_fade).x : s;
+}
+
+// f: the saturation, or where foam lives the share.
+float foam_amount(float f, vec2 p, Footprint fp) {
+    float covered = filtered_coverage(FOAM_LIVES ? f : foam_share(f), mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
     return FOAM_TEXTURED ? covered * mix(1.0, foam_texture(p, fp), u_foam_texture_share) : covered;
 }

@@ -5,6 +5,9 @@ uniform float u_surf_life; // time to 1/e, periods
 uniform float u_surf_veil;
 uniform float u_surf_scale; // 1 / height of a breaking wave, 1/m
 
+// Of the place asked for last: to and fro with the water, m, and the open sea's share of its waves.
+vec3 surf_carried;
+
 float surf_saturation(vec2 p, float height, Footprint fp) {
     vec2 q = shore_place(p);
     ShoreField f = shore_field(q);
@@ -14,7 +17,8 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     float age = exp((turn - 1.0) / u_surf_life);
     float breaking = smoothstep(0.45, 0.9, f.here.b) * smoothstep(0.12, 0.4, f.here.g * u_surf_scale);
     vec2 out_to_sea = vec2(f.along_x.r, f.along_z.r);
-    vec2 carried = q + 1.5 * f.here.g * sin(TAU * turn) / max(length(out_to_sea), 1e-6) * out_to_sea;
+    surf_carried = vec3(1.5 * f.here.g * sin(TAU * turn) / max(length(out_to_sea), 1e-6) * out_to_sea, f.here.a);
+    vec2 carried = q + surf_carried.xy;
     vec2 turned = vec2(0.8 * carried.x - 0.6 * carried.y, 0.6 * carried.x + 0.8 * carried.y);
     float torn = 0.4 * noise_value(NOISE_KEY, turned / 6.0) + 0.35 * noise_value(NOISE_KEY, carried / 1.7) + 0.25 * noise_value(NOISE_KEY, turned / 0.5);
     float patches = smoothstep(0.25, 0.72, torn);

@@ -10,8 +10,11 @@ from seafoam.effects.contribution import (
     Effect,
     HardCase,
     Knob,
+    PassSpec,
+    Phase,
     PlanError,
     SlotFile,
+    Target,
     TargetInput,
     TextureInput,
     TextureUse,
@@ -22,6 +25,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import foam_limit, greatest_saturation, saturation_fields
+from seafoam.effects.living import AGE, living
 from seafoam.effects.noise import HASH
 from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
@@ -36,6 +40,7 @@ from seafoam.scene.models import (
     Scene,
     Water,
 )
+from seafoam.scene.stokes import foam_drift, foam_life
 from seafoam.textures import foam_texture
 
 CELLS = 4096
@@ -46,13 +51,26 @@ _TEXTURE_FILE = "foam/texture.glsl"
 _TEXTURE_PAIR_FILE = "foam/texture_pair.glsl"
 
 
-def _mask(foam: Foam) -> Mask:
+def _mask(name: str, pointer: str) -> Mask:
     try:
-        return mask_by_name(foam.mask)
+        return mask_by_name(name)
     except KeyError:
-        raise PlanError("/foam/mask", f"no mask is called {foam.mask!r}; GET /api/masks lists them") from None
+        raise PlanError(pointer, f"no mask is called {name!r}; GET /api/masks lists them") from None
     except ValueError as error:
-        raise PlanError("/foam/mask", str(error)) from None
+        raise PlanError(pointer, str(error)) from None
+
+
+def _masks(foam: Foam) -> list[Mask]:
+    """The foam's masks, those of older foam last; of one size."""
+    first = _mask(foam.mask, "/foam/mask")
+    if foam.life is None or foam.look != "filtered":
+        return [first]
+    older = [_mask(name, f"/foam/life/masks/{i}") for i, name in enumerate(foam.life.masks)]
+    for i, mask in enumerate(older):
+        if mask.ranks.shape != first.ranks.shape:
+            sides = mask.ranks.shape[0], first.ranks.shape[0]
+            raise PlanError(f"/foam/life/masks/{i}", f"is {sides[0]} texels a side; the foam's mask is {sides[1]}")
+    return [first, *older]
 
 
 def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
@@ -60,6 +78,24 @@ def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
     return {
         "u_mask_matrix": vector((c, s, -s, c)),
         "u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1),
+    }
+
+
+def _carried_uniforms(foam: Foam, drift: tuple[float, float]) -> dict[str, Uniform]:
+    """The mask's turn, and the eye's place on a mask that drifts (x, z) m/s."""
+    c, s = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+    turn = 2.0 * math.pi
+    rates = -turn * (c * drift[0] + s * drift[1]), -turn * (c * drift[1] - s * drift[0])
+    return {
+        "u_mask_matrix": vector((c, s, -s, c)),
+        "u_mask_phase": array(
+            "float",
+            [
+                Phase(offset=0.0, rate=rates[0], k=(turn * c, turn * s)),
+                Phase(offset=0.0, rate=rates[1], k=(-turn * s, turn * c)),
+            ],
+            2,
+        ),
     }
 
 
@@ -104,11 +140,23 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     uniforms: dict[str, Uniform] = {"u_foam_albedo": number(foam.albedo, "/foam/albedo")}
     inputs: dict[str, TextureInput | TargetInput] = {}
     textures: dict[str, TextureUse] = {}
+    targets: dict[str, Target] = {}
+    passes: tuple[PassSpec, ...] = ()
+    masks = _masks(foam) if masked else []
+    life = foam_life(scene)
+    lives = life is not None
     if masked:
-        mask = _mask(foam)
-        needs += (HASH, "foam/cell.glsl") if foam.cells else ("foam/mask_coordinates.glsl",)
+        mask = masks[0]
+        needs += (
+            (HASH, "foam/cell.glsl")
+            if foam.cells
+            else ("foam/mask_carried.glsl" if lives else "foam/mask_coordinates.glsl",)
+        )
         consts["MASK_SIZE"] = mask.ranks.shape[0]
-        uniforms |= _cell_uniforms(foam) if foam.cells else _mask_uniforms(foam)
+        if lives:
+            uniforms |= _carried_uniforms(foam, foam_drift(scene))
+        else:
+            uniforms |= _cell_uniforms(foam) if foam.cells else _mask_uniforms(foam)
     if masked and foam.look != "filtered":
         needs += (f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl")
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
@@ -122,28 +170,33 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam.look == "filtered":
         octaves = min(foam.octaves, quality.foam_octaves)
         tables = "ramps" if octaves > 1 else "quantiles"
+        levels = mask.ranks.shape[0].bit_length()
+        rows = levels + (2 if octaves > 1 else 1)
         if not textured:
             needs += ("foam/no_texture.glsl",)
         consts |= {
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,
+            "FOAM_LIVES": lives,
+            "FOAM_MASKS": len(masks),
+            "FOAM_AGE": AGE,
             "FOAM_OCTAVES": octaves,
             "OCTAVE_RAMP": OCTAVE_RAMP,
             "FOAM_TEXTURED": textured,
             "FOAM_SIDE": math.isqrt(quality.foam_taps),
-            "MASK_LEVELS": mask.ranks.shape[0].bit_length(),
+            "MASK_LEVELS": levels,
+            "MASK_ROWS": rows,
         }
         uniforms["u_foam_fade"] = number(foam.fade)
         uniforms["u_foam_texture_share"] = number(foam.texture)
         inputs |= {
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
-            "u_mask_quantiles": TextureInput(texture=f"mask_{tables}"),
+            "u_mask_quantiles": mask_atlas.tables_input(masks, tables),
         }
         consts |= mask_atlas.consts(mask)
-        textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/ranks")
-        # The atlas is made with the quantiles whatever the look itself reads.
-        for kind in ("quantiles", "ramps") if octaves > 1 else ("quantiles",):
-            textures[f"mask_{kind}"] = TextureUse(f"mask/{foam.mask}/{kind}", wrap="clamp_to_edge")
+        names = (foam.mask, *(life.masks if life is not None else ()))
+        textures |= mask_atlas.textures(names, tables)
+        targets, passes = mask_atlas.targets(masks, rows), mask_atlas.passes(masks, tables)
     look = f"look/{foam.look}.glsl"
     if masked and foam.cells:
         needs += (f"{look}?foam_amount=cell_amount",)
@@ -151,12 +204,16 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if drift.carries(scene, quality):
         look, own = drift.carried(look, quality)
         needs += own
+    if life is not None:
+        look, own = living(look, life)
+        needs += own
     over = "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"
     return Contribution(
         why=f"look {foam.look}"
         + (f", mask {foam.mask}" if masked else "")
         + (", turned in each cell" if masked and foam.cells else "")
-        + (", carried by the drift" if drift.carries(scene, quality) else ""),
+        + (", carried by the drift" if drift.carries(scene, quality) else "")
+        + (", carried and ageing" if lives else ""),
         slots=(
             SlotFile("look", look, needs=needs),
             SlotFile("over", over),
@@ -166,8 +223,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms=uniforms,
         inputs=inputs,
         textures=textures,
-        targets=mask_atlas.targets(mask) if foam.look == "filtered" else {},
-        passes=mask_atlas.passes(mask) if foam.look == "filtered" else (),
+        targets=targets,
+        passes=passes,
         bound=_bound(foam, scene),
     )
 

@@ -1,13 +1,24 @@
-"""The atlas that the filtered look reads, made of the mask by passes that are drawn once. docs/masks.md.
+"""The atlas that the filtered look reads, made of its masks by passes that are drawn once. docs/masks.md.
 
 A mask travels as 16 bits a texel; its atlas, :func:`seafoam.masks.prefilter.atlas`, takes ten times as much and is the
-same to the last bit.
+same to the last bit. Where foam lives it has several masks: their atlases and tables lie over one another.
 """
 
-from seafoam.effects.contribution import FixedSize, PassSpec, Target, TargetInput, TextureInput, number
+from collections.abc import Sequence
+
+from seafoam.effects.contribution import (
+    FixedSize,
+    PassSpec,
+    Target,
+    TargetInput,
+    TextureInput,
+    TextureUse,
+    number,
+)
 from seafoam.masks.catalogue import Mask
 
 ATLAS = "mask_atlas"
+TABLES = "mask_tables"
 MOMENTS = "mask_moments"
 
 
@@ -16,37 +27,83 @@ def consts(mask: Mask) -> dict[str, int]:
     return {"MASK_STEP": max(65536 // mask.ranks.size, 1)}
 
 
-def targets(mask: Mask) -> dict[str, Target]:
-    """The atlas, and what it is made by way of."""
+def tables_input(masks: Sequence[Mask], kind: str) -> TextureInput | TargetInput:
+    """What holds the tables that the look reads: ``quantiles`` or ``ramps``."""
+    return TargetInput(target=TABLES) if len(masks) > 1 else TextureInput(texture=f"mask_{kind}")
+
+
+def textures(names: Sequence[str], kind: str) -> dict[str, TextureUse]:
+    """The textures that the passes and the look read."""
+    used: dict[str, TextureUse] = {}
+    for i, name in enumerate(names):
+        used[f"mask_ranks{_of(i)}"] = TextureUse(f"mask/{name}/ranks")
+        # The atlas is made with the quantiles whatever the look itself reads.
+        for table in dict.fromkeys(("quantiles", kind)):
+            used[f"mask_{table}{_of(i)}"] = TextureUse(f"mask/{name}/{table}", wrap="clamp_to_edge")
+    return used
+
+
+def targets(masks: Sequence[Mask], rows: int) -> dict[str, Target]:
+    """The atlas, and what it is made by way of. ``rows``: of the tables of a mask."""
 
     def whole(width: int, height: int) -> Target:
         return Target(size=FixedSize(width=width, height=height), format="RG32UI")
 
-    size = mask.ranks.shape[0]
-    return {
-        ATLAS: whole(5 * size // 2, size),
-        MOMENTS: whole(size, size),
-        **{_levels(i): whole(size // 2, size) for i in range(2)},
-    }
+    size = masks[0].ranks.shape[0]
+    made: dict[str, Target] = {}
+    for index in range(len(masks)):
+        made[MOMENTS + _of(index)] = whole(size, size)
+        made |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
+    if len(masks) > 1:
+        made |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
+        made[TABLES] = Target(
+            size=FixedSize(width=len(masks[0].quantile) - 1, height=rows * len(masks)), format="RGBA32F"
+        )
+    return {ATLAS: whole(5 * size // 2, size * len(masks)), **made}
 
 
-def passes(mask: Mask) -> tuple[PassSpec, ...]:
-    """Mean and variance of the thresholds in a texel, then level by level, then the atlas.
+def passes(masks: Sequence[Mask], kind: str) -> tuple[PassSpec, ...]:
+    """Mean and variance of the thresholds in a texel, then level by level, then the atlas; mask by mask.
 
-    They read the textures ``mask_ranks`` and ``mask_quantiles``.
+    They read what :func:`textures` names.
     """
-    size = mask.ranks.shape[0]
-    ranks = {"u_mask_ranks": TextureInput(texture="mask_ranks")}
+    if len(masks) == 1:
+        return _passes(masks[0], 0, ATLAS)
+    alone = [f"{ATLAS}{_of(i)}_alone" for i in range(len(masks))]
+    # The last stands in for those that there are not.
+    which = [min(i, len(masks) - 1) for i in range(3)]
+    return (
+        *(one for i, mask in enumerate(masks) for one in _passes(mask, i, alone[i])),
+        PassSpec(
+            name="mask: atlases of all ages",
+            program="mask_stack",
+            fragment=("mask/stack_pass.glsl",),
+            target=ATLAS,
+            inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[of]) for i, of in enumerate(which)},
+        ),
+        PassSpec(
+            name="mask: tables of all ages",
+            program="mask_stack_tables",
+            fragment=("mask/stack_tables_pass.glsl",),
+            target=TABLES,
+            inputs={f"u_mask_table_{i}": TextureInput(texture=f"mask_{kind}{_of(of)}") for i, of in enumerate(which)},
+        ),
+    )
+
+
+def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
+    size, moments = mask.ranks.shape[0], MOMENTS + _of(index)
+    ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_of(index)}")}
     made = [
         PassSpec(
             name="mask: moments",
             program="mask_moments",
             fragment=("mask/moments_pass.glsl",),
-            target=MOMENTS,
-            inputs={**ranks, "u_mask_quantiles": TextureInput(texture="mask_quantiles")},
+            target=moments,
+            inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_of(index)}")},
         )
     ]
-    source, side, row, level = MOMENTS, size // 2, 0, 0
+    source, side, row, level = moments, size // 2, 0, 0
     while side >= 1:
         level += 1
         made.append(
@@ -54,26 +111,30 @@ def passes(mask: Mask) -> tuple[PassSpec, ...]:
                 name=f"mask: moments, level {level}",
                 program="mask_halve",
                 fragment=("mask/halve_pass.glsl",),
-                target=_levels(level % 2),
+                target=_levels(level % 2) + _of(index),
                 inputs={"u_mask_moments": TargetInput(target=source)},
                 uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
             )
         )
-        source, row, side = _levels(level % 2), size - 2 * side, side // 2
+        source, row, side = _levels(level % 2) + _of(index), size - 2 * side, side // 2
     made.append(
         PassSpec(
             name="mask: atlas",
             program="mask_atlas",
             fragment=("mask/atlas_pass.glsl",),
-            target=ATLAS,
+            target=atlas,
             inputs={
                 **ranks,
-                "u_mask_moments": TargetInput(target=MOMENTS),
+                "u_mask_moments": TargetInput(target=moments),
                 "u_mask_levels": TargetInput(target=source),
             },
         )
     )
     return tuple(made)
+
+
+def _of(index: int) -> str:
+    return f"_{index}" if index else ""
 
 
 def _levels(number: int) -> str:

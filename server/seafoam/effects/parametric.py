@@ -12,10 +12,12 @@ from seafoam.effects.contribution import (
     Knob,
     Phase,
     SlotFile,
+    Uniform,
     array,
     significant,
 )
 from seafoam.effects.extremes import crest_limit, slope_sensitivity, waves_top
+from seafoam.effects.living import carries
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
 from seafoam.scene.models import (
@@ -28,6 +30,7 @@ from seafoam.scene.models import (
     SlopeSaturation,
     Water,
 )
+from seafoam.scene.stokes import orbit
 
 _HELD = 1e-4
 """|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""
@@ -108,9 +111,16 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
         steepest += k * wave.amplitude * steepest_profile(wave.exponent)
         curvature += k * k * wave.amplitude * sharpest_profile(wave.exponent)
+    carry: tuple[SlotFile, ...] = ()
+    orbits: dict[str, Uniform] = {}
+    if carries(scene):
+        carry = (SlotFile("carry", "carry/parametric.glsl", prefix="parametric"),)
+        reaches = [(orbit(wave, scene.water.depth), wave.direction) for wave in waves]
+        along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in reaches]
+        orbits = {"u_parametric_orbit": array("vec2", along, len(waves))}
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
-        slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"),),
+        slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"), *carry),
         consts={
             "PARAMETRIC_COUNT": len(waves),
             "PARAMETRIC_KIND": kinds,
@@ -121,6 +131,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric": array("vec4", data, len(waves)),
             "u_parametric_phase": array("float", phases, len(waves)),
             "u_parametric_mean": array("vec2", means, len(waves)),
+            **orbits,
         },
         bound=_bound(scene, steepest),
         top=waves_top(scene),

@@ -30,6 +30,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import crest_limit, slope_sensitivity, surface_top
+from seafoam.effects.living import carries
 from seafoam.effects.measured import measured_bounds
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Foam, FoldSaturation, Scene, Sea, Water
@@ -229,6 +230,22 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if len(tiles) > RAISED:
         name = "detail_two" if len(tiles) == 4 else "detail_one"
         slots.append(SlotFile("detail", f"sea/{name}.glsl", prefix="sea", needs=needs))
+    orbits: dict[str, TextureInput | TargetInput] = {}
+    if carries(scene):
+        slots.append(SlotFile("carry", "carry/sea.glsl", prefix="sea"))
+        for i, of in enumerate(raised):
+            targets[f"sea_orbit_{i}"] = tile_target(quality, size // 2)
+            orbits[f"u_sea_orbit_{i}"] = TargetInput(target=f"sea_orbit_{i}")
+            passes += (
+                PassSpec(
+                    name=f"orbits, {of.size:g} m tile",
+                    program="sea_orbit",
+                    fragment=("sea/resample_pass.glsl", "carry/sea_orbit_pass.glsl"),
+                    target=f"sea_orbit_{i}",
+                    inputs={"u_sea_displaced": TargetInput(target=displaced)},
+                    uniforms=tile_uniforms(of, i, sea.choppiness, size),
+                ),
+            )
     top = sum(2.0 * of.limit for of in raised)
     steepest = sum(of.steepest for of in raised)
     height = 4.0 * math.sqrt(sum(of.variance for of in tiles))
@@ -256,6 +273,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **{f"u_sea_bounds_{i}": TargetInput(target=f"sea_tile_{i}_bounds") for i in range(RAISED)},
             **{f"u_sea_tile_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(RAISED)},
             **{f"u_sea_seen_{i}": TargetInput(target=f"{seen}_{i}") for i in range(len(tiles))},
+            **orbits,
         },
         textures=textures,
         targets=targets,

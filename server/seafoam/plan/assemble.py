@@ -50,7 +50,9 @@ def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[str]:
     pieces: list[str] = []
     for file in files:
         pieces += [*file.needs, file.path]
-    if not files and slot.default and (not slot.under or any(file.slot == slot.under for file in chosen)):
+    if slot.under and not any(file.slot == slot.under for file in chosen):
+        return pieces
+    if not files and slot.default:
         pieces.append(slot.default)
     return pieces + ["=" + join.glsl([file.prefix for file in files]) for join in slot.joins]
 

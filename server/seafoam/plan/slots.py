@@ -42,7 +42,7 @@ class Join:
 class Slot:
     """A place in a shader. ``joins``: where it takes several files; ``default``: the file where nothing fills it.
 
-    ``under``: another slot; the default goes in only where that one is filled.
+    ``under``: a slot; default and joins go in only where that one is filled.
     """
 
     name: str
@@ -116,6 +116,11 @@ SATURATION_PRODUCT = Slot(
 )
 """Foam saturation, in [0, 4]."""
 
+CARRY = Slot("carry", under="carry", joins=(Join("vec2", "carry", "vec2 p", "carry", "p"),))
+"""The way from a place to where the water that is there rests, m; called after that place was shaded."""
+OPEN_CARRY = Slot("carry", under="carry", joins=(Join("vec2", "open_carry", "vec2 p", "carry", "p"),))
+SHORE_CARRY = Slot("shore carry", under="carry")
+"""Where there is a shore, it joins the open sea's orbits with its own."""
 LOOK = Slot("look", default="look/none.glsl")
 """Foam amount from saturation."""
 OVER = Slot("over", default="foam/over.glsl")
@@ -171,8 +176,24 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     """The slots of the surface's fragment shader, in the order of the text."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
+    carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
     lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
-    return (*waves, DETAIL, *MARCH_SLOTS, FIND, saturation, LOOK, OVER, ALBEDO, *lit, THROUGH, LAND, LAND_COLOR, MAIN)
+    return (
+        *waves,
+        DETAIL,
+        *MARCH_SLOTS,
+        FIND,
+        saturation,
+        *carry,
+        LOOK,
+        OVER,
+        ALBEDO,
+        *lit,
+        THROUGH,
+        LAND,
+        LAND_COLOR,
+        MAIN,
+    )
 
 
 def land_slots() -> tuple[Slot, ...]:

@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.drift import Drift
+from seafoam.scene.living import FoamLife
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
@@ -248,6 +249,16 @@ class Foam(Part):
         description="Times that the filtered look thresholds by the mask, each time turned and five times finer, as "
         "far as a pixel shows it: foam keeps detail near the eye",
     )
+    life: FoamLife | None = Field(
+        default=None,
+        description="What becomes of foam in the filtered look: carried, gathered, older; absent: it lies still",
+    )
+    thickness: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Height of foam over the water, m: its edges toward the sun are brighter, and it shades the water",
+    )
     albedo: Share = Field(default=0.9, description="Share of light that foam scatters back")
 
     @model_validator(mode="after")
@@ -255,6 +266,10 @@ class Foam(Part):
         sources = [saturation.source for saturation in self.saturation]
         if len(set(sources)) < len(sources):
             raise ValueError("saturation: at most one of each source")
+        if self.life is not None and self.cells:
+            raise ValueError("life: not with cells, whose turns would be carried apart")
+        if self.life is not None and "drift" in sources:
+            raise ValueError("life: not with a drift saturation, whose flow carries the foam itself")
         return self
 
 

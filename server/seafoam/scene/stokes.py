@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from seafoam.scene.dispersion import angular_frequency, wavenumber
-from seafoam.scene.models import Scene, Sea
+from seafoam.scene.living import FoamLife
+from seafoam.scene.models import ParametricWave, Scene, Sea
 from seafoam.scene.sea import SHORTEST, dispersion, frequency_spectrum, spreading
 
 SHALLOW = 0.5
@@ -17,17 +18,48 @@ def steady_drift(scene: Scene) -> tuple[float, float]:
     drift = scene.drift
     if drift is None:
         return 0.0, 0.0
-    x, z = drift.current
+    x, z = waves_drift(scene)
+    return drift.current[0] + drift.waves * x, drift.current[1] + drift.waves * z
+
+
+def waves_drift(scene: Scene) -> tuple[float, float]:
+    """Drift of the waves and of the open sea at the surface, (x, z) m/s."""
+    x, z = 0.0, 0.0
     for wave in scene.waves:
         k = wavenumber(2.0 * math.pi / wave.wavelength, scene.water.depth)
         speed = first_harmonic(wave.amplitude, wave.exponent) ** 2 * angular_frequency(wave) * k
-        speed *= drift.waves * _shallow(k, scene.water.depth)
+        speed *= _shallow(k, scene.water.depth)
         x, z = x + speed * math.cos(wave.direction), z + speed * math.sin(wave.direction)
     if scene.sea is not None and scene.sea.wind > 0.0:
-        speed = drift.waves * sea_drift(scene.sea, scene.water.depth)
+        speed = sea_drift(scene.sea, scene.water.depth)
         x += speed * math.cos(scene.sea.wind_direction)
         z += speed * math.sin(scene.sea.wind_direction)
     return x, z
+
+
+def foam_life(scene: Scene) -> FoamLife | None:
+    """What becomes of the scene's foam; None where it lies still, as in all looks but the filtered."""
+    return scene.foam.life if scene.foam is not None and scene.foam.look == "filtered" else None
+
+
+def foam_drift(scene: Scene) -> tuple[float, float]:
+    """How foam drifts, (x, z) m/s, in whole micrometres: with the waves and with the wind; not at all off a coast."""
+    life = foam_life(scene)
+    if life is None or scene.shore is not None:
+        return 0.0, 0.0
+    x, z = waves_drift(scene) if life.carried else (0.0, 0.0)
+    x += life.wind_drift * math.cos(life.wind_direction)
+    z += life.wind_drift * math.sin(life.wind_direction)
+    return round(x, 6), round(z, 6)
+
+
+def orbit(wave: ParametricWave, depth: float | None) -> float:
+    """How far a wave carries the water of the surface to and fro along its heading, m: a coth(kh), first harmonic."""
+    a = first_harmonic(wave.amplitude, wave.exponent)
+    if depth is None:
+        return a
+    k = wavenumber(2.0 * math.pi / wave.wavelength, depth)
+    return a / math.tanh(max(k * depth, SHALLOW))
 
 
 def first_harmonic(amplitude: float, exponent: float) -> float:

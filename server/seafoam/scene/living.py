@@ -1,0 +1,36 @@
+"""Foam that lives: carried by its water, gathered by the wind, and of another mask when it is old."""
+
+from pydantic import BaseModel, ConfigDict, Field
+
+MASKS_MOST = 2
+"""Masks of older foam that a scene holds at most."""
+
+
+class FoamLife(BaseModel):
+    """What becomes of foam after it is born; the filtered look alone shows it."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    carried: bool = Field(
+        default=True, description="Foam lies on the water that it rests on: waves carry it to and fro and stretch it"
+    )
+    masks: tuple[str, ...] = Field(
+        default=("lacetorn", "streak"),
+        max_length=MASKS_MOST,
+        description="Masks of older foam, the oldest last; as large as the foam's own",
+        json_schema_extra={"choices_from": "/api/masks"},
+    )
+    wind_direction: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Heading of the wind, rad from +x toward +z: of its drift and of the windrows",
+        json_schema_extra={"unit": "rad"},
+    )
+    wind_drift: float = Field(
+        default=0.0, ge=0.0, le=2.0, description="Drift of the surface with the wind, m/s: 1 to 3 % of the wind's speed"
+    )
+    windrows: float = Field(
+        default=0.0, ge=0.0, le=1.0, description="How much of the foam gathers in rows along the wind (Langmuir 1938)"
+    )
+    windrow_spacing: float = Field(default=12.0, ge=0.5, le=500.0, description="From row to row, about, m")

@@ -1,0 +1,36 @@
+// Foam that lives: it lies where its water rests, gathers in rows along the wind, and its mask is that of its age. docs/formulae.md, section 5.
+
+// s: share that is covered in the mean; f: saturation, which tells the age. lying: where the water rests.
+float lying_amount(float s, float f, vec2 lying, Footprint fp) {
+    if (FOAM_MASKS == 1) {
+        return young_amount(s, lying, fp);
+    }
+    // What is whole when it is born decays as e^-age, so its age is -log f. Masks follow one another; where two meet each thins its
+    // foam, and what neither covers stays free (foam/cells_blended.glsl).
+    float age = clamp(-log(max(f, 1e-6)) / FOAM_AGE, 0.0, float(FOAM_MASKS - 1));
+    int young = min(int(age), FOAM_MASKS - 2);
+    float share = smoothstep(0.25, 0.75, age - float(young));
+    float left = 1.0 - s;
+    float held = max(left, 1.0 / 256.0);
+    float last = smoothstep(0.0, 1.0 / 256.0, left);
+    float free = 1.0;
+    int rounds = share > 0.0 && share < 1.0 ? 2 : 1;
+    bool old = share >= 1.0;
+    // Asked at the end: drivers without branches would go through both where one has all the weight.
+    do {
+        foam_mask = old ? young + 1 : young;
+        free *= 1.0 - young_amount(1.0 - pow(held, old ? share : 1.0 - share) * last, lying, fp);
+        old = true;
+        rounds -= 1;
+    } while (rounds > 0);
+    return 1.0 - free;
+}
+
+float foam_share_lying(float f, vec2 p, Footprint fp) {
+    float s = foam_share(f);
+    return s + windrow(p, fp) * s * (1.0 - s);
+}
+
+float foam_amount(float f, vec2 p, Footprint fp) {
+    return lying_amount(foam_share_lying(f, p, fp), clamp(f, 0.0, 1.0), p + carry(p), fp);
+}
