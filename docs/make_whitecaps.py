@@ -1,6 +1,7 @@
-"""Whitecap coverage of the open sea against the wind: table and plot of docs/whitecaps.md, ``CLAMPED`` of scene/sea.py.
+"""Whitecap coverage of the open sea against the wind: table and plot of docs/whitecaps.md, factors of scene/sea.py.
 
-Run as ``python docs/make_whitecaps.py [--derive]``; with ``--derive`` it prints what ``CLAMPED`` should be instead.
+Run as ``python docs/make_whitecaps.py [--derive]``; with ``--derive`` it prints what
+``CLAMPED`` and ``LASTING_CLAMPED`` should be instead.
 """
 
 import argparse
@@ -23,32 +24,40 @@ WINDS = (5.0, 7.5, 10.0, 12.5, 15.0, 17.5, 20.0)
 DERIVED, SHOWN = (1, 2), (5, 6)
 """Seeds of the seas that the factors come from, and of others that the page shows."""
 FETCH = 5e5
+LASTING_DECAY = 3.7
+"""To 1/e, s: whitecaps of the open sea fade in 3.5 to 4 s (Monahan and Zietlow 1969)."""
 TEXELS = 256
 POINTS = 100_000
 
 
-def coverage(wind: float, seed: int, kind: Literal["fft", "gerstner"] = "fft") -> float:
+def coverage(wind: float, seed: int, kind: Literal["fft", "gerstner"] = "fft", lasting: bool = False) -> float:
     """Mean foam of a sea, over points spread over its largest tile: the covered share, as masks are rank-uniform."""
-    foam = FoldSaturation()
+    foam = FoldSaturation(lasting=True, decay=LASTING_DECAY) if lasting else FoldSaturation()
     scene = Scene(sea=Sea(model=kind, wind=wind, fetch=FETCH, seed=seed), foam=Foam(saturation=(foam,)))
-    surface = sea_surface(scene, 100.0 * seed, (0.0, 0.0), TEXELS)
+    # Where foam lasts, texels of its maps are those of the finest tiers.
+    surface = sea_surface(scene, 100.0 * seed, (0.0, 0.0), 2 * TEXELS if lasting else TEXELS)
     assert surface is not None
     random = np.random.default_rng(seed)
     x, z = random.uniform(0.0, 20.0 * surface.tiles[0].size, (2, POINTS))
     return float(fold_saturation(scene, foam, surface, x, z).mean())
 
 
-def measured(seeds: tuple[int, ...], kind: Literal["fft", "gerstner"] = "fft") -> dict[float, float]:
+def measured(
+    seeds: tuple[int, ...], kind: Literal["fft", "gerstner"] = "fft", lasting: bool = False
+) -> dict[float, float]:
     """Coverage at each wind, the mean of several seas."""
-    return {wind: float(np.mean([coverage(wind, seed, kind) for seed in seeds])) for wind in WINDS}
+    return {wind: float(np.mean([coverage(wind, seed, kind, lasting) for seed in seeds])) for wind in WINDS}
 
 
-def derive() -> tuple[tuple[float, float], ...]:
+def derive(lasting: bool) -> tuple[tuple[float, float], ...]:
     """``CLAMPED`` from seas drawn with it: what is wanted over what is drawn, until it stands still."""
     factors = dict.fromkeys(WINDS, 1.0)
     for _ in range(3):
-        model.CLAMPED = tuple(factors.items())
-        for wind, drawn in measured(DERIVED).items():
+        if lasting:
+            model.LASTING_CLAMPED = tuple(factors.items())
+        else:
+            model.CLAMPED = tuple(factors.items())
+        for wind, drawn in measured(DERIVED, lasting=lasting).items():
             factors[wind] *= model.whitecaps(wind) / drawn
         print({wind: round(factor, 3) for wind, factor in factors.items()}, file=sys.stderr)
     return tuple((wind, round(factor, 3)) for wind, factor in factors.items())
@@ -88,7 +97,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--derive", action="store_true")
     if parser.parse_args().derive:
-        print(derive())
+        for lasting in (False, True):
+            print("LASTING_CLAMPED" if lasting else "CLAMPED", derive(lasting))
     else:
         write(measured(SHOWN), measured(SHOWN, "gerstner"))
 

@@ -18,5 +18,5 @@ float fold_saturation(vec2 p, float height, Footprint fp) {
     for (int j = 0; j < 4; ++j) {
         f += u_fold_share[5 + j] * fold_ramp(then[j], deviation, u_fold[1]);
     }
-    return fold_together(f, folds.z);
+    return fold_together(f + fold_old(p, fp), folds.z);
 }

@@ -3,6 +3,7 @@
 import math
 
 from seafoam.effects.contribution import (
+    MIPMAPPED,
     Bound,
     Constant,
     Contribution,
@@ -42,7 +43,8 @@ from seafoam.scene.models import (
     Sea,
     SlopeSaturation,
 )
-from seafoam.scene.sea import RAISED, Cascade, fold
+from seafoam.scene.sea import OLD_STEP, OLD_STEPS, OLD_TEXELS, RAISED, Cascade, Fold, fold, old_times
+from seafoam.scene.stokes import foam_drift
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -72,16 +74,34 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     shared = not any(isinstance(source, SlopeSaturation) for source in scene.foam.saturation)
     name = str(steps) if steps else "now"
     why = f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}"
-    slots = (SlotFile("saturation", f"saturation/fold_{name}.glsl", prefix="fold", needs=("saturation/fold.glsl",)),)
+    lasts = bool(model.old_shares)
+    needs = ("saturation/fold.glsl", *((f"saturation/fold_{'old' if lasts else 'no_old'}.glsl",) if steps else ()))
+    slots = (SlotFile("saturation", f"saturation/fold_{name}.glsl", prefix="fold", needs=needs),)
     if not steps:
         return Contribution(why=why, slots=slots, consts={"FOLD_TIMES": 1, "FOLD_SHARED": shared}, uniforms=uniforms)
     targets, passes = _ages(scene, scene.sea, raised, quality)
+    inputs: dict[str, TextureInput | TargetInput] = {
+        f"u_age_tile_{i}": TargetInput(target=f"age_tile_{i}") for i in range(len(raised))
+    }
+    last = steps * quality.age_step
+    if lasts:
+        old_targets, old_passes = _old(scene, scene.sea, raised[0], quality, model)
+        targets |= old_targets
+        passes += old_passes
+        inputs["u_old_foam"] = TargetInput(target="old_foam")
+        last = old_times(steps, quality.age_step)[-1]
     return Contribution(
-        why=f"{why}, and was in the last {steps * quality.age_step:g} s",
+        why=f"{why}, and was in the last {last:g} s",
         slots=slots,
-        consts={"FOLD_TIMES": steps + 1, "FOLD_SHARED": shared, "AGE_SIZE": quality.sea_size // 2},
+        consts={
+            "FOLD_TIMES": steps + 1,
+            "FOLD_SHARED": shared,
+            "AGE_SIZE": quality.sea_size // 2,
+            "OLD_SIZE": OLD_TEXELS,
+            "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
+        },
         uniforms=uniforms,
-        inputs={f"u_age_tile_{i}": TargetInput(target=f"age_tile_{i}") for i in range(len(raised))},
+        inputs=inputs,
         targets=targets,
         passes=passes,
     )
@@ -93,11 +113,7 @@ def _ages(
     """Targets and passes that draw the folds of earlier times."""
     size, rows = quality.sea_size // 2, quality.age_steps // 4
     plain = Target(size=FixedSize(width=size * len(raised), height=size * rows), format="RGBA32F")
-    scales = [of.choppiness(sea.choppiness) * 2.0 * math.pi / of.size for of in raised]
-    uniforms = {
-        "u_age_scale": vector((significant(scales[0]), significant(scales[-1]))),
-        "u_age_step": number(quality.age_step),
-    }
+    uniforms = _times(scene, sea, raised, 0.0, quality.age_step)
     targets = {"age_a": plain}
     passes: tuple[PassSpec, ...]
     if sea.model == "gerstner":
@@ -141,6 +157,91 @@ def _ages(
             ),
         )
     return targets, passes
+
+
+def _old(
+    scene: Scene, sea: Sea, largest: Cascade, quality: Quality, model: Fold
+) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
+    """Targets and passes that draw what foam of long ago is left."""
+    rows = OLD_STEPS // 4
+    plain = Target(size=FixedSize(width=OLD_TEXELS, height=OLD_TEXELS * rows), format="RGBA32F")
+    uniforms = _times(scene, sea, (largest,), quality.age_steps * quality.age_step, OLD_STEP)
+    targets = {"old_a": plain}
+    passes: tuple[PassSpec, ...]
+    if sea.model == "gerstner":
+        folds = "old_a"
+        passes = (
+            PassSpec(
+                name="folds of long ago",
+                program="old_gerstner",
+                fragment=(
+                    "common/numbers.glsl",
+                    "sea/gerstner.glsl",
+                    "sea/age_gerstner_pass.glsl?AGE_SIZE=OLD_SIZE",
+                ),
+                target="old_a",
+                uniforms={**gerstner_uniforms(drawn(scene, quality)[:RAISED], 0), **uniforms},
+            ),
+        )
+    else:
+        targets["old_b"] = plain
+        first = PassSpec(
+            name="spectrum of folds of long ago",
+            program="old_spectrum",
+            fragment=(
+                "common/numbers.glsl",
+                "sea/spectrum.glsl",
+                "sea/age_spectrum_pass.glsl?AGE_SIZE=OLD_SIZE",
+            ),
+            target="old_a",
+            inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
+            uniforms={**loop_uniforms(), **uniforms},
+        )
+        others, folds = transform("folds of long ago", "old_a", "old_b", OLD_TEXELS)
+        passes = (first, *others)
+    size = quality.sea_size // 2
+    targets["old_foam"] = Target(
+        size=FixedSize(width=size, height=size), format="RGBA16F", filter=MIPMAPPED, wrap="repeat"
+    )
+    shares = model.old_shares
+    passes += (
+        PassSpec(
+            name="foam of long ago",
+            program="old_foam",
+            fragment=("sea/resample_pass.glsl", "sea/old_foam_pass.glsl"),
+            target="old_foam",
+            inputs={
+                "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
+                "u_old_folds": TargetInput(target=folds),
+            },
+            uniforms={
+                **tile_uniforms(largest, 0, sea.choppiness, quality.sea_size),
+                "u_old_fold": vector((significant(model.old[0]), significant(model.old[1]))),
+                "u_old_share": array(
+                    "vec4",
+                    [
+                        Constant(value=tuple(significant(share) for share in shares[i : i + 4]))
+                        for i in range(0, len(shares), 4)
+                    ],
+                    rows,
+                ),
+            },
+        ),
+    )
+    return targets, passes
+
+
+def _times(scene: Scene, sea: Sea, tiles: tuple[Cascade, ...], before: float, step: float) -> dict[str, Uniform]:
+    """What passes that draw folds of other times are told: when, and how the water has drifted since."""
+    scales = [of.choppiness(sea.choppiness) * 2.0 * math.pi / of.size for of in tiles]
+    drift = foam_drift(scene)
+    turns = [significant(2.0 * math.pi / of.size * part) for of in (tiles[0], tiles[-1]) for part in drift]
+    return {
+        "u_age_scale": vector((significant(scales[0]), significant(scales[-1]))),
+        "u_age_step": number(step),
+        "u_age_from": number(significant(before)),
+        "u_age_drift": vector(tuple(turns)),
+    }
 
 
 _NEAR = Camera(position=(0.37, 6.0, -0.21), yaw=1.0, pitch=-0.2)

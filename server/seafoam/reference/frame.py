@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,11 +11,12 @@ import numpy as np
 
 from seafoam.masks import Mask, mask_by_name
 from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
+from seafoam.scene.stokes import foam_life
 from seafoam.textures import foam_texture
 
 from . import boats as fleets
 from . import camera as cameras
-from . import cells, light, looks, sampling, sparkles, spray, surface
+from . import cells, light, living, looks, sampling, sparkles, spray, surface
 from .bed import FARTHEST, FOAM_THROUGH, Bed, bed_of, under_of
 from .drift import Copy, copies, drift_saturation
 from .gusts import GustField
@@ -53,11 +55,14 @@ class Assets:
     """Tables of an octave's ramp, (2 + levels, 65): of the B-spline mask, of each level, width over the former."""
     texture: list[Floats]
     """Box-averaged chain of the foam texture t in [0, 1]."""
+    older: tuple[Assets, ...] = ()
+    """The same of the masks of older foam."""
 
     @staticmethod
-    def of(mask: Mask, texture: Floats) -> Assets:
-        """From a mask and a foam texture (size, size) in [0, 1]."""
+    def of(mask: Mask, texture: Floats, older: Sequence[Mask] = ()) -> Assets:
+        """From a mask, a foam texture (size, size) in [0, 1] and masks of older foam."""
         return Assets(
+            older=tuple(Assets.of(one, texture) for one in older),
             thresholds=sampling.thresholds(mask.ranks),
             spans=[level.astype(np.float64) for level in mask.spans],
             quantiles=mask.quantiles,
@@ -70,7 +75,9 @@ class Assets:
         """The images of a scene's foam; None without foam. Raises ``KeyError`` or ``ValueError`` for a bad mask."""
         if scene.foam is None:
             return None
-        return Assets.of(mask_by_name(scene.foam.mask), foam_texture())
+        life = foam_life(scene)
+        older = [mask_by_name(name) for name in life.masks] if life is not None else []
+        return Assets.of(mask_by_name(scene.foam.mask), foam_texture(), older)
 
 
 @dataclass(frozen=True, eq=False)
@@ -517,15 +524,67 @@ class _Shader:
             drift=self._drifting,
             wake=None if self.wakes is None else self.wakes.foam,
         )
+        return self._lying(foam, assets, f, x, z, foot_x, foot_y), f
+
+    def _lying(
+        self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+    ) -> Floats:
+        """The look's foam amount at r places of the water, wherever its mask lies; (r,)."""
+        if foam_life(self.scene) is not None:
+            return self._living(foam, assets, f, x, z, foot_x, foot_y)
         carried = self._carried(foam, x, z)
         if not carried:
-            return self._look(foam, assets, f, x, z, foot_x, foot_y), f
+            return self._look(foam, assets, f, x, z, foot_x, foot_y)
         free = np.ones_like(x)
         for copy in carried:
             part = cells.part(f, copy.weight)
             amount = self._look(foam, assets, part, copy.x, copy.z, copy.turned(foot_x), copy.turned(foot_y))
             free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
-        return 1.0 - free, f
+        return 1.0 - free
+
+    def _living(
+        self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+    ) -> Floats:
+        """The same where foam lives: carried, gathered, its masks by its age."""
+        held = np.clip(f, 0.0, 1.0)
+        s = looks.faded(held, foam.fade) if foam.octaves > 1 else held
+        # Between samples nothing tells rows apart that the filter takes out: the truth has all of them.
+        s = living.gathered(self.scene, self.time, self.origin, s, x, z)
+        way_x, way_z = self._carry(x, z)
+        l_x, l_z = x + way_x, z + way_z
+        u, v = _turned(l_x, l_z, foam, (0.0, 0.0))
+        at = living.drifted(self.scene, self.time, self.origin)
+        feet = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
+        t = self._texture(foam, assets, l_x, l_z, foot_x, foot_y)
+        free = np.ones_like(x)
+        masks = (assets, *assets.older)
+        for one in living.shares(len(masks), s, held):
+            own = np.flatnonzero(one.weight > 0.0)
+            covered = coverage(
+                foam,
+                masks[one.mask],
+                one.s[own],
+                u[own] + at[0],
+                v[own] + at[1],
+                feet[0][own],
+                feet[1][own],
+                filtering=self.filtering,
+                shares=True,
+            )
+            free[own] *= 1.0 - looks.thinned(covered, t[own], foam.texture)
+        return 1.0 - free
+
+    def _carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """From (x, z) to where the water that is there rests, m; (r,) each."""
+        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
+        life = foam_life(self.scene)
+        if life is None or not life.carried:
+            return way_x, way_z
+        for part in (self.waves, self.sea):
+            if part is not None:
+                more_x, more_z = part.carry(x, z)
+                way_x, way_z = way_x + more_x, way_z + more_z
+        return (way_x, way_z) if self.coast is None else self.coast.carry((way_x, way_z), x, z)
 
     def _look(
         self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
@@ -591,18 +650,28 @@ class _Shader:
 
 
 def coverage(
-    foam: Foam, assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats, *, filtering: bool
+    foam: Foam,
+    assets: Assets,
+    s: Floats,
+    u: Floats,
+    v: Floats,
+    foot_u: Floats,
+    foot_v: Floats,
+    *,
+    filtering: bool,
+    shares: bool = False,
 ) -> Floats:
     """The share that the filtered look covers at places (u, v) of its mask, 1 a tile, saturation s in [0, 1]; (r,).
 
-    With ``filtering`` under footprints (r, 2), else in the limit of infinitely many samples.
+    With ``filtering`` under footprints (r, 2), else in the limit of infinitely many samples. ``shares``: s is what is
+    covered in the mean already, not the saturation that the fade makes it of.
     """
     if foam.octaves == 1:
         if filtering:
             return covered(assets, s, u, v, foot_u, foot_v, foam.fade)
         b = sampling.bspline(assets.thresholds, u, v).value
         return looks.converged_coverage(s, b, assets.quantiles[0], foam.fade)
-    left = looks.faded(s, foam.fade)
+    left = s if shares else looks.faded(s, foam.fade)
     for number in range(foam.octaves):
         if filtering:
             size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]

@@ -11,7 +11,21 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 from seafoam.scene.models import FoldSaturation, Scene, Sea
-from seafoam.scene.sea import AGE_STEP, AGE_STEPS, BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades, fold
+from seafoam.scene.sea import (
+    AGE_STEP,
+    AGE_STEPS,
+    BAND,
+    LEAST_JACOBIAN,
+    LOOP,
+    OLD_TEXELS,
+    RAISED,
+    Cascade,
+    Fold,
+    cascades,
+    fold,
+    old_times,
+)
+from seafoam.scene.stokes import foam_drift
 
 from .types import Floats
 
@@ -63,13 +77,14 @@ def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
     return Field(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
 
-def grids(of: Cascade, time: float, texels: int) -> Field:
-    """The field at texel corners x = j·size/texels, arrays (texels, texels), row z; by inverse FFT."""
+def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> Field:
+    """The field at texel corners x = j·size/texels, (texels, texels), row z, moved by (x, z) m; by inverse FFT."""
     number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
     spectrum = np.zeros((texels, texels), np.complex128)
     rows, columns = np.nonzero(of.h0)
-    spectrum[(rows - BAND) % texels, (columns - BAND) % texels] = amplitudes(of, time)[rows, columns]
     step = 2.0 * math.pi / of.size
+    turned = np.exp(-1j * step * ((columns - BAND) * moved[0] + (rows - BAND) * moved[1]))
+    spectrum[(rows - BAND) % texels, (columns - BAND) % texels] = amplitudes(of, time)[rows, columns] * turned
     kx, kz = step * number[None, :], step * number[:, None]
     k = np.maximum(np.hypot(kx, kz), 1e-300)
     factors = (np.ones_like(k), 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
@@ -135,6 +150,8 @@ class SeaSurface:
     origin: tuple[float, float]
     earlier: tuple[tuple[Floats, ...], ...]
     """For each raised tile, the fold at each earlier time, carried along with the water; half the texels."""
+    old: tuple[Floats, ...]
+    """The same of the largest tile at each time of long ago, where the scene's foam lasts."""
 
     @property
     def top(self) -> float:
@@ -199,6 +216,24 @@ class SeaSurface:
             result.append(sum(self._at(one, then[step], x, z) for one, then in parts))
         return [np.asarray(one, np.float64) for one in result]
 
+    def long_ago(self, model: Fold, x: Floats, z: Floats) -> Floats:
+        """What is left of foam of long ago; (r,), not held at 1."""
+        left = np.zeros_like(self.old[0])
+        for share, folded in zip(model.old_shares, self.old, strict=True):
+            left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
+        return self._at(self.tiles[0], left, x, z)
+
+    def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """From (x, z) to where the water that is there rests, m; (r,) each."""
+        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
+        for one in self._raised:
+            texels = one.label_x.shape[0]
+            corner = np.arange(0, texels, 2)
+            scale = one.size / texels
+            way_x += self._at(one, scale * (one.label_x[::2, ::2] - corner[None, :]), x, z)
+            way_z += self._at(one, scale * (one.label_z[::2, ::2] - corner[:, None]), x, z)
+        return way_x, way_z
+
     def _slopes(self, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> tuple[Floats, Floats]:
         h_x, h_z = np.zeros_like(x), np.zeros_like(x)
         for one in tiles:
@@ -235,21 +270,26 @@ class SeaSurface:
 
 @lru_cache(maxsize=1)
 def _drawn(
-    sea: Sea, depth: float | None, time: float, texels: int
-) -> tuple[tuple[Tile, ...], tuple[tuple[Floats, ...], ...]]:
+    sea: Sea, depth: float | None, time: float, texels: int, drift: tuple[float, float], lasting: bool
+) -> tuple[tuple[Tile, ...], tuple[tuple[Floats, ...], ...], tuple[Floats, ...]]:
     drawn = cascades(sea, depth)
     tiles = tuple(tile(of, time, sea.choppiness, texels) for of in drawn)
-    earlier = []
-    for of, now in zip(drawn[:RAISED], tiles, strict=False):
-        # Every second texel, where the water that is there now rests, in texels of the coarser grid.
-        place = 0.5 * now.label_z[::2, ::2], 0.5 * now.label_x[::2, ::2]
-        then = []
-        for step in range(1, AGE_STEPS + 1):
-            field = grids(of, time - step * AGE_STEP, texels // 2)
+
+    def then(of: Cascade, now: Tile, size: int, times: list[float]) -> tuple[Floats, ...]:
+        """Folds on ``size``² texels at times ago, at every second texel, where the water that is there now rests."""
+        finer = texels // size
+        place = now.label_z[::2, ::2] / finer, now.label_x[::2, ::2] / finer
+        found = []
+        for ago in times:
+            field = grids(of, time - ago, size, (drift[0] * ago, drift[1] * ago))
             linear = of.choppiness(sea.choppiness) * (field.xx + field.zz)
-            then.append(map_coordinates(linear, place, order=1, mode="grid-wrap"))
-        earlier.append(tuple(then))
-    return tiles, tuple(earlier)
+            found.append(map_coordinates(linear, place, order=1, mode="grid-wrap"))
+        return tuple(found)
+
+    ages = [AGE_STEP * step for step in range(1, AGE_STEPS + 1)]
+    earlier = tuple(then(of, now, texels // 2, ages) for of, now in zip(drawn[:RAISED], tiles, strict=False))
+    old = then(drawn[0], tiles[0], OLD_TEXELS, old_times(AGE_STEPS, AGE_STEP)) if lasting else ()
+    return tiles, earlier, old
 
 
 def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
@@ -257,8 +297,10 @@ def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: 
     if scene.sea is None or scene.sea.wind <= 0.0:
         return None
     depth = scene.water.depth
-    tiles, earlier = _drawn(scene.sea, depth, time, texels)
-    return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier)
+    sources = () if scene.foam is None else scene.foam.saturation
+    lasting = any(isinstance(source, FoldSaturation) and source.lasting for source in sources)
+    tiles, earlier, old = _drawn(scene.sea, depth, time, texels, foam_drift(scene), lasting)
+    return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
 
 
 def fold_saturation(scene: Scene, foam: FoldSaturation, surface: SeaSurface | None, x: Floats, z: Floats) -> Floats:
@@ -272,6 +314,8 @@ def fold_saturation(scene: Scene, foam: FoldSaturation, surface: SeaSurface | No
     for j, (share, folded) in enumerate(zip(found.shares, surface.folds(x, z), strict=True)):
         threshold, width = found.earlier if j else found.now
         total += share * np.clip((threshold - folded) / width, 0.0, 1.0)
+    if found.old_shares:
+        total += surface.long_ago(found, x, z)
     return np.minimum(total, 1.0)
 
 

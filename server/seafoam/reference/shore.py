@@ -333,6 +333,13 @@ class Coast:
             result.append(np.where(beyond, rise, joined))
         return result[0], result[1]
 
+    def carry(self, way: tuple[Floats, Floats], x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """The open sea's ``way`` from (x, z) to where its water rests, as the coast leaves it, m; (r,) each."""
+        here, map_x, map_z = self.field.all(*self.place(x, z))
+        length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
+        swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * self.turn(here[:, 0])) / length
+        return here[:, 3] * way[0] + swing * map_x[:, 0], here[:, 3] * way[1] + swing * map_z[:, 0]
+
     def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats) -> Floats:
         """Saturation of the surf's foam at (x, z) where the sea stands at H; (r,)."""
         q_x, q_z = self.place(x, z)

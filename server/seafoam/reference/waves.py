@@ -13,6 +13,7 @@ import numpy as np
 
 from seafoam.scene.chop import ripples
 from seafoam.scene.models import GRAVITY, Chop, ParametricWave, Scene
+from seafoam.scene.stokes import orbit
 
 from .types import Floats
 
@@ -33,6 +34,8 @@ class WaveSet:
 
     amplitude: Floats
     exponent: Floats
+    orbit: Floats
+    """How far each carries the water of the surface to and fro, m."""
     k: Floats
     """Wavenumbers, rad/m."""
     kx: Floats
@@ -94,6 +97,15 @@ class WaveSet:
             h_x -= self.kx[i] * slope
             h_z -= self.kz[i] * slope
         return h_x, h_z
+
+    def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """From (x, z) to where the water that is there rests, to first order in the slope, m; (r,) each."""
+        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
+        for i, theta in enumerate(self.theta(x, z)):
+            way = self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i])
+            way_x += self.kx[i] * way
+            way_z += self.kz[i] * way
+        return way_x, way_z
 
 
 @dataclass(frozen=True)
@@ -195,6 +207,7 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
     return WaveSet(
         amplitude=np.array([wave.amplitude for wave in scene.waves], np.float64),
         exponent=np.array([wave.exponent for wave in scene.waves], np.float64),
+        orbit=np.array([orbit(wave, scene.water.depth) for wave in scene.waves], np.float64),
         k=k,
         kx=kx,
         kz=kz,

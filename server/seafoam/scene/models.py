@@ -154,6 +154,10 @@ class FoldSaturation(Part):
         default=1.2, ge=0.01, le=3.0, description="From no foam to full, in standard deviations of the Jacobian"
     )
     decay: float = Field(default=3.0, ge=0.05, le=60.0, description="Foam is down to 1/e after so long, s")
+    lasting: bool = Field(
+        default=False,
+        description="Foam of the larger waves stays for 11 s instead of 3: trails behind breakers; as much in all",
+    )
 
 
 class SurfSaturation(Part):

@@ -8,6 +8,7 @@ et al. 1963). docs/formulae.md, section 2.
 import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,13 @@ AGE_STEPS = 8
 """Earlier times at which folds are looked for."""
 AGE_STEP = 0.35
 """Seconds between them."""
+
+OLD_STEPS = 16
+"""Still earlier times at which folds of the largest tile alone are looked for, where foam lasts."""
+OLD_STEP = 0.5
+"""Seconds between them."""
+OLD_TEXELS = 2 * BAND
+"""Texels along that tile then: as few as hold its waves."""
 
 Floats = NDArray[np.float64]
 
@@ -100,12 +108,20 @@ class Cascade:
         slope = math.sqrt(self.mean_square_slope)
         return wanted if wanted * slope <= TILT else TILT / slope
 
-    def fold_variance(self, wanted: float, texels: int, *, smooth: bool) -> float:
-        """Mean square of the fold F = λ div D between ``texels``² texels, read by a B-spline (smooth) or bilinearly."""
+    def fold_variance(self, wanted: float, texels: int, read: Literal["spline", "bilinear", "halves"]) -> float:
+        """Mean square of the fold F = λ div D on ``texels``² texels, read by B-spline, bilinearly or at halves alone.
+
+        ``halves``: bilinearly at the texels and half way between them.
+        """
         i = np.arange(-BAND, BAND)
-        response = (2.0 + np.cos(2.0 * math.pi * i / texels)) / 3.0 * (np.abs(i) < min(BAND, texels // 2))
-        # The spline of the texels themselves weakens a wave by this; bilinear ones its mean square.
-        power = response**2 if smooth else response
+        cosine = np.cos(2.0 * math.pi * i / texels)
+        # The spline of the texels themselves weakens a wave by its response; bilinear ones its mean square.
+        response = {
+            "spline": ((2.0 + cosine) / 3.0) ** 2,
+            "bilinear": (2.0 + cosine) / 3.0,
+            "halves": (3.0 + cosine) / 4.0,
+        }
+        power = response[read] * (np.abs(i) < min(BAND, texels // 2))
         square = np.abs(self.k * self.h0) ** 2 * power[:, None] * power[None, :]
         return self.choppiness(wanted) ** 2 * float(2.0 * square.sum())
 
@@ -129,6 +145,15 @@ class Fold:
     """Mean square of the fold as it is drawn, now and earlier."""
     clamped: float
     """Share of the sum that is left where sums are held at 1."""
+    old: tuple[float, float]
+    """Threshold and width for the folds of the largest tile long ago."""
+    old_shares: tuple[float, ...]
+    """What is left of those, times of :func:`old_times`; empty where foam does not last."""
+
+
+def old_times(steps: int, step: float) -> list[float]:
+    """How long ago they were, s, behind ``steps`` of ``step`` seconds."""
+    return [steps * step + (j + 1) * OLD_STEP for j in range(OLD_STEPS)]
 
 
 def whitecaps(wind: float) -> float:
@@ -147,6 +172,8 @@ CLAMPED: tuple[tuple[float, float], ...] = (
 )
 """Wind (m/s), and wanted over drawn coverage: the closed form loses where foam of several times adds up to more than
 1. By ``docs/make_whitecaps.py --derive``."""
+LASTING_CLAMPED: tuple[tuple[float, float], ...] = CLAMPED
+"""The same where foam lasts."""
 
 
 def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: float, texels: int) -> Fold | None:
@@ -157,15 +184,28 @@ def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: 
     deviations; what the form leaves out is in ``CLAMPED``.
     """
     raised = cascades(sea, depth)[:RAISED]
-    now = sum(c.fold_variance(sea.choppiness, texels, smooth=True) for c in raised)
-    earlier = sum(c.fold_variance(sea.choppiness, texels // 2, smooth=False) for c in raised)
+    now = sum(c.fold_variance(sea.choppiness, texels, "spline") for c in raised)
+    earlier = sum(c.fold_variance(sea.choppiness, texels // 2, "bilinear") for c in raised)
     wanted = foam.coverage * whitecaps(sea.wind)
     if min(now, earlier) < 1e-8 or wanted <= 0.0:
         return None
     shares = tuple(math.exp(-j * step / foam.decay) for j in range(steps + 1))
-    lost = float(np.interp(sea.wind, [entry[0] for entry in CLAMPED], [entry[1] for entry in CLAMPED]))
+    lasting = foam.lasting and steps > 0
+    long_ago = raised[0].fold_variance(sea.choppiness, OLD_TEXELS, "halves")
+    old_shares: tuple[float, ...] = ()
+    if lasting:
+        times = old_times(steps, step)
+        # Foam that a second adds is the same whatever the steps; the last quarter of the window fades.
+        window = times[-1] + OLD_STEP
+        ends = (min(max((4.0 * t / window - 3.0), 0.0), 1.0) for t in times)
+        old_shares = tuple(
+            OLD_STEP / step * math.exp(-t / foam.decay) * (1.0 - e * e * (3.0 - 2.0 * e))
+            for t, e in zip(times, ends, strict=True)
+        )
+    factors = LASTING_CLAMPED if lasting else CLAMPED
+    lost = float(np.interp(sea.wind, [entry[0] for entry in factors], [entry[1] for entry in factors]))
     wanted *= lost
-    total = sum(shares)
+    total = sum(shares) + sum(old_shares)
 
     def mean(z: float) -> float:
         return total * (_above(-z) - _above(-z - foam.softness)) / foam.softness
@@ -175,13 +215,15 @@ def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: 
         middle = 0.5 * (low + high)
         low, high = (middle, high) if mean(middle) > wanted else (low, middle)
     z, soft = 0.5 * (low + high), foam.softness
-    deviations = math.sqrt(now), math.sqrt(earlier)
+    deviations = math.sqrt(now), math.sqrt(earlier), math.sqrt(long_ago)
     return Fold(
         (now - z * deviations[0], soft * deviations[0]),
         (-z * deviations[1], soft * deviations[1]),
         shares,
         (now, earlier),
         1.0 / lost,
+        (-z * deviations[2], soft * deviations[2]),
+        old_shares,
     )
 
 
