@@ -3,8 +3,16 @@
 uniform float u_roughness;           // root mean square slope
 uniform float u_visibility;          // m
 
+// How much of the sun the foam beside leaves to the water and to the foam of a place (foam/relief.glsl).
+vec2 sun_past_foam = vec2(1.0);
+
+// `sun`: the share of it that comes through.
+vec3 irradiance_past(vec3 n, float sun) {
+    return u_sun_irradiance * (sun * max(dot(n, u_sun_direction), 0.0)) + u_sky_irradiance * (0.5 + 0.5 * n.y);
+}
+
 vec3 irradiance(vec3 n) {
-    return u_sun_irradiance * max(dot(n, u_sun_direction), 0.0) + u_sky_irradiance * (0.5 + 0.5 * n.y);
+    return irradiance_past(n, 1.0);
 }
 
 vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height, float f) {
@@ -30,7 +38,7 @@ vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height, float f) {
     r.y = sqrt(max(r.y, 0.0) * max(r.y, 0.0) + base2 + 0.5 * lost2);
     vec3 reflected = reflected_light(place, normalize(r));
 
-    vec3 below = 0.95 * irradiance(n) / PI;
+    vec3 below = 0.95 * irradiance_past(n, sun_past_foam.x) / PI;
     vec3 absorption = 1.0 / u_absorption_length;
     vec3 extinction = absorption + u_scattering;
     vec3 deep = 0.4 * u_scattering / extinction * below;
@@ -41,7 +49,7 @@ vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height, float f) {
 }
 
 vec3 foam_light(vec3 n) {
-    return foam_albedo() / PI * irradiance(n);
+    return foam_albedo() / PI * irradiance_past(n, sun_past_foam.y);
 }
 
 vec3 in_air(vec3 light, vec3 d, float distance_to_eye) {

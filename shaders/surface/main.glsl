@@ -24,6 +24,7 @@ void main() {
 
     float f = saturation(p, shading.x, fp);
     float amount = foam_amount(f, p, fp);
+    foam_relief(f, amount, p, fp);
 
     vec3 foam_normal = normalize(vec3(-shading.y - 0.5 * ripple.x, 1.0, -shading.z - 0.5 * ripple.y));
     vec3 normal = normalize(vec3(-shading.y - ripple.x, 1.0, -shading.z - ripple.y));

@@ -143,6 +143,8 @@ GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
 REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 """What the water mirrors."""
 SHADE = Slot("shade", default="shade/flat.glsl")
+RELIEF = Slot("relief", default="foam/flat.glsl")
+"""Called before water and foam are lit: what foam takes from the sun beside it."""
 CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
 """How the sun's light lies on a level floor."""
 BED = Slot("bed")
@@ -177,7 +179,7 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
     carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
-    lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, CAUSTICS, BED)
+    lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, RELIEF, CAUSTICS, BED)
     return (
         *waves,
         DETAIL,

@@ -25,7 +25,7 @@ from .rings import ring_set
 from .saturation import CAP, FRONT_CONSTANTS, saturation
 from .sea import fold_saturation, sea_surface
 from .shore import Coast
-from .types import Bools, Floats, dot, unit
+from .types import Bools, Floats, dot, smoothstep, unit
 from .waves import RippleSet, WaveSet, ripple_set, wave_set
 
 Mode = Literal["same-samples", "converged"]
@@ -38,6 +38,8 @@ AROUND_BLUR = 0.012
 """Where the surroundings are looked at from (m), and how much of them ripples blur (rad)."""
 BRIGHTEST = 65504.0
 """The greatest half float; a frame holds no more."""
+LOWEST_SHADE = 0.25
+"""Sine of the sun's elevation under which shades of foam grow no longer."""
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 
@@ -458,10 +460,12 @@ class _Shader:
         H = self.relief.height(x, z)
         met, (h_x, h_z), (c_x, c_z) = self._slopes(x, z)
         N = surface.normal(*met)
-        a, f = np.zeros_like(x), None
+        a, f, past = np.zeros_like(x), None, None
         if scene.foam is not None and self.assets is not None:
             tau = distance / np.sqrt(dot(D, D))
             a, f = self._foam(scene.foam, self.assets, x, z, H, tau, D, N)
+            if scene.foam.thickness > 0.0 and air is not None:
+                past = self._past_foam(scene.foam, self.assets, air, a, f, x, z, tau, D, N)
         if air is None or scene.light is None:
             colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
@@ -489,10 +493,11 @@ class _Shader:
                 sun=self.sun,
                 lit=lit,
                 saturation=f,
+                past=None if past is None else past[0],
             )
             if scene.foam is not None:
                 stiff = unit(surface.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
-                white = light.foam(air, scene.foam.albedo, stiff)
+                white = light.foam(air, scene.foam.albedo, stiff, None if past is None else past[1])
                 colour = self._laid(colour, white, a)
             colour = light.haze(air, scene.light.visibility, colour, d, distance) * self._exposure
         return colour, np.minimum(a, 1.0)
@@ -526,12 +531,46 @@ class _Shader:
         )
         return self._lying(foam, assets, f, x, z, foot_x, foot_y), f
 
+    def _past_foam(
+        self,
+        foam: Foam,
+        assets: Assets,
+        air: light.Air,
+        amount: Floats,
+        f: Floats,
+        x: Floats,
+        z: Floats,
+        tau: Floats,
+        D: Floats,
+        N: Floats,
+    ) -> tuple[Floats, Floats]:
+        """What foam beside r places leaves of the sun to their water, and times how much it lights their foam."""
+        feet = [surface.footprint(tau, D, N, delta) for delta in (self.delta_x, self.delta_y)]
+        sides = [np.maximum(np.hypot(foot[:, 0], foot[:, 1]), 1e-6) for foot in feet]
+        way = foam.thickness / max(float(air.sun[1]), LOWEST_SHADE) * air.sun[[0, 2]]
+        near = 1.0 - smoothstep(1.0, 4.0, np.maximum(*sides) / max(float(np.hypot(*way)), 1e-6))
+        near = np.where(f > 0.0, near, 0.0)
+        soft_x, soft_y = (
+            foot * np.maximum(1.0, 0.5 * foam.thickness / side)[:, None] for foot, side in zip(feet, sides, strict=True)
+        )
+        beside = near * np.minimum(self._lying(foam, assets, f, x, z, soft_x, soft_y, (way[0], way[1])), 1.0)
+        return 1.0 - beside, 1.0 + near * np.minimum(amount, 1.0) - beside
+
     def _lying(
-        self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+        self,
+        foam: Foam,
+        assets: Assets,
+        f: Floats,
+        x: Floats,
+        z: Floats,
+        foot_x: Floats,
+        foot_y: Floats,
+        beside: tuple[float, float] = (0.0, 0.0),
     ) -> Floats:
-        """The look's foam amount at r places of the water, wherever its mask lies; (r,)."""
+        """The look's foam amount at r places of the water, or (x, z) m beside them, wherever its mask lies; (r,)."""
         if foam_life(self.scene) is not None:
-            return self._living(foam, assets, f, x, z, foot_x, foot_y)
+            return self._living(foam, assets, f, x, z, foot_x, foot_y, beside)
+        x, z = x + beside[0], z + beside[1]
         carried = self._carried(foam, x, z)
         if not carried:
             return self._look(foam, assets, f, x, z, foot_x, foot_y)
@@ -543,7 +582,15 @@ class _Shader:
         return 1.0 - free
 
     def _living(
-        self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+        self,
+        foam: Foam,
+        assets: Assets,
+        f: Floats,
+        x: Floats,
+        z: Floats,
+        foot_x: Floats,
+        foot_y: Floats,
+        beside: tuple[float, float],
     ) -> Floats:
         """The same where foam lives: carried, gathered, its masks by its age."""
         held = np.clip(f, 0.0, 1.0)
@@ -551,7 +598,7 @@ class _Shader:
         # Between samples nothing tells rows apart that the filter takes out: the truth has all of them.
         s = living.gathered(self.scene, self.time, self.origin, s, x, z)
         way_x, way_z = self._carry(x, z)
-        l_x, l_z = x + way_x, z + way_z
+        l_x, l_z = x + way_x + beside[0], z + way_z + beside[1]
         u, v = _turned(l_x, l_z, foam, (0.0, 0.0))
         at = living.drifted(self.scene, self.time, self.origin)
         feet = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)

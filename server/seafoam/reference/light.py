@@ -158,6 +158,7 @@ def water(
     sun: Glint | None = None,
     lit: tuple[Floats, Floats, Floats] | None = None,
     saturation: Floats | None = None,
+    past: Floats | None = None,
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
@@ -165,24 +166,28 @@ def water(
     way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light
     that comes from directions (r, 3) over the water; absent: the sky's. ``sun``: in place of the smooth glint. ``lit``:
     a level floor that is lit by itself: its radiance (r, 3), the way from it up, and straight down to it, (r,) m.
-    ``saturation`` (r,): of the foam over the water, whose bubbles make it milky.
+    ``saturation`` (r,): of the foam over the water, whose bubbles make it milky. ``past`` (r,): the share of the sun
+    that the foam beside leaves to it; absent: all.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
     cv = np.sqrt(nv * nv + sigma2 * (1.0 - nv * nv))
     mirror = fresnel(cv)[:, None]
-    within = _body(of, body, n, H, cv, bed, lit)
+    entering = _entering(of, n, past)
+    within = _body(of, body, entering, H, cv, bed, lit)
     if saturation is not None and body.aeration > 0.0:
-        within = _aerated(of, body, n, cv, within, saturation)
+        within = _aerated(body, entering, cv, within, saturation)
     inner = (1.0 - mirror) * (within + _crest(of, body, top, d, H))
     seen = of.mirrored if mirrored is None else mirrored
     glinting = partial(glint, of) if sun is None else sun
     return inner + mirror * seen(_reflected(d, n, sigma2)) + glinting(d, n, cv, sigma2)
 
 
-def foam(of: Air, albedo: float, N: Floats) -> Floats:
-    """Radiance of foam of unit normals N (r, 3), before haze; (r, 3)."""
+def foam(of: Air, albedo: float, N: Floats, past: Floats | None = None) -> Floats:
+    """Radiance of foam of unit normals N (r, 3), before haze; (r, 3). ``past`` (r,): times the sun; absent: once."""
     direct = of.sun_irradiance * np.maximum(dot(N, of.sun), 0.0)[:, None]
+    if past is not None:
+        direct = direct * past[:, None]
     result: Floats = albedo / math.pi * (direct + sky_light(of, N[:, 1]))
     return result
 
@@ -257,15 +262,14 @@ def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
 def _body(
     of: Air,
     body: Water,
-    n: Floats,
+    down: Floats,
     H: Floats,
     cv: Floats,
     bed: tuple[Floats, Floats] | None,
     lit: tuple[Floats, Floats, Floats] | None,
 ) -> Floats:
-    """L_body: light scattered back by the water, and by its floor; (r, 3)."""
+    """L_body: light scattered back by the water, and by its floor, of the irradiance ``down`` (r, 3); (r, 3)."""
     extinction = 1.0 / np.array(body.absorption_length) + body.scattering
-    down = _entering(of, n)
     deep = BACKSCATTER * body.scattering / extinction * down / math.pi
     if lit is not None:
         radiance, way, straight = lit
@@ -285,18 +289,20 @@ def _body(
     return result
 
 
-def _entering(of: Air, n: Floats) -> Floats:
-    """Irradiance that enters the water of unit normals n (r, 3); (r, 3)."""
+def _entering(of: Air, n: Floats, past: Floats | None = None) -> Floats:
+    """Irradiance that enters the water of unit normals n (r, 3), ``past`` (r,) the share of the sun; (r, 3)."""
     direct = of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None]
+    if past is not None:
+        direct = direct * past[:, None]
     result: Floats = ENTERS * (direct + sky_light(of, n[:, 1]))
     return result
 
 
-def _aerated(of: Air, body: Water, n: Floats, cv: Floats, clear: Floats, saturation: Floats) -> Floats:
+def _aerated(body: Water, entering: Floats, cv: Floats, clear: Floats, saturation: Floats) -> Floats:
     """L_body under foam of a saturation (r,): a layer of bubbles before what the ``clear`` water sends back; (r, 3)."""
     absorption = 1.0 / np.array(body.absorption_length)
     way = body.plume_depth * np.clip(saturation, 0.0, 1.0) * (1.0 + 1.0 / np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2))
-    down = _entering(of, n) / math.pi
+    down = entering / math.pi
 
     def layer(scattering: float) -> Floats:
         """What a layer of water that scatters so much sends back; (r, 3)."""

@@ -172,7 +172,15 @@ CLAMPED: tuple[tuple[float, float], ...] = (
 )
 """Wind (m/s), and wanted over drawn coverage: the closed form loses where foam of several times adds up to more than
 1. By ``docs/make_whitecaps.py --derive``."""
-LASTING_CLAMPED: tuple[tuple[float, float], ...] = CLAMPED
+LASTING_CLAMPED: tuple[tuple[float, float], ...] = (
+    (5.0, 1.331),
+    (7.5, 1.207),
+    (10.0, 1.212),
+    (12.5, 1.238),
+    (15.0, 1.241),
+    (17.5, 1.284),
+    (20.0, 1.294),
+)
 """The same where foam lasts."""
 
 
