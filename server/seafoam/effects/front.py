@@ -20,6 +20,7 @@ from seafoam.effects.contribution import (
     vector,
 )
 from seafoam.effects.extremes import front_limit, waves_top
+from seafoam.effects.living import carries
 from seafoam.effects.parametric import profile_means, shares_phase
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
@@ -31,8 +32,11 @@ from seafoam.scene.models import (
     ParametricWave,
     Scene,
 )
+from seafoam.scene.stokes import foam_drift, orbit
 from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
+LEAST_RATE = 1e-3
+"""Mean frequency of the waves, rad/s, where the foam drifts as fast as they run."""
 _CONSTANTS = {"text": (math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": (1.07, 6.28, math.log(2.718))}
 """δ (rad), the number that stands for 2π in the spatial phase, and ln E."""
 
@@ -51,6 +55,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if front_limit(front, scene) == 0.0:
         bound = Bound(0.0, "crests foam only above the greatest possible sum of the waves")
     filtered = scene.foam.look == "filtered"
+    if front.decay is not None:
+        return _living(scene, front, front.decay, filtered, bound)
     delta, turn, log_base = _CONSTANTS[front.constants]
     consts: dict[str, Const] = {}
     if shares_phase(scene):
@@ -70,7 +76,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     }
     count = len(scene.waves)
     why = f"front saturation of {count} wave{'s' if count > 1 else ''}, constants of the {front.constants}"
-    needs = (waves_of, "saturation/front_gate.glsl", "saturation/front_profile.glsl")
+    needs: tuple[str, ...] = (waves_of, "saturation/front_gate.glsl", "saturation/front_profile.glsl")
+    if filtered:
+        needs = (*needs, "saturation/front_seen.glsl")
     if not filtered:
         return Contribution(
             why=why,
@@ -93,6 +101,60 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms=uniforms,
         inputs={"u_front_integral": TextureInput(texture="front_integral")},
         textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},
+        bound=bound,
+    )
+
+
+def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, bound: Bound | None) -> Contribution:
+    """Foam that stays where fronts have left it."""
+    total, count = waves_top(scene), len(scene.waves)
+    drift = foam_drift(scene)
+    data: list[Constant] = []
+    phases: list[Phase] = []
+    orbits: list[Constant] = []
+    mean = 0.0
+    for wave in scene.waves:
+        kx, kz = wavevector(wave, scene.water.depth)
+        weight = wave.amplitude / total if total > 0.0 else 1.0 / count
+        omega = angular_frequency(wave)
+        # What a wave does to water that drifts along with it is slower.
+        rate = omega - kx * drift[0] - kz * drift[1]
+        mean += weight * rate
+        reach = orbit(wave, scene.water.depth) if carries(scene) else 0.0
+        data.append(Constant(value=(kx, kz, weight, significant(rate))))
+        phases.append(Phase(offset=wave.phase, rate=omega, k=(-kx, -kz)))
+        along = (reach * math.cos(wave.direction), reach * math.sin(wave.direction))
+        orbits.append(Constant(value=(significant(along[0]), significant(along[1]))))
+    mean = max(mean, LEAST_RATE)
+    life = significant(mean * decay)
+    born = significant(front_full(front.intensity, 1.0))
+    return Contribution(
+        why=f"foam of {count} wave{'s' if count > 1 else ''} left by the last three fronts, {decay:g} s to 1/e",
+        slots=(
+            SlotFile(
+                "saturation",
+                "saturation/front_living.glsl",
+                prefix="front",
+                needs=("saturation/front_gate.glsl", "saturation/front_seen.glsl"),
+            ),
+        ),
+        consts={
+            "FRONT_COUNT": count,
+            "FRONT_GATED": front.group != (0.0, 0.0),
+            "FRONT_FILTERED": filtered,
+            "FRONT_CREST": math.pi / 2.0,
+            "FRONT_BORN": born,
+            "FRONT_LIFE": life,
+            "FRONT_WHOLE": significant(born + life * -math.expm1((born - 2.0 * math.pi) / life)),
+        },
+        uniforms={
+            "u_living_wave": array("vec4", data, count),
+            "u_living_phase": array("float", phases, count),
+            "u_living_orbit": array("vec2", orbits, count),
+            "u_living_rate": number(significant(mean)),
+            "u_front_relief": number(significant(_relief(scene, 1.0))),
+            "u_front_group": vector((front.group[0], max(front.group[1], front.group[0] + 1e-4))),
+        },
         bound=bound,
     )
 

@@ -1,4 +1,4 @@
-"""Foam's thickness: it shades the water beside it, and edges toward the sun are brighter. docs/formulae.md, section 6."""
+"""Foam's thickness: it shades the water beside it, edges toward the sun are brighter. docs/formulae.md, section 6."""
 
 import math
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from seafoam.masks import Mask, mask_by_name
 from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
-from seafoam.scene.stokes import foam_life
+from seafoam.scene.stokes import foam_drift, foam_life
 from seafoam.textures import foam_texture
 
 from . import boats as fleets
@@ -22,7 +22,7 @@ from .drift import Copy, copies, drift_saturation
 from .gusts import GustField
 from .relief import Part, Relief
 from .rings import ring_set
-from .saturation import CAP, FRONT_CONSTANTS, saturation
+from .saturation import CAP, FRONT_CONSTANTS, History, saturation
 from .sea import fold_saturation, sea_surface
 from .shore import Coast
 from .types import Bools, Floats, dot, smoothstep, unit
@@ -528,6 +528,7 @@ class _Shader:
             surf=None if self.coast is None else self.coast.foam,
             drift=self._drifting,
             wake=None if self.wakes is None else self.wakes.foam,
+            history=History(foam_drift(self.scene), self._carries),
         )
         return self._lying(foam, assets, f, x, z, foot_x, foot_y), f
 
@@ -621,11 +622,15 @@ class _Shader:
             free[own] *= 1.0 - looks.thinned(covered, t[own], foam.texture)
         return 1.0 - free
 
+    @property
+    def _carries(self) -> bool:
+        life = foam_life(self.scene)
+        return life is not None and life.carried
+
     def _carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """From (x, z) to where the water that is there rests, m; (r,) each."""
         way_x, way_z = np.zeros_like(x), np.zeros_like(x)
-        life = foam_life(self.scene)
-        if life is None or not life.carried:
+        if not self._carries:
             return way_x, way_z
         for part in (self.waves, self.sea):
             if part is not None:

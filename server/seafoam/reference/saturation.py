@@ -11,6 +11,7 @@ import numpy as np
 from seafoam.scene.models import (
     DriftSaturation,
     FoldSaturation,
+    FrontSaturation,
     HeightSaturation,
     Saturation,
     SlopeSaturation,
@@ -28,8 +29,23 @@ CELLS = 16384
 LISTING_SPATIAL = 6.28 / (2.0 * math.pi)
 """What the published code makes of a wavenumber."""
 GATE_LEAST = 1e-4
+LEAST_RATE = 1e-3
+"""Least mean frequency of the waves for drifting water, rad/s."""
 GROUP_LEAST = 1e-4
 """Least ρ² in ∇ψ."""
+
+
+@dataclass(frozen=True)
+class History:
+    """How foam moves on the water after it is born."""
+
+    drift: tuple[float, float]
+    """(x, z) m/s."""
+    carried: bool
+    """Whether waves carry it to and fro."""
+
+
+STILL = History((0.0, 0.0), False)
 
 
 @dataclass(frozen=True)
@@ -236,6 +252,7 @@ def saturation(
     surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
     drift: Callable[[DriftSaturation, Floats, Floats], Floats] | None = None,
     wake: Callable[[WakeSaturation, Floats, Floats, float], Floats] | None = None,
+    history: History = STILL,
 ) -> Floats:
     """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
 
@@ -243,7 +260,7 @@ def saturation(
     footprints (each (r, 2) m) fronts are averaged over what an eye at this height (m) over (0, 0) sees of them.
     ``folds``: f of the fold sources, in their order. ``surf``
     gives the foam of a shore's surf, ``drift`` that a flow carries, ``wake`` that behind boats; without them there is
-    none.
+    none. ``history``: how foam that fronts leave moves with the water.
     """
     parts = []
     given = iter(folds)
@@ -270,6 +287,11 @@ def saturation(
             parts.append(np.zeros_like(x))
             continue
         constants = FRONT_CONSTANTS[source.constants]
+        if source.decay is not None:
+            parts.append(
+                living_front(source, source.decay, waves[source.constants], x, z, footprints, eye_height - H, history)
+            )
+            continue
         sum_of = group(waves[source.constants], x, z, constants.delta)
         if footprints is None:
             f = np.minimum(front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), cap)
@@ -291,6 +313,82 @@ def saturation(
             f = front_saturation_filtered(psi, width, source.intensity, constants.base)
         parts.append(f * gate(sum_of.rho, source.group))
     return joined(parts, combine, cap)
+
+
+def living_front(
+    source: FrontSaturation,
+    decay: float,
+    waves: WaveSet,
+    x: Floats,
+    z: Floats,
+    footprints: tuple[Floats, Floats] | None,
+    over: Floats,
+    history: History,
+) -> Floats:
+    """Foam that the last three fronts left on the water now at (x, z), the gate of each in it; (r,) in [0, 1].
+
+    With footprints averaged over what an eye ``over`` (r,) m higher sees, else at the place.
+    """
+    away_x, away_z = waves.carry(x, z) if history.carried else (0.0, 0.0)
+    sum_of = group(waves, x + away_x, z + away_z, 0.5 * math.pi)
+    rates = waves.omega - waves.kx * history.drift[0] - waves.kz * history.drift[1]
+    top, count = waves.top, waves.amplitude.size
+    weights = waves.amplitude / top if top > 0.0 else np.full(count, 1.0 / count)
+    mean_rate = max(float(weights @ rates), LEAST_RATE)
+    thetas = waves.theta(x + away_x, z + away_z)
+    turning = sum(
+        w * rate * (sum_of.X * np.cos(theta) + sum_of.Y * np.sin(theta))
+        for w, rate, theta in zip(weights, rates, thetas, strict=True)
+    )
+    square = np.maximum(sum_of.X**2 + sum_of.Y**2, GROUP_LEAST)
+    rate = np.clip(turning / square, 0.5 * mean_rate, 2.0 * mean_rate)
+    turn = 2.0 * math.pi
+    life, born = mean_rate * decay, 2.0 * math.atan2(1.0, math.log(source.intensity))
+    psi = np.where(square > GROUP_LEAST, np.arctan2(sum_of.Y, sum_of.X), 0.0)
+    since = np.mod(psi, turn)
+
+    def strength(ago: Floats) -> Floats:
+        signal = sum(w * np.exp(1j * (theta - r * ago)) for w, r, theta in zip(weights, rates, thetas, strict=True))
+        return gate(np.abs(signal), source.group)
+
+    left = math.exp(-turn / life)
+    third = strength((since + 2.0 * turn) / rate) * (1.0 - smoothstep(0.5, 1.0, since / turn))
+    before = np.maximum(strength((since + turn) / rate), left * third)
+    here = np.maximum(strength(since / rate), left * before)
+
+    def kept(phase: Floats) -> Floats:
+        """What is left of foam of strength 1; of the shape of ``phase``, in [0, 2π]."""
+        result: Floats = np.exp(np.minimum(born - phase, 0.0) / life)
+        return result
+
+    if footprints is None:
+        return here * kept(since)
+    away = np.hypot(x, z)
+    gradient = phase_gradient(sum_of)
+    along = (gradient[:, 0] * x + gradient[:, 1] * z) / np.maximum(away, 1e-6)
+    across = np.hypot(gradient[:, 0], gradient[:, 1])
+    width = phase_width(gradient, *footprints)
+    psi, width = seen_phases(psi, width, along, across, over, away, waves.relief, 0.5 * math.pi)
+    since = np.mod(psi, turn)
+    width = np.maximum(width, 1e-5)
+    low, high = since - 0.5 * width, since + 0.5 * width
+
+    def integral(phase: Floats) -> Floats:
+        """∫₀ of what is left, over whole fronts and the rest."""
+        turns = np.floor(phase / turn)
+        rest = phase - turn * turns
+        one = born + life * -math.expm1((born - turn) / life)
+        result: Floats = turns * one + np.minimum(rest, born) + life * -np.expm1(np.minimum(born - rest, 0.0) / life)
+        return result
+
+    following = np.maximum(gate(sum_of.rho, source.group), left * here)
+    whole = integral(np.full(1, turn))[0]
+    within = np.where(high < turn, integral(np.minimum(high, turn)), whole) - integral(np.maximum(low, 0.0))
+    covered = here * within - before * integral(np.minimum(low, 0.0))
+    covered = covered + following * np.where(high > turn, integral(high) - whole, 0.0)
+    narrow = (low > 0.0) & (high < turn) & (width < 1e-6)
+    result: Floats = np.where(narrow, here * kept(since), np.clip(covered / width, 0.0, 1.0))
+    return result
 
 
 def _wrapped(angle: Floats) -> Floats:

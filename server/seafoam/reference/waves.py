@@ -40,6 +40,8 @@ class WaveSet:
     """Wavenumbers, rad/m."""
     kx: Floats
     kz: Floats
+    omega: Floats
+    """Angular frequencies, rad/s."""
     phase: Floats
     """θ at the origin at the time asked for, in [0, 2π)."""
 
@@ -211,6 +213,7 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
         k=k,
         kx=kx,
         kz=kz,
+        omega=np.array([angular_frequency(wave) for wave in scene.waves], np.float64),
         phase=np.array(phase, np.float64),
     )
 

@@ -105,11 +105,20 @@ class FrontSaturation(Part):
         description="Crests foam where the waves add up: none below the first, full above the second share of the "
         "greatest possible sum; (0, 0) foams everywhere, as in the paper",
     )
+    decay: float | None = Field(
+        default=None,
+        ge=0.2,
+        le=30.0,
+        description="Foam stays on the water that a front has passed and is down to 1/e after so long, s; absent: it "
+        "fades over the wave behind the front, as in the paper",
+    )
 
     @model_validator(mode="after")
     def _ordered(self) -> "FrontSaturation":
         if self.group[1] < self.group[0]:
             raise ValueError("group: the second share must not be below the first")
+        if self.decay is not None and self.constants != "text":
+            raise ValueError("decay: only with the constants of the text")
         return self
 
 
