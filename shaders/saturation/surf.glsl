@@ -1,9 +1,7 @@
 // Foam of the surf: thick on the breaking front, dying away in patches behind it, a veil between. It is carried to and fro
 // with the water along the gradient of the distance to shore, and on the beach it drains.
 uniform float u_surf_foam; // saturation on the front
-uniform float u_surf_life; // time to 1/e, periods
 uniform float u_surf_veil;
-uniform float u_surf_scale; // 1 / height of a breaking wave, 1/m
 
 // Of the place asked for last: to and fro with the water, m, and the open sea's share of its waves.
 vec3 surf_carried;
@@ -19,9 +17,7 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     vec2 out_to_sea = vec2(f.along_x.r, f.along_z.r);
     surf_carried = vec3(1.5 * f.here.g * sin(TAU * turn) / max(length(out_to_sea), 1e-6) * out_to_sea, f.here.a);
     vec2 carried = q + surf_carried.xy;
-    vec2 turned = vec2(0.8 * carried.x - 0.6 * carried.y, 0.6 * carried.x + 0.8 * carried.y);
-    float torn = 0.4 * noise_value(NOISE_KEY, turned / 6.0) + 0.35 * noise_value(NOISE_KEY, carried / 1.7) + 0.25 * noise_value(NOISE_KEY, turned / 0.5);
-    float patches = smoothstep(0.25, 0.72, torn);
+    float patches = surf_patches(carried);
     // The last of the water runs off under its foam: what is thinner than a hand holds more of it.
     float film = 1.0 - smoothstep(0.0, 0.15, height - shore_floor(q).x);
     float left = u_surf_foam * max(front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)) * (1.0 + film);

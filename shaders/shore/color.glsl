@@ -1,8 +1,13 @@
-// The ground where a ray meets it: linear light, no foam. d: unit vector along the ray.
+// The ground where a ray meets it: linear light, A = foam amount. d: unit vector along the ray.
 vec4 land_color(vec3 ray, vec3 d, float tau, vec4 ground) {
     vec3 normal = normalize(vec3(-ground.y, 1.0, -ground.z));
+    vec2 p = tau * ray.xz;
     Footprint fp = footprint(ray, tau, normal);
-    float grain = shore_grain(shore_place(tau * ray.xz), fp);
+    float grain = shore_grain(shore_place(p), fp);
     vec3 light = exposure() * land_light(d, normal, ground_albedo(ground, grain), shore_wet(ground.x));
-    return vec4(min(in_air(light, d, tau * length(ray)), BRIGHTEST), 0.0);
+    float amount = land_foam(p, ground.x, fp);
+    if (amount > 0.0) {
+        light = mix(light, exposure() * foam_light(normal), amount);
+    }
+    return vec4(min(in_air(light, d, tau * length(ray)), BRIGHTEST), amount);
 }

@@ -10,6 +10,10 @@ from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation
 from seafoam.scene.stokes import foam_life
 
 
+SHADE = 0.6
+"""Share of the sun that a hand's breadth of foam takes from what lies behind it; the rest comes through."""
+
+
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by ``foam.thickness`` where there is light."""
     foam = scene.foam
@@ -20,6 +24,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"foam {foam.thickness:g} m thick shades what lies beside it",
         slots=(SlotFile("relief", "foam/relief.glsl", needs=(beside,)),),
+        consts={"FOAM_SHADE": SHADE},
         uniforms={"u_foam_thickness": number(foam.thickness, "/foam/thickness")},
         bound=Bound(
             0.0 if most == 0.0 else body_limit(scene) + foam_limit(foam, scene),

@@ -25,15 +25,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     height = scene.shore.surf.height
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
-        slots=(SlotFile("saturation", "saturation/surf.glsl", prefix="surf"),),
+        slots=(
+            SlotFile("saturation", "saturation/surf.glsl", prefix="surf", needs=("saturation/surf_patches.glsl",)),
+            *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
+        ),
         consts={"SURF_CAP": 1.0 if scene.foam.look == "filtered" else SATURATION_CAP},
         uniforms={
             "u_surf_foam": number(surf.amount),
             "u_surf_life": number(surf.life, f"{pointer}/life"),
             "u_surf_veil": number(surf.veil),
+            "u_surf_line": number(surf.line),
             "u_surf_scale": number(significant(1.0 / max(height, 1e-6))),
         },
-        bound=Bound(0.0, "no wave breaks") if height == 0.0 or surf.amount + surf.veil == 0.0 else None,
+        bound=Bound(0.0, "no wave breaks") if height == 0.0 or surf.amount + surf.veil + surf.line == 0.0 else None,
     )
 
 

@@ -37,6 +37,7 @@ from seafoam.plan.setup import with_setup
 from seafoam.plan.slots import (
     LAND,
     LAND_COLOR,
+    LAND_FOAM,
     MAIN,
     SKY_PASS_SLOTS,
     TONE,
@@ -208,7 +209,9 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     }
     find = "plane" if level else "newton" if mesh else "march"
     # Where there is land, a pass before the surface's finds which of them a ray meets.
-    chosen = [file for file in draft.slots if not shore or file.slot not in (LAND.name, LAND_COLOR.name)]
+    chosen = [
+        file for file in draft.slots if not shore or file.slot not in (LAND.name, LAND_COLOR.name, LAND_FOAM.name)
+    ]
     chosen.append(SlotFile("find", f"surface/{'met' if shore else find}.glsl"))
     if find == "march" and not shore:
         chosen.append(_MARCH)
@@ -259,7 +262,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     if shore:
         met = [*_SAMPLED, *_pieces(("@waves", "@find", "@land"), marched, shore)]
         land_fragment = [*_SAMPLED]
-        for slot in land_slots():
+        for slot in land_slots(combine, any(file.slot == LAND_FOAM.name for file in draft.slots)):
             land_fragment += slot_pieces(slot, marched)
         for name, vertex_of, pieces in (
             ("met", _FALLING, [*met, "surface/met_pass.glsl"]),

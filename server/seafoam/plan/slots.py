@@ -158,6 +158,8 @@ THROUGH = Slot("through", default="surface/no_floor.glsl")
 """Called before the water is shaded: what is seen through it."""
 LAND = Slot("land", default="surface/no_land.glsl")
 """What stands before the water."""
+LAND_FOAM = Slot("land foam", default="shore/no_line.glsl", under="land color")
+"""Foam on the land."""
 LAND_COLOR = Slot("land color")
 """What it looks like; none where no land is."""
 MAIN = Slot("main", default="surface/main.glsl")
@@ -174,34 +176,30 @@ SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
 """The slots of the sky's fragment shader, in the order of the text."""
 
 
+def _foam_slots(combine: Literal["max", "product"], shore: bool) -> tuple[Slot, ...]:
+    """What foam is made of, in the order of the text."""
+    saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
+    carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
+    return (saturation, *carry, LOOK, OVER, ALBEDO)
+
+
 def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tuple[Slot, ...]:
     """The slots of the surface's fragment shader, in the order of the text."""
-    saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
     lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, RELIEF, CAUSTICS, BED)
-    return (
-        *waves,
-        DETAIL,
-        *MARCH_SLOTS,
-        FIND,
-        saturation,
-        *carry,
-        LOOK,
-        OVER,
-        ALBEDO,
-        *lit,
-        THROUGH,
-        LAND,
-        LAND_COLOR,
-        MAIN,
-    )
+    foam = _foam_slots(combine, shore)
+    land = (LAND, LAND_FOAM, LAND_COLOR)
+    return (*waves, DETAIL, *MARCH_SLOTS, FIND, *foam, *lit, THROUGH, *land, MAIN)
 
 
-def land_slots() -> tuple[Slot, ...]:
-    """The slots of the fragment shader that draws land where rays meet it, in the order of the text."""
+def land_slots(combine: Literal["max", "product"], foam: bool) -> tuple[Slot, ...]:
+    """The slots of the fragment shader that draws land where rays meet it, in the order of the text.
+
+    ``foam``: whether any lies on it.
+    """
     lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
-    return (OPEN_WAVES, SHORE, OVER, ALBEDO, *lit, LAND_COLOR)
+    own = _foam_slots(combine, True) if foam else (OVER, ALBEDO)
+    return (OPEN_WAVES, SHORE, *own, *lit, LAND_FOAM, LAND_COLOR)
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:

@@ -10,7 +10,15 @@ from typing import Literal
 import numpy as np
 
 from seafoam.masks import Mask, mask_by_name
-from seafoam.scene.models import Camera, DriftSaturation, Foam, FoldSaturation, FrontSaturation, Scene
+from seafoam.scene.models import (
+    Camera,
+    DriftSaturation,
+    Foam,
+    FoldSaturation,
+    FrontSaturation,
+    Scene,
+    SurfSaturation,
+)
 from seafoam.scene.stokes import foam_drift, foam_life
 from seafoam.textures import foam_texture
 
@@ -40,6 +48,8 @@ BRIGHTEST = 65504.0
 """The greatest half float; a frame holds no more."""
 LOWEST_SHADE = 0.25
 """Sine of the sun's elevation under which shades of foam grow no longer."""
+FOAM_SHADE = 0.6
+"""Share of the sun that foam takes from what lies behind it."""
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 
@@ -249,7 +259,7 @@ class _Shader:
             to_land = surface.land_crossing(self.coast.land, self.eye_y, d, *self.coast.within(d))
             dry = to_land < distance
             if dry.any():
-                colour[dry] = self._land(self.coast, D[dry], d[dry], to_land[dry])
+                colour[dry], amount[dry] = self._land(self.coast, D[dry], d[dry], to_land[dry])
             met &= ~dry
         sky = ~met & ~dry
         if sky.any() and self.air is not None:
@@ -420,17 +430,28 @@ class _Shader:
         seen = light.land(self.air, albedo, coast.wet(ground), d, unit(surface.normal(g_x, g_z)))
         return light.haze(self.air, self.scene.light.visibility, seen, d, far)
 
-    def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> Floats:
-        """Colour (r, 3) where rays D meet land, ``distance`` metres away."""
-        if self.air is None or self.scene.light is None:
-            return np.zeros_like(D)
-        q_x, q_z = coast.place(d[:, 0] * distance, d[:, 2] * distance)
+    def _land(self, coast: Coast, D: Floats, d: Floats, distance: Floats) -> tuple[Floats, Floats]:
+        """Colour (r, 3) and foam amount (r,) where rays D meet land, ``distance`` metres away."""
+        scene = self.scene
+        x, z = d[:, 0] * distance, d[:, 2] * distance
+        q_x, q_z = coast.place(x, z)
         height, g_x, g_z, _ = coast.ground(q_x, q_z)
         N = surface.normal(g_x, g_z)
         tau = distance / np.sqrt(dot(D, D))
         feet = (surface.footprint(tau, D, N, self.delta_x), surface.footprint(tau, D, N, self.delta_y))
+        amount = np.zeros_like(x)
+        lines = [] if scene.foam is None else [one for one in scene.foam.saturation if isinstance(one, SurfSaturation)]
+        if scene.foam is not None and self.assets is not None and lines and lines[0].line > 0.0:
+            f = np.minimum(coast.left(lines[0], x, z, height), 1.0 if scene.foam.look == "filtered" else CAP)
+            still = np.zeros_like(x), np.zeros_like(x)
+            amount = np.minimum(self._lying(scene.foam, self.assets, f, x, z, *feet, way=still), 1.0)
+        if self.air is None or scene.light is None:
+            return np.repeat(amount[:, None], 3, axis=1), amount
         colour = light.land(self.air, coast.albedo(q_x, q_z, *feet), coast.wet(height), d, unit(N))
-        return light.haze(self.air, self.scene.light.visibility, colour, d, distance) * self._exposure
+        if scene.foam is not None:
+            white = light.foam(self.air, scene.foam.albedo, unit(N))
+            colour = colour + (white - colour) * amount[:, None]
+        return light.haze(self.air, scene.light.visibility, colour, d, distance) * self._exposure, amount
 
     def _around(self, r: Floats) -> Floats:
         """Sky and land toward r (n, 3), seen from a metre over water or ground, right under the eye; (n, 3)."""
@@ -550,7 +571,7 @@ class _Shader:
         sides = [np.maximum(np.hypot(foot[:, 0], foot[:, 1]), 1e-6) for foot in feet]
         way = foam.thickness / max(float(air.sun[1]), LOWEST_SHADE) * air.sun[[0, 2]]
         near = 1.0 - smoothstep(1.0, 4.0, np.maximum(*sides) / max(float(np.hypot(*way)), 1e-6))
-        near = np.where(f > 0.0, near, 0.0)
+        near = FOAM_SHADE * np.where(f > 0.0, near, 0.0)
         soft_x, soft_y = (
             foot * np.maximum(1.0, 0.5 * foam.thickness / side)[:, None] for foot, side in zip(feet, sides, strict=True)
         )
@@ -567,10 +588,16 @@ class _Shader:
         foot_x: Floats,
         foot_y: Floats,
         beside: tuple[float, float] = (0.0, 0.0),
+        way: tuple[Floats, Floats] | None = None,
     ) -> Floats:
-        """The look's foam amount at r places of the water, or (x, z) m beside them, wherever its mask lies; (r,)."""
+        """The look's foam amount at r places of the water, or (x, z) m beside them, wherever its mask lies; (r,).
+
+        ``way``: to where it rests, m; absent: as the waves carry it.
+        """
         if foam_life(self.scene) is not None:
-            return self._living(foam, assets, f, x, z, foot_x, foot_y, beside)
+            return self._living(
+                foam, assets, f, x, z, foot_x, foot_y, beside, self._carry(x, z) if way is None else way
+            )
         x, z = x + beside[0], z + beside[1]
         carried = self._carried(foam, x, z)
         if not carried:
@@ -592,14 +619,14 @@ class _Shader:
         foot_x: Floats,
         foot_y: Floats,
         beside: tuple[float, float],
+        way: tuple[Floats, Floats],
     ) -> Floats:
         """The same where foam lives: carried, gathered, its masks by its age."""
         held = np.clip(f, 0.0, 1.0)
         s = looks.faded(held, foam.fade) if foam.octaves > 1 else held
         # Between samples nothing tells rows apart that the filter takes out: the truth has all of them.
         s = living.gathered(self.scene, self.time, self.origin, s, x, z)
-        way_x, way_z = self._carry(x, z)
-        l_x, l_z = x + way_x + beside[0], z + way_z + beside[1]
+        l_x, l_z = x + way[0] + beside[0], z + way[1] + beside[1]
         u, v = _turned(l_x, l_z, foam, (0.0, 0.0))
         at = living.drifted(self.scene, self.time, self.origin)
         feet = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)

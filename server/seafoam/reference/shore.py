@@ -230,6 +230,17 @@ def _profiles(skew: float, sharpness: float) -> Profiles:
     return Profiles(skew, sharpness)
 
 
+def _patches(x: Floats, z: Floats) -> Floats:
+    """Patches that foam of the surf tears into, at (x, z) m from the middle of the square; (r,) in [0, 1]."""
+    t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
+    torn = (
+        0.4 * value(KEY, t_x / 6.0, t_z / 6.0)
+        + 0.35 * value(KEY, x / 1.7, z / 1.7)
+        + 0.25 * value(KEY, t_x / 0.5, t_z / 0.5)
+    )
+    return smoothstep(0.25, 0.72, torn)
+
+
 class Coast:
     """The shore of a scene at a time, x and z counted from an origin (m); the sea with its waves is a part."""
 
@@ -352,17 +363,24 @@ class Coast:
         length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
         swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
         c_x, c_z = q_x + swing * map_x[:, 0], q_z + swing * map_z[:, 0]
-        t_x, t_z = 0.8 * c_x - 0.6 * c_z, 0.6 * c_x + 0.8 * c_z
-        torn = (
-            0.4 * value(KEY, t_x / 6.0, t_z / 6.0)
-            + 0.35 * value(KEY, c_x / 1.7, c_z / 1.7)
-            + 0.25 * value(KEY, t_x / 0.5, t_z / 0.5)
-        )
-        patches = smoothstep(0.25, 0.72, torn)
+        patches = _patches(c_x, c_z)
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
         torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
         left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)
         result: Floats = breaking * (left + 2.0 * source.veil * patches)
+        return result
+
+    def left(self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats) -> Floats:
+        """Saturation of what the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
+        q_x, q_z = self.place(x, z)
+        here = self.field.value(q_x, q_z)
+        reach = ground / np.maximum(here[:, 1], 1e-3)
+        since = self.turn(here[:, 0]) - 1.0
+        swept = (1.0 - smoothstep(0.85, 1.0, reach)) * np.exp(since / source.life)
+        turned = smoothstep(0.55, 0.9, reach) * (1.0 - smoothstep(0.95, 1.05, reach))
+        turned = turned * np.exp(since / (3.0 * source.life))
+        ran_up = smoothstep(0.02, 0.1, here[:, 1] / max(self.shore.surf.height, 1e-6))
+        result: Floats = source.line * ran_up * (0.3 + 0.9 * _patches(q_x, q_z)) * (swept + turned)
         return result
 
     def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:

@@ -176,6 +176,9 @@ class SurfSaturation(Part):
     amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation on a breaking front")
     life: float = Field(default=0.35, ge=0.02, le=5.0, description="Time to 1/e behind the front, in periods")
     veil: float = Field(default=0.1, ge=0.0, le=1.0, description="Saturation that stays in the surf between waves")
+    line: float = Field(
+        default=0.0, ge=0.0, le=4.0, description="Saturation that the swash leaves on the sand, and where it turned"
+    )
 
 
 class DriftSaturation(Part):
