@@ -9,7 +9,6 @@ from seafoam.scene.living import FoamLife
 from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, Light, ParametricWave, Scene
 from seafoam.scene.stokes import foam_life
 
-
 SHADE = 0.6
 """Share of the sun that a hand's breadth of foam takes from what lies behind it; the rest comes through."""
 

@@ -233,19 +233,21 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     orbits: dict[str, TextureInput | TargetInput] = {}
     if carries(scene):
         slots.append(SlotFile("carry", "carry/sea.glsl", prefix="sea"))
-        for i, of in enumerate(raised):
-            targets[f"sea_orbit_{i}"] = tile_target(quality, size // 2)
-            orbits[f"u_sea_orbit_{i}"] = TargetInput(target=f"sea_orbit_{i}")
-            passes += (
-                PassSpec(
-                    name=f"orbits, {of.size:g} m tile",
-                    program="sea_orbit",
-                    fragment=("sea/resample_pass.glsl", "carry/sea_orbit_pass.glsl"),
-                    target=f"sea_orbit_{i}",
-                    inputs={"u_sea_displaced": TargetInput(target=displaced)},
-                    uniforms=tile_uniforms(of, i, sea.choppiness, size),
-                ),
+        side = size // 2
+        over = FixedSize(width=side, height=RAISED * (side + 1))
+        targets["sea_orbits"] = tile_target(quality, side).model_copy(update={"size": over})
+        orbits["u_sea_orbits"] = TargetInput(target="sea_orbits")
+        passes += tuple(
+            PassSpec(
+                name=f"orbits, {of.size:g} m tile",
+                program="sea_orbit",
+                fragment=("sea/resample_pass.glsl", "carry/sea_orbit_pass.glsl"),
+                target="sea_orbits",
+                inputs={"u_sea_displaced": TargetInput(target=displaced)},
+                uniforms=tile_uniforms(of, i, sea.choppiness, size),
             )
+            for i, of in enumerate(raised)
+        )
     top = sum(2.0 * of.limit for of in raised)
     steepest = sum(of.steepest for of in raised)
     height = 4.0 * math.sqrt(sum(of.variance for of in tiles))
