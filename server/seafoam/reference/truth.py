@@ -21,7 +21,8 @@ from .types import Bools, Floats
 _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None, "drift": None, "spray": None, "boats": []},
     "shore": {"image": None},
-    "foam": {"texture_second": None, "cells": False, "octaves": 1},
+    "foam": {"texture_second": None, "cells": False, "octaves": 1, "life": None, "thickness": 0.0},
+    "foam/saturation": {"decay": None, "lasting": False, "line": 0.0},
     "water": {"floor_tile": None, "view_below": True, "aeration": 0.0, "plume_depth": 1.5},
     "water/chop": {"gusts": None},
     "light": {
@@ -35,7 +36,8 @@ _LATER: dict[str, dict[str, Any]] = {
         "caustics": None,
     },
 }
-"""Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults."""
+"""Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults. Of a list
+of parts: in each of them."""
 BRIGHTEST = 4.0
 LEVELS = 65535
 
@@ -70,12 +72,13 @@ def scene_sha256(scene: Scene) -> str:
     """
     document = scene.model_dump(mode="json")
     for part, defaults in _LATER.items():
-        held: dict[str, Any] = document
+        found: Any = document
         for key in filter(None, part.split("/")):
-            held = held.get(key) or {}
-        for name, default in defaults.items():
-            if name in held and held[name] == default:
-                del held[name]
+            found = found.get(key) or {}
+        for held in found if isinstance(found, list) else [found]:
+            for name, default in defaults.items():
+                if name in held and held[name] == default:
+                    del held[name]
     text = json.dumps(document, sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
 

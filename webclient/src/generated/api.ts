@@ -1246,12 +1246,65 @@ export interface components {
              * @default 1
              */
             octaves: number;
+            /** @description What becomes of foam in the filtered look: carried, gathered, older; absent: it lies still */
+            life?: components["schemas"]["FoamLife"] | null;
+            /**
+             * Thickness
+             * @description Height of foam over the water, m: its edges toward the sun are brighter, and it shades the water
+             * @default 0
+             */
+            thickness: number;
             /**
              * Albedo
              * @description Share of light that foam scatters back
              * @default 0.9
              */
             albedo: number;
+        };
+        /**
+         * FoamLife
+         * @description What becomes of foam after it is born; the filtered look alone shows it.
+         */
+        FoamLife: {
+            /**
+             * Carried
+             * @description Foam lies on the water that it rests on: waves carry it to and fro and stretch it
+             * @default true
+             */
+            carried: boolean;
+            /**
+             * Masks
+             * @description Masks of older foam, the oldest last; as large as the foam's own
+             * @default [
+             *       "lacetorn",
+             *       "streak"
+             *     ]
+             */
+            masks: string[];
+            /**
+             * Wind Direction
+             * @description Heading of the wind, rad from +x toward +z: of its drift and of the windrows
+             * @default 0
+             */
+            wind_direction: number;
+            /**
+             * Wind Drift
+             * @description Drift of the surface with the wind, m/s: 1 to 3 % of the wind's speed
+             * @default 0
+             */
+            wind_drift: number;
+            /**
+             * Windrows
+             * @description How much of the foam gathers in rows along the wind (Langmuir 1938)
+             * @default 0
+             */
+            windrows: number;
+            /**
+             * Windrow Spacing
+             * @description From row to row, about, m
+             * @default 12
+             */
+            windrow_spacing: number;
         };
         /**
          * FoldSaturation
@@ -1281,6 +1334,12 @@ export interface components {
              * @default 3
              */
             decay: number;
+            /**
+             * Lasting
+             * @description Foam of the larger waves stays for 11 s instead of 3: trails behind breakers; as much in all
+             * @default false
+             */
+            lasting: boolean;
         };
         /**
          * FramePlan
@@ -1444,6 +1503,11 @@ export interface components {
                 number,
                 number
             ];
+            /**
+             * Decay
+             * @description Foam stays on the water that a front has passed and is down to 1/e after so long, s; absent: it fades over the wave behind the front, as in the paper
+             */
+            decay?: number | null;
         };
         /**
          * Fullscreen
@@ -3159,6 +3223,12 @@ export interface components {
              * @default 0.1
              */
             veil: number;
+            /**
+             * Line
+             * @description Saturation that the swash leaves on the sand, and where it turned
+             * @default 0
+             */
+            line: number;
         };
         /**
          * SurfaceQuality
@@ -3809,6 +3879,7 @@ export type EffectNote = components['schemas']['EffectNote'];
 export type Errors = components['schemas']['Errors'];
 export type FixedSize = components['schemas']['FixedSize'];
 export type Foam = components['schemas']['Foam'];
+export type FoamLife = components['schemas']['FoamLife'];
 export type FoldSaturation = components['schemas']['FoldSaturation'];
 export type FramePlan = components['schemas']['FramePlan'];
 export type FrameRequest = components['schemas']['FrameRequest'];
