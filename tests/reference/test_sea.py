@@ -398,6 +398,27 @@ def test_whitecaps_cover_what_the_wind_raises(
     assert abs(np.mean(found) / wanted - 1.0) <= 0.2
 
 
+@pytest.mark.parametrize("wind", [7.5, 12.5, 20.0])
+def test_whitecaps_that_last_cover_as_much(report: Report, wind: float) -> None:
+    """Foam of larger waves that stays for 11 s is shared out anew: still within 20 % of the law."""
+    foam = FoldSaturation(lasting=True, decay=3.7)
+    found = []
+    for seed in (1, 4):
+        scene = Scene(sea=Sea(wind=wind, fetch=5e5, seed=seed), foam=Foam(saturation=(foam,)))
+        surface = truth.sea_surface(scene, 70.0 * seed, (0.0, 0.0))
+        assert surface is not None
+        x, z = np.random.default_rng(seed).uniform(0.0, 2e4, (2, 100_000))
+        found.append(float(truth.fold_saturation(scene, foam, surface, x, z).mean()))
+    wanted = 3.84e-6 * wind**3.41
+    report.add(
+        "Whitecaps that last: share of the sea under foam",
+        wind=f"{wind:g} m/s",
+        wanted=f"{100 * wanted:.3f} %",
+        drawn=f"{100 * np.mean(found):.3f} %",
+    )
+    assert abs(np.mean(found) / wanted - 1.0) <= 0.2
+
+
 @pytest.mark.parametrize("name", ["open-ocean", "swell", "storm", "river"])
 def test_wind_seas_foam_by_the_law(name: str) -> None:
     foam = load_preset(name).scene.foam

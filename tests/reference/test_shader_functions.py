@@ -268,6 +268,8 @@ def filtered_consts(mask: Mask, fade: float, octaves: int) -> dict[str, Const]:
         "OCTAVE_RAMP": OCTAVE_RAMP,
         "FOAM_TEXTURED": False,
         "FOAM_SIDE": 4,
+        "FOAM_LIVES": False,
+        "MASK_ROWS": 10 + (2 if octaves > 1 else 1),
     }
 
 

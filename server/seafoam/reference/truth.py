@@ -36,8 +36,10 @@ _LATER: dict[str, dict[str, Any]] = {
         "caustics": None,
     },
 }
-"""Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults. Of a list
-of parts: in each of them."""
+"""Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults.
+
+Of a list of parts: in each of them.
+"""
 BRIGHTEST = 4.0
 LEVELS = 65535
 
