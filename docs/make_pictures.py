@@ -11,7 +11,16 @@ from seafoam.masks.plots import contact_sheet, magnified_sheet
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
-from seafoam.scene.models import Camera, Caustics
+from seafoam.scene.models import (
+    Camera,
+    Caustics,
+    Foam,
+    FoldSaturation,
+    FrontSaturation,
+    Saturation,
+    Scene,
+    SurfSaturation,
+)
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.sky import Day, Moon
 
@@ -188,56 +197,96 @@ def below(executor: Executor) -> None:
     sheet(made, 3).save(PICTURES / "below.webp", quality=82)
 
 
-BEFORE: dict[str, tuple[str, float]] = {
-    "default": ("mix", 5.0),
-    "open-ocean": ("mix", 8.0),
-    "storm": ("mix", 26.0),
-    "swell": ("mix", 5.0),
-    "shallows": ("clump", 5.0),
-    "boat-race": ("mix", 2.2),
-    "spray-on-rocks": ("clump", 5.0),
-    "drift-vortices": ("bubble", 2.5),
-    "boat-in-storm": ("mix", 26.0),
-    "island-surf": ("clump", 5.0),
-    "coastline": ("clump", 6.0),
-    "beach": ("clump", 4.0),
-    "lagoon": ("clump", 4.0),
-    "murky-estuary": ("clump", 2.5),
-    "lake-choppy": ("mix", 1.6),
-    "explosion": ("mix", 6.0),
-    "river": ("mix", 2.5),
+BEFORE: dict[str, dict[str, object]] = {
+    "default": {"mask": "mix", "mask_tile": 5.0},
+    "open-ocean": {"mask": "mix", "mask_tile": 8.0, "fade": 0.35, "texture": 0.6},
+    "storm": {"mask": "mix", "mask_tile": 26.0, "fade": 0.4, "texture": 0.75},
+    "swell": {"mask": "mix", "mask_tile": 5.0, "fade": 0.35, "texture": 0.6},
+    "shallows": {"mask": "clump", "mask_tile": 5.0},
+    "boat-race": {"mask": "mix", "mask_tile": 2.2},
+    "spray-on-rocks": {"mask": "clump", "mask_tile": 5.0},
+    "drift-vortices": {"mask": "bubble", "mask_tile": 2.5},
+    "boat-in-storm": {"mask": "mix", "mask_tile": 26.0, "fade": 0.4, "texture": 0.75},
+    "island-surf": {"mask": "clump", "mask_tile": 5.0},
+    "coastline": {"mask": "clump", "mask_tile": 6.0},
+    "beach": {"mask": "clump", "mask_tile": 4.0},
+    "lagoon": {"mask": "clump", "mask_tile": 4.0},
+    "murky-estuary": {"mask": "clump", "mask_tile": 2.5},
+    "lake-choppy": {"mask": "mix", "mask_tile": 1.6, "cells": True},
+    "explosion": {"mask": "mix", "mask_tile": 6.0},
+    "river": {"mask": "mix", "mask_tile": 2.5},
 }
-"""Mask and tile (m) of the presets' foam before it had octaves."""
+"""The presets' foam before it had octaves and lived."""
+GROUPS = {"default": (0.3, 0.75), "shallows": (0.35, 0.9)}
+"""Groups of waves that foamed then: foam that stays needs fewer."""
+
+
+def lying_still(foam: Foam, name: str) -> Foam:
+    """The foam without what it does after its birth."""
+    made: list[Saturation] = []
+    for source in foam.saturation:
+        match source:
+            case FrontSaturation():
+                made.append(source.model_copy(update={"decay": None, "group": GROUPS.get(name, source.group)}))
+            case FoldSaturation():
+                made.append(source.model_copy(update={"lasting": False}))
+            case SurfSaturation():
+                made.append(source.model_copy(update={"line": 0.0}))
+            case _:
+                made.append(source)
+    return foam.model_copy(update={"saturation": tuple(made), "life": None, "thickness": 0.0})
 
 
 def foam(executor: Executor) -> None:
-    """Every preset of octaves beside one octave of the mask it had, in clear water; one, two and four by height."""
+    """Every preset's foam before and now; one, two and four octaves by height; foam that lies still and that lives."""
     quality = TIERS["standard"].model_copy(update={"samples": 4})
 
-    def drawn(name: str, camera: Camera | None = None, aeration: float | None = None, **changes: object) -> Image.Image:
-        preset = load_preset(name)
-        scene = preset.scene
-        assert scene.foam is not None
-        scene = scene.model_copy(update={"foam": scene.foam.model_copy(update=changes)})
-        if aeration is not None:
-            scene = scene.model_copy(update={"water": scene.water.model_copy(update={"aeration": aeration})})
+    def drawn(
+        scene: Scene, time: float, camera: Camera | None = None, size: tuple[int, int] = (640, 360)
+    ) -> Image.Image:
+        width, height = size
         pixels = executor.render(
-            make_plan(scene, quality), time=preset.time, camera=camera or scene.camera, width=640, height=360
+            make_plan(scene, quality), time=time, camera=camera or scene.camera, width=width, height=height
         ).pixels
         executor.forget()
         return Image.fromarray(pixels[..., :3])
 
+    def changed(scene: Scene, foam: Foam | None, aeration: float | None = None) -> Scene:
+        water = scene.water if aeration is None else scene.water.model_copy(update={"aeration": aeration})
+        return scene.model_copy(update={"foam": foam, "water": water})
+
     pairs = []
-    for name, (mask, tile) in BEFORE.items():
-        pairs += [drawn(name, aeration=0.0, mask=mask, mask_tile=tile, octaves=1), drawn(name)]
+    for name, before in BEFORE.items():
+        preset = load_preset(name)
+        assert preset.scene.foam is not None
+        then = lying_still(preset.scene.foam, name).model_copy(update={**before, "octaves": 1})
+        pairs += [drawn(changed(preset.scene, then, 0.0), preset.time), drawn(preset.scene, preset.time)]
     sheet(pairs, 4).save(PICTURES / "foam-presets.webp", quality=80)
-    start = load_preset("default").scene.camera
+
+    default = load_preset("default")
+    assert default.scene.foam is not None
     near = [
-        drawn("default", start.model_copy(update={"position": (0.0, height, 0.0), "pitch": pitch}), octaves=octaves)
-        for height, pitch in ((4.4, -0.5), (12.0, -0.5), (45.0, -0.5))
+        drawn(
+            changed(default.scene, default.scene.foam.model_copy(update={"octaves": octaves})),
+            default.time,
+            default.scene.camera.model_copy(update={"position": (0.0, height, 0.0), "pitch": -0.5}),
+        )
+        for height in (4.4, 12.0, 45.0)
         for octaves in (1, 2, 4)
     ]
     sheet(near, 3).save(PICTURES / "foam-octaves.webp", quality=82)
+
+    lives = []
+    above = Camera(position=(0.0, 70.0, 0.0), yaw=-0.25, pitch=-0.55, fov=0.9)
+    for name, times, camera in (("default", (9.0, 11.0), None), ("storm", (9.0, 30.0), above)):
+        scene = load_preset(name).scene
+        assert scene.foam is not None
+        for foam_now in (lying_still(scene.foam, name), scene.foam):
+            lives += [drawn(changed(scene, foam_now), time, camera, (800, 450)) for time in times]
+    sheet(lives, 2).save(PICTURES / "foam-lives.webp", quality=80)
+    beach = load_preset("beach").scene
+    moments = [drawn(beach, 7.0 + 1.5 * i, size=(800, 450)) for i in range(6)]
+    sheet(moments, 2).save(PICTURES / "foam-beach.webp", quality=80)
 
 
 def boats(executor: Executor) -> None:

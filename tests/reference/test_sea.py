@@ -144,11 +144,11 @@ def _check_texels(
         assert away[0] <= 1e-3 * math.sqrt(surface.cascades[i].variance)
         assert away[1] <= 1e-3
         assert fold <= 1e-3
+    drawn = target(executor, plan, "age_tiles", time).astype(np.float64)
+    side, rows = drawn.shape[1], model.AGE_STEPS // 4
     for i, then in enumerate(surface.earlier):
-        drawn = target(executor, plan, f"age_tile_{i}", time).astype(np.float64)
-        side = drawn.shape[1]
-        for row in range(model.AGE_STEPS // 4):
-            got = drawn[row * (side + 1) :][: side + 1]
+        for row in range(rows):
+            got = drawn[(i * rows + row) * (side + 1) :][: side + 1]
             assert np.abs(got[:-1] - np.stack(then[4 * row : 4 * row + 4], -1)).max() <= 1e-3
             assert (got[-1] == got[0]).all()
 

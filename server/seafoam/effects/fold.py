@@ -80,9 +80,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if not steps:
         return Contribution(why=why, slots=slots, consts={"FOLD_TIMES": 1, "FOLD_SHARED": shared}, uniforms=uniforms)
     targets, passes = _ages(scene, scene.sea, raised, quality)
-    inputs: dict[str, TextureInput | TargetInput] = {
-        f"u_age_tile_{i}": TargetInput(target=f"age_tile_{i}") for i in range(len(raised))
-    }
+    inputs: dict[str, TextureInput | TargetInput] = {"u_age_tiles": TargetInput(target="age_tiles")}
     last = steps * quality.age_step
     if lasts:
         old_targets, old_passes = _old(scene, scene.sea, raised[0], quality, model)
@@ -97,6 +95,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "FOLD_TIMES": steps + 1,
             "FOLD_SHARED": shared,
             "AGE_SIZE": quality.sea_size // 2,
+            "AGE_ROWS": steps // 4,
             "OLD_SIZE": OLD_TEXELS,
             "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
         },
@@ -140,22 +139,22 @@ def _ages(
         others, folds = transform("earlier folds", "age_a", "age_b", size)
         passes = (first, *others)
     displaced = displaced_target(scene, quality)
-    for i, of in enumerate(raised):
-        tile = tile_target(quality, size)
-        targets[f"age_tile_{i}"] = tile.model_copy(update={"size": FixedSize(width=size, height=(size + 1) * rows)})
-        passes += (
-            PassSpec(
-                name=f"earlier folds, {of.size:g} m tile",
-                program="age_tile",
-                fragment=("sea/resample_pass.glsl", "sea/age_tile_pass.glsl"),
-                target=f"age_tile_{i}",
-                inputs={
-                    "u_sea_displaced": TargetInput(target=displaced),
-                    "u_age_folds": TargetInput(target=folds),
-                },
-                uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
-            ),
+    over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
+    targets["age_tiles"] = tile_target(quality, size).model_copy(update={"size": over})
+    passes += tuple(
+        PassSpec(
+            name=f"earlier folds, {of.size:g} m tile",
+            program="age_tile",
+            fragment=("sea/resample_pass.glsl", "sea/age_tile_pass.glsl"),
+            target="age_tiles",
+            inputs={
+                "u_sea_displaced": TargetInput(target=displaced),
+                "u_age_folds": TargetInput(target=folds),
+            },
+            uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
         )
+        for i, of in enumerate(raised)
+    )
     return targets, passes
 
 
