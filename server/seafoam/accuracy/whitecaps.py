@@ -56,8 +56,6 @@ class Curve:
     """Percentage increase in pixels, smoothed, %."""
     slope: Floats
     """Its first derivative by falling threshold, smoothed, % a step."""
-    bend: Floats
-    """Its second derivative, % a step²."""
 
 
 def pip_curve(image: NDArray[Any]) -> Curve | None:
@@ -76,14 +74,13 @@ def pip_curve(image: NDArray[Any]) -> Curve | None:
     if steps < LEAST_STEPS:
         return None
     # Half a level under a level, so that rounding decides nothing.
-    thresholds = top - STEP * (np.arange(steps) + 0.75)
+    thresholds: Floats = (top - STEP * (np.arange(steps) + 0.75)).astype(np.float64)
     counts = ordered.size - np.searchsorted(ordered, thresholds, side="right")
     pip = 100.0 * np.diff(counts) / counts[1:]
-    smooth = filtfilt(*butter(ORDER, CUT), pip, padlen=min(20, len(pip) - 1))
-    slope = np.gradient(smooth)
-    before = RUN // 2
-    slope = np.convolve(np.pad(slope, (before, RUN - 1 - before), mode="edge"), np.full(RUN, 1.0 / RUN), "valid")
-    return Curve(thresholds[1:], smooth, slope, np.gradient(slope))
+    smooth: Floats = filtfilt(*butter(ORDER, CUT), pip, padlen=min(20, len(pip) - 1))
+    rough = np.pad(np.gradient(smooth), (RUN // 2, RUN - 1 - RUN // 2), mode="edge")
+    slope: Floats = np.convolve(rough, np.full(RUN, 1.0 / RUN), "valid").astype(np.float64)
+    return Curve(thresholds[1:], smooth, slope)
 
 
 def awe_threshold(image: NDArray[Any], rule: Rule = "program") -> float | None:
