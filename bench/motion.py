@@ -21,7 +21,7 @@ from seafoam.scene.models import Camera
 from seafoam.scene.presets import load_preset
 
 PRESETS = ("default", "open-ocean", "storm", "beach", "drift-vortices")
-SIZE = (256, 144)
+SIZE = (160, 90)
 RATE = 60.0
 FRAMES = 61
 """A second, both ends counted."""

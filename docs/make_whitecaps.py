@@ -36,6 +36,7 @@ from seafoam.scene.presets import load_preset
 
 PAGE = Path(__file__).parent / "whitecaps.md"
 PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"
+Floats = NDArray[np.float32]
 MARK = "<!-- table -->\n"
 WINDS = (5.0, 7.5, 10.0, 12.5, 15.0, 17.5, 20.0)
 DERIVED, SHOWN = (1, 2), (5, 6)
@@ -46,18 +47,20 @@ POINTS = 100_000
 
 PRESET = "open-ocean"
 PHOTOGRAPHED = (8.0, 10.0, 12.5, 15.0, 18.0)
-SIZE = (640, 480)
+SIZE = (480, 360)
+SMALL = (128, 96)
+"""Of the frames without light in which foam alone is counted."""
 EYE, PITCH, FOV = 30.0, -0.6, 0.7
 """Camera over the sea's mean level, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
 QUALITY = TIERS["standard"].model_copy(update={"sea_size": 128})
 """A tile of 128 texels still holds all waves, and is drawn sooner."""
 ROUND = 20
 """Photographs of one sea and heading."""
-LEAST_FRAMES, MOST_FRAMES = 160, 500
+LEAST_FRAMES, MOST_FRAMES = 160, 400
 ENOUGH = 0.07
 """Standard error of the mean drawn coverage, over the mean, at which a wind has photographs enough."""
-PAIRED = 4
-"""Every so many photographs are also drawn with the preset's own look."""
+LIT = 5
+"""Every so many views are also photographed, with both looks: AWE's ratio to the foam drawn needs few."""
 RULES: tuple[Rule, ...] = ("program", "least")
 THIN = 0.02
 """Foam amount under which a pixel counts as water."""
@@ -175,18 +178,22 @@ def shot(pixels: NDArray[np.float32]) -> Shot:
 
 @dataclass(frozen=True)
 class Album:
-    """Photographs at one wind, and some of the same views with the preset's own look."""
+    """Views at one wind."""
 
+    foam: list[float]
+    """Mean foam amount of every view, the look without fade and foam texture."""
     plain: list[Shot]
+    """Photographs of some of them."""
     own: list[Shot]
+    """The same with the preset's own look."""
 
 
-def photograph(executor: Executor, scene: Scene, time: float, x: float, z: float, yaw: float) -> Shot:
-    """Draw and judge one photograph."""
+def view(executor: Executor, scene: Scene, place: Sequence[float], yaw: float, size: tuple[int, int]) -> Floats:
+    """A linear frame. place: x and z, m, and time, s."""
+    x, z, time = place
     camera = Camera(position=(x, EYE + mean_level(scene), z), pitch=PITCH, yaw=yaw, fov=FOV)
     plan = make_plan(scene, QUALITY)
-    frame = executor.render(plan, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear")
-    return shot(frame.pixels)  # type: ignore[arg-type]
+    return executor.render(plan, time=time, camera=camera, width=size[0], height=size[1], output="linear").pixels  # type: ignore[return-value]
 
 
 def spread(values: Sequence[float]) -> float:
@@ -195,49 +202,49 @@ def spread(values: Sequence[float]) -> float:
 
 
 def photographed(executor: Executor, wind: float, progress: Progress) -> Album:
-    """Photographs of ever other seas, places, moments and headings, until their mean is sure enough."""
+    """Views of ever other seas, places, moments and headings, until their mean is sure enough."""
     random = np.random.default_rng(round(10.0 * wind))
-    album = Album([], [])
+    album = Album([], [], [])
     task = progress.add_task(f"photographs, {wind:g} m/s", total=MOST_FRAMES)
     for number in range(MOST_FRAMES // ROUND):
         yaw = float(random.uniform(-math.pi, math.pi))
         plain, own = (seascape(wind, 100 + number, yaw, own=own) for own in (False, True))
+        unlit = plain.model_copy(update={"light": None})
         for i in range(ROUND):
-            x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, model.LOOP)))
-            album.plain.append(photograph(executor, plain, time, x, z, yaw))
-            if i % PAIRED == 0:
-                album.own.append(photograph(executor, own, time, x, z, yaw))
+            place = [float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, model.LOOP))]
+            album.foam.append(float(view(executor, unlit, place, yaw, SMALL)[..., 3].mean(dtype=np.float64)))
+            if i % LIT == 0:
+                album.plain.append(shot(view(executor, plain, place, yaw, SIZE)))
+                album.own.append(shot(view(executor, own, place, yaw, SIZE)))
             progress.advance(task)
-        if len(album.plain) >= LEAST_FRAMES and spread([one.drawn for one in album.plain]) <= ENOUGH:
+        if len(album.foam) >= LEAST_FRAMES and spread(album.foam) <= ENOUGH:
             break
-    progress.update(task, total=len(album.plain))
+    progress.update(task, total=len(album.foam))
     return album
 
 
 def write_photographs(albums: Mapping[float, Album]) -> None:
     """The page's table of photographs and its plot."""
     rows = [
-        "| wind, m/s | law, % | photographs | drawn, over law | sure to | AWE, over law | AWE, least PIP, over law "
-        "| AWE's pixels: foam / thin / none, over law | preset's own look: drawn, over law | AWE, over law |\n",
+        "| wind, m/s | law, % | views | drawn, over law | sure to | AWE | AWE, least PIP "
+        "| AWE's pixels: foam / thin / none | preset's own look: drawn | AWE |\n",
         "|---|---|---|---|---|---|---|---|---|---|\n",
     ]
     columns: dict[str, list[float]] = {"drawn": [], "AWE": [], "AWE, least PIP": [], "drawn, own look": []}
     for wind, album in albums.items():
         law = model.whitecaps(wind)
-        drawn = float(np.mean([one.drawn for one in album.plain]))
-        awe, least = (float(np.mean([one.counted[rule] for one in album.plain])) for rule in RULES)
-        parts = np.mean([one.made_of for one in album.plain], axis=0) / law
-        # The preset's look on a quarter of the views: its ratio to the plain look there is surer than its mean.
-        paired = float(np.mean([one.drawn for one in album.plain[::PAIRED]]))
-        own = float(np.mean([one.drawn for one in album.own])) / paired * drawn
-        own_awe = float(np.mean([one.counted["program"] for one in album.own])) / paired * drawn
+        drawn = float(np.mean(album.foam))
+        scale = drawn / law / float(np.mean([one.drawn for one in album.plain]))
+        awe, least = (scale * float(np.mean([one.counted[rule] for one in album.plain])) for rule in RULES)
+        parts = scale * np.mean([one.made_of for one in album.plain], axis=0)
+        own = scale * float(np.mean([one.drawn for one in album.own]))
+        own_awe = scale * float(np.mean([one.counted["program"] for one in album.own]))
         rows.append(
-            f"| {wind:g} | {100 * law:.3f} | {len(album.plain)} | {drawn / law:.2f} "
-            f"| {100 * spread([one.drawn for one in album.plain]):.0f} % | {awe / law:.2f} | {least / law:.2f} "
-            f"| {' / '.join(f'{part:.2f}' for part in parts)} | {own / law:.2f} | {own_awe / law:.2f} |\n"
+            f"| {wind:g} | {100 * law:.3f} | {len(album.foam)} | {drawn / law:.2f} | {100 * spread(album.foam):.0f} % "
+            f"| {awe:.2f} | {least:.2f} | {' / '.join(f'{part:.2f}' for part in parts)} | {own:.2f} | {own_awe:.2f} |\n"
         )
-        for name, value in zip(columns, (drawn, awe, least, own), strict=True):
-            columns[name].append(100.0 * value)
+        for name, value in zip(columns, (drawn / law, awe, least, own), strict=True):
+            columns[name].append(100.0 * law * value)
     fill("photographs", rows)
     figure = Figure(figsize=(8.0, 5.0), dpi=100, layout="constrained")
     FigureCanvasAgg(figure)
