@@ -1,24 +1,42 @@
-"""Whitecap coverage of the open sea against the wind: table and plot of docs/whitecaps.md, factors of scene/sea.py.
+"""Whitecaps of the open sea against the wind: tables and plots of docs/whitecaps.md, factors of scene/sea.py.
 
-Run as ``python docs/make_whitecaps.py [--derive]``; with ``--derive`` it prints what
-``CLAMPED`` and ``LASTING_CLAMPED`` should be instead.
+Run as ``python docs/make_whitecaps.py [--derive | --photographs | --patches]``; with ``--derive`` it prints what
+``CLAMPED`` and ``LASTING_CLAMPED`` should be instead, with ``--photographs`` it draws the sea as from a ship and counts
+by AWE, with ``--patches`` it measures patches of foam from above.
 """
 
 import argparse
+import io
+import math
 import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from PIL import Image
+from rich.console import Console
+from rich.progress import Progress
+from scipy import stats
 
+from seafoam.accuracy.metrics import displayed
+from seafoam.accuracy.whitecaps import Patches, Rule, awe_threshold, grey, patches
+from seafoam.plan import make_plan
+from seafoam.quality import TIERS
 from seafoam.reference.sea import fold_saturation, sea_surface
+from seafoam.render.executor import Executor
 from seafoam.scene import sea as model
-from seafoam.scene.models import Foam, FoldSaturation, Scene, Sea
+from seafoam.scene.level import mean_level
+from seafoam.scene.models import Camera, Foam, FoldSaturation, Light, Scene, Sea
+from seafoam.scene.presets import load_preset
 
 PAGE = Path(__file__).parent / "whitecaps.md"
 PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"
+Floats = NDArray[np.float32]
 MARK = "<!-- table -->\n"
 WINDS = (5.0, 7.5, 10.0, 12.5, 15.0, 17.5, 20.0)
 DERIVED, SHOWN = (1, 2), (5, 6)
@@ -28,6 +46,31 @@ LASTING_DECAY = 3.7
 """To 1/e, s: whitecaps of the open sea fade in 3.5 to 4 s (Monahan and Zietlow 1969)."""
 TEXELS = 256
 POINTS = 100_000
+
+PRESET = "open-ocean"
+PHOTOGRAPHED = (8.0, 10.0, 12.5, 15.0, 18.0)
+SIZE = (480, 360)
+SMALL = (128, 96)
+"""Of the frames without light in which foam alone is counted."""
+EYE, PITCH, FOV = 30.0, -0.6, 0.7
+"""Camera over the sea's mean level, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
+QUALITY = TIERS["standard"].model_copy(update={"sea_size": 128})
+"""A tile of 128 texels still holds all waves, and is drawn sooner."""
+ROUND = 20
+"""Photographs of one sea and heading."""
+LEAST_FRAMES, MOST_FRAMES = 160, 400
+ENOUGH = 0.07
+"""Standard error of the mean drawn coverage, over the mean, at which a wind has photographs enough."""
+LIT = 5
+"""Every so many views are also photographed, with both looks: AWE's ratio to the foam drawn needs few."""
+RULES: tuple[Rule, ...] = ("program", "least")
+THIN = 0.02
+"""Foam amount under which a pixel counts as water."""
+OUTLINED_WIND = 12.5
+ABOVE = 300.0
+"""Height from which patches are measured, m."""
+OUTLINED, OUTLINED_SIDE = 24, 960
+"""Pictures from above, and pixels along their side."""
 
 
 def coverage(wind: float, seed: int, kind: Literal["fft", "gerstner"] = "fft", lasting: bool = False) -> float:
@@ -92,13 +135,226 @@ def write(drawn: dict[float, float], gerstner: dict[float, float]) -> None:
     figure.savefig(PICTURE)
 
 
+def seascape(wind: float, seed: int, yaw: float, *, own: bool) -> Scene:
+    """The preset's sea and foam, of coverage 1, the sun high behind a camera that heads to ``yaw``.
+
+    own: with the preset's foam that lasts and lives, else with that of the last 3 s, lying still.
+    """
+    preset = load_preset(PRESET).scene
+    assert preset.foam is not None
+    assert preset.light is not None
+    changed: dict[str, Any] = {} if own else {"saturation": (FoldSaturation(),), "life": None}
+    azimuth = math.remainder(yaw + 0.5 * math.pi, 2.0 * math.pi)
+    light = Light(sun_azimuth=azimuth, sun_elevation=1.0, turbidity=2.0, visibility=18000.0)
+    return preset.model_copy(
+        update={
+            "sea": Sea(wind=wind, fetch=FETCH, seed=seed),
+            "foam": preset.foam.model_copy(update=changed),
+            "light": light.model_copy(update={"exposure": preset.light.exposure}),
+        }
+    )
+
+
+@dataclass(frozen=True)
+class Shot:
+    """A photograph: shares of its pixels."""
+
+    drawn: float
+    """Mean foam amount."""
+    counted: dict[Rule, float]
+    """What AWE counts."""
+    made_of: tuple[float, float, float]
+    """Of what AWE (program) counts: pixels at least half under foam, thinly, and not."""
+
+
+def shot(pixels: NDArray[np.float32]) -> Shot:
+    """Judge a linear frame: its foam, and AWE of its tone-mapped 8-bit sRGB."""
+    image = grey(np.round(255.0 * displayed(pixels)).astype(np.uint8))
+    foam = pixels[..., 3].astype(np.float64)
+    white = {}
+    for rule in RULES:
+        threshold = awe_threshold(image, rule)
+        white[rule] = image > (1.0 if threshold is None else threshold)
+    of = white["program"]
+    parts = (foam >= 0.5, (foam >= THIN) & (foam < 0.5), foam < THIN)
+    return Shot(
+        float(foam.mean()),
+        {rule: float(counted.mean()) for rule, counted in white.items()},
+        tuple(float((of & part).mean()) for part in parts),  # type: ignore[arg-type]
+    )
+
+
+@dataclass(frozen=True)
+class Album:
+    """Views at one wind."""
+
+    foam: list[float]
+    """Mean foam amount of every view, the look without fade and foam texture."""
+    plain: list[Shot]
+    """Photographs of some of them."""
+    own: list[Shot]
+    """The same with the preset's own look."""
+
+
+def view(executor: Executor, scene: Scene, place: Sequence[float], yaw: float, size: tuple[int, int]) -> Floats:
+    """A linear frame. place: x and z, m, and time, s."""
+    x, z, time = place
+    camera = Camera(position=(x, EYE + mean_level(scene), z), pitch=PITCH, yaw=yaw, fov=FOV)
+    plan = make_plan(scene, QUALITY)
+    return executor.render(plan, time=time, camera=camera, width=size[0], height=size[1], output="linear").pixels  # type: ignore[return-value]
+
+
+def spread(values: Sequence[float]) -> float:
+    """Standard error of the mean over the mean."""
+    return float(np.std(values, ddof=1) / np.mean(values) / math.sqrt(len(values)))
+
+
+def photographed(executor: Executor, wind: float, progress: Progress) -> Album:
+    """Views of ever other seas, places, moments and headings, until their mean is sure enough."""
+    random = np.random.default_rng(round(10.0 * wind))
+    album = Album([], [], [])
+    task = progress.add_task(f"photographs, {wind:g} m/s", total=MOST_FRAMES)
+    for number in range(MOST_FRAMES // ROUND):
+        yaw = float(random.uniform(-math.pi, math.pi))
+        plain, own = (seascape(wind, 100 + number, yaw, own=own) for own in (False, True))
+        unlit = plain.model_copy(update={"light": None})
+        for i in range(ROUND):
+            place = [float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, model.LOOP))]
+            album.foam.append(float(view(executor, unlit, place, yaw, SMALL)[..., 3].mean(dtype=np.float64)))
+            if i % LIT == 0:
+                album.plain.append(shot(view(executor, plain, place, yaw, SIZE)))
+                album.own.append(shot(view(executor, own, place, yaw, SIZE)))
+            progress.advance(task)
+        if len(album.foam) >= LEAST_FRAMES and spread(album.foam) <= ENOUGH:
+            break
+    progress.update(task, total=len(album.foam))
+    return album
+
+
+def write_photographs(albums: Mapping[float, Album]) -> None:
+    """The page's table of photographs and its plot."""
+    rows = [
+        "| wind, m/s | law, % | views | drawn, over law | sure to | AWE | AWE, least PIP "
+        "| AWE's pixels: foam / thin / none | preset's own look: drawn | AWE |\n",
+        "|---|---|---|---|---|---|---|---|---|---|\n",
+    ]
+    columns: dict[str, list[float]] = {"drawn": [], "AWE": [], "AWE, least PIP": [], "drawn, own look": []}
+    for wind, album in albums.items():
+        law = model.whitecaps(wind)
+        drawn = float(np.mean(album.foam))
+        scale = drawn / law / float(np.mean([one.drawn for one in album.plain]))
+        awe, least = (scale * float(np.mean([one.counted[rule] for one in album.plain])) for rule in RULES)
+        parts = scale * np.mean([one.made_of for one in album.plain], axis=0)
+        own = scale * float(np.mean([one.drawn for one in album.own]))
+        own_awe = scale * float(np.mean([one.counted["program"] for one in album.own]))
+        rows.append(
+            f"| {wind:g} | {100 * law:.3f} | {len(album.foam)} | {drawn / law:.2f} | {100 * spread(album.foam):.0f} % "
+            f"| {awe:.2f} | {least:.2f} | {' / '.join(f'{part:.2f}' for part in parts)} | {own:.2f} | {own_awe:.2f} |\n"
+        )
+        for name, value in zip(columns, (drawn / law, awe, least, own), strict=True):
+            columns[name].append(100.0 * law * value)
+    fill("photographs", rows)
+    figure = Figure(figsize=(8.0, 5.0), dpi=100, layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    winds = np.linspace(7.5, 19.0, 100)
+    law_curve = 100 * 3.84e-6 * winds**3.41
+    axes.fill_between(winds, 0.8 * law_curve, 1.2 * law_curve, color="#dde3e6", label="within 20 %")
+    axes.plot(winds, law_curve, color="#1c2b33", lw=1.2, label="3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980)")
+    for (name, values), mark, colour in zip(
+        columns.items(), "o^vs", ("#b5353c", "#27708b", "#5b9bb3", "#c98a2b"), strict=True
+    ):
+        axes.plot(list(albums), values, mark, color=colour, label=name)
+    axes.set_yscale("log")
+    axes.set_xlabel("wind 10 m above the sea, m/s")
+    axes.set_ylabel("share of the photograph, %")
+    axes.legend(frameon=False)
+    axes.grid(color="#dde3e6", lw=0.6)
+    save(figure, "whitecaps-photographs")
+
+
+def outlined(executor: Executor, progress: Progress, *, own: bool) -> Patches:
+    """Patches of pixels at least half under foam, from straight above."""
+    random = np.random.default_rng(3)
+    found = []
+    for i in progress.track(range(OUTLINED), description=f"patches, {'own look' if own else 'plain'}"):
+        scene = seascape(OUTLINED_WIND, 200 + i, 0.0, own=own)
+        x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, model.LOOP)))
+        camera = Camera(position=(x, ABOVE + mean_level(scene), z), pitch=-0.5 * math.pi, fov=2.0 * math.atan(0.5))
+        plan = make_plan(scene, QUALITY)
+        side = OUTLINED_SIDE
+        frame = executor.render(plan, time=time, camera=camera, width=side, height=side, output="linear")
+        found.append(patches(frame.pixels[..., 3] >= 0.5, ABOVE / side))
+    parts = ("areas", "lengths", "perimeters")
+    return Patches(*(np.concatenate([getattr(one, part) for one in found]) for part in parts))
+
+
+def write_patches(found: Mapping[str, Patches]) -> None:
+    """The page's table of patches and its plot."""
+    rows = [
+        "| foam | patches | areas, m² | exponent of the areas | mean axis ratio (0.41) | outlines' dimension "
+        "(1.39; streaks 1.23) | lengths, m: median, 90 % | gamma law of lengths, greatest distance |\n",
+        "|---|---|---|---|---|---|---|---|\n",
+    ]
+    figure = Figure(figsize=(8.0, 4.6), dpi=100, layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    for (name, of), colour in zip(found.items(), ("#b5353c", "#27708b"), strict=True):
+        shape, _, scale = stats.gamma.fit(of.lengths, floc=0.0)
+        distance = stats.kstest(of.lengths, "gamma", args=(shape, 0.0, scale)).statistic
+        rows.append(
+            f"| {name} | {len(of.areas)} | {of.areas.min():.2f} to {of.areas.max():.0f} | {of.exponent():.2f} "
+            f"| {of.axis_ratios.mean():.2f} | {of.dimension():.2f} "
+            f"| {np.median(of.lengths):.1f}, {np.quantile(of.lengths, 0.9):.1f} | {distance:.2f} |\n"
+        )
+        ordered = np.sort(of.areas)[::-1]
+        axes.loglog(ordered, np.arange(1, len(ordered) + 1) / len(ordered), color=colour, label=name)
+        slope = 1.0 - of.exponent()
+        axes.loglog(ordered, (ordered / ordered[-1]) ** slope, ":", color=colour, label=f"area^{slope:.2f}")
+    axes.set_xlabel("area of a patch, m²")
+    axes.set_ylabel("share of patches at least as large")
+    axes.legend(frameon=False)
+    axes.grid(color="#dde3e6", lw=0.6)
+    fill("patches", rows)
+    save(figure, "whitecaps-patches")
+
+
+def fill(name: str, rows: Sequence[str]) -> None:
+    """Put a table between its marks on the page. Raises where they are not there once each."""
+    mark = f"<!-- {name} -->\n"
+    before, _, after = PAGE.read_text(encoding="utf-8").split(mark)
+    PAGE.write_text(before + mark + "".join(rows) + mark + after, encoding="utf-8")
+
+
+def save(figure: Figure, name: str) -> None:
+    """A plot as a small WebP."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png")
+    Image.open(buffer).convert("RGB").save(PICTURE.with_name(f"{name}.webp"), quality=85, method=6)
+
+
 def main() -> None:
-    """Write page and plot, or print ``CLAMPED``."""
+    """Write what was asked for of the page, or print ``CLAMPED``."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--derive", action="store_true")
-    if parser.parse_args().derive:
+    asked = parser.add_mutually_exclusive_group()
+    asked.add_argument("--derive", action="store_true")
+    asked.add_argument("--photographs", action="store_true")
+    asked.add_argument("--patches", action="store_true")
+    chosen = parser.parse_args()
+    if chosen.derive:
         for lasting in (False, True):
             print("LASTING_CLAMPED" if lasting else "CLAMPED", derive(lasting))
+    elif chosen.photographs or chosen.patches:
+        executor = Executor()
+        try:
+            with Progress(console=Console(stderr=True)) as progress:
+                if chosen.photographs:
+                    write_photographs({wind: photographed(executor, wind, progress) for wind in PHOTOGRAPHED})
+                else:
+                    looks = {"plain look": False, "preset's own look": True}
+                    write_patches({name: outlined(executor, progress, own=own) for name, own in looks.items()})
+        finally:
+            executor.close()
     else:
         write(measured(SHOWN), measured(SHOWN, "gerstner"))
 

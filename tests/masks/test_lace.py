@@ -5,7 +5,7 @@ import pytest
 
 from seafoam.masks import load_mask, make_mask, measure_morphology, measure_spectrum
 from seafoam.masks.families import check_parameters, parse_parameters
-from seafoam.masks.morphology import euler_number, largest_piece
+from seafoam.masks.morphology import euler_number, hole_areas, largest_piece
 
 SHIPPED = ("lace", "lacetorn", "streak")
 
@@ -115,3 +115,16 @@ def test_parameters_travel_as_text():
             parse_parameters(text)
     with pytest.raises(ValueError, match="age nan"):
         check_parameters("lace", None, 256, 0, 1.0, float("nan"))
+
+
+@pytest.mark.parametrize("saturation", [0.0, 0.3, 0.7, 1.0])
+def test_holes_hold_all_the_water(saturation):
+    ranks = load_mask("lace").ranks
+    areas = hole_areas(ranks, saturation)
+    assert areas.sum() == np.count_nonzero(ranks >= saturation * ranks.size)
+    assert (np.diff(areas) >= 0).all()
+
+
+def test_holes_need_a_saturation():
+    with pytest.raises(ValueError, match="saturation"):
+        hole_areas(load_mask("lace").ranks, 1.5)

@@ -117,9 +117,21 @@ def euler_number(foam: Pattern) -> int:
     return int(corners.sum()) - int(beside.sum()) - int(below.sum()) + int(foam.sum())
 
 
+def hole_areas(ranks: Ranks, saturation: float) -> NDArray[np.int64]:
+    """Areas of the holes in the foam at a saturation, (holes,), texels, the smallest first; empty without water.
+
+    ranks: (size, size); saturation in [0, 1]. Holes are 4-connected, on the torus. Raises ``ValueError`` for a
+    saturation outside.
+    """
+    if not 0.0 <= saturation <= 1.0:
+        raise ValueError(f"a saturation lies in [0, 1], not at {saturation:g}")
+    areas: NDArray[np.int64] = np.sort(_areas(ranks >= saturation * ranks.size, diagonal=False))
+    return areas
+
+
 def _shapes(ranks: Ranks, saturation: float) -> FoamShapes:
     foam = ranks < saturation * ranks.size
-    holes = np.sort(_areas(~foam, diagonal=False))
+    holes = hole_areas(ranks, saturation)
     held = np.cumsum(holes)
     sizes = holes[[int(np.searchsorted(held, share * held[-1])) for share in HOLE_SHARES]]
     # Each run begins where foam begins: as many along rows as along columns count twice.
