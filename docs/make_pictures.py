@@ -45,7 +45,7 @@ def at_times(executor: Executor, names: Sequence[str]) -> Image.Image:
     pictures = []
     for name in names:
         scene = load_preset(name).scene
-        plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": 4}))
+        plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True}))
         x, _, z = scene.camera.position
         high = scene.camera.model_copy(update={"position": (x, 200.0, z), "pitch": -0.4})
         for time, camera in ((0.0, scene.camera), (5.0, scene.camera), (20.0, scene.camera), (20.0, high)):
@@ -58,7 +58,7 @@ def shore(executor: Executor, name: str, time: float, **water: object) -> Image.
     """A preset of a shore, four samples a pixel."""
     scene = load_preset(name).scene
     scene = scene.model_copy(update={"water": scene.water.model_copy(update=water)})
-    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
     rendered = executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270)
     return Image.fromarray(rendered.pixels[..., :3])
 
@@ -97,7 +97,7 @@ def skies(executor: Executor) -> None:
         light = lake.light.model_copy(update=changed)
         camera = lake.camera.model_copy(update={"pitch": 0.08})
         scenes.append((lake.model_copy(update={"light": light, "shore": None, "camera": camera}), 60.0 * hour))
-    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
     drawn = [
         executor.render(make_plan(scene, quality), time=time, camera=scene.camera, width=480, height=270).pixels
         for scene, time in scenes
@@ -110,7 +110,7 @@ def drift(executor: Executor) -> Image.Image:
     scene = load_preset("drift-vortices").scene
     place = scene.drift.place if scene.drift is not None else (0.0, 0.0)
     above = scene.camera.model_copy(update={"position": (place[0], 30.0, place[1]), "yaw": 0.0, "pitch": -math.pi / 2})
-    back = TIERS["standard"].model_copy(update={"samples": 4})
+    back = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
     fine, forward = (back.model_copy(update=knobs) for knobs in ({"drift_size": 1024}, {"drift": "forward"}))
     shots = [(back, time, scene.camera) for time in (0.0, 5.0, 20.0)]
     shots += [(quality, 33.0, above) for quality in (fine, back, forward)]
@@ -177,7 +177,7 @@ def below(executor: Executor) -> None:
         "paper-benchmark": (0.0, -0.3, 0.0, 0.6, 1.2),
         "river": (0.0, -0.4, 0.0, 0.7, 1.3),
     }
-    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
     made = []
     for name, (x, y, z, pitch, fov) in views.items():
         preset = load_preset(name)
@@ -239,7 +239,7 @@ def lying_still(foam: Foam, name: str) -> Foam:
 
 def foam(executor: Executor) -> None:
     """Every preset's foam before and now; one, two and four octaves by height; foam that lies still and that lives."""
-    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
 
     def drawn(
         scene: Scene, time: float, camera: Camera | None = None, size: tuple[int, int] = (640, 360)
@@ -291,7 +291,7 @@ def foam(executor: Executor) -> None:
 
 def boats(executor: Executor) -> None:
     """The boats' presets at three times; the race's mirror: of the sky alone, planar, by rays from the water."""
-    quality = TIERS["standard"].model_copy(update={"samples": 4})
+    quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
     made = []
     for name, times in (("boat-race", (0.0, 6.0, 11.0)), ("boat-in-storm", (49.0, 52.0, 56.0))):
         scene = load_preset(name).scene

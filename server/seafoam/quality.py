@@ -54,6 +54,7 @@ class Quality(Knobs):
     foam_octaves: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = Field(
         default=4, description="Octaves of the mask at most: how fine foam is near the eye"
     )
+    foam_relief: bool = Field(default=False, description="Foam of a thickness shades what lies beside it")
     chop: Literal["tile", "exact"] = Field(
         default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
     )
@@ -192,6 +193,7 @@ TIERS: dict[Tier, Quality] = {
     "standard": Quality(),
     "high": Quality(
         surface=SurfaceQuality(steps=384, tolerance=0.02),
+        foam_relief=True,
         rings_size=2048,
         sea_size=512,
         cube_size=512,
@@ -207,6 +209,7 @@ TIERS: dict[Tier, Quality] = {
     ),
     "reference": Quality(
         surface=SurfaceQuality(steps=512, tolerance=0.02),
+        foam_relief=True,
         rings_size=2048,
         sea_size=512,
         sea_digits="float",

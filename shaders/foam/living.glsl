@@ -9,7 +9,7 @@ float lying_amount(float s, float f, vec2 lying, Footprint fp) {
     // foam, and what neither covers stays free (foam/cells_blended.glsl).
     float age = clamp(-log(max(f, 1e-6)) / FOAM_AGE, 0.0, float(FOAM_MASKS - 1));
     int young = min(int(age), FOAM_MASKS - 2);
-    float share = smoothstep(0.25, 0.75, age - float(young));
+    float share = smoothstep(0.35, 0.65, age - float(young));
     float left = 1.0 - s;
     float held = max(left, 1.0 / 256.0);
     float last = smoothstep(0.0, 1.0 / 256.0, left);

@@ -11,7 +11,7 @@ void foam_relief(float f, float amount, vec2 p, Footprint fp) {
     float x = length(fp.x);
     float y = length(fp.y);
     // Far away edges and shades are too fine to be told apart.
-    float near = 1.0 - smoothstep(1.0, 4.0, max(x, y) / max(length(way), 1e-6));
+    float near = 1.0 - smoothstep(0.25, 1.0, max(x, y) / max(length(way), 1e-6));
     if (near <= 0.0) {
         return;
     }
@@ -19,6 +19,7 @@ void foam_relief(float f, float amount, vec2 p, Footprint fp) {
     Footprint soft = Footprint(max(1.0, 0.5 * u_foam_thickness / max(x, 1e-6)) * fp.x, max(1.0, 0.5 * u_foam_thickness / max(y, 1e-6)) * fp.y);
     // Foam so thin lets through and scatters on what it does not send back.
     near *= FOAM_SHADE;
+    foam_octaves = 1;
     float beside = near * min(beside_amount(f, p, way, soft), 1.0);
     sun_past_foam = vec2(1.0 - beside, 1.0 + near * min(amount, 1.0) - beside);
 }

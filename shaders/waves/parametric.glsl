@@ -2,7 +2,7 @@
 // theta = phase - k.p; the phase holds time and the eye's place, reduced in float64. Exact to float32 at any time.
 uniform vec4 u_parametric[PARAMETRIC_COUNT]; // k.x, k.z (rad/m), A (m), K
 uniform float u_parametric_phase[PARAMETRIC_COUNT];
-uniform vec2 u_parametric_mean[PARAMETRIC_COUNT]; // mean square slope and mean height (m) of the whole wave
+uniform vec3 u_parametric_mean[PARAMETRIC_COUNT]; // of the whole wave: mean square slope, mean height (m), reach of its orbit over k (m2)
 
 // Sine and cosine of half of theta + pi/2: u is the square of the first, which is 0 at the trough and keeps its digits there.
 vec2 parametric_half(float theta) {
@@ -58,12 +58,16 @@ vec2 parametric_signal;
 vec2 parametric_signal_x;
 vec2 parametric_signal_z;
 
+// What carries foam reads of it: the way to where its water rests, m.
+vec2 parametric_carried;
+
 // Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
 vec4 parametric_shading(vec2 p, Footprint fp) {
     vec4 sum = vec4(0.0);
     parametric_signal = vec2(0.0);
     parametric_signal_x = vec2(0.0);
     parametric_signal_z = vec2(0.0);
+    parametric_carried = vec2(0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
         vec2 of_half = parametric_place(i, p);
@@ -81,7 +85,10 @@ vec4 parametric_shading(vec2 p, Footprint fp) {
         if (SURFACE_FILTER) {
             kept = wave_kept(wave.xy, fp);
         }
-        vec2 mean = u_parametric_mean[i];
+        vec3 mean = u_parametric_mean[i];
+        if (PARAMETRIC_CARRIES) {
+            parametric_carried += 2.0 * of_half.x * of_half.y * mean.z * wave.xy;
+        }
         sum += vec4(mix(mean.y, profile.x, kept), -kept * profile.y * wave.xy, (1.0 - kept * kept) * mean.x);
     }
     return sum;

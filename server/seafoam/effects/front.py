@@ -109,23 +109,34 @@ def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, 
     """Foam that stays where fronts have left it."""
     total, count = waves_top(scene), len(scene.waves)
     drift = foam_drift(scene)
-    data: list[Constant] = []
-    phases: list[Phase] = []
-    orbits: list[Constant] = []
-    mean = 0.0
+    shared = shares_phase(scene)
+    delta, turn, _ = _CONSTANTS["text"]
+    of_waves: dict[str, Uniform] = _own_waves(scene, delta, turn)
+    if shared:
+        of_waves = {"u_front_share": number(significant(1.0 / total))}
+    weights, rates = [], []
     for wave in scene.waves:
         kx, kz = wavevector(wave, scene.water.depth)
-        weight = wave.amplitude / total if total > 0.0 else 1.0 / count
-        omega = angular_frequency(wave)
-        # What a wave does to water that drifts along with it is slower.
-        rate = omega - kx * drift[0] - kz * drift[1]
-        mean += weight * rate
-        reach = orbit(wave, scene.water.depth) if carries(scene) else 0.0
-        data.append(Constant(value=(kx, kz, weight, significant(rate))))
-        phases.append(Phase(offset=wave.phase, rate=omega, k=(-kx, -kz)))
-        along = (reach * math.cos(wave.direction), reach * math.sin(wave.direction))
-        orbits.append(Constant(value=(significant(along[0]), significant(along[1]))))
-    mean = max(mean, LEAST_RATE)
+        weights.append(wave.amplitude / total if total > 0.0 else 1.0 / count)
+        # Water that drifts along with a wave meets it less often.
+        rates.append(angular_frequency(wave) - kx * drift[0] - kz * drift[1])
+    way = "shared" if shared else "own"
+    if not carries(scene):
+        way = "none"
+    elif not shared:
+        reaches = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
+        along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in reaches]
+        of_waves["u_front_orbit"] = array("vec2", along, count)
+    mean = max(sum(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
+    data: list[Constant] = []
+    turns: list[Constant] = []
+    phases: list[Phase] = []
+    for wave, weight, rate in zip(scene.waves, weights, rates, strict=True):
+        kx, kz = wavevector(wave, scene.water.depth)
+        data.append(Constant(value=(kx, kz, weight, significant(rate / mean))))
+        angle = 2.0 * math.pi * rate / mean
+        turns.append(Constant(value=(significant(math.cos(angle)), significant(math.sin(angle)))))
+        phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
     life = significant(mean * decay)
     born = significant(front_full(front.intensity, 1.0))
     return Contribution(
@@ -135,7 +146,12 @@ def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, 
                 "saturation",
                 "saturation/front_living.glsl",
                 prefix="front",
-                needs=("saturation/front_gate.glsl", "saturation/front_seen.glsl"),
+                needs=(
+                    f"saturation/front_{'shared' if shared else 'own'}.glsl",
+                    "saturation/front_gate.glsl",
+                    "saturation/front_seen.glsl",
+                    f"saturation/way_{way}.glsl",
+                ),
             ),
         ),
         consts={
@@ -148,10 +164,10 @@ def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, 
             "FRONT_WHOLE": significant(born + life * -math.expm1((born - 2.0 * math.pi) / life)),
         },
         uniforms={
+            **of_waves,
             "u_living_wave": array("vec4", data, count),
+            "u_living_turn": array("vec2", turns, count),
             "u_living_phase": array("float", phases, count),
-            "u_living_orbit": array("vec2", orbits, count),
-            "u_living_rate": number(significant(mean)),
             "u_front_relief": number(significant(_relief(scene, 1.0))),
             "u_front_group": vector((front.group[0], max(front.group[1], front.group[0] + 1e-4))),
         },

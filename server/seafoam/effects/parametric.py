@@ -12,7 +12,6 @@ from seafoam.effects.contribution import (
     Knob,
     Phase,
     SlotFile,
-    Uniform,
     array,
     significant,
 )
@@ -85,9 +84,14 @@ def shares_phase(scene: Scene) -> bool:
     Where δ is π/2 they are the same. Foam by slope shades other places in between, and a shore other waves.
     """
     fronts = () if scene.foam is None else (one for one in scene.foam.saturation if isinstance(one, FrontSaturation))
-    slopes = scene.foam is not None and any(isinstance(one, SlopeSaturation) for one in scene.foam.saturation)
     like = any(one.constants == "text" for one in fronts) and waves_top(scene) >= _LEAST_SHARED
-    return like and not slopes and scene.shore is None
+    return like and shares_place(scene)
+
+
+def shares_place(scene: Scene) -> bool:
+    """Whether the place that was shaded last is still the sample's own when its foam is asked for."""
+    slopes = scene.foam is not None and any(isinstance(one, SlopeSaturation) for one in scene.foam.saturation)
+    return not slopes and scene.shore is None
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -106,18 +110,16 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         data.append(Constant(value=(kx, kz, wave.amplitude, wave.exponent)))
         phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
         square, level = profile_means(wave.exponent)
-        means.append(
-            Constant(value=(significant((k * wave.amplitude) ** 2 * square), significant(wave.amplitude * level)))
-        )
+        reach = orbit(wave, scene.water.depth) / k if carries(scene) else 0.0
+        values = ((k * wave.amplitude) ** 2 * square, wave.amplitude * level, reach)
+        means.append(Constant(value=tuple(significant(value) for value in values)))
         steepest += k * wave.amplitude * steepest_profile(wave.exponent)
         curvature += k * k * wave.amplitude * sharpest_profile(wave.exponent)
+    shared = shares_place(scene)
     carry: tuple[SlotFile, ...] = ()
-    orbits: dict[str, Uniform] = {}
     if carries(scene):
-        carry = (SlotFile("carry", "carry/parametric.glsl", prefix="parametric"),)
-        reaches = [(orbit(wave, scene.water.depth), wave.direction) for wave in waves]
-        along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in reaches]
-        orbits = {"u_parametric_orbit": array("vec2", along, len(waves))}
+        name = "parametric_shared" if shared else "parametric"
+        carry = (SlotFile("carry", f"carry/{name}.glsl", prefix="parametric"),)
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
         slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"), *carry),
@@ -126,12 +128,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "PARAMETRIC_KIND": kinds,
             "PARAMETRIC_ALIKE": len(set(kinds)) == 1,
             "PARAMETRIC_SIGNAL": shares_phase(scene),
+            "PARAMETRIC_CARRIES": shared and carries(scene),
         },
         uniforms={
             "u_parametric": array("vec4", data, len(waves)),
             "u_parametric_phase": array("float", phases, len(waves)),
-            "u_parametric_mean": array("vec2", means, len(waves)),
-            **orbits,
+            "u_parametric_mean": array("vec3", means, len(waves)),
         },
         bound=_bound(scene, steepest),
         top=waves_top(scene),

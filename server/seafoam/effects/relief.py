@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.contribution import Bound, Contribution, Effect, HardCase, SlotFile, number
+from seafoam.effects.contribution import Bound, Contribution, Effect, HardCase, Knob, SlotFile, number
 from seafoam.effects.extremes import body_limit, foam_limit, greatest_saturation, saturation_fields
 from seafoam.quality import Quality
 from seafoam.scene.living import FoamLife
@@ -14,9 +14,9 @@ SHADE = 0.6
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``foam.thickness`` where there is light."""
+    """Called for by ``foam.thickness`` where there is light, in the finer tiers."""
     foam = scene.foam
-    if foam is None or scene.light is None or foam.thickness == 0.0:
+    if foam is None or scene.light is None or foam.thickness == 0.0 or not quality.foam_relief:
         return None
     most = min(greatest_saturation(foam, scene), 1.0)
     beside = "foam/beside_lying.glsl" if foam_life(scene) is not None else "foam/beside.glsl"
@@ -48,6 +48,7 @@ EFFECT = Effect(
             ),
         ),
     ),
+    knobs=(Knob("/foam_relief", "shades of foam", (False, True), "effects"),),
     hard_cases=(
         HardCase(
             name="foam under a sun on the horizon",

@@ -48,6 +48,7 @@ BRIGHTEST = 65504.0
 """The greatest half float; a frame holds no more."""
 LOWEST_SHADE = 0.25
 """Sine of the sun's elevation under which shades of foam grow no longer."""
+OCTAVES_MOST = 4
 FOAM_SHADE = 0.6
 """Share of the sun that foam takes from what lies behind it."""
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
@@ -570,12 +571,13 @@ class _Shader:
         feet = [surface.footprint(tau, D, N, delta) for delta in (self.delta_x, self.delta_y)]
         sides = [np.maximum(np.hypot(foot[:, 0], foot[:, 1]), 1e-6) for foot in feet]
         way = foam.thickness / max(float(air.sun[1]), LOWEST_SHADE) * air.sun[[0, 2]]
-        near = 1.0 - smoothstep(1.0, 4.0, np.maximum(*sides) / max(float(np.hypot(*way)), 1e-6))
+        near = 1.0 - smoothstep(0.25, 1.0, np.maximum(*sides) / max(float(np.hypot(*way)), 1e-6))
         near = FOAM_SHADE * np.where(f > 0.0, near, 0.0)
         soft_x, soft_y = (
             foot * np.maximum(1.0, 0.5 * foam.thickness / side)[:, None] for foot, side in zip(feet, sides, strict=True)
         )
-        beside = near * np.minimum(self._lying(foam, assets, f, x, z, soft_x, soft_y, (way[0], way[1])), 1.0)
+        there = self._lying(foam, assets, f, x, z, soft_x, soft_y, (way[0], way[1]), octaves=1)
+        beside = near * np.minimum(there, 1.0)
         return 1.0 - beside, 1.0 + near * np.minimum(amount, 1.0) - beside
 
     def _lying(
@@ -589,23 +591,24 @@ class _Shader:
         foot_y: Floats,
         beside: tuple[float, float] = (0.0, 0.0),
         way: tuple[Floats, Floats] | None = None,
+        octaves: int = OCTAVES_MOST,
     ) -> Floats:
         """The look's foam amount at r places of the water, or (x, z) m beside them, wherever its mask lies; (r,).
 
-        ``way``: to where it rests, m; absent: as the waves carry it.
+        ``way``: to where it rests, m; absent: as the waves carry it. ``octaves``: of the mask at most.
         """
         if foam_life(self.scene) is not None:
-            return self._living(
-                foam, assets, f, x, z, foot_x, foot_y, beside, self._carry(x, z) if way is None else way
-            )
+            rests = self._carry(x, z) if way is None else way
+            return self._living(foam, assets, f, x, z, foot_x, foot_y, beside, rests, octaves)
         x, z = x + beside[0], z + beside[1]
         carried = self._carried(foam, x, z)
         if not carried:
-            return self._look(foam, assets, f, x, z, foot_x, foot_y)
+            return self._look(foam, assets, f, x, z, foot_x, foot_y, octaves)
         free = np.ones_like(x)
         for copy in carried:
             part = cells.part(f, copy.weight)
-            amount = self._look(foam, assets, part, copy.x, copy.z, copy.turned(foot_x), copy.turned(foot_y))
+            turned = copy.turned(foot_x), copy.turned(foot_y)
+            amount = self._look(foam, assets, part, copy.x, copy.z, *turned, octaves)
             free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
         return 1.0 - free
 
@@ -620,6 +623,7 @@ class _Shader:
         foot_y: Floats,
         beside: tuple[float, float],
         way: tuple[Floats, Floats],
+        octaves: int,
     ) -> Floats:
         """The same where foam lives: carried, gathered, its masks by its age."""
         held = np.clip(f, 0.0, 1.0)
@@ -645,6 +649,7 @@ class _Shader:
                 feet[1][own],
                 filtering=self.filtering,
                 shares=True,
+                octaves=octaves,
             )
             free[own] *= 1.0 - looks.thinned(covered, t[own], foam.texture)
         return 1.0 - free
@@ -666,7 +671,15 @@ class _Shader:
         return (way_x, way_z) if self.coast is None else self.coast.carry((way_x, way_z), x, z)
 
     def _look(
-        self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
+        self,
+        foam: Foam,
+        assets: Assets,
+        f: Floats,
+        x: Floats,
+        z: Floats,
+        foot_x: Floats,
+        foot_y: Floats,
+        octaves: int,
     ) -> Floats:
         """The look's foam amount at r places of its mask and texture under footprints (r, 2) m; (r,)."""
         filtered = foam.look == "filtered"
@@ -680,9 +693,10 @@ class _Shader:
                 own = np.flatnonzero(corner.weight > 0.0)
                 turned = corner.turned(feet[0])[own], corner.turned(feet[1])[own]
                 part = cells.part(f[own], corner.weight[own]) if filtered else f[own]
-                free[own] *= 1.0 - self._amount(foam, assets, part, t[own], corner.u[own], corner.v[own], turned)
+                here = corner.u[own], corner.v[own]
+                free[own] *= 1.0 - self._amount(foam, assets, part, t[own], *here, turned, octaves)
             return 1.0 - free
-        return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet)
+        return self._amount(foam, assets, f, t, *_turned(x, z, foam, self.origin), feet, octaves)
 
     def _carried(self, foam: Foam, x: Floats, z: Floats) -> list[Copy]:
         """The copies of the mask that a flow carries; none where it lies still."""
@@ -695,11 +709,20 @@ class _Shader:
         return drift_saturation(self.scene, source, self.time, self.origin, x, z)
 
     def _amount(
-        self, foam: Foam, assets: Assets, f: Floats, t: Floats, u: Floats, v: Floats, feet: tuple[Floats, Floats]
+        self,
+        foam: Foam,
+        assets: Assets,
+        f: Floats,
+        t: Floats,
+        u: Floats,
+        v: Floats,
+        feet: tuple[Floats, Floats],
+        octaves: int,
     ) -> Floats:
         """The amount of a masked look at places (u, v) of the mask, footprints ``feet`` in its tiles; (r,)."""
         if foam.look == "filtered":
-            return looks.thinned(coverage(foam, assets, f, u, v, *feet, filtering=self.filtering), t, foam.texture)
+            covered = coverage(foam, assets, f, u, v, *feet, filtering=self.filtering, octaves=octaves)
+            return looks.thinned(covered, t, foam.texture)
         m = sampling.nearest(assets.thresholds, u, v)
         if foam.look == "halftone":
             return looks.halftone(f, m)
@@ -739,11 +762,12 @@ def coverage(
     *,
     filtering: bool,
     shares: bool = False,
+    octaves: int = OCTAVES_MOST,
 ) -> Floats:
     """The share that the filtered look covers at places (u, v) of its mask, 1 a tile, saturation s in [0, 1]; (r,).
 
     With ``filtering`` under footprints (r, 2), else in the limit of infinitely many samples. ``shares``: s is what is
-    covered in the mean already, not the saturation that the fade makes it of.
+    covered in the mean already, not the saturation that the fade makes it of. ``octaves``: no more of the foam's.
     """
     if foam.octaves == 1:
         if filtering:
@@ -751,7 +775,7 @@ def coverage(
         b = sampling.bspline(assets.thresholds, u, v).value
         return looks.converged_coverage(s, b, assets.quantiles[0], foam.fade)
     left = s if shares else looks.faded(s, foam.fade)
-    for number in range(foam.octaves):
+    for number in range(min(foam.octaves, octaves)):
         if filtering:
             size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]
             shown = looks.octave_shown(size) if number else np.ones_like(s)

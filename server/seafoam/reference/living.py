@@ -58,7 +58,7 @@ def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
         return [Share(0, np.ones_like(s), s)]
     age = np.clip(-np.log(np.maximum(f, 1e-6)) / AGE, 0.0, masks - 1.0)
     young = np.minimum(np.floor(age), masks - 2.0)
-    older = smoothstep(0.25, 0.75, age - young)
+    older = smoothstep(0.35, 0.65, age - young)
     result = []
     for mask in range(masks):
         weight = np.where(young == mask, 1.0 - older, np.where(young + 1.0 == mask, older, 0.0))

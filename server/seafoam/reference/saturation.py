@@ -329,32 +329,31 @@ def living_front(
 
     With footprints averaged over what an eye ``over`` (r,) m higher sees, else at the place.
     """
-    away_x, away_z = waves.carry(x, z) if history.carried else (0.0, 0.0)
-    sum_of = group(waves, x + away_x, z + away_z, 0.5 * math.pi)
+    sum_of = group(waves, x, z, 0.5 * math.pi)
+    gradient = phase_gradient(sum_of)
+    way_x, way_z = waves.carry(x, z) if history.carried else (np.zeros_like(x), np.zeros_like(x))
     rates = waves.omega - waves.kx * history.drift[0] - waves.kz * history.drift[1]
     top, count = waves.top, waves.amplitude.size
     weights = waves.amplitude / top if top > 0.0 else np.full(count, 1.0 / count)
     mean_rate = max(float(weights @ rates), LEAST_RATE)
-    thetas = waves.theta(x + away_x, z + away_z)
-    turning = sum(
-        w * rate * (sum_of.X * np.cos(theta) + sum_of.Y * np.sin(theta))
-        for w, rate, theta in zip(weights, rates, thetas, strict=True)
-    )
-    square = np.maximum(sum_of.X**2 + sum_of.Y**2, GROUP_LEAST)
-    rate = np.clip(turning / square, 0.5 * mean_rate, 2.0 * mean_rate)
     turn = 2.0 * math.pi
     life, born = mean_rate * decay, 2.0 * math.atan2(1.0, math.log(source.intensity))
-    psi = np.where(square > GROUP_LEAST, np.arctan2(sum_of.Y, sum_of.X), 0.0)
+    # The phase where the water rests, to first order.
+    psi = np.where(sum_of.rho > 0.0, np.arctan2(sum_of.Y, sum_of.X), 0.0)
+    psi = _wrapped(psi + gradient[:, 0] * way_x + gradient[:, 1] * way_z)
     since = np.mod(psi, turn)
+    thetas = waves.theta(x + way_x, z + way_z)
 
-    def strength(ago: Floats) -> Floats:
+    def strength(phase: Floats) -> Floats:
+        """The gate so much of the mean phase ago."""
+        ago = phase / mean_rate
         signal = sum(w * np.exp(1j * (theta - r * ago)) for w, r, theta in zip(weights, rates, thetas, strict=True))
         return gate(np.abs(signal), source.group)
 
     left = math.exp(-turn / life)
-    third = strength((since + 2.0 * turn) / rate) * (1.0 - smoothstep(0.5, 1.0, since / turn))
-    before = np.maximum(strength((since + turn) / rate), left * third)
-    here = np.maximum(strength(since / rate), left * before)
+    third = strength(since + 2.0 * turn) * (1.0 - smoothstep(0.5, 1.0, since / turn))
+    before = np.maximum(strength(since + turn), left * third)
+    here = np.maximum(strength(since), left * before)
 
     def kept(phase: Floats) -> Floats:
         """What is left of foam of strength 1; of the shape of ``phase``, in [0, 2π]."""
@@ -364,7 +363,6 @@ def living_front(
     if footprints is None:
         return here * kept(since)
     away = np.hypot(x, z)
-    gradient = phase_gradient(sum_of)
     along = (gradient[:, 0] * x + gradient[:, 1] * z) / np.maximum(away, 1e-6)
     across = np.hypot(gradient[:, 0], gradient[:, 1])
     width = phase_width(gradient, *footprints)
