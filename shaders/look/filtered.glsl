@@ -131,13 +131,28 @@ vec2 octave(vec2 uv) {
 float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     float covered = 0.0;
     float second = 0.0;
+    float part = 0.0;
     int octaves = FOAM_OCTAVES;
-    // One loop for octaves and for both forms of each, asked at the end: drivers without branches would run one that asks first
-    // once more, for nothing, and in two loops GPUs would hold half as many waves.
+    // One loop for octaves, their parts and both forms of each, asked at the end: drivers without branches would run one that asks first
+    // once more, for nothing, and in several loops GPUs would hold half as many waves.
     do {
-        // The sides of the box that has the footprint's variance along the mask's axes.
-        vec2 size = float(MASK_SIZE) * sqrt(uv_x * uv_x + uv_y * uv_y);
-        float most = max(size.x, size.y) * (8.0 / (3.0 * float(FOAM_SIDE)));
+        // A footprint that is longer than wide is read in parts along its longer side, from finer texels: the level goes by its length
+        // over a number of parts that grows evenly, so that no step shows where one more is read.
+        bool lies = dot(uv_x, uv_x) > dot(uv_y, uv_y);
+        vec2 along = lies ? uv_x : uv_y;
+        vec2 aside = lies ? uv_y : uv_x;
+        float finer = 1.0;
+        if (MASK_PARTS > 1) {
+            // None finer than the mask itself.
+            float area = abs(along.x * aside.y - along.y * aside.x);
+            vec2 longest = (float(MASK_SIZE) * 8.0 / (3.0 * float(FOAM_SIDE))) * sqrt(along * along + aside * aside);
+            finer = clamp(min(dot(along, along) / max(1.5 * area, 1e-30), max(longest.x, longest.y)), 1.0, float(MASK_PARTS));
+        }
+        float parts = ceil(finer);
+        // The sides of the box that has a part's variance along the mask's axes, and those that the level goes by.
+        vec2 size = float(MASK_SIZE) * sqrt(along * along / (parts * parts) + aside * aside);
+        vec2 sides = float(MASK_SIZE) * sqrt(along * along / (finer * finer) + aside * aside);
+        float most = max(sides.x, sides.y) * (8.0 / (3.0 * float(FOAM_SIDE)));
         float held = clamp(most, 1.0, float(1 << (MASK_LEVELS - 1)));
         // The finest level whose texels hold the footprint, led over to the next where they hardly do: the binary exponent, so that
         // no driver's logarithm decides on it.
@@ -148,14 +163,18 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
             next = smoothstep(2.0 / 3.0, 1.0, most);
         }
         bool first = second == 0.0;
-        covered += (first ? 1.0 - next : next) * form_coverage(s, uv, uv_x, uv_y, size, first ? form : form + 1);
+        vec2 at = uv + ((part + 0.5) / parts - 0.5) * along;
+        covered += (first ? 1.0 - next : next) / parts * form_coverage(s, at, along / parts, aside, size, first ? form : form + 1);
         second = first ? next : 0.0;
-        if (second == 0.0) {
+        part += second == 0.0 ? 1.0 : 0.0;
+        if (part == parts) {
+            part = 0.0;
             covered *= smoothstep(0.0, 1.0 / 256.0, s);
             float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
             // The quotient's rounding passes 1, and foam over glitter would turn negative.
             share = clamp(share, 0.0, 1.0);
-            float shown = octaves == FOAM_OCTAVES ? 1.0 : 1.0 - smoothstep(32.0, 64.0, max(size.x, size.y));
+            vec2 whole = float(MASK_SIZE) * sqrt(uv_x * uv_x + uv_y * uv_y);
+            float shown = octaves == FOAM_OCTAVES ? 1.0 : 1.0 - smoothstep(32.0, 64.0, max(whole.x, whole.y));
             s = FOAM_OCTAVES > 1 ? s + shown * (share - s) : share;
             covered = 0.0;
             uv = octave(fract(uv));

@@ -41,6 +41,11 @@ from seafoam.textures import foam_texture
 CELLS = 4096
 """Cells along each side of their lattice before their turns come again."""
 
+LACY = 0.25
+"""Deviation inside boxes of 4 by 4 texels under which a mask has shapes that outlast those, 0.2887 being that of all of it:
+such masks are read in parts along footprints that are longer than wide, others are as good as grey there already."""
+PARTS = 2
+
 _MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _TEXTURE_FILE = "foam/texture.glsl"
 _TEXTURE_PAIR_FILE = "foam/texture_pair.glsl"
@@ -131,6 +136,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "OCTAVE_RAMP": OCTAVE_RAMP,
             "FOAM_TEXTURED": textured,
             "FOAM_SIDE": math.isqrt(quality.foam_taps),
+            "MASK_PARTS": PARTS if quality.foam_taps > 4 and mask.sigma_l[2] < LACY else 1,
             "MASK_LEVELS": mask.ranks.shape[0].bit_length(),
         }
         uniforms["u_foam_fade"] = number(foam.fade)
