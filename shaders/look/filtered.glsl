@@ -146,7 +146,7 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
             // None finer than the mask itself.
             float area = abs(along.x * aside.y - along.y * aside.x);
             vec2 longest = (float(MASK_SIZE) * 8.0 / (3.0 * float(FOAM_SIDE))) * sqrt(along * along + aside * aside);
-            finer = clamp(min(dot(along, along) / max(1.5 * area, 1e-30), max(longest.x, longest.y)), 1.0, float(MASK_PARTS));
+            finer = clamp(min(dot(along, along) / max(2.0 * area, 1e-30), max(longest.x, longest.y)), 1.0, float(MASK_PARTS));
         }
         float parts = ceil(finer);
         // The sides of the box that has a part's variance along the mask's axes, and those that the level goes by.
@@ -188,6 +188,15 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     return s;
 }
 
+// The share of the pixel that lies under the horizon: the rest is sky.
+float below_horizon(vec2 p) {
+    vec3 way = vec3(p.x, -u_eye_height, p.y);
+    float per_pixel = 2.0 * (abs(u_ray_x.y) / u_viewport.x + abs(u_ray_y.y) / u_viewport.y);
+    // What the ray falls, over what it falls from pixel to pixel.
+    float falls = u_eye_height * dot(u_ray_z, u_ray_z) / max(dot(way, u_ray_z), 1e-6);
+    return u_eye_height > 0.0 ? clamp(0.5 + falls / max(per_pixel, 1e-20), 0.0, 1.0) : 1.0;
+}
+
 float foam_amount(float f, vec2 p, Footprint fp) {
     float s = clamp(f, 0.0, 1.0);
     vec2 uv = mask_uv(p);
@@ -197,6 +206,6 @@ float foam_amount(float f, vec2 p, Footprint fp) {
         // As much in the mean as the fading look shows.
         s = ramp_integral(vec4(s), u_foam_fade).x;
     }
-    float covered = filtered_coverage(s, uv, uv_x, uv_y);
+    float covered = filtered_coverage(s, uv, uv_x, uv_y) * below_horizon(p);
     return FOAM_TEXTURED ? covered * mix(1.0, foam_texture(p, fp), u_foam_texture_share) : covered;
 }

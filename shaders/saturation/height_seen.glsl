@@ -3,7 +3,7 @@
 uniform float u_height_base; // H0, m
 uniform float u_height_full; // Hmax, at least 1 mm above H0, m
 uniform vec4 u_height_wave;  // the highest wave: k (rad/m); mean height of all waves (m); 1 / their greatest slope
-uniform vec2 u_height_seen[HEIGHT_NODES]; // mean and deviation of the heights that rays see, m; evenly by the root of what they fall
+uniform vec2 u_height_seen[HEIGHT_NODES]; // mean and deviation (m) of the heights that rays see, evenly by the root of their fall
 
 // Mean of max(t - n, 0) over n that lie under a parabola from -reach to reach.
 float height_above(float t, float reach) {
@@ -14,7 +14,7 @@ float height_above(float t, float reach) {
 float height_saturation(vec2 p, float height, Footprint fp) {
     float way = max(length(p), 1e-6);
     float along = max(abs(dot(u_height_wave.xy, p)) / (way * length(u_height_wave.xy)), 1e-3);
-    // Seen from below all of them count: crests hide nothing there.
+    // From below all count alike: which troughs hang before which is not told.
     float over = u_eye_height - height;
     float falls = over > 0.0 ? min(over / (way * along) * u_height_wave.w, 1.0) : 1.0;
     float x = sqrt(falls) * float(HEIGHT_NODES - 1);

@@ -42,9 +42,10 @@ CELLS = 4096
 """Cells along each side of their lattice before their turns come again."""
 
 LACY = 0.25
-"""Deviation inside boxes of 4 by 4 texels under which a mask has shapes that outlast those, 0.2887 being that of all of it:
-such masks are read in parts along footprints that are longer than wide, others are as good as grey there already."""
+"""Deviation inside boxes of 4 by 4 texels (0.2887: of all of it) under which a mask has shapes that outlast those: it
+is read in parts along footprints that are longer than wide. Others are as good as grey there already."""
 PARTS = 2
+"""Of a footprint, at most: four halve the error once more where it is eight times as long as wide, and cost twice."""
 
 _MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _TEXTURE_FILE = "foam/texture.glsl"

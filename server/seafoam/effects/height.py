@@ -78,7 +78,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {}
     needs: tuple[str, ...] = ()
-    # Shores bend waves, and the heights of an open sea are not averaged before its largest waves are smaller than a pixel.
+    # Shores bend waves, and an open sea has its heights until its largest waves are smaller than a pixel.
     if scene.foam.look == "filtered" and scene.sea is None and scene.shore is None:
         raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
         if raised:
@@ -144,6 +144,21 @@ EFFECT = Effect(
             guard="f held in [0, 4] (saturation/height.glsl)",
             without="nothing in the frame: the listing clamps f - m at 3; f itself is 100 000",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="heights that the eye sees, from as high as the crests and along them",
+            scene=Scene(
+                waves=(
+                    ParametricWave(amplitude=1.0, wavelength=9.0, exponent=3.0),
+                    ParametricWave(amplitude=1e-12, wavelength=0.05, exponent=0.3),
+                ),
+                foam=Foam(saturation=(HeightSaturation(base=0.2, full=0.201),)),
+            ),
+            guard="lengths divided by at least 1e-6, the way along the waves at least 1e-3 of all, heights spread by "
+            "at least a thousandth of the ramp (saturation/height_seen.glsl, saturation/level.glsl)",
+            without="nothing on llvmpipe; right along the crests, right under the eye and where nothing is lost 0/0",
+            times=(0.0, 1e9),
+            camera=Camera(position=(0.0, 1.0, 0.0), yaw=1.5707963, pitch=-0.05),
         ),
     ),
 )
