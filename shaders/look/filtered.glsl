@@ -188,15 +188,6 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     return s;
 }
 
-// The share of the pixel that lies under the horizon: the rest is sky.
-float below_horizon(vec2 p) {
-    vec3 way = vec3(p.x, -u_eye_height, p.y);
-    float per_pixel = 2.0 * (abs(u_ray_x.y) / u_viewport.x + abs(u_ray_y.y) / u_viewport.y);
-    // What the ray falls, over what it falls from pixel to pixel.
-    float falls = u_eye_height * dot(u_ray_z, u_ray_z) / max(dot(way, u_ray_z), 1e-6);
-    return u_eye_height > 0.0 ? clamp(0.5 + falls / max(per_pixel, 1e-20), 0.0, 1.0) : 1.0;
-}
-
 float foam_amount(float f, vec2 p, Footprint fp) {
     float s = clamp(f, 0.0, 1.0);
     vec2 uv = mask_uv(p);

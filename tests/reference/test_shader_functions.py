@@ -166,7 +166,7 @@ def test_heights_that_falling_rays_see() -> None:
     (first, a, m), (second, b, n) = (
         (math.hypot(*wavevector(wave, None)), wave.amplitude, wave.exponent) for wave in scene.waves
     )
-    x = np.linspace(0.0, 600.0, 60001)
+    x = np.linspace(0.0, 900.0, 90001)
     h = a * (0.5 + 0.5 * np.cos(first * x)) ** m + b * (0.5 + 0.5 * np.cos(second * x)) ** n
     assert mean == pytest.approx(h.mean(), abs=0.005 * h.max())
     assert seen[0] == (pytest.approx(h.max()), 0.0)
@@ -175,10 +175,10 @@ def test_heights_that_falling_rays_see() -> None:
         fall = steepest * (i / (HEIGHT_NODES - 1)) ** 2
         over = h + fall * x
         # Rays in even steps: one that comes in so high meets the first place that stands as high.
-        rays = np.arange(h.max(), over[-1] - h.max(), 0.003)
-        met = h[np.argmax(over[None, :] >= rays[::16, None], axis=1)]
-        assert seen[i][0] == pytest.approx(met.mean(), abs=0.03)
-        assert seen[i][1] == pytest.approx(met.std(), abs=0.03)
+        rays = np.linspace(h.max(), over[-1] - h.max(), 400)
+        met = h[[int(np.argmax(over >= ray)) for ray in rays]]
+        assert seen[i][0] == pytest.approx(met.mean(), abs=0.04)
+        assert seen[i][1] == pytest.approx(met.std(), abs=0.04)
 
 
 @pytest.mark.parametrize("kept", [1.0, 0.7, 0.2, 0.0])
@@ -223,15 +223,15 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
 
 
 def test_torn_steps_are_means_over_what_was_lost(probe: Probe) -> None:
-    """A smoothstep of a spread x is a wider one, to a fiftieth; and none lost is none wider."""
+    """A smoothstep of a spread x is a wider one, to a thirtieth; and none lost is none wider."""
     x = np.linspace(-0.5, 1.5, 401, dtype=np.float32)
     for variance in (0.0, 0.002, 0.02):
         got = probe(
-            [NUMBERS, "saturation/torn.glsl"], f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9g});", x[:, None]
+            [NUMBERS, "saturation/torn.glsl"], f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});", x[:, None]
         )[:, 0]
         spread = np.random.default_rng(1).normal(0.0, math.sqrt(variance), 20000)
         t = np.clip((x[:, None].astype(np.float64) + spread - 0.25) / 0.47, 0.0, 1.0)
-        assert np.abs(got - (t * t * (3.0 - 2.0 * t)).mean(axis=1)).max() <= (0.02 if variance else 1e-6)
+        assert np.abs(got - (t * t * (3.0 - 2.0 * t)).mean(axis=1)).max() <= (0.035 if variance else 1e-6)
 
 
 def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
@@ -256,7 +256,7 @@ def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
         "y.xy = torn_noise(vec2(0.5, 0.0), 1.0, 3.0, 1.0, Footprint(vec2(3.0 * x.x, 0.0), vec2(0.0, 3.0 * x.x)));",
         x,
     )
-    for (mean, lost), side in zip(got, sides, strict=True):
+    for (mean, lost), side in zip(got[:, :2], sides, strict=True):
         kept = (mean - 0.5) / 0.5
         box = ndimage.uniform_filter(noise, int(side * fine), mode="wrap")
         assert kept == pytest.approx(float((box * noise).mean()) / variance, abs=0.08)
@@ -373,6 +373,7 @@ def filtered_consts(mask: Mask, fade: float, octaves: int) -> dict[str, Const]:
     return {
         "MASK_SIZE": 512,
         "MASK_LEVELS": 10,
+        "MASK_PARTS": 2,
         "QUANTILES": len(mask.quantile),
         "FOAM_FADES": fade > 0,
         "FOAM_OCTAVES": octaves,
@@ -402,6 +403,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
             NUMBERS,
             "foam/mask_coordinates.glsl",
             "=float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n",
+            "=float below_horizon(vec2 p) { return 1.0; }",
             "look/filtered.glsl",
         ],
         "y.x = filtered_coverage(x.x, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
@@ -445,7 +447,7 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
     )
     texture = "=float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"
     got = probe(
-        [NUMBERS, stand_in, texture, "look/filtered.glsl"],
+        [NUMBERS, stand_in, texture, "=float below_horizon(vec2 p) { return 1.0; }", "look/filtered.glsl"],
         "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",
         inputs,
         consts=filtered_consts(mask, fade, octaves),

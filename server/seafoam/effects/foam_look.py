@@ -128,6 +128,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam.look == "filtered":
         octaves = min(foam.octaves, quality.foam_octaves)
         tables = "ramps" if octaves > 1 else "quantiles"
+        needs += ("foam/horizon.glsl",)
         if not textured:
             needs += ("foam/no_texture.glsl",)
         consts |= {

@@ -33,7 +33,7 @@ from seafoam.scene.models import (
 
 NODES = 17
 """Entries of the table of seen heights."""
-_LENGTHS, _PLACES = 61, 96
+_LENGTHS, _PLACES = 61, 384
 """Wavelengths of the highest wave over which that table is taken, and places in each."""
 
 
