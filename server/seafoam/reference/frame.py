@@ -497,6 +497,8 @@ class _Shader:
         foot_x = surface.footprint(tau, D, N, self.delta_x)
         foot_y = surface.footprint(tau, D, N, self.delta_y)
         filtered = foam.look == "filtered"
+        coast, wakes = self.coast, self.wakes
+        feet = (foot_x, foot_y) if filtered and self.filtering else None
         f = saturation(
             foam.saturation,
             foam.combine,
@@ -506,26 +508,37 @@ class _Shader:
             z,
             H,
             cap=1.0 if filtered else CAP,
-            footprints=(foot_x, foot_y) if filtered and self.filtering else None,
+            footprints=feet,
             eye_height=self.eye_y,
             folds=[
                 fold_saturation(self.scene, source, self.sea, x, z)
                 for source in foam.saturation
                 if isinstance(source, FoldSaturation)
             ],
-            surf=None if self.coast is None else self.coast.foam,
+            surf=None if coast is None else lambda source, x, z, H: coast.foam(source, x, z, H, feet),
             drift=self._drifting,
-            wake=None if self.wakes is None else self.wakes.foam,
+            wake=None if wakes is None else lambda source, x, z, cap: wakes.foam(source, x, z, cap, feet),
         )
+        # The share of each sample that lies under the horizon, one by one of the copies that flows carry.
+        under = self._under_horizon(tau, D) if feet is not None else np.ones_like(x)
         carried = self._carried(foam, x, z)
         if not carried:
-            return self._look(foam, assets, f, x, z, foot_x, foot_y), f
+            return self._look(foam, assets, f, x, z, foot_x, foot_y) * under, f
         free = np.ones_like(x)
         for copy in carried:
             part = cells.part(f, copy.weight)
-            amount = self._look(foam, assets, part, copy.x, copy.z, copy.turned(foot_x), copy.turned(foot_y))
+            amount = self._look(foam, assets, part, copy.x, copy.z, copy.turned(foot_x), copy.turned(foot_y)) * under
             free *= np.where(copy.weight > 0.0, 1.0 - amount, 1.0)
         return 1.0 - free, f
+
+    def _under_horizon(self, tau: Floats, D: Floats) -> Floats:
+        """The share of samples that lies under the horizon of level water, seen from over it; (r,)."""
+        if self.eye_y <= 0.0:
+            return np.ones_like(tau)
+        falls = self.eye_y / np.maximum(tau * np.hypot(D[:, 0], D[:, 2]), 1e-6) * np.hypot(D[:, 0], D[:, 2])
+        per_sample = abs(float(self.delta_x[1])) + abs(float(self.delta_y[1]))
+        result: Floats = np.clip(0.5 + falls / max(per_sample, 1e-20), 0.0, 1.0)
+        return result
 
     def _look(
         self, foam: Foam, assets: Assets, f: Floats, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats
@@ -622,13 +635,44 @@ def covered(
     assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats, fade: float | None
 ) -> Floats:
     """A(s) of the mask at places (u, v), 1 a tile, under footprints (r, 2); (r,). ``fade`` None: an octave's ramp."""
+    side = assets.thresholds.shape[0]
+    lies = ((foot_u**2).sum(axis=1) > (foot_v**2).sum(axis=1))[:, None]
+    along, aside = np.where(lies, foot_u, foot_v), np.where(lies, foot_v, foot_u)
+    finer = np.ones_like(s)
+    if looks.is_lacy(assets.thresholds):
+        area = np.abs(along[:, 0] * aside[:, 1] - along[:, 1] * aside[:, 0])
+        most = np.hypot(along, aside).max(axis=1) * (side / 1.5)
+        finer = np.clip(np.minimum((along**2).sum(axis=1) / np.maximum(2.0 * area, 1e-30), most), 1.0, looks.PARTS)
+    parts = np.ceil(finer)
+    # The sides of the box that a part's level goes by.
+    sides = np.hypot(along / finer[:, None], aside) * side
+    result = np.zeros_like(s)
+    for part in range(looks.PARTS):
+        own = np.flatnonzero(parts > part)
+        way = along[own] / parts[own, None]
+        off = way * (part + 0.5 - 0.5 * parts[own, None])
+        found = _covered_part(assets, s[own], u[own] + off[:, 0], v[own] + off[:, 1], way, aside[own], sides[own], fade)
+        result[own] += found / parts[own]
+    return result
+
+
+def _covered_part(
+    assets: Assets,
+    s: Floats,
+    u: Floats,
+    v: Floats,
+    foot_u: Floats,
+    foot_v: Floats,
+    sides: Floats,
+    fade: float | None,
+) -> Floats:
     # The sides of the box that has the footprint's variance along the mask's axes.
     size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]
     minified, magnified = np.zeros_like(s), np.zeros_like(s)
-    w = looks.minification(size)
+    w = looks.minification(sides)
     far, near = np.flatnonzero(w > 0.0), np.flatnonzero(w < 1.0)
     tables, ramp = (assets.ramps[1:-1], looks.OCTAVE_RAMP) if fade is None else (assets.quantiles[1:], fade)
-    minified[far] = looks.minified_coverage(s[far], u[far], v[far], size[far], assets.spans, tables, ramp)
+    minified[far] = looks.minified_coverage(s[far], u[far], v[far], size[far], assets.spans, tables, ramp, sides[far])
     b, e = looks.spline_over_footprint(
         sampling.bspline(assets.thresholds, u[near], v[near]), foot_u[near], foot_v[near]
     )
@@ -638,7 +682,7 @@ def covered(
         threshold = sampling.quantile(assets.quantiles[0], s[near])
         width = looks.spline_fade(assets.quantiles[0], s[near], fade)
     magnified[near] = looks.magnified_coverage(b, e, threshold, width)
-    return looks.filtered_coverage(s, minified, magnified, size, whole=fade is None or fade == 0.0)
+    return looks.filtered_coverage(s, minified, magnified, sides, whole=fade is None or fade == 0.0)
 
 
 def _tiles(position: float, tile: float) -> float:

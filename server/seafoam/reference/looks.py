@@ -57,6 +57,17 @@ def minification(size: Floats) -> Floats:
     return smoothstep(1.0, 1.5, size.max(axis=1))
 
 
+PARTS = 2
+"""Parts that long footprints on lacy masks are read in, at most."""
+
+
+def is_lacy(thresholds: Floats) -> bool:
+    """Whether a mask's values deviate by less than 0.25 within boxes of four by four texels."""
+    side = thresholds.shape[0] // 4
+    boxes = thresholds.reshape(side, 4, side, 4)
+    return bool(np.sqrt(boxes.var(axis=(1, 3)).mean()) < 0.25)
+
+
 def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
     """b and e: mean of the B-spline mask over a footprint (r, 2), (r, 2), and half the width of its box; (r,) each."""
     mean = spline.value + (spline.bend(foot_u) + spline.bend(foot_v)) / 24.0
@@ -82,14 +93,22 @@ def magnified_coverage(b: Floats, e: Floats, threshold: Floats, width: Floats) -
 
 
 def minified_coverage(
-    s: Floats, u: Floats, v: Floats, size: Floats, spans: list[Floats], tables: Floats, fade: float
+    s: Floats,
+    u: Floats,
+    v: Floats,
+    size: Floats,
+    spans: list[Floats],
+    tables: Floats,
+    fade: float,
+    sides: Floats | None = None,
 ) -> Floats:
     """Share of a box of sides ``size`` (r, 2) texels round (u, v) that a threshold of the mask covers; (r,).
 
     ``spans``: a level's texels hold (low, width) of their thresholds; ``tables`` (levels, 65) says where to threshold
-    them. From the finest level in which the box is at most three texels wide, led over to the next near that.
+    them. From the finest level in which the box is at most three texels wide, led over to the next near that; or one of
+    these ``sides``.
     """
-    held = np.clip(size.max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
+    held = np.clip((size if sides is None else sides).max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
     level = np.floor(np.log2(held))
     following = smoothstep(1.75, 2.0, held / 2.0**level)
     covered = np.zeros_like(s)

@@ -21,6 +21,7 @@ from seafoam.textures import shore_profiles
 from .light import INDEX
 from .noise import KEY, value
 from .relief import Part
+from .torn import Feet, spread, torn, torn_step
 from .types import Bools, Floats, Indices, dot, smoothstep
 from .waves import reduced
 
@@ -333,25 +334,34 @@ class Coast:
             result.append(np.where(beyond, rise, joined))
         return result[0], result[1]
 
-    def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats) -> Floats:
-        """Saturation of the surf's foam at (x, z) where the sea stands at H; (r,)."""
+    def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, feet: Feet | None) -> Floats:
+        """Saturation of the surf's foam at (x, z) where the sea stands at H, averaged over footprints; (r,)."""
         q_x, q_z = self.place(x, z)
         here, map_x, map_z = self.field.all(q_x, q_z)
         turn = self.turn(here[:, 0])
         front = np.maximum(1.0 - smoothstep(0.01, 0.09, turn), smoothstep(0.8, 1.0, turn))
         age = np.exp((turn - 1.0) / source.life)
+        if feet is not None:
+            turns = np.minimum(spread((map_x[:, 0], map_z[:, 0]), feet), 0.04)
+            front = torn_step(0.8, 1.0, turn, turns) - torn_step(1.01, 1.09, turn, turns)
+            front += torn_step(0.8, 1.0, turn + 1.0, turns) - torn_step(1.01, 1.09, turn + 1.0, turns)
+            even = source.life * (1.0 - math.exp(-1.0 / source.life))
+            age = age + smoothstep(0.0, 0.04, turns) * (even - age)
         scale = max(self.shore.surf.height, 1e-6)
         breaking = smoothstep(0.45, 0.9, here[:, 2]) * smoothstep(0.12, 0.4, here[:, 1] / scale)
         length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
         swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
         c_x, c_z = q_x + swing * map_x[:, 0], q_z + swing * map_z[:, 0]
         t_x, t_z = 0.8 * c_x - 0.6 * c_z, 0.6 * c_x + 0.8 * c_z
-        torn = (
-            0.4 * value(KEY, t_x / 6.0, t_z / 6.0)
-            + 0.35 * value(KEY, c_x / 1.7, c_z / 1.7)
-            + 0.25 * value(KEY, t_x / 0.5, t_z / 0.5)
-        )
-        patches = smoothstep(0.25, 0.72, torn)
+        noises = [
+            (0.4, 6.0, value(KEY, t_x / 6.0, t_z / 6.0)),
+            (0.35, 1.7, value(KEY, c_x / 1.7, c_z / 1.7)),
+            (0.25, 0.5, value(KEY, t_x / 0.5, t_z / 0.5)),
+        ]
+        if feet is None:
+            patches = smoothstep(0.25, 0.72, np.sum([share * noise for share, _, noise in noises], axis=0))
+        else:
+            patches = torn_step(0.25, 0.72, *torn(noises, feet))
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
         torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
         left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)
