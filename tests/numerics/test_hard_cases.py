@@ -38,6 +38,9 @@ LOOSE = {
     "foam at the centre of a boat's circle": (1.0, 0.01),
     # The share of foam is rounded where it is nearly 1, and the light under it is 65504.
     "black foam over the brightest glitter": (8.0, 0.15),
+    # Read in two parts its foam has edges twice as sharp, and the rounding of what a vortex has turned moves those.
+    "the centre of a vortex in the middle of a pixel": (0.5, 0.02),
+    "a vortex that turns twice a second": (0.5, 0.02),
 }
 """Cases with wider bounds: mean and share."""
 APART = {
