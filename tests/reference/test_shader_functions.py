@@ -6,13 +6,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from gpu import Probe
 from seafoam.effects.contribution import Const
+from seafoam.effects.height import NODES as HEIGHT_NODES
+from seafoam.effects.height import seen_heights
 from seafoam.masks import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.reference import Assets, frame, looks, sampling, saturation, waves
-from seafoam.scene.models import Foam
+from seafoam.scene.dispersion import wavevector
+from seafoam.scene.models import Foam, HeightSaturation, ParametricWave, Scene
 from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
 TOLERANCE = 1e-5
@@ -150,6 +154,113 @@ def test_seen_phases_equal_their_float64_form(probe: Probe, eye_height: float, r
     off = np.abs(np.remainder(got[:, 0] - psi_seen + math.pi, turn) - math.pi)
     assert off.max() <= 5e-5
     assert (np.abs(got[:, 1] - width_seen) <= 5e-5 * width_seen).all()
+
+
+def test_heights_that_falling_rays_see() -> None:
+    """The running maximum against rays that are followed one by one over the waves."""
+    scene = Scene(
+        waves=(ParametricWave(amplitude=1.2, wavelength=18.0, exponent=3.0), ParametricWave(wavelength=11.0)),
+        foam=Foam(saturation=(HeightSaturation(),)),
+    )
+    mean, steepest, seen = seen_heights(scene)
+    (first, a, m), (second, b, n) = (
+        (math.hypot(*wavevector(wave, None)), wave.amplitude, wave.exponent) for wave in scene.waves
+    )
+    x = np.linspace(0.0, 900.0, 90001)
+    h = a * (0.5 + 0.5 * np.cos(first * x)) ** m + b * (0.5 + 0.5 * np.cos(second * x)) ** n
+    assert mean == pytest.approx(h.mean(), abs=0.005 * h.max())
+    assert seen[0] == (pytest.approx(h.max()), 0.0)
+    assert seen[-1] == (pytest.approx(h.mean(), abs=0.005), pytest.approx(h.std(), abs=0.005))
+    for i in (2, 4, 8, 12):
+        fall = steepest * (i / (HEIGHT_NODES - 1)) ** 2
+        over = h + fall * x
+        # Rays in even steps: one that comes in so high meets the first place that stands as high.
+        rays = np.linspace(h.max(), over[-1] - h.max(), 400)
+        met = h[[int(np.argmax(over >= ray)) for ray in rays]]
+        assert seen[i][0] == pytest.approx(met.mean(), abs=0.04)
+        assert seen[i][1] == pytest.approx(met.std(), abs=0.04)
+
+
+@pytest.mark.parametrize("kept", [1.0, 0.7, 0.2, 0.0])
+def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
+    """On a level footprint that keeps so much of the waves, from 2 m over places 0.1 to 100 m away."""
+    wave = np.float32([0.3, 0.1, 0.5, 2.2])
+    seen = np.float32(np.stack((np.linspace(1.5, 0.5, HEIGHT_NODES), np.linspace(0.0, 0.4, HEIGHT_NODES)), axis=1))
+    rng = np.random.default_rng(5)
+    way, height = 10.0 ** rng.uniform(-1.0, 2.0, 3000), rng.uniform(-0.5, 2.5, 3000)
+    x = np.stack((way, height), axis=1).astype(np.float32)
+    # As long along the waves as keeps this.
+    long = min(math.sqrt(24.0 * -math.log(kept)) if kept > 0.0 else 1e3, 1e3) / float(np.dot(wave[:2], wave[:2]))
+    sides = f"vec2({0.3 * long:.9g}, {0.1 * long:.9g}), vec2(0.0)"
+    level = f"Footprint level_footprint(vec2 p, float height) {{ return Footprint({sides}); }}"
+    got = probe(
+        [NUMBERS, "=uniform float u_eye_height;", f"={level}", "saturation/height_seen.glsl"],
+        "y.x = height_saturation(vec2(0.6, 0.8) * x.x, x.y, Footprint(vec2(0.0), vec2(0.0)));",
+        x,
+        consts={"HEIGHT_NODES": HEIGHT_NODES, "SURFACE_FILTER": True},
+        uniforms={
+            "u_eye_height": 2.0,
+            "u_height_base": 0.3,
+            "u_height_full": 1.2,
+            "u_height_wave": wave,
+            "u_height_seen": seen,
+        },
+    )[:, 0]
+    way, height = x.astype(np.float64).T
+    base, full = float(np.float32(0.3)), float(np.float32(1.2))
+    along = (0.3 * 0.6 + 0.1 * 0.8) / math.hypot(0.3, 0.1)
+    fall = np.where(height < 2.0, np.minimum((2.0 - height) / (way * along) * 2.2, 1.0), 1.0)
+    at = np.sqrt(fall) * (HEIGHT_NODES - 1)
+    mean, deviation = (np.interp(at, np.arange(HEIGHT_NODES), seen[:, i].astype(np.float64)) for i in (0, 1))
+    middle = 0.5 + kept * (height - 0.5) + (1.0 - kept) * (mean - 0.5)
+    reach = np.maximum(np.sqrt(5.0 * (1.0 - kept**2)) * deviation, 1e-3 * (full - base))
+    # Heights that lie under the parabola, by its quantiles.
+    y = (np.arange(4000) + 0.5) / 4000
+    place = 0.5 - np.sin(np.arcsin(1.0 - 2.0 * y) / 3.0)
+    heights = middle[:, None] + reach[:, None] * (2.0 * place - 1.0)
+    want = np.clip((heights - base) / (full - base), 0.0, 1.0).mean(axis=1)
+    assert np.abs(got - want).max() <= 2e-5
+
+
+def test_torn_steps_are_means_over_what_was_lost(probe: Probe) -> None:
+    """A smoothstep of a spread x is a wider one, to a thirtieth; and none lost is none wider."""
+    x = np.linspace(-0.5, 1.5, 401, dtype=np.float32)
+    for variance in (0.0, 0.002, 0.02):
+        got = probe(
+            [NUMBERS, "saturation/torn.glsl"], f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});", x[:, None]
+        )[:, 0]
+        spread = np.random.default_rng(1).normal(0.0, math.sqrt(variance), 20000)
+        t = np.clip((x[:, None].astype(np.float64) + spread - 0.25) / 0.47, 0.0, 1.0)
+        assert np.abs(got - (t * t * (3.0 - 2.0 * t)).mean(axis=1)).max() <= (0.035 if variance else 1e-6)
+
+
+def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
+    """Against value noise averaged over squares: what is kept of it, and what is lost."""
+    rng = np.random.default_rng(2)
+    cells, fine = 64, 32
+    corner = rng.random((cells, cells))
+    t = (np.arange(fine) + 0.5) / fine
+    t = t * t * (3.0 - 2.0 * t)
+
+    def along(values: NDArray[np.float64]) -> NDArray[np.float64]:
+        parts = values[:, None] * (1.0 - t)[:, None] + np.roll(values, -1, axis=0)[:, None] * t[:, None]
+        return parts.reshape(-1, values.shape[1])
+
+    noise = along(along(corner).T).T - 0.5
+    variance = float((noise**2).mean())
+    assert variance == pytest.approx(0.046, rel=0.1)
+    sides = (0.125, 0.5, 1.0, 2.0)
+    x = np.float32([[side, 0.0] for side in sides])
+    got = probe(
+        [NUMBERS, "saturation/torn.glsl"],
+        "y.xy = torn_noise(vec2(0.5, 0.0), 1.0, 3.0, 1.0, Footprint(vec2(3.0 * x.x, 0.0), vec2(0.0, 3.0 * x.x)));",
+        x,
+    )
+    for (mean, lost), side in zip(got[:, :2], sides, strict=True):
+        kept = (mean - 0.5) / 0.5
+        box = ndimage.uniform_filter(noise, int(side * fine), mode="wrap")
+        assert kept == pytest.approx(float((box * noise).mean()) / variance, abs=0.08)
+        assert lost == pytest.approx(0.046 * (1.0 - kept**2), abs=1e-5)
 
 
 @pytest.mark.parametrize(("file", "cap"), [("height", 4.0), ("height_filtered", 1.0)])

@@ -244,7 +244,7 @@ def test_foam_of_the_surf(executor: Executor, report: Report) -> None:
         body = "o_color.x = surf_saturation(p, waves(p).x, Footprint(vec2(0.0), vec2(0.0)));"
         got = probe(executor, SEA, body, time)[:, 0]
         sea = coast(SEA, time)
-        want = np.minimum(sea.foam(SurfSaturation(), x, z, sea.height(x, z)), 1.0)
+        want = np.minimum(sea.foam(SurfSaturation(), x, z, sea.height(x, z), None), 1.0)
         away = np.abs(got - want)
         report.add("Surf foam against float64, 10,000 points", time=f"{time:g} s", worst=f"{away.max():.1e}")
         assert want.max() > 0.9

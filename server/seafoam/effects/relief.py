@@ -48,7 +48,7 @@ EFFECT = Effect(
             ),
         ),
     ),
-    knobs=(Knob("/foam_relief", "shades of foam", (False, True), "effects"),),
+    knobs=(Knob("/foam_relief", "shades of foam", (False, True), "geometry"),),
     hard_cases=(
         HardCase(
             name="foam under a sun on the horizon",

@@ -23,13 +23,18 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             bound=Bound(0.0, "there is no shore to break on"),
         )
     height = scene.shore.surf.height
+    filtered = scene.foam.look == "filtered"
+    name, torn = ("surf_filtered", ("saturation/torn.glsl",)) if filtered else ("surf", ())
+    needs = ("saturation/surf_patches.glsl", *torn)
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
-            SlotFile("saturation", "saturation/surf.glsl", prefix="surf", needs=("saturation/surf_patches.glsl",)),
+            SlotFile(
+                "saturation", f"saturation/{name}.glsl", prefix="surf", needs=("saturation/surf_patches.glsl", *torn)
+            ),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
-        consts={"SURF_CAP": 1.0 if scene.foam.look == "filtered" else SATURATION_CAP},
+        consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},
         uniforms={
             "u_surf_foam": number(surf.amount),
             "u_surf_life": number(surf.life, f"{pointer}/life"),
@@ -77,7 +82,7 @@ EFFECT = Effect(
                     mask="clump",
                 ),
             ),
-            guard="the filtered look clamps each at 1 first (saturation/surf.glsl)",
+            guard="the filtered look clamps each at 1 first (saturation/surf_filtered.glsl)",
             without="nothing here: the product is under 1 wherever the surf is over it",
             camera=_VIEW,
         ),

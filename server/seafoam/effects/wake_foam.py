@@ -49,10 +49,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 0.0,
             )
         )
+    filtered = scene.foam.look == "filtered"
+    name, torn = ("wake_filtered", ("saturation/torn.glsl",)) if filtered else ("wake", ())
     return Contribution(
         why=f"foam behind boats, {wake.life:g} s to 1/e",
-        slots=(SlotFile("saturation", "saturation/wake.glsl", prefix="wake", needs=(*VALUE_NOISE, *WAY)),),
-        consts={"WAKE_CAP": 1.0 if scene.foam.look == "filtered" else SATURATION_CAP},
+        slots=(SlotFile("saturation", f"saturation/{name}.glsl", prefix="wake", needs=(*VALUE_NOISE, *torn, *WAY)),),
+        consts={} if filtered else {"WAKE_CAP": SATURATION_CAP},
         uniforms={"u_wake_foam": array("vec4", [Constant(value=one) for one in amounts], len(amounts))},
     )
 

@@ -18,6 +18,7 @@ from seafoam.scene.models import Scene, WakeSaturation
 
 from .light import Air, fresnel, sky_light
 from .noise import KEY, value
+from .torn import Feet, spread, torn, torn_step
 from .types import Bools, Floats, dot, smoothstep, unit
 
 Height = Callable[[Floats, Floats], Floats]
@@ -473,22 +474,28 @@ class WakeSet:
             h_z += rise * on_behind[1] + spread * on_aside[1]
         return h_x, h_z
 
-    def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float) -> Floats:
-        """f of the boats' foam at (x, z), m from the origin; (r,) in [0, cap]."""
+    def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, feet: Feet | None) -> Floats:
+        """f of the boats' foam at (x, z), m from the origin, averaged over footprints; (r,) in [0, cap]."""
         total = np.zeros_like(x)
         for wake, at in zip(self.wakes, self.courses, strict=True):
             boat = wake.boat
             if boat.speed < 0.5:
                 continue
             size = boat.length
-            behind, aside, _, _ = along(boat, at, x, z)
+            behind, aside, on_behind, on_aside = along(boat, at, x, z)
             b, s = behind / size, np.abs(aside) / size
             past = np.maximum(b - 0.86, 0.0)
             on_x, on_z = (x + at.centre[0]) / size, (z + at.centre[1]) / size
             t_x, t_z = 0.8 * on_x - 0.6 * on_z, 0.6 * on_x + 0.8 * on_z
-            torn = 0.4 * value(KEY, on_x / 0.31, on_z / 0.31) + 0.35 * value(KEY, t_x / 0.11, t_z / 0.11)
-            torn += 0.25 * value(KEY, on_x / 0.037, on_z / 0.037)
-            patches = smoothstep(0.25, 0.72, torn)
+            noises = [
+                (0.4, 0.31 * size, value(KEY, on_x / 0.31, on_z / 0.31)),
+                (0.35, 0.11 * size, value(KEY, t_x / 0.11, t_z / 0.11)),
+                (0.25, 0.037 * size, value(KEY, on_x / 0.037, on_z / 0.037)),
+            ]
+            if feet is None:
+                patches = smoothstep(0.25, 0.72, np.sum([part * noise for part, _, noise in noises], axis=0))
+            else:
+                patches = torn_step(0.25, 0.72, *torn(noises, feet))
             width = 0.085 + 0.055 * np.sqrt(past)
             q = np.clip((s - 0.5 * width) / (0.65 * width), 0.0, 1.0)
             band = (1.0 - q * q * (3.0 - 2.0 * q)) * smoothstep(-0.06, 0.04, b - 0.86)
@@ -497,6 +504,13 @@ class WakeSet:
             edge = 0.015 + 0.105 * run * (2.0 - run) + 0.16 * np.maximum(b - 0.55, 0.0)
             off = (s - edge) / (0.02 + 0.025 * ahead)
             thrown = smoothstep(-0.01, 0.06, b) * np.exp(-np.minimum(off * off + 1.3 * ahead, 80.0))
+            if feet is not None:
+                v_b, v_s = spread(on_behind, feet) / size**2, spread(on_aside, feet) / size**2
+                band = torn_step(-1.15 * width, -0.5 * width, s, v_s) - torn_step(0.5 * width, 1.15 * width, s, v_s)
+                band = band * torn_step(-0.06, 0.04, b - 0.86, v_b)
+                wider = 1.0 + 2.0 * v_s / (0.02 + 0.025 * ahead) ** 2
+                bell = np.exp(-np.minimum(off * off / wider + 1.3 * ahead, 80.0)) / np.sqrt(wider)
+                thrown = torn_step(-0.01, 0.06, b, v_b) * bell
             share = min(boat.speed / (HULL_SPEED * math.sqrt(size)), 1.0) ** 2
             total += source.amount * band * age * (0.3 + 0.9 * patches) + source.bow * share * thrown * (0.3 + patches)
         return np.minimum(total, cap)

@@ -531,6 +531,8 @@ class _Shader:
         foot_x = surface.footprint(tau, D, N, self.delta_x)
         foot_y = surface.footprint(tau, D, N, self.delta_y)
         filtered = foam.look == "filtered"
+        coast, wakes = self.coast, self.wakes
+        feet = (foot_x, foot_y) if filtered and self.filtering else None
         f = saturation(
             foam.saturation,
             foam.combine,
@@ -540,16 +542,16 @@ class _Shader:
             z,
             H,
             cap=1.0 if filtered else CAP,
-            footprints=(foot_x, foot_y) if filtered and self.filtering else None,
+            footprints=feet,
             eye_height=self.eye_y,
             folds=[
                 fold_saturation(self.scene, source, self.sea, x, z)
                 for source in foam.saturation
                 if isinstance(source, FoldSaturation)
             ],
-            surf=None if self.coast is None else self.coast.foam,
+            surf=None if coast is None else lambda source, x, z, H: coast.foam(source, x, z, H, feet),
             drift=self._drifting,
-            wake=None if self.wakes is None else self.wakes.foam,
+            wake=None if wakes is None else lambda source, x, z, cap: wakes.foam(source, x, z, cap, feet),
             history=History(foam_drift(self.scene), self._carries),
         )
         return self._lying(foam, assets, f, x, z, foot_x, foot_y), f

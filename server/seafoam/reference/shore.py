@@ -21,6 +21,7 @@ from seafoam.textures import shore_profiles
 from .light import INDEX
 from .noise import KEY, value
 from .relief import Part
+from .torn import Feet, spread, torn, torn_step
 from .types import Bools, Floats, Indices, dot, smoothstep
 from .waves import reduced
 
@@ -230,15 +231,23 @@ def _profiles(skew: float, sharpness: float) -> Profiles:
     return Profiles(skew, sharpness)
 
 
+TORN = 0.25, 0.72
+"""Noise from which patches begin, and in which they are whole."""
+
+
+def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
+    """What patches of the surf are torn by at (x, z) m from the middle of the square: shares, cells (m) and values."""
+    t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
+    return [
+        (0.4, 6.0, value(KEY, t_x / 6.0, t_z / 6.0)),
+        (0.35, 1.7, value(KEY, x / 1.7, z / 1.7)),
+        (0.25, 0.5, value(KEY, t_x / 0.5, t_z / 0.5)),
+    ]
+
+
 def _patches(x: Floats, z: Floats) -> Floats:
     """Patches that foam of the surf tears into, at (x, z) m from the middle of the square; (r,) in [0, 1]."""
-    t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
-    torn = (
-        0.4 * value(KEY, t_x / 6.0, t_z / 6.0)
-        + 0.35 * value(KEY, x / 1.7, z / 1.7)
-        + 0.25 * value(KEY, t_x / 0.5, t_z / 0.5)
-    )
-    return smoothstep(0.25, 0.72, torn)
+    return smoothstep(*TORN, np.sum([share * noise for share, _, noise in _noises(x, z)], axis=0))
 
 
 class Coast:
@@ -351,19 +360,25 @@ class Coast:
         swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * self.turn(here[:, 0])) / length
         return here[:, 3] * way[0] + swing * map_x[:, 0], here[:, 3] * way[1] + swing * map_z[:, 0]
 
-    def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats) -> Floats:
-        """Saturation of the surf's foam at (x, z) where the sea stands at H; (r,)."""
+    def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, feet: Feet | None) -> Floats:
+        """Saturation of the surf's foam at (x, z) where the sea stands at H, averaged over footprints; (r,)."""
         q_x, q_z = self.place(x, z)
         here, map_x, map_z = self.field.all(q_x, q_z)
         turn = self.turn(here[:, 0])
         front = np.maximum(1.0 - smoothstep(0.01, 0.09, turn), smoothstep(0.8, 1.0, turn))
         age = np.exp((turn - 1.0) / source.life)
+        if feet is not None:
+            turns = np.minimum(spread((map_x[:, 0], map_z[:, 0]), feet), 0.04)
+            front = torn_step(0.8, 1.0, turn, turns) - torn_step(1.01, 1.09, turn, turns)
+            front += torn_step(0.8, 1.0, turn + 1.0, turns) - torn_step(1.01, 1.09, turn + 1.0, turns)
+            even = source.life * (1.0 - math.exp(-1.0 / source.life))
+            age = age + smoothstep(0.0, 0.04, turns) * (even - age)
         scale = max(self.shore.surf.height, 1e-6)
         breaking = smoothstep(0.45, 0.9, here[:, 2]) * smoothstep(0.12, 0.4, here[:, 1] / scale)
         length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
         swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
         c_x, c_z = q_x + swing * map_x[:, 0], q_z + swing * map_z[:, 0]
-        patches = _patches(c_x, c_z)
+        patches = _patches(c_x, c_z) if feet is None else torn_step(*TORN, *torn(_noises(c_x, c_z), feet))
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
         torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
         left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)

@@ -1,0 +1,34 @@
+// Foam by height, f = (H - H0)/(Hmax - H0) (Kryachko 2005), held in [0, 1] and averaged over the heights under the footprint, as far
+// as the eye sees them: toward the horizon crests alone. docs/formulae.md, section 4.
+uniform float u_height_base; // H0, m
+uniform float u_height_full; // Hmax, at least 1 mm above H0, m
+uniform vec4 u_height_wave;  // the highest wave: k (rad/m); mean height of all waves (m); 1 / their greatest slope
+uniform vec2 u_height_seen[HEIGHT_NODES]; // mean and deviation (m) of the heights that rays see, evenly by the root of their fall
+
+// Mean of max(t - n, 0) over n that lie under a parabola from -reach to reach.
+float height_above(float t, float reach) {
+    float y = clamp(0.5 + 0.5 * t / reach, 0.0, 1.0);
+    return 2.0 * reach * y * y * y * (1.0 - 0.5 * y) + max(t - reach, 0.0);
+}
+
+float height_saturation(vec2 p, float height, Footprint fp) {
+    float way = max(length(p), 1e-6);
+    float along = max(abs(dot(u_height_wave.xy, p)) / (way * length(u_height_wave.xy)), 1e-3);
+    // From below all count alike: which troughs hang before which is not told.
+    float over = u_eye_height - height;
+    float falls = over > 0.0 ? min(over / (way * along) * u_height_wave.w, 1.0) : 1.0;
+    float x = sqrt(falls) * float(HEIGHT_NODES - 1);
+    int i = min(int(x), HEIGHT_NODES - 2);
+    vec2 seen = mix(u_height_seen[i], u_height_seen[i + 1], x - float(i));
+    float kept = 1.0;
+    float middle = height;
+    if (SURFACE_FILTER) {
+        float shown = wave_kept(u_height_wave.xy, fp);
+        kept = min(wave_kept(u_height_wave.xy, level_footprint(p, height)), shown);
+        middle = u_height_wave.z + kept / max(shown, 1e-6) * (height - u_height_wave.z) + (1.0 - kept) * (seen.x - u_height_wave.z);
+    }
+    float range = max(u_height_full - u_height_base, 1e-3);
+    // The parabola's variance is a fifth of its reach squared.
+    float reach = max(sqrt(5.0 * (1.0 - kept * kept)) * seen.y, 1e-3 * range);
+    return clamp((height_above(middle - u_height_base, reach) - height_above(middle - u_height_full, reach)) / range, 0.0, 1.0);
+}
