@@ -14,7 +14,7 @@ uniform float u_surface_steepest;
 uniform sampler2D u_start;
 uniform vec4 u_parametric[1];
 uniform float u_parametric_phase[1];
-uniform vec2 u_parametric_mean[1];
+uniform vec3 u_parametric_mean[1];
 uniform float u_front_intensity;
 uniform vec4 u_mask_matrix;
 uniform vec2 u_mask_offset;

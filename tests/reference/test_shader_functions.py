@@ -22,7 +22,13 @@ from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integr
 TOLERANCE = 1e-5
 NUMBERS = "common/numbers.glsl"
 PHASE = ("saturation/front_own.glsl", "saturation/front_gate.glsl", "saturation/front_profile.glsl")
-FILTERED_FRONT = (NUMBERS, "=uniform float u_eye_height;", *PHASE, "saturation/front_filtered.glsl")
+FILTERED_FRONT = (
+    NUMBERS,
+    "=uniform float u_eye_height;",
+    *PHASE,
+    "saturation/front_seen.glsl",
+    "saturation/front_filtered.glsl",
+)
 CONSTANTS = {"text": (math.pi / 2, math.e), "listing": (1.07, 2.718)}
 
 
@@ -296,6 +302,7 @@ def test_wave_profile_equals_its_float64_form(probe: Probe, exponent: float, kin
             "PARAMETRIC_KIND": (kind,),
             "PARAMETRIC_ALIKE": True,
             "PARAMETRIC_SIGNAL": False,
+            "PARAMETRIC_CARRIES": False,
             "SURFACE_FILTER": False,
         },
     )

@@ -9,11 +9,12 @@ from seafoam.effects import EFFECTS
 from seafoam.effects.contribution import Effect
 from seafoam.plan import alone, make_plan, planner
 from seafoam.plan.alone import Switch, running, switch
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
-STANDARD = TIERS["standard"]
+STANDARD = TIERS["standard"].model_copy(update={"foam_relief": True})
+"""Draws all effects: shades of foam are of the finer tiers."""
 DEFAULT = load_preset("default").scene
 
 
@@ -22,13 +23,13 @@ def switches() -> dict[str, Switch | None]:
     return {effect.name: switch(effect, DEFAULT, STANDARD) for effect in EFFECTS}
 
 
-def without(monkeypatch: pytest.MonkeyPatch, scene: Scene, effect: Effect, tier: str) -> bytes:
+def without(monkeypatch: pytest.MonkeyPatch, scene: Scene, effect: Effect, quality: Quality = STANDARD) -> bytes:
     """The scene's plan by a planner that has never heard of the effect."""
     others = tuple(one for one in EFFECTS if one.name != effect.name)
     with monkeypatch.context() as patched:
         patched.setattr(planner, "EFFECTS", others)
         # Past the cache, which does not know which effects there were.
-        return make_plan.__wrapped__(scene, TIERS[tier]).canonical_json()  # type: ignore[attr-defined,no-any-return]
+        return make_plan.__wrapped__(scene, quality).canonical_json()  # type: ignore[attr-defined,no-any-return]
 
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
@@ -53,9 +54,7 @@ def test_switched_off_a_plan_is_that_of_a_scene_that_never_named_it(
     plan = make_plan(found.off, STANDARD)
     if effect.name in {note.name for note in plan.skipped}:
         # The scene still names what it shows, and a bound leaves it out.
-        assert _but_for_notes(plan.canonical_json()) == _but_for_notes(
-            without(monkeypatch, found.off, effect, "standard")
-        )
+        assert _but_for_notes(plan.canonical_json()) == _but_for_notes(without(monkeypatch, found.off, effect))
         return
     on, off = (one.model_dump(mode="json") for one in (found.on, found.off))
     for pointer in found.fields:
@@ -65,8 +64,8 @@ def test_switched_off_a_plan_is_that_of_a_scene_that_never_named_it(
     assert make_plan(again, STANDARD).canonical_json() == plan.canonical_json()
     never = Scene.model_validate(_named(off))
     assert make_plan.__wrapped__(never, STANDARD).canonical_json() == plan.canonical_json()  # type: ignore[attr-defined]
-    for tier in ("draft", "standard"):
-        assert without(monkeypatch, found.off, effect, tier) == make_plan(found.off, TIERS[tier]).canonical_json()  # type: ignore[index]
+    for quality in (TIERS["draft"], STANDARD):
+        assert without(monkeypatch, found.off, effect, quality) == make_plan(found.off, quality).canonical_json()
 
 
 def test_what_a_bound_leaves_out_leaves_a_note_alone(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -76,7 +75,7 @@ def test_what_a_bound_leaves_out_leaves_a_note_alone(monkeypatch: pytest.MonkeyP
         for scene in effect.invisible:
             lean = make_plan(scene, STANDARD)
             if {note.name for note in lean.skipped} == {effect.name}:
-                other = without(monkeypatch, scene, effect, "standard")
+                other = without(monkeypatch, scene, effect)
                 assert _but_for_notes(lean.canonical_json()) == _but_for_notes(other), effect.name
                 compared += 1
     assert compared > 5

@@ -29,9 +29,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
-            SlotFile(
-                "saturation", f"saturation/{name}.glsl", prefix="surf", needs=("saturation/surf_patches.glsl", *torn)
-            ),
+            SlotFile("saturation", f"saturation/{name}.glsl", prefix="surf", needs=needs),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
         consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},

@@ -150,7 +150,7 @@ class SeaSurface:
     origin: tuple[float, float]
     earlier: tuple[tuple[Floats, ...], ...]
     """For each raised tile, the fold at each earlier time, carried along with the water; half the texels."""
-    old: tuple[Floats, ...]
+    old: tuple[Floats, ...] = ()
     """The same of the largest tile at each time of long ago, where the scene's foam lasts."""
 
     @property
