@@ -19,7 +19,6 @@ void foam_relief(float f, float amount, vec2 p, Footprint fp) {
     Footprint soft = Footprint(max(1.0, 0.5 * u_foam_thickness / max(x, 1e-6)) * fp.x, max(1.0, 0.5 * u_foam_thickness / max(y, 1e-6)) * fp.y);
     // Foam so thin lets through and scatters on what it does not send back.
     near *= FOAM_SHADE;
-    foam_octaves = 1;
     float beside = near * min(beside_amount(f, p, way, soft), 1.0);
     sun_past_foam = vec2(1.0 - beside, 1.0 + near * min(amount, 1.0) - beside);
 }

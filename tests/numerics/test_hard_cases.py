@@ -88,7 +88,7 @@ def test_every_effect_has_hard_cases(effect: Effect) -> None:
         assert case.guard
         assert case.without
         assert case.times
-        assert effect.contribute(case.scene, TIERS["standard"]) is not None, f"{case.name} does not call for it"
+        assert effect.contribute(case.scene, EXACT) is not None, f"{case.name} does not call for it"
 
 
 def test_names_tell_cases_apart() -> None:

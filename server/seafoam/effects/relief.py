@@ -19,7 +19,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam is None or scene.light is None or foam.thickness == 0.0 or not quality.foam_relief:
         return None
     most = min(greatest_saturation(foam, scene), 1.0)
-    beside = "foam/beside_lying.glsl" if foam_life(scene) is not None else "foam/beside.glsl"
+    beside = "foam/beside.glsl"
+    if foam.look == "filtered":
+        beside = "foam/beside_lying.glsl" if foam_life(scene) is not None else "foam/beside_filtered.glsl"
     return Contribution(
         why=f"foam {foam.thickness:g} m thick shades what lies beside it",
         slots=(SlotFile("relief", "foam/relief.glsl", needs=(beside,)),),
