@@ -1,9 +1,17 @@
 """Foam that lives: carried by its water, gathered by the wind, and of another mask when it is old."""
 
+from typing import Annotated
+
 from pydantic import BaseModel, ConfigDict, Field
 
 MASKS_MOST = 2
 """Masks of older foam that a scene holds at most."""
+MASK_NAME = r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+(:[0-9.]+:[0-9.]+)?$"
+"""Of the catalogue, or what it is made from."""
+
+_Mask = Annotated[
+    str, Field(max_length=40, pattern=MASK_NAME, json_schema_extra={"choices_from": "/api/masks"}, title="Mask")
+]
 
 
 class FoamLife(BaseModel):
@@ -14,11 +22,10 @@ class FoamLife(BaseModel):
     carried: bool = Field(
         default=True, description="Foam lies on the water that it rests on: waves carry it to and fro and stretch it"
     )
-    masks: tuple[str, ...] = Field(
+    masks: tuple[_Mask, ...] = Field(
         default=("lacetorn", "streak"),
         max_length=MASKS_MOST,
         description="Masks of older foam, the oldest last; as large as the foam's own",
-        json_schema_extra={"choices_from": "/api/masks"},
     )
     wind_direction: float = Field(
         default=0.0,

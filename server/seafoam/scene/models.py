@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.drift import Drift
-from seafoam.scene.living import FoamLife
+from seafoam.scene.living import MASK_NAME, FoamLife
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
@@ -230,7 +230,7 @@ class Foam(Part):
     mask: str = Field(
         default="vac-24",
         max_length=40,
-        pattern=r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+(:[0-9.]+:[0-9.]+)?$",
+        pattern=MASK_NAME,
         description="A mask of the catalogue, or family:sigma:size:seed; lace: also :aspect:age",
         json_schema_extra={"choices_from": "/api/masks"},
     )

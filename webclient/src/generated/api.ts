@@ -2235,6 +2235,12 @@ export interface components {
              */
             foam_octaves: 1 | 2 | 3 | 4;
             /**
+             * Foam Relief
+             * @description Foam of a thickness shades what lies beside it
+             * @default false
+             */
+            foam_relief: boolean;
+            /**
              * Chop
              * @description Ripples from a tile drawn each frame, or summed per pixel
              * @default tile
