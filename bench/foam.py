@@ -1,4 +1,4 @@
-"""What octaves and milky water add to the filtered look, drawn side by side, and to a GPU's program."""
+"""What octaves, milky water and foam that lives add to the filtered look, side by side, and to a GPU's program."""
 
 from dataclasses import dataclass
 from statistics import median
@@ -10,37 +10,73 @@ from bench.watch import Watch
 from seafoam.plan import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
-from seafoam.scene.models import Scene
+from seafoam.scene.models import Foam, FoldSaturation, FrontSaturation, Saturation, Scene, SurfSaturation
 from seafoam.scene.presets import load_preset
 
 PRESETS = ("default", "storm", "island-surf")
 
 
+LIVES = ("", "left", "carried", "of its age", "thick")
+"""What foam does after it is born, each with all before it."""
+
+
 @dataclass(frozen=True)
 class Variant:
-    """A preset's foam with so many octaves, its water clear or as milky as the preset has it."""
+    """A preset's foam with so many octaves, its water clear or as milky as the preset has it, and how it lives."""
 
     octaves: int
     milky: bool
+    life: str = ""
 
     def of(self, scene: Scene) -> Scene:
         """The scene so."""
         assert scene.foam is not None
-        foam = scene.foam.model_copy(update={"octaves": self.octaves})
+        lives = LIVES.index(self.life)
+        foam = scene.foam if lives else lying_still(scene.foam)
+        life = foam.life if lives > 1 else None
+        if life is not None and lives == 2:
+            life = life.model_copy(update={"masks": (), "windrows": 0.0})
+        thickness = foam.thickness if lives == 4 else 0.0
+        foam = foam.model_copy(update={"octaves": self.octaves, "life": life, "thickness": thickness})
         water = scene.water if self.milky else scene.water.model_copy(update={"aeration": 0.0})
         return scene.model_copy(update={"foam": foam, "water": water})
 
     def __str__(self) -> str:
-        return f"{self.octaves} {'octave' if self.octaves == 1 else 'octaves'}{', milky' if self.milky else ''}"
+        octaves = f"{self.octaves} {'octave' if self.octaves == 1 else 'octaves'}{', milky' if self.milky else ''}"
+        return f"{octaves}, {self.life}" if self.life else octaves
 
 
 BASE = Variant(1, False)
-VARIANTS = (BASE, Variant(2, False), Variant(4, False), Variant(1, True), Variant(2, True), Variant(4, True))
+VARIANTS = (
+    BASE,
+    Variant(2, False),
+    Variant(4, False),
+    Variant(1, True),
+    Variant(2, True),
+    Variant(4, True),
+    *(Variant(4, True, life) for life in LIVES[1:]),
+)
+
+
+def lying_still(foam: Foam) -> Foam:
+    """The foam without what becomes of it after its birth."""
+    made: list[Saturation] = []
+    for source in foam.saturation:
+        match source:
+            case FrontSaturation():
+                made.append(source.model_copy(update={"decay": None}))
+            case FoldSaturation():
+                made.append(source.model_copy(update={"lasting": False}))
+            case SurfSaturation():
+                made.append(source.model_copy(update={"line": 0.0}))
+            case _:
+                made.append(source)
+    return foam.model_copy(update={"saturation": tuple(made), "life": None, "thickness": 0.0})
 
 
 def measure(executor: Executor, watch: Watch) -> list[Table]:
-    """Draw presets with one, two and four octaves, in clear and in milky water."""
-    quality = TIERS["standard"]
+    """Draw presets with one, two and four octaves, in clear and in milky water, and foam that lives."""
+    quality = TIERS["standard"].model_copy(update={"foam_relief": True})
     plans = {
         name: {variant: make_plan(variant.of(load_preset(name).scene), quality) for variant in VARIANTS}
         for name in PRESETS
@@ -72,9 +108,11 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
             )
     return [
         Table(
-            "Octaves and milky water",
-            f"Frames of {SIZE[0]} x {SIZE[1]}, quality standard, against one octave in clear water; medians of per-"
-            "round ratios (interquartile range). Instructions and VGPR: of the surface's program, by a GPU's compiler.",
+            "Octaves, milky water and foam that lives",
+            f"Frames of {SIZE[0]} x {SIZE[1]}, quality standard with foam_relief, against one octave in clear water, "
+            "lying still; medians of per-round ratios (interquartile range). Left on the water or the sand; also "
+            "carried; also of its age and in rows; also with a thickness. Instructions and VGPR: of the surface's program, "
+            "by a GPU's compiler.",
             (
                 Column("preset", "preset"),
                 Column("foam", "foam"),
