@@ -111,8 +111,8 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
             "Octaves, milky water and foam that lives",
             f"Frames of {SIZE[0]} x {SIZE[1]}, quality standard with foam_relief, against one octave in clear water, "
             "lying still; medians of per-round ratios (interquartile range). Left on the water or the sand; also "
-            "carried; also of its age and in rows; also with a thickness. Instructions and VGPR: of the surface's program, "
-            "by a GPU's compiler.",
+            "carried; also of its age and in rows; also with a thickness. Instructions and VGPR: of the surface's "
+            "program, by a GPU's compiler.",
             (
                 Column("preset", "preset"),
                 Column("foam", "foam"),
