@@ -245,6 +245,13 @@ def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
     ]
 
 
+def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> tuple[Floats, Floats]:
+    """How far the surf carries its foam along the gradient of the phase, m; (r,) each."""
+    length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
+    swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
+    return swing * map_x[:, 0], swing * map_z[:, 0]
+
+
 def _patches(x: Floats, z: Floats) -> Floats:
     """Patches that foam of the surf tears into, at (x, z) m from the middle of the square; (r,) in [0, 1]."""
     return smoothstep(*TORN, np.sum([share * noise for share, _, noise in _noises(x, z)], axis=0))
@@ -356,9 +363,8 @@ class Coast:
     def carry(self, way: tuple[Floats, Floats], x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """The open sea's ``way`` from (x, z) to where its water rests, as the coast leaves it, m; (r,) each."""
         here, map_x, map_z = self.field.all(*self.place(x, z))
-        length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
-        swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * self.turn(here[:, 0])) / length
-        return here[:, 3] * way[0] + swing * map_x[:, 0], here[:, 3] * way[1] + swing * map_z[:, 0]
+        swing_x, swing_z = _swing(here, map_x, map_z, self.turn(here[:, 0]))
+        return here[:, 3] * way[0] + swing_x, here[:, 3] * way[1] + swing_z
 
     def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, feet: Feet | None) -> Floats:
         """Saturation of the surf's foam at (x, z) where the sea stands at H, averaged over footprints; (r,)."""
@@ -375,9 +381,8 @@ class Coast:
             age = age + smoothstep(0.0, 0.04, turns) * (even - age)
         scale = max(self.shore.surf.height, 1e-6)
         breaking = smoothstep(0.45, 0.9, here[:, 2]) * smoothstep(0.12, 0.4, here[:, 1] / scale)
-        length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
-        swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
-        c_x, c_z = q_x + swing * map_x[:, 0], q_z + swing * map_z[:, 0]
+        swing_x, swing_z = _swing(here, map_x, map_z, turn)
+        c_x, c_z = q_x + swing_x, q_z + swing_z
         patches = _patches(c_x, c_z) if feet is None else torn_step(*TORN, *torn(_noises(c_x, c_z), feet))
         film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
         torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
