@@ -58,6 +58,7 @@ BY_SCENE = (
     "FRONT_FADING",
     "FOAM_FADES",
     "FOAM_OCTAVES",
+    "MASK_ROWS",
     "FOAM_TEXTURED",
 )
 """Compile-time numbers that hang on the scene."""

@@ -9,7 +9,7 @@ uniform float u_foam_texture_share;
 
 // Which of the masks that lie over one another, and how many octaves of it.
 int foam_mask = 0;
-int foam_octaves = FOAM_OCTAVES;
+int foam_octaves = 4;
 
 // Where to threshold so that a share s is covered. Table entries crowd toward s = 0 and 1, where the quantiles bend most.
 float quantile(float s, int row) {
@@ -136,7 +136,8 @@ vec2 octave(vec2 uv) {
 float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     float covered = 0.0;
     float second = 0.0;
-    int octaves = foam_octaves;
+    int most = min(foam_octaves, FOAM_OCTAVES);
+    int octaves = most;
     // One loop for octaves and for both forms of each, asked at the end: drivers without branches would run one that asks first
     // once more, for nothing, and in two loops GPUs would hold half as many waves.
     do {
@@ -160,7 +161,7 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
             float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
             // The quotient's rounding passes 1, and foam over glitter would turn negative.
             share = clamp(share, 0.0, 1.0);
-            float shown = octaves == foam_octaves ? 1.0 : 1.0 - smoothstep(32.0, 64.0, max(size.x, size.y));
+            float shown = octaves == most ? 1.0 : 1.0 - smoothstep(32.0, 64.0, max(size.x, size.y));
             s = FOAM_OCTAVES > 1 ? s + shown * (share - s) : share;
             covered = 0.0;
             uv = octave(fract(uv));

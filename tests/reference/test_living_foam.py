@@ -250,13 +250,16 @@ def test_whole_foam_has_no_relief(executor: Executor) -> None:
 
 
 def test_life_that_cannot_be_is_refused_with_its_field() -> None:
-    with pytest.raises(ValueError, match="life: not with cells"):
-        Foam(life=FoamLife(), cells=True)
     with pytest.raises(ValueError, match="decay: only with the constants of the text"):
         FrontSaturation(constants="listing", decay=2.0)
-    small = Foam(saturation=HALF, mask="lace", life=FoamLife(masks=("lace:4:64:1",)))
-    with pytest.raises(ValueError, match="/foam/life/masks/0: is 64 texels a side; the foam's mask is 512"):
-        make_plan(Scene(foam=small), TIERS["standard"])
+
+
+def test_masks_of_another_size_and_cells_are_left_out() -> None:
+    """Another mask may be chosen for foam that lives: older masks that do not fit go, and so do cells."""
+    alone = make_plan(Scene(foam=Foam(mask="lace:4:64:1", life=FoamLife(masks=()))), TIERS["standard"])
+    small = make_plan(Scene(foam=Foam(mask="lace:4:64:1", life=FoamLife(), cells=True)), TIERS["standard"])
+    assert small.programs == alone.programs
+    assert small.textures == alone.textures
 
 
 def test_the_paper_s_looks_know_no_life(executor: Executor) -> None:

@@ -116,6 +116,7 @@ def test_births_on_waves_equal_their_float64_form(
                 "PARAMETRIC_KIND": (4, 0),
                 "PARAMETRIC_ALIKE": False,
                 "PARAMETRIC_SIGNAL": False,
+                "PARAMETRIC_CARRIES": False,
                 "SURFACE_FILTER": False,
             },
             uniforms={

@@ -60,17 +60,13 @@ def _mask(name: str, pointer: str) -> Mask:
         raise PlanError(pointer, str(error)) from None
 
 
-def _masks(foam: Foam) -> list[Mask]:
-    """The foam's masks, those of older foam last; of one size."""
+def _masks(foam: Foam) -> list[tuple[str, Mask]]:
+    """The foam's masks, those of older foam last; without those that are of another size than the first."""
     first = _mask(foam.mask, "/foam/mask")
     if foam.life is None or foam.look != "filtered":
-        return [first]
-    older = [_mask(name, f"/foam/life/masks/{i}") for i, name in enumerate(foam.life.masks)]
-    for i, mask in enumerate(older):
-        if mask.ranks.shape != first.ranks.shape:
-            sides = mask.ranks.shape[0], first.ranks.shape[0]
-            raise PlanError(f"/foam/life/masks/{i}", f"is {sides[0]} texels a side; the foam's mask is {sides[1]}")
-    return [first, *older]
+        return [(foam.mask, first)]
+    older = [(name, _mask(name, f"/foam/life/masks/{i}")) for i, name in enumerate(foam.life.masks)]
+    return [(foam.mask, first), *((name, mask) for name, mask in older if mask.ranks.shape == first.ranks.shape)]
 
 
 def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
@@ -142,9 +138,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     textures: dict[str, TextureUse] = {}
     targets: dict[str, Target] = {}
     passes: tuple[PassSpec, ...] = ()
-    masks = _masks(foam) if masked else []
+    named = _masks(foam) if masked else []
+    masks = [mask for _, mask in named]
     life = foam_life(scene)
     lives = life is not None
+    cells = foam.cells and not lives
     if masked:
         mask = masks[0]
         needs += (
@@ -156,7 +154,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         if lives:
             uniforms |= _carried_uniforms(foam, foam_drift(scene))
         else:
-            uniforms |= _cell_uniforms(foam) if foam.cells else _mask_uniforms(foam)
+            uniforms |= _cell_uniforms(foam) if cells else _mask_uniforms(foam)
     if masked and foam.look != "filtered":
         needs += (f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl")
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
@@ -191,14 +189,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms["u_foam_texture_share"] = number(foam.texture)
         inputs |= {
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
-            "u_mask_quantiles": mask_atlas.tables_input(masks, tables),
+            "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),
         }
         consts |= mask_atlas.consts(mask)
-        names = (foam.mask, *(life.masks if life is not None else ()))
-        textures |= mask_atlas.textures(names, tables)
-        targets, passes = mask_atlas.targets(masks, rows), mask_atlas.passes(masks, tables)
+        textures |= mask_atlas.textures([name for name, _ in named], tables)
+        targets, passes = mask_atlas.targets(masks), mask_atlas.passes(masks)
     look = f"look/{foam.look}.glsl"
-    if masked and foam.cells:
+    if masked and cells:
         needs += (f"{look}?foam_amount=cell_amount",)
         look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
     if drift.carries(scene, quality):
@@ -211,7 +208,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"look {foam.look}"
         + (f", mask {foam.mask}" if masked else "")
-        + (", turned in each cell" if masked and foam.cells else "")
+        + (", turned in each cell" if masked and cells else "")
         + (", carried by the drift" if drift.carries(scene, quality) else "")
         + (", carried and ageing" if lives else ""),
         slots=(

@@ -18,7 +18,6 @@ from seafoam.effects.contribution import (
 from seafoam.masks.catalogue import Mask
 
 ATLAS = "mask_atlas"
-TABLES = "mask_tables"
 MOMENTS = "mask_moments"
 
 
@@ -27,9 +26,9 @@ def consts(mask: Mask) -> dict[str, int]:
     return {"MASK_STEP": max(65536 // mask.ranks.size, 1)}
 
 
-def tables_input(masks: Sequence[Mask], kind: str) -> TextureInput | TargetInput:
-    """What holds the tables that the look reads: ``quantiles`` or ``ramps``."""
-    return TargetInput(target=TABLES) if len(masks) > 1 else TextureInput(texture=f"mask_{kind}")
+def tables(masks: int, kind: str) -> str:
+    """The texture whose tables the look reads: ``quantiles`` or ``ramps``, of all masks over one another."""
+    return f"mask_{kind}" if masks == 1 else "mask_tables"
 
 
 def textures(names: Sequence[str], kind: str) -> dict[str, TextureUse]:
@@ -38,13 +37,13 @@ def textures(names: Sequence[str], kind: str) -> dict[str, TextureUse]:
     for i, name in enumerate(names):
         used[f"mask_ranks{_of(i)}"] = TextureUse(f"mask/{name}/ranks")
         # The atlas is made with the quantiles whatever the look itself reads.
-        for table in dict.fromkeys(("quantiles", kind)):
-            used[f"mask_{table}{_of(i)}"] = TextureUse(f"mask/{name}/{table}", wrap="clamp_to_edge")
+        used[f"mask_quantiles{_of(i)}"] = TextureUse(f"mask/{name}/quantiles", wrap="clamp_to_edge")
+    used[tables(len(names), kind)] = TextureUse(f"mask/{'+'.join(names)}/{kind}", wrap="clamp_to_edge")
     return used
 
 
-def targets(masks: Sequence[Mask], rows: int) -> dict[str, Target]:
-    """The atlas, and what it is made by way of. ``rows``: of the tables of a mask."""
+def targets(masks: Sequence[Mask]) -> dict[str, Target]:
+    """The atlas, and what it is made by way of."""
 
     def whole(width: int, height: int) -> Target:
         return Target(size=FixedSize(width=width, height=height), format="RG32UI")
@@ -56,13 +55,10 @@ def targets(masks: Sequence[Mask], rows: int) -> dict[str, Target]:
         made |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
     if len(masks) > 1:
         made |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
-        made[TABLES] = Target(
-            size=FixedSize(width=len(masks[0].quantile) - 1, height=rows * len(masks)), format="RGBA32F"
-        )
     return {ATLAS: whole(5 * size // 2, size * len(masks)), **made}
 
 
-def passes(masks: Sequence[Mask], kind: str) -> tuple[PassSpec, ...]:
+def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
     """Mean and variance of the thresholds in a texel, then level by level, then the atlas; mask by mask.
 
     They read what :func:`textures` names.
@@ -80,13 +76,6 @@ def passes(masks: Sequence[Mask], kind: str) -> tuple[PassSpec, ...]:
             fragment=("mask/stack_pass.glsl",),
             target=ATLAS,
             inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[of]) for i, of in enumerate(which)},
-        ),
-        PassSpec(
-            name="mask: tables of all ages",
-            program="mask_stack_tables",
-            fragment=("mask/stack_tables_pass.glsl",),
-            target=TABLES,
-            inputs={f"u_mask_table_{i}": TextureInput(texture=f"mask_{kind}{_of(of)}") for i, of in enumerate(which)},
         ),
     )
 

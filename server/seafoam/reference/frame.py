@@ -75,7 +75,7 @@ class Assets:
     def of(mask: Mask, texture: Floats, older: Sequence[Mask] = ()) -> Assets:
         """From a mask, a foam texture (size, size) in [0, 1] and masks of older foam."""
         return Assets(
-            older=tuple(Assets.of(one, texture) for one in older),
+            older=tuple(Assets.of(one, texture) for one in older if one.ranks.shape == mask.ranks.shape),
             thresholds=sampling.thresholds(mask.ranks),
             spans=[level.astype(np.float64) for level in mask.spans],
             quantiles=mask.quantiles,
@@ -689,7 +689,7 @@ class _Shader:
         if foam.look == "textured":
             return looks.textured(f, t)
         feet = _turned_steps(foot_x, foam), _turned_steps(foot_y, foam)
-        if foam.cells:
+        if foam.cells and foam_life(self.scene) is None:
             free = np.ones_like(x)
             for corner in cells.corners(*cells.counted(x, z, foam, self.origin), filtered):
                 own = np.flatnonzero(corner.weight > 0.0)

@@ -244,7 +244,8 @@ class Foam(Part):
     )
     cells: bool = Field(
         default=False,
-        description="Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats",
+        description="Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats; "
+        "foam that lives is carried whole and has none",
     )
     texture_tile: float = Field(default=3.0, ge=0.05, le=1000.0, description="Side of one tile of the foam texture, m")
     texture_second: float | None = Field(
@@ -282,8 +283,6 @@ class Foam(Part):
         sources = [saturation.source for saturation in self.saturation]
         if len(set(sources)) < len(sources):
             raise ValueError("saturation: at most one of each source")
-        if self.life is not None and self.cells:
-            raise ValueError("life: not with cells, whose turns would be carried apart")
         if self.life is not None and "drift" in sources:
             raise ValueError("life: not with a drift saturation, whose flow carries the foam itself")
         return self

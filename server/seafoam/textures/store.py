@@ -55,7 +55,7 @@ def texture(name: str) -> TextureData:
 
     ``mask/NAME/ranks`` (R16UI), ``ranks-8`` (R8UI) and ``thresholds-half`` (R16F), ``mask/NAME/atlas`` (RG32UI, see
     :func:`seafoam.masks.prefilter.atlas`), ``mask/NAME/quantiles`` (RG32F, an entry and the next, a row for the
-    magnified mask and one for each level) and ``ramps`` (the same for an octave's ramp),
+    magnified mask and one for each level) and ``ramps`` (of an octave's ramp; of masks ``A+B`` over one another),
     ``front-integral/C/lnE`` (RGBA32F, a row), ``foam`` (R8, all levels), ``fft-twiddles`` (RG32F, a row),
     ``sea/...`` (RG32F, see :func:`seafoam.textures.sea.sea_spectrum_name`),
     ``shore-floor/TEXELS/GROUND`` (RG32F), ``shore-profiles/NODES/SKEW/SHARPNESS`` (R32F),
@@ -92,9 +92,12 @@ def texture(name: str) -> TextureData:
 
 def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
     try:
-        mask = mask_by_name(mask_name)
+        masks = [mask_by_name(one) for one in mask_name.split("+")]
     except (UnknownMaskError, ValueError) as error:
         raise UnknownTextureError(name) from error
+    mask = masks[0]
+    if len(masks) > 1 and (kind not in ("quantiles", "ramps") or len({one.ranks.shape for one in masks}) > 1):
+        raise UnknownTextureError(name)
     size = mask.ranks.shape[0]
     match kind:
         case "ranks":
@@ -107,9 +110,9 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
             image = atlas(mask.ranks, mask.spans)
             return _data(name, "RG32UI", image.shape[1], size, 1, image.astype("<u4").tobytes())
         case "quantiles":
-            return _entries(name, mask.quantiles)
+            return _entries(name, np.concatenate([one.quantiles for one in masks]))
         case "ramps":
-            return _entries(name, mask.ramps)
+            return _entries(name, np.concatenate([one.ramps for one in masks]))
         case _:
             raise UnknownTextureError(name)
 
