@@ -136,8 +136,8 @@ vec2 octave(vec2 uv) {
 float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
     float covered = 0.0;
     float second = 0.0;
-    int most = min(foam_octaves, FOAM_OCTAVES);
-    int octaves = most;
+    int asked = min(foam_octaves, FOAM_OCTAVES);
+    int octaves = asked;
     // One loop for octaves and for both forms of each, asked at the end: drivers without branches would run one that asks first
     // once more, for nothing, and in two loops GPUs would hold half as many waves.
     do {
@@ -161,7 +161,7 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
             float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
             // The quotient's rounding passes 1, and foam over glitter would turn negative.
             share = clamp(share, 0.0, 1.0);
-            float shown = octaves == most ? 1.0 : 1.0 - smoothstep(32.0, 64.0, max(size.x, size.y));
+            float shown = octaves == asked ? 1.0 : 1.0 - smoothstep(32.0, 64.0, max(size.x, size.y));
             s = FOAM_OCTAVES > 1 ? s + shown * (share - s) : share;
             covered = 0.0;
             uv = octave(fract(uv));
