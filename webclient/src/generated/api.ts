@@ -1213,7 +1213,7 @@ export interface components {
             mask_angle: number;
             /**
              * Cells
-             * @description Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats
+             * @description Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats; foam that lives is carried whole and has none
              * @default false
              */
             cells: boolean;
