@@ -7,8 +7,8 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.plan.assemble import assemble
-from seafoam.render.executor import TEXTURE_FORMATS, Executor
+from seafoam.planner.glsl import assemble
+from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
 from seafoam.textures import texture
 
 WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})

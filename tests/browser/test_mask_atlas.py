@@ -8,12 +8,13 @@ import pytest
 
 from browsers import Lane, opened
 from gpu import WHOLE
-from seafoam.effects.contribution import Fullscreen, TargetInput, TextureInput
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
-from seafoam.plan.model import Pass, Program, Texture
+from seafoam.framegraph.passes import Fullscreen, Pass
+from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
+from seafoam.framegraph.shader import Program
+from seafoam.planner import FramePlan, make_plan
+from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
 from seafoam.textures import texture
 

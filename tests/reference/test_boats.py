@@ -9,19 +9,20 @@ from numpy.typing import NDArray
 from exact import EXACT, UNFILTERED
 from gpu import WHOLE, Probe
 from report import Report
-from seafoam.effects import boat as effect
-from seafoam.effects.wake import ASIDE
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
-from seafoam.plan.view import everywhere
+from seafoam.effects.boats import boat as effect
+from seafoam.effects.boats.wake import ASIDE
+from seafoam.framegraph.visibility import everywhere
+from seafoam.ocean.wakes import Wake, wake_level, wake_slope
+from seafoam.planner import FramePlan, make_plan
+from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import boats as reference
-from seafoam.reference import camera as cameras
 from seafoam.reference import render
-from seafoam.reference import surface as surfaces
-from seafoam.reference.frame import _Shader
-from seafoam.render.executor import Executor
-from seafoam.scene.boats import Boat, Wake, wake_level, wake_slope
+from seafoam.reference.boats import boat as reference
+from seafoam.reference.renderer import camera as cameras
+from seafoam.reference.renderer import intersect as surfaces
+from seafoam.reference.renderer.frame import _Shader
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.boats import Boat
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Light, ParametricWave, Scene, Sea, Water
 from seafoam.scene.presets import load_preset
 from seafoam.scene.rings import Ring

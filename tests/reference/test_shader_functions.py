@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from gpu import Probe
-from seafoam.effects.contribution import Const
-from seafoam.effects.height import NODES as HEIGHT_NODES
-from seafoam.effects.height import seen_heights
+from seafoam.effects.effect import Const
+from seafoam.effects.foam.height import NODES as HEIGHT_NODES
+from seafoam.effects.foam.height import seen_heights
 from seafoam.masks import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
-from seafoam.reference import Assets, frame, looks, sampling, saturation, waves
-from seafoam.scene.dispersion import wavevector
+from seafoam.ocean.dispersion import wavevector
+from seafoam.reference import Assets, sampling
+from seafoam.reference.foam import looks, saturation
+from seafoam.reference.renderer import frame
+from seafoam.reference.waves import parametric as waves
 from seafoam.scene.models import Foam, HeightSaturation, ParametricWave, Scene
 from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 

@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
-from seafoam.effects.light import sky_irradiance, sun_direction, sun_irradiance
-from seafoam.plan import make_plan
+from seafoam.effects.light.light import sky_irradiance, sun_direction, sun_irradiance
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import heaven, load_truth, noise
-from seafoam.reference import light as reference_light
+from seafoam.reference import load_truth, noise
 from seafoam.reference.bake import same_size, truth_file
-from seafoam.render.executor import Executor
+from seafoam.reference.light import atmosphere
+from seafoam.reference.light import light as reference_light
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Light, Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.sky import Clouds, Day, Moon, Sky, sun_angles
@@ -81,7 +82,7 @@ def test_clouds_cover_their_share(report: Report, cover: float) -> None:
     clouds = Clouds(cover=cover, softness=1.0)
     rng = np.random.default_rng(6)
     drawn = noise.fractal(rng.uniform(0.0, 256.0, (60_000, 3)), np.zeros(60_000), 6, 64)
-    share = float((heaven.Heaven._density(clouds, drawn) > 0.156).mean())
+    share = float((atmosphere.Heaven._density(clouds, drawn) > 0.156).mean())
     report.add("Share of the layer that clouds cover", asked=f"{cover:.2f}", measured=f"{share:.3f}")
     assert abs(share - cover) <= 0.03
 
@@ -146,7 +147,7 @@ def test_the_sun_goes_round() -> None:
     rng = np.random.default_rng(3)
     for hour, date, latitude in rng.uniform((0, 1, -1.57), (24, 366, 1.57), (200, 3)):
         day = Day(hour=hour, date=date, latitude=latitude, north=0.4)
-        one, other = heaven.toward(*sun_angles(day)), heaven.toward(*heaven.sun_angles(day))
+        one, other = atmosphere.toward(*sun_angles(day)), atmosphere.toward(*atmosphere.sun_angles(day))
         assert np.abs(one - other).max() <= 1e-7
 
 

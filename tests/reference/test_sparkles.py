@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from gpu import Probe
 from report import Report
-from seafoam.effects.sparkles import density
-from seafoam.plan import make_plan
+from seafoam.effects.light.sparkles import density
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import light as reference_light
-from seafoam.reference.sparkles import EPOCHS, Field
-from seafoam.render.executor import Executor
+from seafoam.reference.light import light as reference_light
+from seafoam.reference.light.sparkles import EPOCHS, Field
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Sparkles, Water
 
 SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from seafoam.framegraph.passes import State
 from seafoam.masks import load_catalogue
 from seafoam.masks.families import SIZES
-from seafoam.plan import PlanError, make_plan, planner
-from seafoam.plan.model import State
+from seafoam.planner import PlanError, make_plan, planner
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
 from seafoam.textures import texture
 

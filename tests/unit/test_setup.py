@@ -5,28 +5,16 @@ from collections.abc import Callable
 import pytest
 
 from gpu import WHOLE
-from seafoam.effects.contribution import (
-    Fullscreen,
-    Held,
-    Loop,
-    Phase,
-    Points,
-    Rule,
-    Target,
-    TargetInput,
-    Uniform,
-    Viewport,
-    ViewportSize,
-    Wrap,
-    number,
-)
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
-from seafoam.plan.model import Pass, Program, State
-from seafoam.plan.setup import with_setup
+from seafoam.framegraph.passes import Fullscreen, Pass, Points, State
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
+from seafoam.framegraph.rules import Held, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
+from seafoam.framegraph.shader import Program
+from seafoam.planner import FramePlan, make_plan
+from seafoam.planner.glsl import assemble
+from seafoam.planner.schedule import with_setup
 from seafoam.quality import TIERS
-from seafoam.render import executor as module
-from seafoam.render.executor import Executor, ShaderError
+from seafoam.render.gl import executor as module
+from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 

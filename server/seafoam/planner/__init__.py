@@ -1,0 +1,7 @@
+"""Frame plans: what a scene compiles to."""
+
+from seafoam.effects.effect import PlanError
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner.planner import AssemblyError, make_plan
+
+__all__ = ["AssemblyError", "FramePlan", "PlanError", "make_plan"]
