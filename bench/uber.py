@@ -14,7 +14,7 @@ from typing import get_args
 from unittest.mock import patch
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import Const, Contribution, SlotFile
+from seafoam.effects.effect import Const, Contribution, Inline, SlotFile
 from seafoam.effects.foam import front
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.plan import FramePlan
@@ -183,7 +183,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
     fixed = {name: value for name, value in consts.items() if name not in BY_SCENE}
     program = Program(
         vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
-        fragment=assemble([f"={text}"], fixed),
+        fragment=assemble([Inline(text)], fixed),
     )
     return _Uber(program, parts, tuple(plans), switches)
 

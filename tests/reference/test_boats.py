@@ -11,6 +11,7 @@ from gpu import WHOLE, Probe
 from report import Report
 from seafoam.effects.boats import boat as effect
 from seafoam.effects.boats.wake import ASIDE
+from seafoam.effects.effect import Inline
 from seafoam.framegraph.visibility import everywhere
 from seafoam.ocean.wakes import Wake, wake_level, wake_slope
 from seafoam.planner import FramePlan, make_plan
@@ -82,7 +83,7 @@ def drawn_heights(
     changed = plan.programs["surface"].model_copy(
         update={
             "vertex": WHOLE,
-            "fragment": shader.model_copy(update={"text": text, "sha256": assemble(["=" + text], {}).sha256}),
+            "fragment": shader.model_copy(update={"text": text, "sha256": assemble([Inline(text)], {}).sha256}),
         }
     )
     # Drawn for any eye, whether crests may cover it or not.
@@ -187,7 +188,7 @@ def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str)
     for seed in range(12):
         eye, d = rays(seed, 4000)
         got = probe(
-            ("=uniform vec3 u_eye;\nuniform vec2 u_rig;\n", "boat/hull.glsl"),
+            (Inline("uniform vec3 u_eye;\nuniform vec2 u_rig;\n"), "boat/hull.glsl"),
             body,
             d,
             consts={"BOAT_SAILS": True, "BOAT_MOTORS": True},
@@ -270,7 +271,7 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
         at = (rng.random((20000, 2)) * (1.05 * wake.length, 1.1 * ASIDE * wake.length)).astype(np.float32)
         at[:100, 1] = 0.0
         got = probe(
-            ("common/numbers.glsl", "=uniform vec4 u_wake;\nuniform vec2 u_form;\n", "wake/pattern.glsl"),
+            ("common/numbers.glsl", Inline("uniform vec4 u_wake;\nuniform vec2 u_form;\n"), "wake/pattern.glsl"),
             "y = wake_pattern(x.xy, u_wake, u_form.x, u_form.y);",
             at,
             uniforms={

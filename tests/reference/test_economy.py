@@ -11,7 +11,7 @@ from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Effect
 from seafoam.framegraph.visibility import drawn_passes, everywhere
 from seafoam.planner import make_plan
-from seafoam.planner.planner import NEGLIGIBLE
+from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene, Water

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
+from seafoam.effects.effect import Inline
 from seafoam.effects.light.light import sky_irradiance, sun_direction, sun_irradiance
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -152,7 +153,7 @@ def test_the_sun_goes_round() -> None:
 
 
 CUBE = ["common/cube_face.glsl", "reflection/cube.glsl"]
-SMOOTH = "=vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
+SMOOTH = Inline("vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n")
 SMOOTH += (
     "    vec3 d = normalize(cube_direction(face, side));\n    return vec3(d.x * d.y, d.z, sin(3.0 * d.x + d.z));\n}\n"
 )

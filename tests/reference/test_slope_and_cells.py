@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
+from seafoam.effects.effect import Inline
 from seafoam.effects.foam.look import CELLS
 from seafoam.effects.waves import parametric
 from seafoam.framegraph.evaluation import FrameState, evaluate
@@ -44,7 +45,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
         [
             "common/numbers.glsl",
             "waves/parametric.glsl",
-            "=vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n",
+            Inline("vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n"),
             "saturation/slope_lack.glsl",
             f"saturation/{name}.glsl",
         ],

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from gpu import WHOLE
+from seafoam.effects.effect import Inline
 from seafoam.framegraph.passes import Fullscreen, Pass, Points, State
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import Held, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
@@ -25,9 +26,9 @@ FLOWING = ("flow of drift", "drift, quarters of a brood back", "drift, two brood
 
 FIXED = Target.model_validate({"size": {"rule": "fixed", "width": 4, "height": 4}, "format": "RGBA16F"})
 SHADER = assemble(
-    ["=uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n"], {}
+    [Inline("uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n")], {}
 )
-BLIND = assemble(["=uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n"], {})
+BLIND = assemble([Inline("uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n")], {})
 PROGRAMS = {
     "read": Program(vertex=WHOLE, fragment=SHADER),
     "blind": Program(vertex=WHOLE, fragment=BLIND),

@@ -31,32 +31,72 @@ Const = int | float | bool | tuple[int, ...]
 
 
 @dataclass(frozen=True)
+class Source:
+    """A file of ``shaders/`` in which names are replaced, ``rename``: (old, new).
+
+    So another file can stand in its place and call it.
+    """
+
+    path: str
+    rename: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Inline:
+    """GLSL that stands in no file."""
+
+    text: str
+
+
+def constant_function(returns: str, name: str, parameters: str, value: str = "") -> Inline:
+    """A GLSL function that gives ``value``, or 0, whatever it is called with: what stands in a slot nothing fills."""
+    value = value or ("0.0" if returns == "float" else f"{returns}(0.0)")
+    return Inline(f"{returns} {name}({parameters}) {{\n    return {value};\n}}\n")
+
+
+@dataclass(frozen=True)
+class SlotRef:
+    """Whatever fills a slot of the surface's shader."""
+
+    slot: str
+
+
+Piece = str | Source | Inline
+"""A part of a shader's text; a bare string is the path of a file of ``shaders/``, taken as it is."""
+
+
+def path_of(piece: Piece | SlotRef) -> str | None:
+    """Path of the file that a piece is; None: it is none."""
+    return piece.path if isinstance(piece, Source) else piece if isinstance(piece, str) else None
+
+
+@dataclass(frozen=True)
 class SlotFile:
     """A GLSL file that fills a slot. ``prefix`` names its functions where several files share a slot.
 
-    ``needs``: helper files that go in before it, once however many ask for them.
+    ``needs``: helpers that go in before it, once however many ask for them.
     """
 
     slot: str
-    path: str
+    path: Piece
     prefix: str = ""
-    needs: tuple[str, ...] = ()
+    needs: tuple[Piece, ...] = ()
 
 
 @dataclass(frozen=True)
 class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
 
-    It covers its whole target unless told otherwise. ``@waves`` among the files stands for that slot as the surface's
-    shader has it, and brings what it reads; so do ``@find``, ``@sky`` and the others. ``stage``: before the surface is
+    It covers its whole target unless told otherwise. A :class:`SlotRef` among the files brings what its slot reads.
+    ``stage``: before the surface is
     drawn, or after surface and sky into :data:`ABOVE`, which is cleared for the first of them.
     """
 
     name: str
     program: str
-    fragment: tuple[str, ...]
+    fragment: tuple[Piece | SlotRef, ...]
     target: str
-    vertex: tuple[str, ...] = ("vertex/fullscreen.glsl",)
+    vertex: tuple[Piece | SlotRef, ...] = ("vertex/fullscreen.glsl",)
     mesh: Fullscreen | Grid | Points = field(default_factory=Fullscreen)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
@@ -64,7 +104,7 @@ class PassSpec:
     blend: Blend = "none"
     clear: bool = False
     view: View = "any"
-    under: tuple[str, ...] = ()
+    under: tuple[Piece | SlotRef, ...] = ()
     """Files of the fragment shader for eyes that crests may cover; none: the same as for others."""
 
 

@@ -8,7 +8,7 @@ again.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from seafoam.effects.effect import Const
+from seafoam.effects.effect import Const, Piece
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform, Viewport, vector
@@ -48,7 +48,7 @@ class Seen:
     """
 
     model: Pass
-    pieces: tuple[str, ...]
+    pieces: tuple[Piece, ...]
     depth: float = 0.0
 
 
@@ -89,7 +89,7 @@ class Spent:
             )
         )
 
-    def program(self, vertex: tuple[str, ...], fragment: Iterable[str], depth: float = 0.0) -> Program:
+    def program(self, vertex: tuple[str, ...], fragment: Iterable[Piece], depth: float = 0.0) -> Program:
         """A program with the constants of the choice."""
         return Program(
             vertex=assemble(vertex, {**self.consts, "FULLSCREEN_DEPTH": depth}),

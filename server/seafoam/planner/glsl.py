@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, lru_cache
 
-from seafoam.effects.effect import Const, SlotFile
+from seafoam.effects.effect import Const, Inline, Piece, SlotFile, Source
 from seafoam.framegraph.shader import Shader, SourceFile
 from seafoam.planner.slots import Slot
 from seafoam.resources import data_dir
@@ -17,6 +17,11 @@ PROLOGUE = (
     "precision highp sampler2D;\n"
     "precision highp usampler2D;\n"
 )
+
+COMMON = ("common/numbers.glsl", "common/camera.glsl")
+"""Files that most fragment shaders begin with."""
+FULLSCREEN = ("vertex/fullscreen.glsl",)
+"""The vertex shader of a triangle that covers its target."""
 
 _WORD = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
 
@@ -42,38 +47,37 @@ def const_line(name: str, value: Const) -> str:
     return f"const float {name} = {digits if any(mark in digits for mark in '.e') else digits + '.0'};\n"
 
 
-def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[str]:
-    """The files and joining functions that make up a slot: paths as they are, text behind ``=``."""
+def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[Piece]:
+    """The files and joining functions that make up a slot."""
     files = [file for file in chosen if file.slot == slot.name]
-    pieces: list[str] = []
+    pieces: list[Piece] = []
     for file in files:
         pieces += [*file.needs, file.path]
     if slot.under and not any(file.slot == slot.under for file in chosen):
         return pieces
-    if not files and slot.default:
+    if not files and slot.default is not None:
         pieces.append(slot.default)
-    return pieces + ["=" + join.glsl([file.prefix for file in files]) for join in slot.joins]
+    return pieces + [Inline(join.glsl([file.prefix for file in files])) for join in slot.joins]
 
 
-def assemble(pieces: Iterable[str], consts: Consts) -> Shader:
-    """A shader from files of ``shaders/`` (each once) and joining functions (pieces that start with ``=``).
+def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
+    """A shader from files of ``shaders/``, each once, and text in between.
 
-    Only the constants that the text names are defined. A path may end in ``?old=new``: the file's function ``old`` is
-    called ``new`` there, so that another file can stand in its place and call it; ``&`` joins several such.
+    Only the constants that the text names are defined.
     """
     parts: list[tuple[str, str]] = []
-    seen: set[str] = set()
+    seen: set[Source] = set()
     for piece in pieces:
-        if piece.startswith("="):
-            parts.append(("", piece[1:]))
-        elif piece not in seen:
-            seen.add(piece)
-            path, _, renamed = piece.partition("?")
-            text = read_file(path)
-            for pair in filter(None, renamed.split("&")):
-                old, _, new = pair.partition("=")
+        if isinstance(piece, Inline):
+            parts.append(("", piece.text))
+            continue
+        source = piece if isinstance(piece, Source) else Source(piece)
+        if source not in seen:
+            seen.add(source)
+            text = read_file(source.path)
+            for old, new in source.rename:
                 text = re.sub(rf"\b{old}\b", new, text)
-            parts.append((path, text))
+            parts.append((source.path, text))
     words = frozenset[str]().union(*(_words(text) for _, text in parts))
     text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
     files: list[SourceFile] = []

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Effect, PlanError
-from seafoam.planner.planner import NEGLIGIBLE
+from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names

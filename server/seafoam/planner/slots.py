@@ -8,6 +8,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from seafoam.effects.effect import Piece
+from seafoam.planner import defaults
+
 
 @dataclass(frozen=True)
 class Join:
@@ -40,13 +43,14 @@ class Join:
 
 @dataclass(frozen=True)
 class Slot:
-    """A place in a shader. ``joins``: where it takes several files; ``default``: the file where nothing fills it.
+    """A place in a shader. ``joins``: where it takes several files; ``default``: what
+    stands there where nothing fills it.
 
     ``under``: a slot; default and joins go in only where that one is filled.
     """
 
     name: str
-    default: str = ""
+    default: Piece | None = None
     under: str = ""
     joins: tuple[Join, ...] = ()
 
@@ -77,13 +81,13 @@ MARCHED = Slot("marched")
 """What marches share; filled where something marches to the surface."""
 NOW = Slot("now", default="surface/now_declared.glsl", under="marched")
 """Bounds of the surface as it is now, for a march's steps."""
-SHORT = Slot("short", default="surface/no_short.glsl", under="marched")
+SHORT = Slot("short", default=defaults.NO_SHORT_WAVES, under="marched")
 """Waves that a march tells apart from those they ride on: ``SHORT_WAVES`` says whether there are any."""
-BEYOND = Slot("beyond", default="surface/no_beyond.glsl", under="marched")
+BEYOND = Slot("beyond", default=defaults.NO_BEYOND, under="marched")
 """From where on a ray meets less steep waves."""
 FIND = Slot("find")
 """How the ray finds the surface; filled by the quality."""
-SHORT_BOUNDS = Slot("short bounds", default="surface/no_short_bounds.glsl")
+SHORT_BOUNDS = Slot("short bounds", default=defaults.NO_SHORT_BOUNDS)
 """Height over y = 0 (m), slope and second derivative (1/m) of the short waves at most."""
 MARCH_SLOTS = (MARCHED, NOW, SHORT, BEYOND)
 
@@ -121,29 +125,29 @@ CARRY = Slot("carry", under="carry", joins=(Join("vec2", "carry", "vec2 p", "car
 OPEN_CARRY = Slot("carry", under="carry", joins=(Join("vec2", "open_carry", "vec2 p", "carry", "p"),))
 SHORE_CARRY = Slot("shore carry", under="carry")
 """Where there is a shore, it joins the open sea's orbits with its own."""
-LOOK = Slot("look", default="look/none.glsl")
+LOOK = Slot("look", default=defaults.NO_FOAM)
 """Foam amount from saturation."""
 OVER = Slot("over", default="foam/over.glsl")
 """How foam meets water."""
-ALBEDO = Slot("albedo", default="foam/no_albedo.glsl", under="shade")
+ALBEDO = Slot("albedo", default=defaults.NO_ALBEDO, under="shade")
 LAYERED = Slot("layered")
-MOON = Slot("moon", default="sky/no_moon.glsl", under="layered")
-CLOUDS = Slot("clouds", default="clouds/none.glsl", under="layered")
-SKY = Slot("sky", default="sky/none.glsl")
+MOON = Slot("moon", default=defaults.NO_MOON, under="layered")
+CLOUDS = Slot("clouds", default=defaults.NO_CLOUDS, under="layered")
+SKY = Slot("sky", default=defaults.BLACK_SKY)
 """Light of the sky; a layered one is joined from air, moonlight and clouds."""
-MOON_DISC = Slot("moon disc", default="sky/no_moon_disc.glsl", under="layered")
-STARS = Slot("stars", default="sky/no_stars.glsl", under="layered")
+MOON_DISC = Slot("moon disc", default=defaults.NO_MOON_DISC, under="layered")
+STARS = Slot("stars", default=defaults.NO_STARS, under="layered")
 SKY_MAIN = Slot("sky main", default="sky/main.glsl")
-DISC = Slot("disc", default="sky/no_disc.glsl")
+DISC = Slot("disc", default=defaults.NO_SUN_DISC)
 BODY = Slot("body", default="body/deep.glsl", under="shade")
-CREST = Slot("crest", default="crest/none.glsl", under="shade")
-PLUME = Slot("plume", default="plume/none.glsl", under="shade")
+CREST = Slot("crest", default=defaults.NO_CREST_LIGHT, under="shade")
+PLUME = Slot("plume", default=defaults.NO_BUBBLES, under="shade")
 """Bubbles in the water under foam."""
-GLITTER = Slot("glitter", default="glitter/none.glsl", under="shade")
+GLITTER = Slot("glitter", default=defaults.NO_GLITTER, under="shade")
 REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 """What the water mirrors."""
 SHADE = Slot("shade", default="shade/flat.glsl")
-RELIEF = Slot("relief", default="foam/flat.glsl")
+RELIEF = Slot("relief", default=defaults.NO_RELIEF)
 """Called before water and foam are lit: what foam takes from the sun beside it."""
 CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
 """How the sun's light lies on a level floor."""
@@ -151,14 +155,14 @@ BED = Slot("bed")
 """A level floor as it is lit, where the eye over the surface tells its places apart."""
 CEILING = Slot("ceiling")
 """How a ray from under the surface finds it; filled as FIND is."""
-REACH = Slot("reach", default="bed/no_reach.glsl", under="below")
-UNDER_BED = Slot("under bed", default="bed/none.glsl", under="below")
+REACH = Slot("reach", default=defaults.NO_FLOOR_BELOW, under="below")
+UNDER_BED = Slot("under bed", default=defaults.NO_FLOOR_LIGHT, under="below")
 """The floor as an eye under the surface sees it: how far it is, and its light."""
-THROUGH = Slot("through", default="surface/no_floor.glsl")
+THROUGH = Slot("through", default=defaults.NO_FLOOR)
 """Called before the water is shaded: what is seen through it."""
-LAND = Slot("land", default="surface/no_land.glsl")
+LAND = Slot("land", default=defaults.NO_LAND)
 """What stands before the water."""
-LAND_FOAM = Slot("land foam", default="shore/no_line.glsl", under="land color")
+LAND_FOAM = Slot("land foam", default=defaults.NO_FOAM_ON_LAND, under="land color")
 """Foam on the land."""
 LAND_COLOR = Slot("land color")
 """What it looks like; none where no land is."""

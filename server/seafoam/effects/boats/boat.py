@@ -3,7 +3,18 @@
 import math
 
 from seafoam.effects.bounds import surface_top
-from seafoam.effects.effect import ABOVE, Contribution, Effect, HardCase, Knob, PassSpec
+from seafoam.effects.effect import (
+    ABOVE,
+    Contribution,
+    Effect,
+    HardCase,
+    Knob,
+    PassSpec,
+    Piece,
+    SlotRef,
+    Source,
+    constant_function,
+)
 from seafoam.effects.light.light import sky_irradiance
 from seafoam.effects.water.underside import WATER
 from seafoam.framegraph.passes import Ball
@@ -68,9 +79,9 @@ def _reach(boat: Boat, top: float) -> Ball:
     return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + top) + 0.1))
 
 
-def shade_files(scene: Scene) -> tuple[str, ...]:
+def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
     """What gives a boat its light, in a program that has no water."""
-    return ("@sky", "boat/dark.glsl") if scene.light is None else ("@sky", *LIGHT)
+    return (SlotRef("sky"), "boat/dark.glsl") if scene.light is None else (SlotRef("sky"), *LIGHT)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -93,7 +104,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         program="boat_pose",
         fragment=(
             "common/numbers.glsl",
-            "@waves",
+            SlotRef("waves"),
             COURSE,
             "boat/aground.glsl" if ashore else "boat/afloat.glsl",
             "boat/pose_pass.glsl",
@@ -104,18 +115,24 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "common/numbers.glsl",
         "common/camera.glsl",
         "common/place.glsl",
-        "@waves",
-        "@find",
+        SlotRef("waves"),
+        SlotRef("find"),
         *TRACE,
         *shade_files(scene),
         *(
             ("shore/ground.glsl", "surface/begin.glsl", "shore/maxima.glsl", "shore/find_land.glsl", "boat/land.glsl")
             if ashore
-            else ("boat/no_land.glsl",)
+            else (constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false"),)
         ),
     )
-    over = "boat/over.glsl?boat_hidden=boat_hidden_over&boat_before=boat_before_over"
-    under = (over, "shade/optics.glsl", "@ceiling", WATER, "@reach", "boat/under.glsl")
+    over = Source(
+        "boat/over.glsl",
+        (
+            ("boat_hidden", "boat_hidden_over"),
+            ("boat_before", "boat_before_over"),
+        ),
+    )
+    under = (over, "shade/optics.glsl", SlotRef("ceiling"), WATER, SlotRef("reach"), "boat/under.glsl")
     top = surface_top(scene)
     picture = PassSpec(
         name="boats",

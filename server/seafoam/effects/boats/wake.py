@@ -6,7 +6,7 @@ docs/formulae.md, section 15.
 import math
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Inline, Knob, PassSpec, SlotFile
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, array, number, significant
@@ -59,7 +59,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             name="wakes, greatest of blocks",
             program="wake_blocks",
             fragment=(
-                f"=const int BOUNDS_BLOCK = {BLOCK};\n",
+                Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"),
                 "wake/form.glsl",
                 "wake/bounds_blocks_pass.glsl",
             ),

@@ -4,7 +4,19 @@ import math
 from statistics import NormalDist
 
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, PlanError, SlotFile
+from seafoam.effects.effect import (
+    Bound,
+    Const,
+    Contribution,
+    Effect,
+    HardCase,
+    Knob,
+    PassSpec,
+    Piece,
+    PlanError,
+    SlotFile,
+    Source,
+)
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, TargetInput, TextureInput
@@ -54,7 +66,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if drift is None:
         return Contribution(
             why="no flow to carry foam",
-            slots=(SlotFile("saturation", "saturation/no_drift.glsl", prefix="drift"),),
             bound=Bound(0.0, "there is no drift"),
         )
     brood = source.life / BROODS
@@ -303,10 +314,10 @@ def carries(scene: Scene, quality: Quality) -> bool:
     return any(isinstance(one, DriftSaturation) and one.amount > 0.0 for one in scene.foam.saturation)
 
 
-def carried(look: str, quality: Quality) -> tuple[str, tuple[str, ...]]:
+def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that stands in for a look's where its mask is carried, and what it needs."""
     ways = "drift/way_exact.glsl" if quality.drift == "exact" else "drift/way_map.glsl"
-    return "drift/carried.glsl", (ways, f"{look}?foam_amount=still_amount")
+    return "drift/carried.glsl", (ways, Source(look, (("foam_amount", "still_amount"),)))
 
 
 def turning(vortex: Vortex) -> float:

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, Source
 from seafoam.effects.waves.sea import (
     displaced_target,
     drawn,
@@ -160,7 +160,7 @@ def _old(
                 fragment=(
                     "common/numbers.glsl",
                     "sea/gerstner.glsl",
-                    "sea/age_gerstner_pass.glsl?AGE_SIZE=OLD_SIZE",
+                    Source("sea/age_gerstner_pass.glsl", (("AGE_SIZE", "OLD_SIZE"),)),
                 ),
                 target="old_a",
                 uniforms={**gerstner_uniforms(drawn(scene, quality)[:RAISED], 0), **uniforms},
@@ -174,7 +174,7 @@ def _old(
             fragment=(
                 "common/numbers.glsl",
                 "sea/spectrum.glsl",
-                "sea/age_spectrum_pass.glsl?AGE_SIZE=OLD_SIZE",
+                Source("sea/age_spectrum_pass.glsl", (("AGE_SIZE", "OLD_SIZE"),)),
             ),
             target="old_a",
             inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Contribution, Effect, HardCase, SlotFile
+from seafoam.effects.effect import Contribution, Effect, HardCase, Piece, SlotFile, Source, constant_function
 from seafoam.effects.light.noise import PERLIN_2
 from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
@@ -29,16 +29,21 @@ CELLS = 256
 """The noise repeats after so many cells."""
 
 
+_NO_WINDROWS = constant_function("float", "windrow", "vec2 p, Footprint fp")
+_AT_REST = constant_function("vec2", "carry", "vec2 p")
+"""Off a coast too water lies where it rests."""
+
+
 def carries(scene: Scene) -> bool:
     """Whether waves carry the foam to and fro."""
     life = foam_life(scene)
     return life is not None and life.carried
 
 
-def living(look: str, life: FoamLife) -> tuple[str, tuple[str, ...]]:
+def living(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
     """The file that stands in for a look's where foam lives, and what it needs."""
-    rows = (*PERLIN_2, "foam/windrows.glsl") if life.windrows > 0.0 else ("foam/no_windrows.glsl",)
-    return "foam/living.glsl", (*rows, f"{look}?foam_amount=young_amount")
+    rows: tuple[Piece, ...] = (*PERLIN_2, "foam/windrows.glsl") if life.windrows > 0.0 else (_NO_WINDROWS,)
+    return "foam/living.glsl", (*rows, Source(look, (("foam_amount", "young_amount"),)))
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -49,8 +54,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     slots = [SlotFile("carry", "carry/still.glsl", prefix="still")]
     if scene.shore is not None:
         surf = any(isinstance(one, SurfSaturation) for one in (scene.foam.saturation if scene.foam else ()))
-        name = "none" if not life.carried else "surf" if surf else "shore"
-        slots.append(SlotFile("shore carry", f"carry/{name}.glsl"))
+        carry = f"carry/{'surf' if surf else 'shore'}.glsl" if life.carried else _AT_REST
+        slots.append(SlotFile("shore carry", carry))
     drift = foam_drift(scene)
     uniforms: dict[str, Uniform] = {}
     if life.windrows > 0.0:

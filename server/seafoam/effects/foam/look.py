@@ -11,9 +11,12 @@ from seafoam.effects.effect import (
     HardCase,
     Knob,
     PassSpec,
+    Piece,
     PlanError,
     SlotFile,
+    Source,
     TextureUse,
+    constant_function,
 )
 from seafoam.effects.foam import drift, mask_atlas
 from seafoam.effects.foam.living import AGE, living
@@ -115,6 +118,9 @@ def _texture_uniforms(foam: Foam) -> dict[str, Uniform]:
     return place("", foam.texture_tile) | place("_second", foam.texture_second)
 
 
+_NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
+
+
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by foam."""
     foam = scene.foam
@@ -124,7 +130,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     textured = foam.look in ("textured", "halftone_textured", "listing") or (
         foam.look == "filtered" and foam.texture > 0
     )
-    needs: tuple[str, ...] = ()
+    needs: tuple[Piece, ...] = ()
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {"u_foam_albedo": number(foam.albedo, "/foam/albedo")}
     inputs: dict[str, TextureInput | TargetInput] = {}
@@ -164,7 +170,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         levels = mask.ranks.shape[0].bit_length()
         rows = levels + (2 if octaves > 1 else 1)
         if not textured:
-            needs += ("foam/no_texture.glsl",)
+            needs += (_NO_TEXTURE,)
         consts |= {
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,
@@ -189,7 +195,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         targets, passes = mask_atlas.targets(masks), mask_atlas.passes(masks)
     look = f"look/{foam.look}.glsl"
     if masked and cells:
-        needs += (f"{look}?foam_amount=cell_amount",)
+        needs += (Source(look, (("foam_amount", "cell_amount"),)),)
         look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
     if drift.carries(scene, quality):
         look, own = drift.carried(look, quality)

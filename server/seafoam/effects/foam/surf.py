@@ -20,7 +20,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.shore is None:
         return Contribution(
             why="no shore to break on",
-            slots=(SlotFile("saturation", "saturation/no_surf.glsl", prefix="surf"),),
             bound=Bound(0.0, "there is no shore to break on"),
         )
     height = scene.shore.surf.height

@@ -27,7 +27,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if wake_limit(wake, scene) == 0.0:
         return Contribution(
             why="no boat moves",
-            slots=(SlotFile("saturation", "saturation/no_wake.glsl", prefix="wake"),),
             bound=Bound(0.0, "no boat moves"),
         )
     amounts = []

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, SlotFile, Source
 from seafoam.effects.light.glitter import brightest_glint, smooth_glint
 from seafoam.effects.light.noise import HASH
 from seafoam.framegraph.rules import Loop, array, number, significant
@@ -29,10 +29,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     # Four may lie over one another, each in the middle of its life at 1.9 times its mean.
     peak = 4.0 * 1.9 / (math.pi / 3.0 * radius * radius * density(sparkles))
     path, needs, uniforms = smooth_glint(light)
+    smooth = Source(path, (("glitter_light", "smooth_glitter"),))
     return Contribution(
         why=f"sparks of {1e3 * sparkles.size:g} mrad for {sparkles.life:g} s",
         slots=(
-            SlotFile("glitter", "glitter/sparkles.glsl", needs=(*needs, HASH, f"{path}?glitter_light=smooth_glitter")),
+            SlotFile(
+                "glitter",
+                "glitter/sparkles.glsl",
+                needs=(*needs, HASH, smooth),
+            ),
         ),
         consts={"SPARKLE_CELLS": quality.sparkle_cells},
         uniforms={

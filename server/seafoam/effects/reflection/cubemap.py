@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, SlotRef
 from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
@@ -73,7 +73,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 fragment=(
                     "common/numbers.glsl",
                     "common/camera.glsl",
-                    "@sky",
+                    SlotRef("sky"),
                     *(land if shore else ("reflection/open.glsl",)),
                     "common/cube_face.glsl",
                     "reflection/cube.glsl",

@@ -2,7 +2,19 @@
 
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.bounds import mean_level
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import (
+    Bound,
+    Contribution,
+    Effect,
+    HardCase,
+    Inline,
+    Knob,
+    PassSpec,
+    Piece,
+    SlotFile,
+    SlotRef,
+    constant_function,
+)
 from seafoam.effects.reflection.cubemap import LIT_LAND, SHORE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Uniform, number, significant
@@ -19,6 +31,13 @@ LOOKS = 8
 """At how many places along the reflected ray land is looked for, each twice as far as the one before."""
 
 
+_NO_BOATS = Inline(
+    "float boats_met(vec3 o, vec3 d, bool far, out vec3 light) {\n    light = vec3(0.0);\n    return -1.0;\n}\n"
+)
+_NO_LAND = Inline("float land_met(vec3 o, vec3 d, out vec3 light) {\n    light = vec3(0.0);\n    return -1.0;\n}\n")
+_NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r, float level", "-1.0")
+
+
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by a light whose ``reflection`` is planar."""
     if scene.light is None or scene.light.reflection != "planar":
@@ -26,11 +45,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if not scene.boats and scene.shore is None:
         return Contribution(
             why="nothing stands over the water",
-            slots=(SlotFile("reflection", "reflection/sky.glsl"),),
             bound=Bound(0.0, "nothing stands over the water"),
         )
     level: dict[str, Uniform] = {"u_mirror_level": number(significant(mean_level(scene)))}
-    boats = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else ("reflection/no_boats_met.glsl",)
+    boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else (_NO_BOATS,)
     if quality.reflection == "traced":
         met = (*boats, *_land(scene, "reflection/prototypes.glsl"), "reflection/met.glsl")
         return Contribution(
@@ -39,7 +57,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             uniforms=level,
         )
     size = quality.reflection_size
-    guess = (COURSE, "reflection/guess.glsl") if scene.boats else ("reflection/no_guess.glsl",)
+    guess: tuple[Piece, ...] = (COURSE, "reflection/guess.glsl") if scene.boats else (_NO_GUESS,)
     inputs: dict[str, TextureInput | TargetInput] = {}
     if scene.shore is not None:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
@@ -63,7 +81,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 fragment=(
                     "common/numbers.glsl",
                     "common/camera.glsl",
-                    "@sky",
+                    SlotRef("sky"),
                     *boats,
                     *_land(scene, "reflection/around_shade.glsl"),
                     "reflection/met.glsl",
@@ -76,10 +94,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _land(scene: Scene, shade: str) -> tuple[str, ...]:
+def _land(scene: Scene, shade: str) -> tuple[Piece, ...]:
     """What finds and lights land; ``shade``: where ``irradiance`` and ``in_air`` come from."""
     if scene.shore is None:
-        return ("reflection/no_land_met.glsl",)
+        return (_NO_LAND,)
     return (*SHORE, "shade/sun.glsl", "shade/fresnel.glsl", shade, *LIT_LAND, "reflection/land_met.glsl")
 
 

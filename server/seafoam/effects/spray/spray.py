@@ -3,7 +3,18 @@
 import math
 from typing import Literal
 
-from seafoam.effects.effect import ABOVE, Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, TextureUse
+from seafoam.effects.effect import (
+    ABOVE,
+    Bound,
+    Const,
+    Contribution,
+    Effect,
+    HardCase,
+    Knob,
+    PassSpec,
+    SlotRef,
+    TextureUse,
+)
 from seafoam.effects.light.noise import HASH
 from seafoam.effects.waves.parametric import steepest_profile
 from seafoam.framegraph.passes import Points
@@ -99,9 +110,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         vertex=(
             "common/numbers.glsl",
             "common/camera.glsl",
-            "@waves",
-            "@find",
-            "@sky",
+            SlotRef("waves"),
+            SlotRef("find"),
+            SlotRef("sky"),
             *(("shade/sun.glsl", "spray/lit.glsl") if lit else ("spray/unlit.glsl",)),
             HASH,
             "spray/flight.glsl",
@@ -121,7 +132,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts=consts,
         uniforms=uniforms,
         textures=textures,
-        passes=(drawn,),
+        passes=() if source == "none" else (drawn,),
         bound=Bound(0.0, words) if source == "none" or fastest <= spray.threshold else None,
     )
 

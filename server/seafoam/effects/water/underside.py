@@ -95,7 +95,7 @@ EFFECT = Effect(
         ),
         _case(
             "no floor to mirror, a kilometre down",
-            "ways held at 1000 km, depths at 0 (bed/no_reach.glsl, below/water.glsl)",
+            "ways held at 1000 km, depths at 0 (planner/defaults.py, below/water.glsl)",
             "nothing: light is 3e-9 there, and 1e38 m of water let none of it through",
             Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
             water=Water(chop=Chop()),

@@ -3,7 +3,7 @@
 docs/formulae.md, section 3.
 """
 
-from seafoam.effects.effect import PassSpec
+from seafoam.effects.effect import Inline, PassSpec
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import number
 
@@ -30,7 +30,7 @@ def measured_bounds(
             name=f"{source}, greatest of blocks",
             program=f"bounds_{stride}",
             fragment=(
-                f"=const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n",
+                Inline(f"const int BOUNDS_BLOCK = {BLOCK};\nconst int BOUNDS_STRIDE = {stride};\n"),
                 "surface/bounds_pass.glsl",
             ),
             target=blocks,

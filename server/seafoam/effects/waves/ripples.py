@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from seafoam.effects.bounds import slope_sensitivity
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, Source
 from seafoam.effects.light.noise import PERLIN_3
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant
@@ -153,7 +153,7 @@ def _gusts(chop: Chop) -> _Gusts:
 def _detail(ripples_file: str, gusts: _Gusts) -> SlotFile:
     if not gusts.uniforms:
         return SlotFile("detail", ripples_file, prefix="chop", needs=("chop/bands.glsl",))
-    needs = ("chop/bands.glsl", f"{ripples_file}?chop_detail=even_detail", *PERLIN_3)
+    needs = ("chop/bands.glsl", Source(ripples_file, (("chop_detail", "even_detail"),)), *PERLIN_3)
     return SlotFile("detail", "chop/gusts.glsl", prefix="chop", needs=needs)
 
 
