@@ -109,6 +109,7 @@ bake: setup
 docs: setup-test
 	$(BIN)/seafoam openapi > $(WEB)/openapi.json
 	cd $(WEB) && ../$(NODE) npm run types --silent
+	$(BIN)/python docs/make_stability.py
 	$(BIN)/python docs/make_pictures.py
 
 # The page's first pictures, checked in: those whose preset starts otherwise now. After a change of how water looks: NAMES.

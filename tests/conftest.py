@@ -1,8 +1,10 @@
 """Fixtures that every level shares."""
 
+import json
 import os
 from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -68,7 +70,15 @@ def report() -> Report:
     return REPORT
 
 
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Print what the tests measured."""
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Where to write what the tests measured."""
+    parser.addoption("--figures", type=Path, help="write what the tests measure to this file too, as JSON")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """Print what the tests measured, and write it where it is asked for."""
     for line in REPORT.lines():
         terminalreporter.write_line(line)
+    if (file := config.getoption("figures")) is not None:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps(REPORT.tables, ensure_ascii=False), encoding="utf-8")

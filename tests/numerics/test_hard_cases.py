@@ -1,11 +1,14 @@
 """Every effect's hard cases: finite, non-negative, and as the float64 reference has them (docs/stability.md)."""
 
 import math
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import seafoam
 from exact import EXACT
 from gpu import Probe
 from report import Report
@@ -16,6 +19,7 @@ from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.reference import render as reference
 from seafoam.reference.foam import saturation
 from seafoam.render.gl.executor import Executor
+from seafoam.resources import data_dir
 from seafoam.scene.models import Camera, Foam, ParametricWave, Scene
 from seafoam.scene.presets import load_preset
 
@@ -89,6 +93,19 @@ def test_every_effect_has_hard_cases(effect: Effect) -> None:
         assert case.without
         assert case.times
         assert effect.contribute(case.scene, EXACT) is not None, f"{case.name} does not call for it"
+
+
+@pytest.mark.parametrize(("effect", "case"), CASES)
+def test_guards_stand_where_they_are_said_to(effect: Effect, case: HardCase) -> None:
+    """Files that a guard names exist, and a shader among them is drawn: a guard in another file guards nothing here."""
+    named = re.findall(r"[\w/]+\.(?:glsl|py)", case.guard)
+    for name in named:
+        folder = data_dir("shaders") if name.endswith(".glsl") else Path(seafoam.__file__).parent
+        assert any(folder.rglob(name)), f"no file {name}"
+    if named and all(name.endswith(".glsl") for name in named):
+        plans = (make_plan(case.scene, quality) for quality in QUALITIES.values())
+        shaders = (shader for plan in plans for one in plan.programs.values() for shader in (one.vertex, one.fragment))
+        assert any(file.path in named for shader in shaders for file in shader.files), f"none of {named} is drawn"
 
 
 def test_names_tell_cases_apart() -> None:

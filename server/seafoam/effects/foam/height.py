@@ -134,7 +134,7 @@ EFFECT = Effect(
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
         HardCase(
-            name="heights that the eye sees, from as high as the crests and along them",
+            name="heights that the eye sees, from between the crests and along them",
             scene=Scene(
                 waves=(
                     ParametricWave(amplitude=1.0, wavelength=9.0, exponent=3.0),
@@ -142,11 +142,12 @@ EFFECT = Effect(
                 ),
                 foam=Foam(saturation=(HeightSaturation(base=0.2, full=0.201),)),
             ),
-            guard="lengths divided by at least 1e-6, the way along the waves at least 1e-3 of all, heights spread by "
-            "at least a thousandth of the ramp (saturation/height_seen.glsl, saturation/level.glsl)",
-            without="nothing on llvmpipe; right along the crests, right under the eye and where nothing is lost 0/0",
-            times=(0.0, 1e9),
-            camera=Camera(position=(0.0, 1.0, 0.0), yaw=1.5707963, pitch=-0.05),
+            guard="what stands over the eye is seen as from right above; lengths divided by at least 1e-6, heights "
+            "spread by at least a thousandth of the ramp (saturation/height_seen.glsl, saturation/level.glsl)",
+            without="the root of a negative fall: in quality standard 44 % of samples off by more than 2 levels, not "
+            "9, and 60 in the mean, not 6.9; the rest: nothing on llvmpipe, 0/0 right under the eye and where nothing "
+            "is lost",
+            camera=Camera(position=(4.5, 0.2, 0.0), yaw=1.5707963, pitch=-0.05),
         ),
     ),
 )

@@ -99,7 +99,7 @@ EFFECT = Effect(
             name="foam that has drifted for thirty years",
             scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
             guard="the way of the drift reduced in float64, a phase of the mask (effects/foam/look.py)",
-            without="in float32 the way of the drift at 1e9 s is a multiple of 32 m: another mask everywhere",
+            without="in float32 at 1e9 s: 29 % of samples off by more than 2 levels, 29 in the mean",
             times=(-1e9, 1e9),
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
         ),
@@ -107,19 +107,20 @@ EFFECT = Effect(
             name="foam of any age, ten thousand kilometres away",
             scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
             guard="the eye's place in the windrows' noise reduced in float64 (effects/foam/living.py)",
-            without="in float32 the rows stand elsewhere: places of 1e7 m are a metre apart",
+            without="in float32: 14 % of samples off by more than 2 levels, 4.2 in the mean: the rows stand elsewhere",
             camera=Camera(position=(9.99e6, 1.4, -9.99e6), yaw=1.0, pitch=-0.3),
         ),
         HardCase(
             name="foam next to none and next to whole, of all ages",
             scene=Scene(
-                foam=_FOAM.model_copy(
-                    update={"saturation": (HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),)}
-                )
+                waves=(ParametricWave(amplitude=1.0, wavelength=6.0, exponent=2.0),),
+                foam=_FOAM.model_copy(update={"saturation": (HeightSaturation(base=0.0, full=1.0),)}),
             ),
-            guard="the saturation at least 1e-6 in its logarithm (foam/living.glsl)",
-            without="the logarithm of 0: an age without end, held by a clamp that NaN would pass",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
+            guard="rows take no more than there is, their ridges held at -1 (foam/windrows.glsl); the saturation at "
+            "least 1e-6 in its logarithm (foam/living.glsl)",
+            without="ridges not held: 7 % of samples off by more than 2 levels, 1.3 in the mean; the logarithm of 0: "
+            "nothing on llvmpipe, where it is -infinity and there is no foam of that age",
+            camera=Camera(position=(0.37, 12.0, -0.21), yaw=1.0, pitch=-0.6),
         ),
         HardCase(
             name="foam on a coast without surf",
@@ -129,7 +130,7 @@ EFFECT = Effect(
                 foam=_FOAM,
             ),
             guard="the gradient of the waves' phase at least 1e-6 (carry/shore.glsl)",
-            without="nothing on llvmpipe; where the phase is level, 0/0",
+            without="0/0 where the phase is level: 1.9 % of samples off by more than 2 levels, the worst by 162",
             camera=Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
         ),
     ),

@@ -91,7 +91,7 @@ EFFECT = Effect(
                 shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
                 foam=_FOAM,
             ),
-            guard="the way to the shore divided by at least 1e-6 (saturation/surf.glsl)",
+            guard="the way to the shore divided by at least 1e-6 (saturation/surf_filtered.glsl)",
             without="nothing on llvmpipe: no point has a way of 0 to the last digit",
             camera=_VIEW,
         ),

@@ -1,0 +1,98 @@
+"""The table of hard cases in docs/stability.md: what effects declare of them, and what their tests measured last.
+
+Run as ``python docs/make_stability.py`` after a change of words. After a change of what is drawn, measure first::
+
+    CI=1 pytest tests/numerics/test_hard_cases.py tests/browser/test_hard_cases.py --figures hard-cases.json
+    python docs/make_stability.py hard-cases.json
+
+What is measured stands in docs/stability.json; a run of some cases leaves the others' figures as they are.
+"""
+
+import argparse
+import hashlib
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.effect import HardCase
+
+PAGE = Path(__file__).parent / "stability.md"
+FIGURES = Path(__file__).parent / "stability.json"
+MARK = "<!-- cases -->\n"
+REFERENCE = "Hard cases against the float64 reference"
+BROWSER = "Hard cases on SwiftShader"
+"""How the titles of the tests' tables begin (tests/numerics, tests/browser)."""
+Figures = dict[str, dict[str, Any]]
+"""By a case's name: ``of``, what was measured; ``mean`` (levels, null: not compared) and ``over_2`` (%) against the
+reference, ``swiftshader`` (levels)."""
+
+
+def drawn(case: HardCase) -> str:
+    """Hash of what is drawn of a case: scene, times and camera, without what is at its default."""
+    camera = case.camera.model_dump(mode="json", exclude_defaults=True) if case.camera else None
+    what = [case.scene.model_dump(mode="json", exclude_defaults=True), case.times, camera]
+    return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()[:12]
+
+
+def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[dict[str, str]]]) -> Figures:
+    """The figures with those of a run's tables, of the cases that there are; none of a case that has changed since."""
+    result: Figures = {}
+    for case in (case for effect in EFFECTS for case in effect.hard_cases):
+        of = drawn(case)
+        known = figures.get(case.name, {})
+        one = dict(known) if known.get("of") == of else {"of": of}
+        for title, rows in tables.items():
+            own = [row for row in rows if row.get("case") == case.name]
+            if own and title.startswith(REFERENCE):
+                apart = own[0]["mean"] == "apart"
+                one["mean"] = None if apart else float(own[0]["mean"])
+                one["over_2"] = None if apart else float(own[0]["over_2"].removesuffix(" %"))
+            elif own and title.startswith(BROWSER):
+                one["swiftshader"] = max(float(row["mean"]) for row in own)
+        if "mean" in one:
+            result[case.name] = one
+    return result
+
+
+def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
+    """A row for each case, in Markdown. Raises ``KeyError`` where the reference was not asked for one."""
+    rows = ["| case | guard, and where | without it | now | SwiftShader |", "|---|---|---|---|---|"]
+    for effect in EFFECTS:
+        for case in effect.hard_cases:
+            one = figures[case.name]
+            now = f"{one['mean']:.4f} levels, {one['over_2']:.2f} % over 2" if one["mean"] is not None else None
+            cells = [
+                f"{effect.name}: {case.name}",
+                case.guard,
+                case.without,
+                now or "sound; not compared (below)",
+                f"{one['swiftshader']:.2f}" if "swiftshader" in one else "–",
+            ]
+            joined = " | ".join(cell.replace("|", r"\|") for cell in cells)
+            rows.append(f"| {joined} |")
+    return "\n".join(rows) + "\n"
+
+
+def filled(text: str, figures: Mapping[str, Mapping[str, Any]]) -> str:
+    """The page's text with the table between its marks."""
+    before, _, after = text.split(MARK)
+    return before + MARK + table(figures) + MARK + after
+
+
+def main() -> None:
+    """Merge figures where a file is named, and write the table."""
+    parser = argparse.ArgumentParser(description="Write the table of docs/stability.md.")
+    parser.add_argument("measured", nargs="?", type=Path, help="what pytest --figures wrote")
+    measured = parser.parse_args().measured
+    figures = json.loads(FIGURES.read_text(encoding="utf-8"))
+    if measured is not None:
+        figures = merged(figures, json.loads(measured.read_text(encoding="utf-8")))
+        lines = [f"{json.dumps(name, ensure_ascii=False)}: {json.dumps(one)}" for name, one in figures.items()]
+        FIGURES.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), figures), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
