@@ -213,7 +213,7 @@ def _variants(quality: Quality, exact_ripples: bool) -> list[tuple[Scene, Qualit
 
 def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
     """The program's text piece by piece, and for each switch the files that its numbers stand for."""
-    texts = [read_file(f"common/{name}.glsl") for name in ("numbers", "camera", "place")]
+    texts = [read_file(f"lib/{name}.glsl") for name in ("numbers", "camera", "place")]
     switches: dict[str, Sequence[str]] = {}
     helpers: set[str] = set()
     for slot in surface_slots("max"):

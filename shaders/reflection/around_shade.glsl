@@ -1,4 +1,4 @@
-// Light on land and air before it, for the pass that draws the cube map: as in shade/lit.glsl, without the water.
+// Light on land and air before it, for the pass that draws the cube map: as in light/shade/lit.glsl, without the water.
 uniform vec3 u_sky_irradiance;
 uniform float u_visibility; // m
 

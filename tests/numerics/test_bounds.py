@@ -99,10 +99,10 @@ void main() {
 
 def probing(plan: FramePlan, span: float) -> FramePlan:
     """The plan with its pass of starts drawing what breaks a bound instead: over, steeper, risen (m), bend (1/m)."""
-    told = any("sea/short.glsl" in effect.files for effect in plan.effects)
+    told = any("waves/sea/short.glsl" in effect.files for effect in plan.effects)
     few, fewest = ("sea_short", "short_bounds()") if told else ("vec3(0.0)", "vec3(0.0)")
     main = _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest)
-    return instead(plan, (read_file("sea/short_bounds.glsl") if told else "") + main)
+    return instead(plan, (read_file("waves/sea/short_bounds.glsl") if told else "") + main)
 
 
 def instead(plan: FramePlan, main: str) -> FramePlan:

@@ -24,17 +24,17 @@ from seafoam.scene.models import Camera, DriftSaturation, Foam, ParametricWave, 
 Floats = NDArray[np.float64]
 
 FILES = (
-    "common/numbers.glsl",
-    "drift/square.glsl",
-    "drift/clock.glsl",
-    "drift/flow.glsl",
-    "noise/hash.glsl",
-    "noise/value.glsl",
-    "drift/patches.glsl",
-    "drift/ago.glsl",
-    "drift/back.glsl",
-    "saturation/drift_rim.glsl",
-    "saturation/drift_exact.glsl",
+    "lib/numbers.glsl",
+    "foam/drift/square.glsl",
+    "foam/drift/clock.glsl",
+    "foam/drift/flow.glsl",
+    "lib/noise/hash.glsl",
+    "lib/noise/value.glsl",
+    "foam/drift/patches.glsl",
+    "foam/drift/ago.glsl",
+    "foam/drift/back.glsl",
+    "foam/saturation/drift_rim.glsl",
+    "foam/saturation/drift_exact.glsl",
 )
 FOOTPRINT = "Footprint(vec2(0.0), vec2(0.0))"
 STANDARD = TIERS["standard"]

@@ -62,7 +62,7 @@ def drawn(
     state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
     uniforms = {name: evaluate(uniform, state) for name, uniform in given.uniforms.items()}
     consts = {**given.consts, "SURFACE_FILTER": False}
-    return probe(("common/numbers.glsl", *files), body, places(), consts=consts, uniforms=uniforms).astype(np.float64)
+    return probe(("lib/numbers.glsl", *files), body, places(), consts=consts, uniforms=uniforms).astype(np.float64)
 
 
 def between(got: NDArray[np.float64], want: NDArray[np.float64]) -> float:
@@ -108,7 +108,7 @@ def test_ripples_equal_float64_at_any_time_and_place(
     """Ripples have slopes alone: no height and no displacement to compare."""
     scene = Scene(water=Water(chop=Chop(slope=0.2)))
     body = "y.xyz = chop_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
-    files = ("chop/bands.glsl", "chop/exact.glsl")
+    files = ("waves/ripples/bands.glsl", "waves/ripples/exact.glsl")
     got = drawn(probe, chop.EFFECT, files, body, scene, time, origin)[:, :2]
     x, z = places().astype(np.float64).T
     want = np.column_stack(ripple_set(scene.water.chop, time, origin).gradient(x, z))

@@ -22,7 +22,7 @@ from seafoam.scene.models import Camera, Scene, Water
 from seafoam.scene.presets import load_preset
 from seafoam.scene.rings import RINGS_MOST, Ring
 
-FILES = ("common/numbers.glsl", "rings/ring.glsl", "rings/exact.glsl")
+FILES = ("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/exact.glsl")
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 
 
@@ -282,7 +282,7 @@ def test_rings_are_still_where_the_map_leaves_them_out(probe: Probe, origin: tup
 def test_bits_are_found_one_by_one(probe: Probe) -> None:
     at = np.array([[float(i)] for i in range(32)], np.float32)
     body = "uint bits = 0xffffffffu << uint(int(x.x));\ny.x = float(ring_first(bits));\ny.y = float(ring_first(0u));"
-    got = probe(("common/numbers.glsl", "rings/ring.glsl"), body, at, consts=given(Scene(rings=(Ring(),))).consts)
+    got = probe(("lib/numbers.glsl", "waves/rings/ring.glsl"), body, at, consts=given(Scene(rings=(Ring(),))).consts)
     assert (got[:, 0] == np.arange(32)).all()
     assert (got[:, 1] == 0.0).all()
 

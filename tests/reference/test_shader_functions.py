@@ -23,14 +23,14 @@ from seafoam.scene.models import Foam, HeightSaturation, ParametricWave, Scene
 from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
 TOLERANCE = 1e-5
-NUMBERS = "common/numbers.glsl"
-PHASE = ("saturation/front_own.glsl", "saturation/front_gate.glsl", "saturation/front_profile.glsl")
+NUMBERS = "lib/numbers.glsl"
+PHASE = ("foam/saturation/front_own.glsl", "foam/saturation/front_gate.glsl", "foam/saturation/front_profile.glsl")
 FILTERED_FRONT = (
     NUMBERS,
     Inline("uniform float u_eye_height;"),
     *PHASE,
-    "saturation/front_seen.glsl",
-    "saturation/front_filtered.glsl",
+    "foam/saturation/front_seen.glsl",
+    "foam/saturation/front_filtered.glsl",
 )
 CONSTANTS = {"text": (math.pi / 2, math.e), "listing": (1.07, 2.718)}
 
@@ -60,7 +60,7 @@ def test_front_equals_its_float64_form(probe: Probe, constants: str, intensity: 
     psi = phases()
     # One wave with k = (1, 0) and phase 0: psi = -p.x, through every line of the shader.
     got = probe(
-        [NUMBERS, *PHASE, "saturation/front.glsl"],
+        [NUMBERS, *PHASE, "foam/saturation/front.glsl"],
         "y.x = front_saturation(vec2(-x.x, 0.0), 0.0, Footprint(vec2(0.0), vec2(0.0)));",
         psi[:, None],
         consts={"FRONT_COUNT": 1, "FRONT_GATED": False},
@@ -203,7 +203,7 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     sides = f"vec2({0.3 * long:.9g}, {0.1 * long:.9g}), vec2(0.0)"
     level = f"Footprint level_footprint(vec2 p, float height) {{ return Footprint({sides}); }}"
     got = probe(
-        [NUMBERS, Inline("uniform float u_eye_height;"), Inline(level), "saturation/height_seen.glsl"],
+        [NUMBERS, Inline("uniform float u_eye_height;"), Inline(level), "foam/saturation/height_seen.glsl"],
         "y.x = height_saturation(vec2(0.6, 0.8) * x.x, x.y, Footprint(vec2(0.0), vec2(0.0)));",
         x,
         consts={"HEIGHT_NODES": HEIGHT_NODES, "SURFACE_FILTER": True},
@@ -236,7 +236,7 @@ def test_torn_steps_are_means_over_what_was_lost(probe: Probe) -> None:
     x = np.linspace(-0.5, 1.5, 401, dtype=np.float32)
     for variance in (0.0, 0.002, 0.02):
         got = probe(
-            [NUMBERS, "saturation/torn.glsl"], f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});", x[:, None]
+            [NUMBERS, "foam/saturation/torn.glsl"], f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});", x[:, None]
         )[:, 0]
         spread = np.random.default_rng(1).normal(0.0, math.sqrt(variance), 20000)
         t = np.clip((x[:, None].astype(np.float64) + spread - 0.25) / 0.47, 0.0, 1.0)
@@ -261,7 +261,7 @@ def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
     sides = (0.125, 0.5, 1.0, 2.0)
     x = np.float32([[side, 0.0] for side in sides])
     got = probe(
-        [NUMBERS, "saturation/torn.glsl"],
+        [NUMBERS, "foam/saturation/torn.glsl"],
         "y.xy = torn_noise(vec2(0.5, 0.0), 1.0, 3.0, 1.0, Footprint(vec2(3.0 * x.x, 0.0), vec2(0.0, 3.0 * x.x)));",
         x,
     )
@@ -276,7 +276,7 @@ def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
 def test_height_equals_its_float64_form(probe: Probe, file: str, cap: float) -> None:
     heights = np.linspace(-3.0, 9.0, 3001, dtype=np.float32)
     got = probe(
-        [NUMBERS, f"saturation/{file}.glsl"],
+        [NUMBERS, f"foam/saturation/{file}.glsl"],
         "y.x = height_saturation(vec2(0.0), x.x, Footprint(vec2(0.0), vec2(0.0)));",
         heights[:, None],
         uniforms={"u_height_base": np.float32(0.3), "u_height_full": np.float32(2.1)},
@@ -370,7 +370,7 @@ def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
         "float foam_texture(vec2 p, Footprint fp) {\n    return given.z;\n}\n"
     )
     got = probe(
-        [NUMBERS, stand_ins, f"look/{look}.glsl"],
+        [NUMBERS, stand_ins, f"foam/look/{look}.glsl"],
         "given = x;\n y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(0.0), vec2(0.0)));",
         values,
     )[:, 0]
@@ -414,7 +414,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
             NUMBERS,
             "foam/mask_coordinates.glsl",
             Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
-            "look/filtered.glsl",
+            "foam/look/filtered.glsl",
         ],
         "y.x = filtered_coverage(x.x, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
         inputs,
@@ -457,7 +457,7 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
     )
     texture = Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n")
     got = probe(
-        [NUMBERS, stand_in, texture, "look/filtered.glsl"],
+        [NUMBERS, stand_in, texture, "foam/look/filtered.glsl"],
         "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",
         inputs,
         consts=filtered_consts(mask, fade, octaves),

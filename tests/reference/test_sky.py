@@ -25,8 +25,8 @@ from seafoam.scene.presets import load_preset
 from seafoam.scene.sky import Clouds, Day, Moon, Sky, sun_angles
 
 REFERENCES = Path(__file__).parent.parent / "references"
-HASH = "noise/hash.glsl"
-FILES = {2: "noise/perlin_2.glsl", 3: "noise/perlin_3.glsl"}
+HASH = "lib/noise/hash.glsl"
+FILES = {2: "lib/noise/perlin_2.glsl", 3: "lib/noise/perlin_3.glsl"}
 AXES = {2: "x.xy", 3: "x.xyz"}
 
 
@@ -152,7 +152,7 @@ def test_the_sun_goes_round() -> None:
         assert np.abs(one - other).max() <= 1e-7
 
 
-CUBE = ["common/cube_face.glsl", "reflection/cube.glsl"]
+CUBE = ["lib/cube_face.glsl", "reflection/cube.glsl"]
 SMOOTH = Inline("vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n")
 SMOOTH += (
     "    vec3 d = normalize(cube_direction(face, side));\n    return vec3(d.x * d.y, d.z, sin(3.0 * d.x + d.z));\n}\n"

@@ -43,11 +43,11 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
     name = "slope_blurred" if blur > 0.0 else "slope"
     got = probe(
         [
-            "common/numbers.glsl",
+            "lib/numbers.glsl",
             "waves/parametric.glsl",
             Inline("vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n"),
-            "saturation/slope_lack.glsl",
-            f"saturation/{name}.glsl",
+            "foam/saturation/slope_lack.glsl",
+            f"foam/saturation/{name}.glsl",
         ],
         "y.x = slope_saturation(x.xy, 0.0, Footprint(vec2(0.0), vec2(0.0)));",
         at,

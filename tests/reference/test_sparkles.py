@@ -19,13 +19,13 @@ from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Spa
 
 SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
 FILES = (
-    "common/numbers.glsl",
-    "common/camera.glsl",
+    "lib/numbers.glsl",
+    "lib/camera.glsl",
     Inline(
         "uniform vec3 u_sun_irradiance;\nvec3 smooth_glitter(vec3 d, vec3 n, float s, float c) { return vec3(0.0); }\n"
     ),
-    "noise/hash.glsl",
-    "glitter/sparkles.glsl",
+    "lib/noise/hash.glsl",
+    "light/glitter/sparkles.glsl",
 )
 
 
@@ -154,10 +154,10 @@ def test_the_lakes_highlight_equals_its_float64_form(probe: Probe, power: float,
     # A probe takes four numbers: slopes and two of d, whose third is below the horizon.
     got = probe(
         [
-            "common/numbers.glsl",
+            "lib/numbers.glsl",
             Inline("uniform vec3 u_sun_direction;\n"),
-            "shade/sun.glsl",
-            "glitter/blinn_phong.glsl",
+            "light/shade/sun.glsl",
+            "light/glitter/blinn_phong.glsl",
         ],
         "vec3 d = vec3(x.x, -sqrt(max(1.0 - x.x * x.x - x.y * x.y, 0.0)), x.y);\n"
         "y.xyz = glitter_light(d, normalize(vec3(-x.z, 1.0, -x.w)), 0.0, 1.0);",

@@ -59,7 +59,7 @@ def flown(values: NDArray[np.float64], weight: float) -> NDArray[np.float64]:
 def test_flight_equals_its_closed_form(probe: Probe, report: Report, weight: float) -> None:
     values = throws(20_000)
     got = probe(
-        ["noise/hash.glsl", "spray/flight.glsl"],
+        ["lib/noise/hash.glsl", "spray/flight.glsl"],
         f"y.xyz = spray_flight(vec3(0.0), vec3(x.y, x.x, 0.0), x.z, x.w, {weight});",
         values,
         uniforms={"u_spray_wind": WIND},
@@ -104,9 +104,9 @@ def test_births_on_waves_equal_their_float64_form(
     got = [
         probe(
             [
-                "common/numbers.glsl",
+                "lib/numbers.glsl",
                 "waves/parametric.glsl",
-                "noise/hash.glsl",
+                "lib/noise/hash.glsl",
                 "spray/flight.glsl",
                 "spray/waves.glsl",
             ],

@@ -144,8 +144,8 @@ def spans(ranks: Ranks, table: ArrayLike) -> list[Level]:
     until it does not, so nothing is covered at s = 0 and all at s = 1. Both are whole steps of 1/256, widths
     one or more. Level l is (size >> l, size >> l, 2) float32.
 
-    In whole numbers that fit 32 bits, so that GLSL (``shaders/mask``) makes the same of a mask to the last bit; 0.4 %
-    of the texels are off by a step of 1/256 from what endless digits give, none by more.
+    In whole numbers that fit 32 bits, so that GLSL (``shaders/foam/mask``) makes the same of a mask to the last bit;
+    0.4 % of the texels are off by a step of 1/256 from what endless digits give, none by more.
     """
     even = np.stack([_even(part, table) for part in _spline_quarters(ranks)])
     total = even.sum(axis=0)

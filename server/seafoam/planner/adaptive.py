@@ -16,9 +16,9 @@ from seafoam.framegraph.shader import Program
 from seafoam.planner.glsl import assemble
 from seafoam.quality import Quality
 
-PLACE = "common/place.glsl"
+PLACE = "lib/place.glsl"
 """The file that says which sample of the picture a fragment is."""
-SPREAD = ("common/numbers.glsl", "common/camera.glsl", PLACE, "adaptive/spread_pass.glsl")
+SPREAD = ("lib/numbers.glsl", "lib/camera.glsl", PLACE, "adaptive/spread_pass.glsl")
 """The fragment shader of points that were drawn over the whole picture, read as ``u_points``."""
 
 RATIO = 3.5
@@ -204,7 +204,7 @@ def _draw(spent: Spent, count: int, layers: tuple[tuple[tuple[Seen, ...], str], 
             }
             spent.passes.append(seen.model.model_copy(update=changes))
     if layers[1][0]:
-        compose = ("common/numbers.glsl", "output/compose.glsl")
+        compose = ("lib/numbers.glsl", "output/compose.glsl")
         reads = {"u_beneath": _BENEATH, "u_above": _ABOVE, "u_chosen_rows": "chosen rows"}
         name = f"what stands before the water, {count} samples"
         spent.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)

@@ -110,7 +110,7 @@ class FrameBuilder:
         return [
             *self.collection.slots,
             SlotFile("find", f"surface/{'plane' if self.level else 'march'}.glsl"),
-            SlotFile("ceiling", f"below/{'plane' if self.level else 'find'}.glsl"),
+            SlotFile("ceiling", f"water/underside/{'plane' if self.level else 'find'}.glsl"),
             SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
             *(() if self.level else (_MARCH, _MARCH_START)),
         ]
@@ -217,7 +217,7 @@ class FrameBuilder:
         self.targets["samples"] = Target(size=ViewportSize(scale=self.side), format=self.quality.target)
         self.programs["compose"] = Program(
             vertex=assemble(FULLSCREEN, _AT_FRONT),
-            fragment=assemble(["common/numbers.glsl", "output/compose.glsl"], {}),
+            fragment=assemble(["lib/numbers.glsl", "output/compose.glsl"], {}),
         )
         first = next(one for one in after if one.target == ABOVE).name
         return [

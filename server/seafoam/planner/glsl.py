@@ -18,7 +18,7 @@ PROLOGUE = (
     "precision highp usampler2D;\n"
 )
 
-COMMON = ("common/numbers.glsl", "common/camera.glsl")
+COMMON = ("lib/numbers.glsl", "lib/camera.glsl")
 """Files that most fragment shaders begin with."""
 FULLSCREEN = ("vertex/fullscreen.glsl",)
 """The vertex shader of a triangle that covers its target."""

@@ -137,19 +137,19 @@ SKY = Slot("sky", default=defaults.BLACK_SKY)
 """Light of the sky; a layered one is joined from air, moonlight and clouds."""
 MOON_DISC = Slot("moon disc", default=defaults.NO_MOON_DISC, under="layered")
 STARS = Slot("stars", default=defaults.NO_STARS, under="layered")
-SKY_MAIN = Slot("sky main", default="sky/main.glsl")
+SKY_MAIN = Slot("sky main", default="light/sky/main.glsl")
 DISC = Slot("disc", default=defaults.NO_SUN_DISC)
-BODY = Slot("body", default="body/deep.glsl", under="shade")
+BODY = Slot("body", default="water/body/deep.glsl", under="shade")
 CREST = Slot("crest", default=defaults.NO_CREST_LIGHT, under="shade")
 PLUME = Slot("plume", default=defaults.NO_BUBBLES, under="shade")
 """Bubbles in the water under foam."""
 GLITTER = Slot("glitter", default=defaults.NO_GLITTER, under="shade")
 REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 """What the water mirrors."""
-SHADE = Slot("shade", default="shade/flat.glsl")
+SHADE = Slot("shade", default="light/shade/flat.glsl")
 RELIEF = Slot("relief", default=defaults.NO_RELIEF)
 """Called before water and foam are lit: what foam takes from the sun beside it."""
-CAUSTICS = Slot("caustics", default="bed/even.glsl", under="bed")
+CAUSTICS = Slot("caustics", default="water/seafloor/even.glsl", under="bed")
 """How the sun's light lies on a level floor."""
 BED = Slot("bed")
 """A level floor as it is lit, where the eye over the surface tells its places apart."""
@@ -171,7 +171,7 @@ BELOW = Slot("below")
 """What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
 UNDER_SLOTS = (CEILING, REACH, UNDER_BED, BELOW)
 """Slots of the shader for eyes that crests may cover, beyond those of the surface's own."""
-TONE = Slot("tone", default="tone/clamp.glsl")
+TONE = Slot("tone", default="output/tone/clamp.glsl")
 
 
 SKY_SLOTS = (LAYERED, MOON, CLOUDS, SKY)

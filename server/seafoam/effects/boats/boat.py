@@ -45,9 +45,9 @@ DRAUGHT = 0.08
 FAR = 1e8
 """Courses are held so far from the eye, m: no picture reaches there."""
 
-COURSE = "boat/course.glsl"
-TRACE = (COURSE, "boat/hull.glsl", "boat/trace.glsl")
-LIGHT = ("shade/fresnel.glsl", "shade/sun.glsl", "boat/light.glsl")
+COURSE = "boats/hull/course.glsl"
+TRACE = (COURSE, "boats/hull/hull.glsl", "boats/hull/trace.glsl")
+LIGHT = ("light/shade/fresnel.glsl", "light/shade/sun.glsl", "boats/hull/light.glsl")
 
 
 def _courses(boats: tuple[Boat, ...]) -> Uniform:
@@ -81,7 +81,7 @@ def _reach(boat: Boat, top: float) -> Ball:
 
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
     """What gives a boat its light, in a program that has no water."""
-    return (SlotRef("sky"), "boat/dark.glsl") if scene.light is None else (SlotRef("sky"), *LIGHT)
+    return (SlotRef("sky"), "boats/hull/dark.glsl") if scene.light is None else (SlotRef("sky"), *LIGHT)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -103,42 +103,48 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         name="how boats float",
         program="boat_pose",
         fragment=(
-            "common/numbers.glsl",
+            "lib/numbers.glsl",
             SlotRef("waves"),
             COURSE,
-            "boat/aground.glsl" if ashore else "boat/afloat.glsl",
-            "boat/pose_pass.glsl",
+            "boats/hull/aground.glsl" if ashore else "boats/hull/afloat.glsl",
+            "boats/hull/pose_pass.glsl",
         ),
         target="boat_pose",
     )
     seen = (
-        "common/numbers.glsl",
-        "common/camera.glsl",
-        "common/place.glsl",
+        "lib/numbers.glsl",
+        "lib/camera.glsl",
+        "lib/place.glsl",
         SlotRef("waves"),
         SlotRef("find"),
         *TRACE,
         *shade_files(scene),
         *(
-            ("shore/ground.glsl", "surface/begin.glsl", "shore/maxima.glsl", "shore/find_land.glsl", "boat/land.glsl")
+            (
+                "shore/ground.glsl",
+                "surface/begin.glsl",
+                "shore/maxima.glsl",
+                "shore/find_land.glsl",
+                "boats/hull/land.glsl",
+            )
             if ashore
             else (constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false"),)
         ),
     )
     over = Source(
-        "boat/over.glsl",
+        "boats/hull/over.glsl",
         (
             ("boat_hidden", "boat_hidden_over"),
             ("boat_before", "boat_before_over"),
         ),
     )
-    under = (over, "shade/optics.glsl", SlotRef("ceiling"), WATER, SlotRef("reach"), "boat/under.glsl")
+    under = (over, "light/shade/optics.glsl", SlotRef("ceiling"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
     top = surface_top(scene)
     picture = PassSpec(
         name="boats",
         program="boat",
-        fragment=(*seen, "boat/over.glsl", "boat/main.glsl"),
-        under=() if scene.light is None else (*seen, *under, "boat/main.glsl"),
+        fragment=(*seen, "boats/hull/over.glsl", "boats/hull/main.glsl"),
+        under=() if scene.light is None else (*seen, *under, "boats/hull/main.glsl"),
         target=ABOVE,
         stage="after",
         blend="over",
@@ -211,7 +217,7 @@ EFFECT = Effect(
                 waves=(ParametricWave(amplitude=6.0, wavelength=12.0, exponent=6.0, direction=1.2),),
                 boats=(_NEAR.model_copy(update={"smoothing": 0.0, "length": 4.0, "bearing": 1.45}),),
             ),
-            guard="no boat tilts over 45 degrees (boat/pose_pass.glsl)",
+            guard="no boat tilts over 45 degrees (boats/hull/pose_pass.glsl)",
             without="2.5 levels off in the mean, the worst sample by 252: a boat on its side",
             times=(0.0, 0.7, 1.4),
             camera=Camera(position=(0.0, 9.0, 16.0), pitch=-0.2),
@@ -224,7 +230,7 @@ EFFECT = Effect(
                 light=Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0),
                 water=Water(scattering=0.01),
             ),
-            guard="under its keel the ground carries it (boat/aground.glsl)",
+            guard="under its keel the ground carries it (boats/hull/aground.glsl)",
             without="sunk into the hill: 1.7 % of samples off by more than 2 levels, the worst by 163",
             camera=Camera(position=(-30.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
         ),
@@ -242,14 +248,14 @@ EFFECT = Effect(
         HardCase(
             name="eye in a boat",
             scene=Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
-            guard="what is behind the eye is cut away (boat/hull.glsl)",
+            guard="what is behind the eye is cut away (boats/hull/hull.glsl)",
             without="10 % of samples off by more than 2 levels: what is behind the eye stands before it",
             camera=Camera(position=(0.0, 1.0, 1.0), pitch=-0.2),
         ),
         HardCase(
             name="rays along a boat's own axes",
             scene=Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
-            guard="squares of at least 1e-7, planes met at 1e-9 or more (boat/hull.glsl)",
+            guard="squares of at least 1e-7, planes met at 1e-9 or more (boats/hull/hull.glsl)",
             without="nothing on llvmpipe: no ray of the frame is along an axis to its last bit",
             camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),
         ),

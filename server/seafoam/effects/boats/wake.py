@@ -19,7 +19,7 @@ ASIDE = 0.36
 """A wake is so wide to each side, in its lengths: just more than Kelvin's tan 19.47 degrees."""
 AWAY = (0, 2, 4, 8)
 """Lengths from a boat's middle from which on its wake's curvature is told: the window at the bow bends it most."""
-WAY = (COURSE, "wake/way.glsl")
+WAY = (COURSE, "boats/wake/way.glsl")
 READ = {"map": "wake", "bounds": "wake_bounds"}
 
 
@@ -47,12 +47,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     mapped = quality.wake == "map"
     bounds = [(significant(wake.steepest), *map(significant, wake.curvature)) for wake in wakes(scene.boats)]
     consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY}
-    here = ("wake/map.glsl",) if mapped else ("wake/pattern.glsl", "wake/exact.glsl")
+    here = ("boats/wake/map.glsl",) if mapped else ("boats/wake/pattern.glsl", "boats/wake/exact.glsl")
     passes = (
         PassSpec(
             name=f"wakes, {size} texels along",
             program="wake",
-            fragment=("common/numbers.glsl", "wake/form.glsl", "wake/pattern.glsl", "wake/map_pass.glsl"),
+            fragment=(
+                "lib/numbers.glsl",
+                "boats/wake/form.glsl",
+                "boats/wake/pattern.glsl",
+                "boats/wake/map_pass.glsl",
+            ),
             target="wake",
         ),
         PassSpec(
@@ -60,8 +65,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             program="wake_blocks",
             fragment=(
                 Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"),
-                "wake/form.glsl",
-                "wake/bounds_blocks_pass.glsl",
+                "boats/wake/form.glsl",
+                "boats/wake/bounds_blocks_pass.glsl",
             ),
             target="wake_blocks",
             inputs={"u_wake_map": TargetInput(target="wake")},
@@ -69,7 +74,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         PassSpec(
             name="wakes, greatest of all",
             program="wake_bounds",
-            fragment=("wake/form.glsl", "wake/bounds_join_pass.glsl"),
+            fragment=("boats/wake/form.glsl", "boats/wake/bounds_join_pass.glsl"),
             target="wake_bounds",
             inputs={"u_wake_blocks": TargetInput(target="wake_blocks")},
         ),
@@ -82,8 +87,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"wakes up to {level:.2g} m high",
         slots=(
-            SlotFile("waves", "wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),
-            SlotFile("bounds", f"wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
+            SlotFile("waves", "boats/wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),
+            SlotFile("bounds", f"boats/wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
         ),
         consts=consts,
         uniforms={
@@ -122,14 +127,15 @@ EFFECT = Effect(
         HardCase(
             name="the edge of a wake, where both systems meet",
             scene=Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
-            guard="the wake opens where the root is no longer 0 (wake/pattern.glsl)",
+            guard="the wake opens where the root is no longer 0 (boats/wake/pattern.glsl)",
             without="2.6 % of samples off by more than 2 levels, the worst by 213: a wall of water at the wake's edge",
             camera=_ABOVE,
         ),
         HardCase(
             name="the centre of a boat's circle, and straight behind it",
             scene=Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
-            guard="at least a tenth of the radius, a tangent of at most 5000 (wake/way.glsl, wake/pattern.glsl)",
+            guard="at least a tenth of the radius, a tangent of at most 5000 "
+            "(boats/wake/way.glsl, boats/wake/pattern.glsl)",
             without="nothing on llvmpipe: no sample of the frame is there to its last bit",
             camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
         ),

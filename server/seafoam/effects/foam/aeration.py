@@ -24,7 +24,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
     return Contribution(
         why=f"bubbles down to {water.plume_depth:g} m under foam",
-        slots=(SlotFile("plume", "plume/bubbles.glsl", needs=("shade/optics.glsl", "shade/fresnel.glsl")),),
+        slots=(
+            SlotFile(
+                "plume", "water/plume/bubbles.glsl", needs=("light/shade/optics.glsl", "light/shade/fresnel.glsl")
+            ),
+        ),
         uniforms={
             "u_aeration": number(water.aeration, "/water/aeration"),
             "u_plume_depth": number(water.plume_depth, "/water/plume_depth"),
@@ -56,7 +60,7 @@ EFFECT = Effect(
                     aeration=10.0, plume_depth=20.0, scattering=0.0, absorption_length=(0.01, 1000.0, 0.01), depth=0.05
                 ),
             ),
-            guard="what comes back is at least none (plume/bubbles.glsl)",
+            guard="what comes back is at least none (water/plume/bubbles.glsl)",
             without="nothing on llvmpipe: what clear water sends back from the layer is never more than all of it",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),

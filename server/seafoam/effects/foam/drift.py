@@ -51,7 +51,7 @@ SOFTNESS = 0.1
 """Of the noise that patches are cut from: its standard deviation, and half the width of the cut."""
 _FAR = 1e8
 """Places are held so far from the eye, m: no picture reaches there."""
-_NUMBERS = ("common/numbers.glsl", "drift/square.glsl")
+_NUMBERS = ("lib/numbers.glsl", "foam/drift/square.glsl")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -89,17 +89,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             slots=(
                 SlotFile(
                     "saturation",
-                    "saturation/drift_exact.glsl",
+                    "foam/saturation/drift_exact.glsl",
                     prefix="drift",
                     needs=(
-                        "drift/square.glsl",
-                        "drift/clock.glsl",
-                        "drift/flow.glsl",
+                        "foam/drift/square.glsl",
+                        "foam/drift/clock.glsl",
+                        "foam/drift/flow.glsl",
                         *VALUE_NOISE,
-                        "drift/patches.glsl",
-                        "drift/ago.glsl",
-                        "drift/back.glsl",
-                        "saturation/drift_rim.glsl",
+                        "foam/drift/patches.glsl",
+                        "foam/drift/ago.glsl",
+                        "foam/drift/back.glsl",
+                        "foam/saturation/drift_rim.glsl",
                     ),
                 ),
             ),
@@ -114,9 +114,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             SlotFile(
                 "saturation",
-                "saturation/drift.glsl",
+                "foam/saturation/drift.glsl",
                 prefix="drift",
-                needs=("drift/square.glsl", "drift/clock.glsl", "saturation/drift_rim.glsl"),
+                needs=("foam/drift/square.glsl", "foam/drift/clock.glsl", "foam/saturation/drift_rim.glsl"),
             ),
         ),
         consts=given.consts,
@@ -219,14 +219,14 @@ class _Given:
         flow = PassSpec(
             name="flow of drift",
             program="drift_flow",
-            fragment=(*_NUMBERS, "drift/flow.glsl", "drift/flow_pass.glsl"),
+            fragment=(*_NUMBERS, "foam/drift/flow.glsl", "foam/drift/flow_pass.glsl"),
             target="drift_flow",
             uniforms={**self.square, **self.flow, **self.texel},
         )
         coarse = PassSpec(
             name="drift, means",
             program="drift_coarse",
-            fragment=("drift/coarse_pass.glsl",),
+            fragment=("foam/drift/coarse_pass.glsl",),
             target="drift_coarse",
             inputs={"u_drift_map": TargetInput(target="drift")},
         )
@@ -234,14 +234,20 @@ class _Given:
 
     def _backward(self) -> tuple[PassSpec, ...]:
         flow: dict[str, TextureInput | TargetInput] = {"u_drift_flow": TargetInput(target="drift_flow")}
-        back = (*_NUMBERS, "drift/clock.glsl", "drift/flow_map.glsl", "drift/ago.glsl", "drift/back.glsl")
+        back = (
+            *_NUMBERS,
+            "foam/drift/clock.glsl",
+            "foam/drift/flow_map.glsl",
+            "foam/drift/ago.glsl",
+            "foam/drift/back.glsl",
+        )
         # Without the clock, whose hands would have them drawn in every frame.
-        still = (*_NUMBERS, "drift/flow_map.glsl", "drift/ago.glsl")
+        still = (*_NUMBERS, "foam/drift/flow_map.glsl", "foam/drift/ago.glsl")
         return (
             PassSpec(
                 name="drift, quarters of a brood back",
                 program="drift_still",
-                fragment=(*still, "drift/still_pass.glsl"),
+                fragment=(*still, "foam/drift/still_pass.glsl"),
                 target="drift_still",
                 inputs=flow,
                 uniforms={**self.square, **self.texel},
@@ -249,7 +255,7 @@ class _Given:
             PassSpec(
                 name="drift, two broods further back",
                 program="drift_still_older",
-                fragment=(*still, "drift/still_older_pass.glsl"),
+                fragment=(*still, "foam/drift/still_older_pass.glsl"),
                 target="drift_older",
                 inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
                 uniforms=self.square,
@@ -257,7 +263,7 @@ class _Given:
             PassSpec(
                 name="drift, ways of the youngest",
                 program="drift_way",
-                fragment=(*back, "drift/rest.glsl", "drift/way_pass.glsl"),
+                fragment=(*back, "foam/drift/rest.glsl", "foam/drift/way_pass.glsl"),
                 target="drift_way",
                 inputs={**flow, "u_drift_still": TargetInput(target="drift_still")},
                 uniforms={**self.square, **self.clock, **self.texel},
@@ -265,7 +271,13 @@ class _Given:
             PassSpec(
                 name="drift, followed back",
                 program="drift",
-                fragment=(*back, "drift/rest.glsl", *VALUE_NOISE, "drift/patches.glsl", "drift/backward_pass.glsl"),
+                fragment=(
+                    *back,
+                    "foam/drift/rest.glsl",
+                    *VALUE_NOISE,
+                    "foam/drift/patches.glsl",
+                    "foam/drift/backward_pass.glsl",
+                ),
                 target="drift",
                 inputs={
                     **flow,
@@ -282,7 +294,13 @@ class _Given:
         start = PassSpec(
             name="drift, where it comes up",
             program="drift_start",
-            fragment=(*_NUMBERS, "drift/clock.glsl", *VALUE_NOISE, "drift/patches.glsl", "drift/start_pass.glsl"),
+            fragment=(
+                *_NUMBERS,
+                "foam/drift/clock.glsl",
+                *VALUE_NOISE,
+                "foam/drift/patches.glsl",
+                "foam/drift/start_pass.glsl",
+            ),
             target=order[0],
             uniforms={**self.square, **self.clock, **self.patches, **self.texel},
         )
@@ -290,8 +308,13 @@ class _Given:
             PassSpec(
                 name=f"drift, move {i + 1} of {self.moves}",
                 program="drift_move",
-                vertex=(*_NUMBERS, "drift/clock.glsl", "drift/flow_map.glsl", "drift/forward_vertex.glsl"),
-                fragment=("drift/forward_pass.glsl",),
+                vertex=(
+                    *_NUMBERS,
+                    "foam/drift/clock.glsl",
+                    "foam/drift/flow_map.glsl",
+                    "foam/drift/forward_vertex.glsl",
+                ),
+                fragment=("foam/drift/forward_pass.glsl",),
                 target=order[(i + 1) % 2],
                 mesh=Points(count=BROODS * self.size * self.size),
                 inputs={
@@ -316,8 +339,8 @@ def carries(scene: Scene, quality: Quality) -> bool:
 
 def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that stands in for a look's where its mask is carried, and what it needs."""
-    ways = "drift/way_exact.glsl" if quality.drift == "exact" else "drift/way_map.glsl"
-    return "drift/carried.glsl", (ways, Source(look, (("foam_amount", "still_amount"),)))
+    ways = "foam/drift/way_exact.glsl" if quality.drift == "exact" else "foam/drift/way_map.glsl"
+    return "foam/drift/carried.glsl", (ways, Source(look, (("foam_amount", "still_amount"),)))
 
 
 def turning(vortex: Vortex) -> float:
@@ -372,7 +395,7 @@ EFFECT = Effect(
         HardCase(
             name="the centre of a vortex in the middle of a pixel",
             scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
-            guard="a series where (1 - e^-y)/y is a difference over nothing (drift/flow.glsl)",
+            guard="a series where (1 - e^-y)/y is a difference over nothing (foam/drift/flow.glsl)",
             without="NaN at the centre itself, and 147 000 m/s a hair beside it, where y is subnormal",
             times=(0.0, 17.0),
             camera=Camera(position=(0.0, 4.0, -10.0), pitch=-math.pi / 2),
@@ -380,7 +403,8 @@ EFFECT = Effect(
         HardCase(
             name="a hundred texels a step",
             scene=Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM),
-            guard="ways are followed back, so that every texel has one whatever the step (drift/backward_pass.glsl)",
+            guard="ways are followed back, so that every texel has one whatever the step "
+            "(foam/drift/backward_pass.glsl)",
             without="points that are moved forward instead have all left the map: no foam instead of 38 %",
             times=(3.0,),
             camera=_VIEW,
@@ -404,7 +428,7 @@ EFFECT = Effect(
                 drift=_with(current=(0.0, 0.0), vortices=(Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0),)),
                 foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
             ),
-            guard="patches led to their mean where a texel holds more than a patch (drift/backward_pass.glsl)",
+            guard="patches led to their mean where a texel holds more than a patch (foam/drift/backward_pass.glsl)",
             without="blobs a texel wide that boil: foam changes by 1.1 % in a sixtieth of a second instead of 0.2 %",
             times=(50.0,),
             camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
@@ -447,7 +471,7 @@ EFFECT = Effect(
                     mask_tile=4.0,
                 ),
             ),
-            guard="the filtered look clamps each at 1 first (saturation/drift.glsl)",
+            guard="the filtered look clamps each at 1 first (foam/saturation/drift.glsl)",
             without="foam on 76 % of the picture instead of 35 %",
             times=(12.0,),
             camera=_VIEW,

@@ -59,8 +59,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     name = str(steps) if steps else "now"
     why = f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}"
     lasts = bool(model.old_shares)
-    needs = ("saturation/fold.glsl", *((f"saturation/fold_{'old' if lasts else 'no_old'}.glsl",) if steps else ()))
-    slots = (SlotFile("saturation", f"saturation/fold_{name}.glsl", prefix="fold", needs=needs),)
+    needs = (
+        "foam/saturation/fold.glsl",
+        *((f"foam/saturation/fold_{'old' if lasts else 'no_old'}.glsl",) if steps else ()),
+    )
+    slots = (SlotFile("saturation", f"foam/saturation/fold_{name}.glsl", prefix="fold", needs=needs),)
     if not steps:
         return Contribution(why=why, slots=slots, consts={"FOLD_TIMES": 1, "FOLD_SHARED": shared}, uniforms=uniforms)
     targets, passes = _ages(scene, scene.sea, raised, quality)
@@ -105,7 +108,7 @@ def _ages(
             PassSpec(
                 name="folds of earlier waves",
                 program="age_gerstner",
-                fragment=("common/numbers.glsl", "sea/gerstner.glsl", "sea/age_gerstner_pass.glsl"),
+                fragment=("lib/numbers.glsl", "waves/sea/gerstner.glsl", "waves/sea/age_gerstner_pass.glsl"),
                 target="age_a",
                 uniforms={**gerstner_uniforms(raised, 0), **uniforms},
             ),
@@ -115,7 +118,7 @@ def _ages(
         first = PassSpec(
             name="spectrum of earlier folds",
             program="age_spectrum",
-            fragment=("common/numbers.glsl", "sea/spectrum.glsl", "sea/age_spectrum_pass.glsl"),
+            fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", "waves/sea/age_spectrum_pass.glsl"),
             target="age_a",
             inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
             uniforms={**loop_uniforms(), **uniforms},
@@ -129,7 +132,7 @@ def _ages(
         PassSpec(
             name=f"earlier folds, {of.size:g} m tile",
             program="age_tile",
-            fragment=("sea/resample_pass.glsl", "sea/age_tile_pass.glsl"),
+            fragment=("waves/sea/resample_pass.glsl", "waves/sea/age_tile_pass.glsl"),
             target="age_tiles",
             inputs={
                 "u_sea_displaced": TargetInput(target=displaced),
@@ -158,9 +161,9 @@ def _old(
                 name="folds of long ago",
                 program="old_gerstner",
                 fragment=(
-                    "common/numbers.glsl",
-                    "sea/gerstner.glsl",
-                    Source("sea/age_gerstner_pass.glsl", (("AGE_SIZE", "OLD_SIZE"),)),
+                    "lib/numbers.glsl",
+                    "waves/sea/gerstner.glsl",
+                    Source("waves/sea/age_gerstner_pass.glsl", (("AGE_SIZE", "OLD_SIZE"),)),
                 ),
                 target="old_a",
                 uniforms={**gerstner_uniforms(drawn(scene, quality)[:RAISED], 0), **uniforms},
@@ -172,9 +175,9 @@ def _old(
             name="spectrum of folds of long ago",
             program="old_spectrum",
             fragment=(
-                "common/numbers.glsl",
-                "sea/spectrum.glsl",
-                Source("sea/age_spectrum_pass.glsl", (("AGE_SIZE", "OLD_SIZE"),)),
+                "lib/numbers.glsl",
+                "waves/sea/spectrum.glsl",
+                Source("waves/sea/age_spectrum_pass.glsl", (("AGE_SIZE", "OLD_SIZE"),)),
             ),
             target="old_a",
             inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
@@ -191,7 +194,7 @@ def _old(
         PassSpec(
             name="foam of long ago",
             program="old_foam",
-            fragment=("sea/resample_pass.glsl", "sea/old_foam_pass.glsl"),
+            fragment=("waves/sea/resample_pass.glsl", "waves/sea/old_foam_pass.glsl"),
             target="old_foam",
             inputs={
                 "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
@@ -244,7 +247,7 @@ EFFECT = Effect(
         HardCase(
             name="foam of an hour's gale, from near to the horizon",
             scene=Scene(sea=Sea(wind=20.0), foam=Foam(saturation=(FoldSaturation(),), look="fading")),
-            guard="no normal average under a footprint that lost nothing (saturation/fold.glsl)",
+            guard="no normal average under a footprint that lost nothing (foam/saturation/fold.glsl)",
             without="nothing on llvmpipe: t/0 is held at 6 deviations; 0/0 is undefined",
             camera=Camera(position=(0.37, 30.0, -0.21), yaw=1.0, pitch=-0.3),
             times=(3600.0,),
@@ -255,7 +258,7 @@ EFFECT = Effect(
                 sea=Sea(wind=60.0, model="gerstner"),
                 foam=Foam(saturation=(FoldSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
             ),
-            guard="f at most 1 (saturation/fold.glsl), the threshold sought in a bracket (ocean/whitecaps.py)",
+            guard="f at most 1 (foam/saturation/fold.glsl), the threshold sought in a bracket (ocean/whitecaps.py)",
             without="f up to 8.5, the sum of nine times; the look clamps it here",
             camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
             times=(1e9,),

@@ -46,9 +46,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     delta, turn, log_base = _CONSTANTS[front.constants]
     consts: dict[str, Const] = {}
     if shares_phase(scene):
-        waves_of, own = "saturation/front_shared.glsl", {"u_front_share": number(significant(1.0 / waves_top(scene)))}
+        waves_of, own = (
+            "foam/saturation/front_shared.glsl",
+            {"u_front_share": number(significant(1.0 / waves_top(scene)))},
+        )
     else:
-        waves_of, own = "saturation/front_own.glsl", _own_waves(scene, delta, turn)
+        waves_of, own = "foam/saturation/front_own.glsl", _own_waves(scene, delta, turn)
         consts["FRONT_COUNT"] = len(scene.waves)
     gated = front.group != (0.0, 0.0)
     pointer = f"/foam/saturation/{index}"
@@ -62,13 +65,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     }
     count = len(scene.waves)
     why = f"front saturation of {count} wave{'s' if count > 1 else ''}, constants of the {front.constants}"
-    needs: tuple[str, ...] = (waves_of, "saturation/front_gate.glsl", "saturation/front_profile.glsl")
+    needs: tuple[str, ...] = (waves_of, "foam/saturation/front_gate.glsl", "foam/saturation/front_profile.glsl")
     if filtered:
-        needs = (*needs, "saturation/front_seen.glsl")
+        needs = (*needs, "foam/saturation/front_seen.glsl")
     if not filtered:
         return Contribution(
             why=why,
-            slots=(SlotFile("saturation", "saturation/front.glsl", prefix="front", needs=needs),),
+            slots=(SlotFile("saturation", "foam/saturation/front.glsl", prefix="front", needs=needs),),
             consts=consts,
             uniforms=uniforms,
             bound=bound,
@@ -76,7 +79,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     uniforms["u_front_relief"] = number(significant(_relief(scene, turn / (2.0 * math.pi))))
     return Contribution(
         why=f"{why}, averaged over footprints",
-        slots=(SlotFile("saturation", "saturation/front_filtered.glsl", prefix="front", needs=needs),),
+        slots=(SlotFile("saturation", "foam/saturation/front_filtered.glsl", prefix="front", needs=needs),),
         consts={
             **consts,
             "FRONT_CREST": 2.0 * delta - math.pi / 2.0,
@@ -130,13 +133,13 @@ def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, 
         slots=(
             SlotFile(
                 "saturation",
-                "saturation/front_living.glsl",
+                "foam/saturation/front_living.glsl",
                 prefix="front",
                 needs=(
-                    f"saturation/front_{'shared' if shared else 'own'}.glsl",
-                    "saturation/front_gate.glsl",
-                    "saturation/front_seen.glsl",
-                    f"saturation/way_{way}.glsl",
+                    f"foam/saturation/front_{'shared' if shared else 'own'}.glsl",
+                    "foam/saturation/front_gate.glsl",
+                    "foam/saturation/front_seen.glsl",
+                    f"foam/saturation/way_{way}.glsl",
                 ),
             ),
         ),
@@ -201,7 +204,7 @@ EFFECT = Effect(
                 foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
             ),
             guard="the pole is the number 0, f = 4 on it, and the exponent is held in [-80, 80] "
-            "(saturation/front_profile.glsl)",
+            "(foam/saturation/front_profile.glsl)",
             without="nothing on llvmpipe; f = 0 instead of 4 where the signal is (1, -0)",
             camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         ),
@@ -211,7 +214,7 @@ EFFECT = Effect(
                 waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
                 foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
             ),
-            guard="the half angle's cotangent stands for the tangent (saturation/front_profile.glsl)",
+            guard="the half angle's cotangent stands for the tangent (foam/saturation/front_profile.glsl)",
             without="by the tangent: f infinite at 2 pi, and 0 instead of 4 at the pole",
             camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         ),
@@ -221,7 +224,7 @@ EFFECT = Effect(
                 waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
                 foam=Foam(look="textured"),
             ),
-            guard="0/0 taken as exponent 0 (saturation/front_profile.glsl)",
+            guard="0/0 taken as exponent 0 (foam/saturation/front_profile.glsl)",
             without="6 % of samples off by more than 2 levels, by up to 133",
             camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         ),
@@ -230,7 +233,8 @@ EFFECT = Effect(
             scene=Scene(
                 waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()
             ),
-            guard="rho^2 at least 1e-4 in the phase's gradient, its width at most 1e4 (saturation/front_filtered.glsl)",
+            guard="rho^2 at least 1e-4 in the phase's gradient, its width at most 1e4 "
+            "(foam/saturation/front_filtered.glsl)",
             without="4 % of samples flipped, off by up to 237 levels",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
@@ -257,7 +261,7 @@ EFFECT = Effect(
                 ),
                 foam=Foam(),
             ),
-            guard="whole periods first, Gauss on short spans (saturation/front_filtered.glsl)",
+            guard="whole periods first, Gauss on short spans (foam/saturation/front_filtered.glsl)",
             without="differences of the table on short spans: off by up to 19 levels",
             times=(0.0, 1e9),
             camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
@@ -272,7 +276,7 @@ EFFECT = Effect(
                 foam=Foam(),
             ),
             guard="the fall of a ray over no relief: at least 1e-20 under it, arcs of at least 1e-5 rad "
-            "(saturation/front_filtered.glsl)",
+            "(foam/saturation/front_filtered.glsl)",
             without="nothing on llvmpipe; where neither falls nor rises anything, 0/0",
             times=(0.0, 1e9),
             camera=Camera(position=(0.37, 0.7, -0.21), yaw=1.2, pitch=-0.05),

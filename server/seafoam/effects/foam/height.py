@@ -70,7 +70,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.foam.look == "filtered" and scene.sea is None and scene.shore is None:
         raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
         if raised:
-            name, needs = "height_seen", ("saturation/level.glsl",)
+            name, needs = "height_seen", ("foam/saturation/level.glsl",)
             mean, steepest, seen = seen_heights(scene)
             kx, kz = wavevector(max(raised, key=lambda wave: wave.amplitude), scene.water.depth)
             consts["HEIGHT_NODES"] = NODES
@@ -79,7 +79,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             uniforms["u_height_seen"] = array("vec2", pairs, NODES)
     return Contribution(
         why=f"height saturation between {height.base:g} and {height.full:g} m",
-        slots=(SlotFile("saturation", f"saturation/{name}.glsl", prefix="height", needs=needs),),
+        slots=(SlotFile("saturation", f"foam/saturation/{name}.glsl", prefix="height", needs=needs),),
         consts=consts,
         uniforms={
             **uniforms,
@@ -112,7 +112,7 @@ EFFECT = Effect(
                 ),
                 foam=Foam(saturation=(HeightSaturation(base=100.0, full=100.001),), look="halftone"),
             ),
-            guard="the divisor at least 1e-3 m (saturation/height.glsl)",
+            guard="the divisor at least 1e-3 m (foam/saturation/height.glsl)",
             without="0/0 at H0 once a live edit puts full on base; llvmpipe's clamp makes it 0",
             camera=Camera(position=(0.0, 140.0, 0.0), pitch=-0.4),
         ),
@@ -122,14 +122,14 @@ EFFECT = Effect(
                 waves=(ParametricWave(amplitude=0.0),),
                 foam=Foam(saturation=(HeightSaturation(base=-100.0, full=200.0),), look="fading"),
             ),
-            guard="f held in [0, 4] (saturation/height.glsl)",
+            guard="f held in [0, 4] (foam/saturation/height.glsl)",
             without="nothing: f is 1/3; the fading look clamps what follows",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
         HardCase(
             name="saturation a thousandfold over the cap",
             scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-100.0, full=-99.999),), look="listing")),
-            guard="f held in [0, 4] (saturation/height.glsl)",
+            guard="f held in [0, 4] (foam/saturation/height.glsl)",
             without="nothing in the frame: the listing clamps f - m at 3; f itself is 100 000",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
@@ -143,7 +143,8 @@ EFFECT = Effect(
                 foam=Foam(saturation=(HeightSaturation(base=0.2, full=0.201),)),
             ),
             guard="what stands over the eye is seen as from right above; lengths divided by at least 1e-6, heights "
-            "spread by at least a thousandth of the ramp (saturation/height_seen.glsl, saturation/level.glsl)",
+            "spread by at least a thousandth of the ramp "
+            "(foam/saturation/height_seen.glsl, foam/saturation/level.glsl)",
             without="the root of a negative fall: in quality standard 44 % of samples off by more than 2 levels, not "
             "9, and 60 in the mean, not 6.9; the rest: nothing on llvmpipe, 0/0 right under the eye and where nothing "
             "is lost",

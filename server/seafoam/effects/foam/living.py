@@ -51,10 +51,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     life = foam_life(scene)
     if life is None:
         return None
-    slots = [SlotFile("carry", "carry/still.glsl", prefix="still")]
+    slots = [SlotFile("carry", "foam/carry/still.glsl", prefix="still")]
     if scene.shore is not None:
         surf = any(isinstance(one, SurfSaturation) for one in (scene.foam.saturation if scene.foam else ()))
-        carry = f"carry/{'surf' if surf else 'shore'}.glsl" if life.carried else _AT_REST
+        carry = f"foam/carry/{'surf' if surf else 'shore'}.glsl" if life.carried else _AT_REST
         slots.append(SlotFile("shore carry", carry))
     drift = foam_drift(scene)
     uniforms: dict[str, Uniform] = {}
@@ -129,7 +129,7 @@ EFFECT = Effect(
                 shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0),
                 foam=_FOAM,
             ),
-            guard="the gradient of the waves' phase at least 1e-6 (carry/shore.glsl)",
+            guard="the gradient of the waves' phase at least 1e-6 (foam/carry/shore.glsl)",
             without="0/0 where the phase is level: 1.9 % of samples off by more than 2 levels, the worst by 162",
             camera=Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
         ),

@@ -193,7 +193,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts |= mask_atlas.consts(mask)
         textures |= mask_atlas.textures([name for name, _ in named], tables)
         targets, passes = mask_atlas.targets(masks), mask_atlas.passes(masks)
-    look = f"look/{foam.look}.glsl"
+    look = f"foam/look/{foam.look}.glsl"
     if masked and cells:
         needs += (Source(look, (("foam_amount", "cell_amount"),)),)
         look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
@@ -268,7 +268,7 @@ EFFECT = Effect(
             scene=Scene(
                 foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")
             ),
-            guard="none at 0 and all at 1, by a step of 1/256 at either end (look/filtered.glsl)",
+            guard="none at 0 and all at 1, by a step of 1/256 at either end (foam/look/filtered.glsl)",
             without="3.3 levels too bright in the mean where there should be next to no foam",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
@@ -277,7 +277,7 @@ EFFECT = Effect(
             scene=Scene(
                 foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")
             ),
-            guard="none at 0 and all at 1, by a step of 1/256 at either end (look/filtered.glsl)",
+            guard="none at 0 and all at 1, by a step of 1/256 at either end (foam/look/filtered.glsl)",
             without="holes by rounding: 0 levels on llvmpipe",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
@@ -297,7 +297,7 @@ EFFECT = Effect(
             scene=Scene(
                 foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)
             ),
-            guard="the edge's half width at least 5e-4 of a threshold (look/filtered.glsl)",
+            guard="the edge's half width at least 5e-4 of a threshold (foam/look/filtered.glsl)",
             without="nothing on llvmpipe: 0/0 where the mask is level under a footprint, and here it is nowhere",
             camera=Camera(position=(0.0, 0.1, 0.0), pitch=-math.pi / 2),
         ),
@@ -306,7 +306,7 @@ EFFECT = Effect(
             scene=Scene(
                 foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)
             ),
-            guard="no level past the last, one texel for all of the mask (look/filtered.glsl)",
+            guard="no level past the last, one texel for all of the mask (foam/look/filtered.glsl)",
             without="no such level: every sample off by 242 levels",
             camera=Camera(position=(0.0, 5.0, 0.0), pitch=-math.pi / 2),
         ),
@@ -317,14 +317,15 @@ EFFECT = Effect(
                     saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", mask="vac-1.5", mask_tile=1.0
                 )
             ),
-            guard="no level before the mask's own; the box at least a hundredth of a texel wide (look/filtered.glsl)",
+            guard="no level before the mask's own; the box at least a hundredth of a texel wide "
+            "(foam/look/filtered.glsl)",
             without="3.4 levels off in the mean, by up to 105: texels of levels that there are not",
             camera=Camera(position=(0.3, 0.02, 0.1), pitch=-0.01),
         ),
         HardCase(
             name="a fade too small for float32",
             scene=Scene(waves=(ParametricWave(),), foam=Foam(fade=1e-40), light=None),
-            guard="the ramp's divisor at least 1e-30 (look/filtered.glsl)",
+            guard="the ramp's divisor at least 1e-30 (foam/look/filtered.glsl)",
             without="NaN in 67 % of samples: subnormals are flushed, 0/0",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
@@ -338,7 +339,7 @@ EFFECT = Effect(
                     octaves=4,
                 )
             ),
-            guard="no octave after one that left all or nothing (look/filtered.glsl)",
+            guard="no octave after one that left all or nothing (foam/look/filtered.glsl)",
             without="nothing on llvmpipe: ramps end at all and at nothing exactly",
             camera=Camera(position=(0.37, 0.3, -0.21), yaw=1.0, pitch=-0.3),
         ),
@@ -353,7 +354,7 @@ EFFECT = Effect(
                     mask_tile=0.7,
                 )
             ),
-            guard="places modulo a tile before each octave, which whole numbers map onto itself (look/filtered.glsl)",
+            guard="places modulo a tile before each octave, which whole numbers map onto itself (foam/look/filtered.glsl)",
             without="0.12 levels at the most: far places lose hundredths of a texel of the finest octave",
             camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
         ),
@@ -404,7 +405,7 @@ EFFECT = Effect(
                 water=Water(roughness=0.03),
                 light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
             ),
-            guard="the share held in [0, 1] (look/filtered.glsl)",
+            guard="the share held in [0, 1] (foam/look/filtered.glsl)",
             without="the share passes 1 by its rounding: light of -3.1 in 6 % of samples",
             camera=Camera(position=(3.0, 0.3, 0.0), yaw=math.pi / 2, pitch=-0.3, fov=0.3),
         ),

@@ -67,7 +67,7 @@ def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
         PassSpec(
             name="mask: atlases of all ages",
             program="mask_stack",
-            fragment=("mask/stack_pass.glsl",),
+            fragment=("foam/mask/stack_pass.glsl",),
             target=ATLAS,
             inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[of]) for i, of in enumerate(which)},
         ),
@@ -81,7 +81,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         PassSpec(
             name="mask: moments",
             program="mask_moments",
-            fragment=("mask/moments_pass.glsl",),
+            fragment=("foam/mask/moments_pass.glsl",),
             target=moments,
             inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_of(index)}")},
         )
@@ -93,7 +93,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
             PassSpec(
                 name=f"mask: moments, level {level}",
                 program="mask_halve",
-                fragment=("mask/halve_pass.glsl",),
+                fragment=("foam/mask/halve_pass.glsl",),
                 target=_levels(level % 2) + _of(index),
                 inputs={"u_mask_moments": TargetInput(target=source)},
                 uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
@@ -104,7 +104,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
         PassSpec(
             name="mask: atlas",
             program="mask_atlas",
-            fragment=("mask/atlas_pass.glsl",),
+            fragment=("foam/mask/atlas_pass.glsl",),
             target=atlas,
             inputs={
                 **ranks,

@@ -37,7 +37,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"slope saturation, {slope.gain:g} times what the normal lacks of upright",
         slots=(
-            SlotFile("saturation", f"saturation/{name}.glsl", prefix="slope", needs=("saturation/slope_lack.glsl",)),
+            SlotFile(
+                "saturation", f"foam/saturation/{name}.glsl", prefix="slope", needs=("foam/saturation/slope_lack.glsl",)
+            ),
         ),
         consts=consts,
         uniforms=uniforms,
@@ -65,7 +67,7 @@ EFFECT = Effect(
                 waves=(ParametricWave(amplitude=3.0, wavelength=4.0, exponent=6.0),),
                 foam=Foam(saturation=(SlopeSaturation(gain=1000.0),), look="fading"),
             ),
-            guard="f held in [0, 4] (saturation/slope_lack.glsl)",
+            guard="f held in [0, 4] (foam/saturation/slope_lack.glsl)",
             without="f = 806 on a slope of 5.1; the fading look clamps what follows",
             camera=Camera(position=(0.0, 6.0, 0.0), pitch=-0.5),
         ),
@@ -75,7 +77,7 @@ EFFECT = Effect(
                 waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.3),),
                 foam=Foam(saturation=(SlopeSaturation(blur=0.3), HeightSaturation()), look="textured"),
             ),
-            guard="1 - n.y from 1 + slope squared, never from a quotient of slopes (saturation/slope_lack.glsl)",
+            guard="1 - n.y from 1 + slope squared, never from a quotient of slopes (foam/saturation/slope_lack.glsl)",
             without="nothing here: slopes are held at the trough (waves/parametric.glsl)",
             camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         ),
@@ -88,7 +90,7 @@ EFFECT = Effect(
                 ),
                 foam=Foam(saturation=(SlopeSaturation(gain=12.0, base=0.02),), look="filtered"),
             ),
-            guard="what the footprint takes out of the slope still counts (saturation/slope_lack.glsl)",
+            guard="what the footprint takes out of the slope still counts (foam/saturation/slope_lack.glsl)",
             without="from 60 m up: foam on 4e-6 of the picture instead of 7.5e-4 (64 samples a pixel: 2.0e-3)",
             times=(2.0, 4.0),
             camera=Camera(position=(0.0, 4.0, 0.0), pitch=-0.4),

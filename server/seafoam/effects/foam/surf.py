@@ -24,12 +24,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
-    name, torn = ("surf_filtered", ("saturation/torn.glsl",)) if filtered else ("surf", ())
-    needs = ("saturation/surf_patches.glsl", *torn)
+    name, torn = ("surf_filtered", ("foam/saturation/torn.glsl",)) if filtered else ("surf", ())
+    needs = ("foam/saturation/surf_patches.glsl", *torn)
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
-            SlotFile("saturation", f"saturation/{name}.glsl", prefix="surf", needs=needs),
+            SlotFile("saturation", f"foam/saturation/{name}.glsl", prefix="surf", needs=needs),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
         consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},
@@ -64,7 +64,7 @@ EFFECT = Effect(
                 shore=_BEACH,
                 foam=Foam(saturation=(SurfSaturation(amount=4.0, life=0.02, veil=1.0),), look="halftone"),
             ),
-            guard="f held at 4 (saturation/surf.glsl)",
+            guard="f held at 4 (foam/saturation/surf.glsl)",
             without="nothing in the frame: thresholds end at 1; f itself reaches 11.6",
             times=(0.0, 2.3),
             camera=_VIEW,
@@ -80,7 +80,7 @@ EFFECT = Effect(
                     mask="clump",
                 ),
             ),
-            guard="the filtered look clamps each at 1 first (saturation/surf_filtered.glsl)",
+            guard="the filtered look clamps each at 1 first (foam/saturation/surf_filtered.glsl)",
             without="nothing here: the product is under 1 wherever the surf is over it",
             camera=_VIEW,
         ),
@@ -91,7 +91,7 @@ EFFECT = Effect(
                 shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
                 foam=_FOAM,
             ),
-            guard="the way to the shore divided by at least 1e-6 (saturation/surf_filtered.glsl)",
+            guard="the way to the shore divided by at least 1e-6 (foam/saturation/surf_filtered.glsl)",
             without="nothing on llvmpipe: no point has a way of 0 to the last digit",
             camera=_VIEW,
         ),

@@ -42,10 +42,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             )
         )
     filtered = scene.foam.look == "filtered"
-    name, torn = ("wake_filtered", ("saturation/torn.glsl",)) if filtered else ("wake", ())
+    name, torn = ("wake_filtered", ("foam/saturation/torn.glsl",)) if filtered else ("wake", ())
     return Contribution(
         why=f"foam behind boats, {wake.life:g} s to 1/e",
-        slots=(SlotFile("saturation", f"saturation/{name}.glsl", prefix="wake", needs=(*VALUE_NOISE, *torn, *WAY)),),
+        slots=(
+            SlotFile("saturation", f"foam/saturation/{name}.glsl", prefix="wake", needs=(*VALUE_NOISE, *torn, *WAY)),
+        ),
         consts={} if filtered else {"WAKE_CAP": SATURATION_CAP},
         uniforms={"u_wake_foam": array("vec4", [Constant(value=one) for one in amounts], len(amounts))},
     )
@@ -65,7 +67,8 @@ EFFECT = Effect(
                 boats=(_BOAT.model_copy(update={"radius": 13.5, "speed": 20.0}),),
                 foam=Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="halftone"),
             ),
-            guard="at least a tenth of the radius, exponents of at most 80 (wake/way.glsl, saturation/wake.glsl)",
+            guard="at least a tenth of the radius, exponents of at most 80 "
+            "(boats/wake/way.glsl, foam/saturation/wake.glsl)",
             without="nothing on llvmpipe: exponentials end at 0, and no sample is at the centre",
             camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
         ),

@@ -22,12 +22,12 @@ _DOWN = Light(sun_elevation=-0.1)
 def smooth_glint(light: Light) -> tuple[str, tuple[str, ...], dict[str, Uniform]]:
     """The file of ``light.specular``, those it needs, and its uniforms."""
     if light.specular == "glint":
-        return "glitter/beckmann.glsl", ("shade/fresnel.glsl", "shade/sun.glsl"), {}
+        return "light/glitter/beckmann.glsl", ("light/shade/fresnel.glsl", "light/shade/sun.glsl"), {}
     uniforms = {
         "u_specular_power": number(light.specular_power, "/light/specular_power"),
         "u_specular_perturb": number(light.specular_perturb, "/light/specular_perturb"),
     }
-    return "glitter/blinn_phong.glsl", ("shade/sun.glsl",), uniforms
+    return "light/glitter/blinn_phong.glsl", ("light/shade/sun.glsl",), uniforms
 
 
 def brightest_glint(scene: Scene) -> float:
@@ -50,7 +50,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     own = (SlotFile("glitter", path, needs=needs),) if light.sparkles is None else ()
     return Contribution(
         why="the moon is up" if atmosphere.moon_is_lamp(light) else "the sun is up",
-        slots=(*own, SlotFile("disc", "sky/sun_disc.glsl")),
+        slots=(*own, SlotFile("disc", "light/sky/sun_disc.glsl")),
         uniforms={"u_sun_disc": vector(sun_disc(light)), **(uniforms if own else {})},
         bound=Bound(brightest_glint(scene), "the sun is down", ("/light/exposure", "/water/roughness")),
     )
@@ -64,7 +64,7 @@ EFFECT = Effect(
         HardCase(
             name="into the sun on the horizon",
             scene=Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.03)),
-            guard="h divided by at least 1e-6 (glitter/beckmann.glsl)",
+            guard="h divided by at least 1e-6 (light/glitter/beckmann.glsl)",
             without="nothing on llvmpipe, whose max(0/0, x) is x: NaN in h alone",
             camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
         ),
@@ -75,7 +75,7 @@ EFFECT = Effect(
                 light=Light(sun_elevation=0.02, sun_azimuth=math.pi),
                 water=Water(roughness=0.03),
             ),
-            guard="n.h at least 1e-3 (glitter/beckmann.glsl)",
+            guard="n.h at least 1e-3 (light/glitter/beckmann.glsl)",
             without="facets that face away mirror the sun: 10 000, the cap, instead of 0 at n.h = -1",
             camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=-0.3),
         ),
@@ -84,7 +84,7 @@ EFFECT = Effect(
             scene=Scene(
                 light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.03, chop=Chop(slope=0.05))
             ),
-            guard="glitter held at 1e4 (glitter/beckmann.glsl), the frame at 65504 (surface/main.glsl)",
+            guard="glitter held at 1e4 (light/glitter/beckmann.glsl), the frame at 65504 (surface/main.glsl)",
             without="5.9e6, ninety times what half floats hold",
             camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
         ),
@@ -100,7 +100,7 @@ EFFECT = Effect(
                 ),
                 water=Water(chop=Chop(slope=0.6)),
             ),
-            guard="n.h held in [0, 1] before the power (glitter/blinn_phong.glsl)",
+            guard="n.h held in [0, 1] before the power (light/glitter/blinn_phong.glsl)",
             without="powers of negative numbers: 65504 in a fifth of the samples, off by 28 levels in the mean",
             camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.1),
         ),

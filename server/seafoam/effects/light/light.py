@@ -87,7 +87,7 @@ def air_light(light: Light) -> Rgb:
 
 
 def air_parts(light: Light) -> dict[str, list[float]]:
-    """What the sky's radiance is put together from, in ``sky/analytic.glsl``: numbers of which no direction is part."""
+    """Terms of the sky's radiance that hang on no direction, for ``light/sky/analytic.glsl``."""
     mie, air = _mie(light), air_light(light)
     depth = [tau + mie for tau in _RAYLEIGH]
     whole = [e / tau for e, tau in zip(air, depth, strict=True)]
@@ -135,14 +135,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if light is None:
         return None
     if light.sky is None:
-        sky: tuple[SlotFile, ...] = (SlotFile("sky", "sky/analytic.glsl", needs=("sky/exposure.glsl",)),)
+        sky: tuple[SlotFile, ...] = (SlotFile("sky", "light/sky/analytic.glsl", needs=("light/sky/exposure.glsl",)),)
         air = {f"u_air_{name}": vector(_rgb(value)) for name, value in air_parts(light).items()}
     else:
         toward = atmosphere.sun(light)
         sky = (
-            SlotFile("layered", "sky/layered.glsl", needs=("sky/exposure.glsl",)),
-            SlotFile("sky", "sky/whole.glsl"),
-            SlotFile("sky main", "sky/main_layered.glsl"),
+            SlotFile("layered", "light/sky/layered.glsl", needs=("light/sky/exposure.glsl",)),
+            SlotFile("sky", "light/sky/whole.glsl"),
+            SlotFile("sky main", "light/sky/main_layered.glsl"),
         )
         air = {
             "u_haze_depth": number(light.sky.haze),
@@ -156,8 +156,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"sun {math.degrees(light.sun[1]):.0f}° over the horizon, sky, haze",
         slots=(
             *sky,
-            SlotFile("shade", "shade/lit.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl", "shade/optics.glsl")),
-            SlotFile("tone", "tone/filmic.glsl"),
+            SlotFile(
+                "shade",
+                "light/shade/lit.glsl",
+                needs=("light/shade/fresnel.glsl", "light/shade/sun.glsl", "light/shade/optics.glsl"),
+            ),
+            SlotFile("tone", "output/tone/filmic.glsl"),
         ),
         uniforms={
             "u_sun_direction": vector(_rgb(list(sun_direction(light)))),
@@ -202,14 +206,14 @@ EFFECT = Effect(
                 light=Light(sun_elevation=math.pi / 2),
                 foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured"),
             ),
-            guard="level directions divided by at least 1e-6 (sky/analytic.glsl)",
+            guard="level directions divided by at least 1e-6 (light/sky/analytic.glsl)",
             without="NaN straight down; no sample of the frame is exactly there, since cos(pi/2) is 6e-17",
             camera=Camera(position=(0.0, 3.0, 0.0), pitch=-math.pi / 2, roll=1.0, fov=0.01),
         ),
         HardCase(
             name="the brightest disc, ten stops up",
             scene=Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
-            guard="light held at 65504, the greatest half float (sky/main.glsl, surface/main.glsl)",
+            guard="light held at 65504, the greatest half float (light/sky/main.glsl, surface/main.glsl)",
             without="a black sun: SwiftShader stores NaN for what half floats cannot hold; llvmpipe stores 65504",
             camera=Camera(position=(0.0, 5.0, 0.0), yaw=math.pi / 2, pitch=0.1, fov=0.1),
         ),
@@ -223,7 +227,7 @@ EFFECT = Effect(
         HardCase(
             name="sun setting through 0 degrees under a layered sky",
             scene=Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(chop=Chop())),
-            guard="the haze's offset, 0.02 (sky/layered.glsl)",
+            guard="the haze's offset, 0.02 (light/sky/layered.glsl)",
             without="0/0 along the horizon: 85 % of samples off by more than 2 levels",
             camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
         ),

@@ -38,8 +38,8 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"moon {math.degrees(of.elevation):.0f}° over the horizon, {lit:.0f} % lit",
         slots=(
-            SlotFile("moon", "sky/moon_glow.glsl"),
-            SlotFile("moon disc", "sky/moon_disc.glsl", needs=PERLIN_2),
+            SlotFile("moon", "light/sky/moon_glow.glsl"),
+            SlotFile("moon disc", "light/sky/moon_disc.glsl", needs=PERLIN_2),
         ),
         uniforms={
             "u_moon_direction": vector(_rounded(toward)),
@@ -77,7 +77,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
     dark = atmosphere.smooth(0.05, 0.2, -atmosphere.sun(light)[1])
     return Contribution(
         why="stars",
-        slots=(SlotFile("stars", "sky/stars.glsl", needs=("common/cube_face.glsl", HASH)),),
+        slots=(SlotFile("stars", "light/sky/stars.glsl", needs=("lib/cube_face.glsl", HASH)),),
         uniforms={
             "u_star_path": vector(_rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),
@@ -100,7 +100,7 @@ MOON = Effect(
                 light=Light(sun_azimuth=0.3, sun_elevation=-0.4, exposure=1.0, sky=Sky(moon=_OPPOSITE)),
                 water=Water(chop=Chop()),
             ),
-            guard="the ball's height at its rim is the root of at least 0 (sky/moon_disc.glsl)",
+            guard="the ball's height at its rim is the root of at least 0 (light/sky/moon_disc.glsl)",
             without="nothing on llvmpipe, whose max(NaN, 0) is 0: NaN in a ring of a twentieth of the disc",
             camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 - math.pi / 2, pitch=0.35, fov=0.2),
         ),
@@ -109,7 +109,7 @@ MOON = Effect(
             scene=Scene(
                 light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE)),
             ),
-            guard="a face that is turned from the sun gets at least no light (sky/moon_disc.glsl)",
+            guard="a face that is turned from the sun gets at least no light (light/sky/moon_disc.glsl)",
             without="the root of a negative number: the face blows up to 65504, 229 levels off",
             camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 + math.pi / 2, pitch=0.4, fov=0.3),
         ),
@@ -123,14 +123,14 @@ STARS = Effect(
         HardCase(
             name="stars at the corner of the cube",
             scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
-            guard="cells counted up to the last of a face (sky/stars.glsl)",
+            guard="cells counted up to the last of a face (light/sky/stars.glsl)",
             without="nothing seen: only a sample exactly on a face's rim asks for a cell beyond it",
             camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=0.6154797, fov=0.6),
         ),
         HardCase(
             name="stars in the widest view",
             scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
-            guard="a star is 3e-3 rad wide at most (sky/stars.glsl)",
+            guard="a star is 3e-3 rad wide at most (light/sky/stars.glsl)",
             without="stars cut off at the sides of their cells: 7 % of samples off by more than 2 levels",
             camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.5, pitch=0.8, fov=2.6),
         ),

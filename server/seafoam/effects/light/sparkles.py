@@ -35,7 +35,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(
             SlotFile(
                 "glitter",
-                "glitter/sparkles.glsl",
+                "light/glitter/sparkles.glsl",
                 needs=(*needs, HASH, smooth),
             ),
         ),
@@ -83,7 +83,7 @@ EFFECT = Effect(
         HardCase(
             name="sparkles straight down, under the sun at the zenith",
             scene=Scene(light=_light(sun_elevation=math.pi / 2), water=_WATER),
-            guard="cells on an octahedron, which has no pole (glitter/sparkles.glsl)",
+            guard="cells on an octahedron, which has no pole (light/glitter/sparkles.glsl)",
             without="cells of heading and depression: 0.3 by 3.2 mrad a tenth of a radian from straight down",
             camera=Camera(position=(0.0, 4.0, 0.0), pitch=-math.pi / 2),
         ),
@@ -100,7 +100,7 @@ EFFECT = Effect(
         HardCase(
             name="sparkles so many that they run together",
             scene=Scene(light=_light(sparkles=Sparkles(size=0.02, rate=10000.0, life=10.0)), water=_WATER),
-            guard="where nearly every cell is alight the glint is smooth (glitter/sparkles.glsl)",
+            guard="where nearly every cell is alight the glint is smooth (light/glitter/sparkles.glsl)",
             without="spots of 22 times the glint's greatest light: off by 7.2 levels in the mean",
             camera=_VIEW,
         ),
@@ -109,14 +109,15 @@ EFFECT = Effect(
             scene=Scene(
                 waves=(ParametricWave(amplitude=0.3, wavelength=7.0),), light=_light(sun_elevation=0.0), water=_WATER
             ),
-            guard="a glint of at least 1e-20 of the sun (glitter/sparkles.glsl)",
+            guard="a glint of at least 1e-20 of the sun (light/glitter/sparkles.glsl)",
             without="0/0 where facets mirror no sun: 65504 in 39 % of samples",
             camera=_VIEW,
         ),
         HardCase(
             name="sparkles smaller than a hundredth of a pixel",
             scene=Scene(light=_light(sparkles=Sparkles(size=2e-4)), water=_WATER),
-            guard="a sparkle is never narrower than a pixel and a half, and dimmer by as much (glitter/sparkles.glsl)",
+            guard="a sparkle is never narrower than a pixel and a half, and dimmer by as much "
+            "(light/glitter/sparkles.glsl)",
             without="sparkles seen or not by where samples fall: up to 170 levels off",
             camera=Camera(position=(0.0, 4.0, 0.0), pitch=-0.5, fov=2.6),
         ),

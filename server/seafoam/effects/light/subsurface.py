@@ -23,7 +23,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     top = surface_top(scene)
     return Contribution(
         why=f"crests up to {top:g} m against the sun",
-        slots=(SlotFile("crest", "crest/translucent.glsl", needs=("shade/sun.glsl",)),),
+        slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/sun.glsl",)),),
         uniforms={
             "u_translucency": number(scene.water.translucency, "/water/translucency"),
             "u_crest_height": number(1.0 / top if top > 1e-37 else 0.0),
@@ -65,7 +65,7 @@ EFFECT = Effect(
                 water=Water(translucency=2.0, absorption_length=(1000.0, 1000.0, 0.01)),
             ),
             guard="lengths of absorption at least 0.01 m (scene/models.py), the height's share squared at "
-            "most 1 (crest/translucent.glsl)",
+            "most 1 (light/subsurface/translucent.glsl)",
             without="nothing: light of 9 at most, which half floats hold",
             camera=Camera(position=(0.0, 210.0, 0.0), yaw=math.pi / 2, pitch=-0.2),
         ),

@@ -34,7 +34,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if quality.cube == "exact":
         around: tuple[str, ...] = ("reflection/open.glsl",)
         if shore:
-            lit = ("shade/sun.glsl", "shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
+            lit = ("light/shade/sun.glsl", "light/shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
             around = (*SHORE, *lit, "reflection/land_around.glsl")
         return Contribution(
             why="mirrors what stands around, found for each sample",
@@ -43,8 +43,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     land = (
         *SHORE,
-        "shade/sun.glsl",
-        "shade/fresnel.glsl",
+        "light/shade/sun.glsl",
+        "light/shade/fresnel.glsl",
         "reflection/around_shade.glsl",
         *LIT_LAND,
         "reflection/land_around.glsl",
@@ -58,7 +58,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "reflection",
                 "reflection/cubemap.glsl",
-                needs=("common/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
+                needs=("lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
             ),
         ),
         consts={"CUBE_SIZE": quality.cube_size},
@@ -71,11 +71,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 name="cube map",
                 program="cube",
                 fragment=(
-                    "common/numbers.glsl",
-                    "common/camera.glsl",
+                    "lib/numbers.glsl",
+                    "lib/camera.glsl",
                     SlotRef("sky"),
                     *(land if shore else ("reflection/open.glsl",)),
-                    "common/cube_face.glsl",
+                    "lib/cube_face.glsl",
                     "reflection/cube.glsl",
                     "reflection/cube_pass.glsl",
                 ),

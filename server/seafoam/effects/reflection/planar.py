@@ -79,8 +79,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 name=f"planar mirror, {size} texels",
                 program="mirror",
                 fragment=(
-                    "common/numbers.glsl",
-                    "common/camera.glsl",
+                    "lib/numbers.glsl",
+                    "lib/camera.glsl",
                     SlotRef("sky"),
                     *boats,
                     *_land(scene, "reflection/around_shade.glsl"),
@@ -98,7 +98,7 @@ def _land(scene: Scene, shade: str) -> tuple[Piece, ...]:
     """What finds and lights land; ``shade``: where ``irradiance`` and ``in_air`` come from."""
     if scene.shore is None:
         return (_NO_LAND,)
-    return (*SHORE, "shade/sun.glsl", "shade/fresnel.glsl", shade, *LIT_LAND, "reflection/land_met.glsl")
+    return (*SHORE, "light/shade/sun.glsl", "light/shade/fresnel.glsl", shade, *LIT_LAND, "reflection/land_met.glsl")
 
 
 def _things(scene: Scene) -> str:

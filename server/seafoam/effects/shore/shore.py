@@ -216,7 +216,7 @@ def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
     passes.append(
         one(
             "map",
-            ("common/numbers.glsl", "shore/map_pass.glsl"),
+            ("lib/numbers.glsl", "shore/map_pass.glsl"),
             "shore_map",
             {"u_smooth": "shore_smooth"},
             {
@@ -269,7 +269,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
     under = (
         SlotFile("reach", "shore/reach.glsl", needs=("shore/ground.glsl",)),
-        SlotFile("under bed", "bed/floor.glsl", needs=("bed/even.glsl", "shore/bed.glsl")),
+        SlotFile("under bed", "water/seafloor/floor.glsl", needs=("water/seafloor/even.glsl", "shore/bed.glsl")),
     )
     return Contribution(
         why=f"{shore.kind}, {shore.size:g} m square" + (f", waves of {surf.height:g} m" if surf.height > 0.0 else ""),

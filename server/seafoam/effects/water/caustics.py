@@ -131,7 +131,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         drawn = {name: f"caustic_{name}" for name in colours}
         read = {f"u_caustic_{name}": drawn.get(name, "caustic_white") for name in COLOURS}
         mesh: Grid | Points = Points(count=rays * rays)
-        vertex, fragment, joined = "caustics/photon_vertex.glsl", "caustics/photon_pass.glsl", "caustics/fold_pass.glsl"
+        vertex, fragment, joined = (
+            "water/caustics/photon_vertex.glsl",
+            "water/caustics/photon_pass.glsl",
+            "water/caustics/fold_pass.glsl",
+        )
         consts |= {"CAUSTIC_PHOTONS": rays}
     else:
         indices = tuple(INDEX + spread * bent for bent in COLOUR_INDEX)
@@ -144,7 +148,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         read = {"u_caustic_light": "caustic_light"}
         margin = _margin(light, depth, water.chop, tile, rays)
         mesh = Grid(rows=rays + 2 * margin, columns=rays + 2 * margin)
-        vertex, fragment, joined = "caustics/grid_vertex.glsl", "caustics/grid_pass.glsl", "caustics/smooth_pass.glsl"
+        vertex, fragment, joined = (
+            "water/caustics/grid_vertex.glsl",
+            "water/caustics/grid_pass.glsl",
+            "water/caustics/smooth_pass.glsl",
+        )
         consts |= {"CAUSTIC_CELLS": rays, "CAUSTIC_MARGIN": margin, "CAUSTIC_BEFORE": before, "CAUSTIC_TAPS": taps}
     consts["CAUSTIC_RIM"] = rim
     # A grid is drawn at half texels: its triangles light what centres they cover.
@@ -152,7 +160,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"{rays}² {'photons' if photons else 'cells'} on a tile of {tile:g} m, "
         + ("3 colours" if len(colours) > 1 else "3 colours by one, shifted" if spread > 0.0 else "one colour for all"),
-        slots=(SlotFile("caustics", "bed/caustics.glsl"),),
+        slots=(SlotFile("caustics", "water/seafloor/caustics.glsl"),),
         consts=consts,
         uniforms={
             "u_caustic_tile": number(tile),
@@ -179,7 +187,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name="caustics: slopes",
                 program="caustic_slopes",
-                fragment=("common/numbers.glsl", "caustics/slopes_pass.glsl"),
+                fragment=("lib/numbers.glsl", "water/caustics/slopes_pass.glsl"),
                 target="caustic_slopes",
                 uniforms=_slopes(waves, tile),
             ),
@@ -187,7 +195,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 PassSpec(
                     name=f"caustics: {name} light",
                     program="caustic_light",
-                    vertex=("caustics/landing.glsl", vertex),
+                    vertex=("water/caustics/landing.glsl", vertex),
                     fragment=(fragment,),
                     target=drawn[name],
                     mesh=mesh,
@@ -284,26 +292,26 @@ EFFECT = Effect(
     hard_cases=(
         _case(
             "the floor in the focus",
-            "a triangle at most 12 times as bright (caustics/grid_vertex.glsl)",
+            "a triangle at most 12 times as bright (water/caustics/grid_vertex.glsl)",
             "single texels of 71 instead of 24 times the light: 9.7 % of samples off by more than 2 levels",
             Water(depth=4.0, scattering=0.0, chop=Chop(slope=0.08)),
         ),
         _case(
             "a floor at the surface",
-            "none needed: the light has no way to part in (caustics/landing.glsl)",
+            "none needed: the light has no way to part in (water/caustics/landing.glsl)",
             "nothing to leave out",
             Water(depth=0.05, floor_tile=0.1, chop=Chop(slope=0.3)),
         ),
         _case(
             "caustics of a sun on the horizon",
-            "the sun's height held at 0.05 (caustics/landing.glsl)",
+            "the sun's height held at 0.05 (water/caustics/landing.glsl)",
             "light divided by 0: every sample 65504 after the frame's cap",
             Water(depth=1.0, chop=Chop(slope=0.1)),
             Light(sun_elevation=0.0, caustics=_PLAIN),
         ),
         _case(
             "caustics of the steepest ripples",
-            "a ray falls by at least a quarter (caustics/landing.glsl)",
+            "a ray falls by at least a quarter (water/caustics/landing.glsl)",
             "off by up to 24 levels, 2 % of samples by more than 2",
             Water(depth=3.0, chop=Chop(slope=0.6)),
             Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),

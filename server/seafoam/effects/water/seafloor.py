@@ -50,18 +50,24 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _slots(water: Water, looked_at: bool) -> tuple[SlotFile, ...]:
     """Where places tell apart (``looked_at``), the ray refracted at the surface finds the one that is seen."""
-    level = "bed/level.glsl"
-    laid = (level, "bed/plain.glsl") if water.floor_tile is None else (level, *VALUE_NOISE, "bed/tiles.glsl")
+    level = "water/seafloor/level.glsl"
+    laid = (
+        (level, "water/seafloor/plain.glsl")
+        if water.floor_tile is None
+        else (level, *VALUE_NOISE, "water/seafloor/tiles.glsl")
+    )
     under = (
-        SlotFile("reach", "bed/reach.glsl", needs=(level,)),
-        SlotFile("under bed", "bed/floor.glsl", needs=laid if looked_at else ("bed/even.glsl", *laid)),
+        SlotFile("reach", "water/seafloor/reach.glsl", needs=(level,)),
+        SlotFile(
+            "under bed", "water/seafloor/floor.glsl", needs=laid if looked_at else ("water/seafloor/even.glsl", *laid)
+        ),
     )
     if not looked_at:
-        return (SlotFile("body", "body/floor.glsl", needs=(level,)), *under)
+        return (SlotFile("body", "water/body/floor.glsl", needs=(level,)), *under)
     return (
-        SlotFile("body", "bed/body.glsl"),
-        SlotFile("bed", "bed/floor.glsl", needs=laid),
-        SlotFile("through", "bed/through.glsl"),
+        SlotFile("body", "water/seafloor/body.glsl"),
+        SlotFile("bed", "water/seafloor/floor.glsl", needs=laid),
+        SlotFile("through", "water/seafloor/through.glsl"),
         *under,
     )
 
@@ -94,7 +100,7 @@ EFFECT = Effect(
                 water=Water(depth=0.05, absorption_length=(0.01, 0.01, 0.01), scattering=0.5, chop=Chop(slope=0.6)),
                 waves=(ParametricWave(amplitude=50.0, wavelength=0.05),),
             ),
-            guard="cv held at 1 under the root (body/floor.glsl)",
+            guard="cv held at 1 under the root (water/body/floor.glsl)",
             without="cosine of the refracted ray up to 74: 8 % too much light from the floor at cv = 100",
             camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
         ),
@@ -105,7 +111,7 @@ EFFECT = Effect(
                     depth=0.05, absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0, floor_albedo=(1.0, 1.0, 1.0)
                 )
             ),
-            guard="absorption is never 0 (scene/models.py), so neither is the extinction (shade/lit.glsl)",
+            guard="absorption is never 0 (scene/models.py), so neither is the extinction (light/shade/lit.glsl)",
             without="with absorption 0: 0/0 in every sample of water, 65504 after the frame's cap",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
@@ -113,7 +119,7 @@ EFFECT = Effect(
             name="a floor eleven kilometres down",
             scene=Scene(water=Water(depth=11000.0, chop=Chop()), waves=(ParametricWave(),)),
             guard="left out: its bound is 0 (effects/water/seafloor.py); drawn, its transmittance underflows to 0 "
-            "(body/floor.glsl)",
+            "(water/body/floor.glsl)",
             without="drawn all the same: 0 levels of difference",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),

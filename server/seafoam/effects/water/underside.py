@@ -17,7 +17,7 @@ from seafoam.scene.models import (
 )
 from seafoam.scene.shore import Shore
 
-WATER = "below/water.glsl"
+WATER = "water/underside/water.glsl"
 """The water between an eye under the surface and what it sees."""
 
 
@@ -28,11 +28,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.light is None:
         return Contribution(
             why="an eye under the surface sees its foam",
-            slots=(SlotFile("below", "below/flat.glsl"),),
+            slots=(SlotFile("below", "water/underside/flat.glsl"),),
         )
     return Contribution(
         why="an eye under the surface sees through it, and what it mirrors",
-        slots=(SlotFile("below", "below/main.glsl", needs=(WATER,)),),
+        slots=(SlotFile("below", "water/underside/main.glsl", needs=(WATER,)),),
         uniforms={"u_below_level": number(significant(mean_level(scene)))},
     )
 
@@ -62,32 +62,32 @@ EFFECT = Effect(
     hard_cases=(
         _case(
             "past the critical angle",
-            "nothing under the root of the ray's cosine in the air (below/main.glsl)",
+            "nothing under the root of the ray's cosine in the air (water/underside/main.glsl)",
             "NaN in 83 % of samples, 65504 after the frame's cap: all of the ceiling past the angle",
             Camera(position=(0.37, -1.2, -0.21), yaw=1.0, pitch=0.35),
         ),
         _case(
             "straight up, where light and sight fade alike",
-            "1 + fall held at 1e-3 (below/water.glsl)",
+            "1 + fall held at 1e-3 (water/underside/water.glsl)",
             "0/0 in 0.2 % of samples, 65504 after the frame's cap; where 1 + fall is rounding, off by up to 236 levels",
             Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
             water=_POOL.model_copy(update={"chop": None}),
         ),
         _case(
             "a hair under the surface",
-            "the way so far held at 1 mm (below/main.glsl)",
+            "the way so far held at 1 mm (water/underside/main.glsl)",
             "off by up to 73 levels, 8.9 in the mean: footprints a thousand times too wide",
             Camera(position=(0.0, -1e-7, 0.0), pitch=0.3),
         ),
         _case(
             "an eye under the floor",
-            "the way to the floor held at 0 (bed/reach.glsl)",
+            "the way to the floor held at 0 (water/seafloor/reach.glsl)",
             "light grows along ways of negative length: 65504 after the frame's cap, 80 levels off in the mean",
             Camera(position=(0.0, -5.0, 0.0), pitch=-0.2),
         ),
         _case(
             "an eye in a crest, below",
-            "no way leads behind the eye (below/find.glsl)",
+            "no way leads behind the eye (water/underside/find.glsl)",
             "nothing on llvmpipe: no Newton step went so far back",
             Camera(position=(0.0, 0.35, 0.0), pitch=0.1),
             waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
@@ -95,7 +95,7 @@ EFFECT = Effect(
         ),
         _case(
             "no floor to mirror, a kilometre down",
-            "ways held at 1000 km, depths at 0 (planner/defaults.py, below/water.glsl)",
+            "ways held at 1000 km, depths at 0 (planner/defaults.py, water/underside/water.glsl)",
             "nothing: light is 3e-9 there, and 1e38 m of water let none of it through",
             Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
             water=Water(chop=Chop()),

@@ -108,7 +108,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     carry: tuple[SlotFile, ...] = ()
     if carries(scene):
         name = "parametric_shared" if shared else "parametric"
-        carry = (SlotFile("carry", f"carry/{name}.glsl", prefix="parametric"),)
+        carry = (SlotFile("carry", f"foam/carry/{name}.glsl", prefix="parametric"),)
     return Contribution(
         why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
         slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"), *carry),
@@ -205,7 +205,7 @@ EFFECT = Effect(
                 foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.4)),), look="halftone"),
             ),
             guard="sums of float32 phases alone: nothing divides by the sum; the gate closes where it is "
-            "noise (saturation/front_gate.glsl)",
+            "noise (foam/saturation/front_gate.glsl)",
             without="foam from the rounding of sums that are 0: 1.2 % of samples flipped",
             times=(0.0, 1.3863),
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
@@ -221,7 +221,7 @@ EFFECT = Effect(
         HardCase(
             name="a wall of water, 50 m high and 5 cm long",
             scene=Scene(waves=(ParametricWave(amplitude=50.0, wavelength=0.05, exponent=4.0),), foam=Foam()),
-            guard="N.D held at -1e-3 |N||D| in the footprint (common/camera.glsl)",
+            guard="N.D held at -1e-3 |N||D| in the footprint (lib/camera.glsl)",
             without="footprint NaN and infinite where N.D = 0; in the frame one sample in 500 off by up to 215 levels",
             camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
         ),

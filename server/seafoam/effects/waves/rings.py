@@ -89,7 +89,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if quality.rings == "exact" or texel * _FEWEST_TEXELS > min(train.length for train in shown):
         return Contribution(
             why=f"{what}, summed at each place",
-            slots=(SlotFile("waves", "rings/exact.glsl", prefix="rings", needs=("rings/ring.glsl",)),),
+            slots=(SlotFile("waves", "waves/rings/exact.glsl", prefix="rings", needs=("waves/rings/ring.glsl",)),),
             consts=consts,
             uniforms={
                 "u_ring_now": _now(shown, (_to_eye(*train.ring.place) for train in shown)),
@@ -110,7 +110,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return PassSpec(
             name=f"{target.replace('_', ', ')}, {side:g} m map",
             program=target,
-            fragment=("common/numbers.glsl", "rings/ring.glsl", "rings/reaching.glsl", shader),
+            fragment=("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/reaching.glsl", shader),
             target=target,
             uniforms={
                 "u_ring_now": _now(shown, corners),
@@ -126,8 +126,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"{what}, drawn into a map of {side:g} m each frame",
         slots=(
-            SlotFile("waves", "rings/map.glsl", prefix="rings"),
-            SlotFile("bounds", "rings/bounds.glsl", prefix="rings"),
+            SlotFile("waves", "waves/rings/map.glsl", prefix="rings"),
+            SlotFile("bounds", "waves/rings/bounds.glsl", prefix="rings"),
         ),
         consts=consts,
         uniforms={
@@ -146,8 +146,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             for name, size in sizes.items()
         },
         passes=(
-            drawn("rings", "rings/map_pass.glsl", sizes["rings"]),
-            drawn("rings_grain", "rings/grain_pass.glsl", sizes["rings_grain"]),
+            drawn("rings", "waves/rings/map_pass.glsl", sizes["rings"]),
+            drawn("rings_grain", "waves/rings/grain_pass.glsl", sizes["rings_grain"]),
             *measured,
         ),
         bound=bound,
@@ -218,7 +218,7 @@ EFFECT = Effect(
                 rings=(_STONE, _STONE.model_copy(update={"birth": 2.0})),
                 foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
             ),
-            guard="the tip of r rounded, the front still at birth (rings/ring.glsl)",
+            guard="the tip of r rounded, the front still at birth (waves/rings/ring.glsl)",
             without="0/0 at the centre, and a cone of slope 0.45 around it",
             times=(0.0, 2.0, 2.4),
             camera=Camera(position=(0.3, 2.0, -7.0), pitch=-math.pi / 2),
@@ -229,7 +229,7 @@ EFFECT = Effect(
                 rings=(_STONE.model_copy(update={"crests": 0.5}),),
                 foam=Foam(saturation=(HeightSaturation(base=0.05, full=0.25),), look="textured"),
             ),
-            guard="front and tail a wavelength wide (rings/ring.glsl)",
+            guard="front and tail a wavelength wide (waves/rings/ring.glsl)",
             without="slope 0.60 instead of 0.40 at the worst of 20 000 places, and 1500 in the front itself",
             times=(1.5,),
             camera=_VIEW,
@@ -255,7 +255,7 @@ EFFECT = Effect(
             scene=Scene(
                 rings=(_STONE,), foam=Foam(saturation=(HeightSaturation(base=0.0, full=0.5),), look="halftone")
             ),
-            guard="an amplitude below nothing is none (rings/ring.glsl)",
+            guard="an amplitude below nothing is none (waves/rings/ring.glsl)",
             without="ghosts of 0.4 mm and slope 0.0012 for ever",
             times=(13.8, 1e9),
             camera=_VIEW,

@@ -70,7 +70,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         phases = [Phase(offset=wave.phase, rate=wave.omega, k=(-wave.kx, -wave.kz)) for wave in waves]
         return Contribution(
             why=f"{len(waves)} ripples, summed at each sample",
-            slots=(_detail("chop/exact.glsl", gusts),),
+            slots=(_detail("waves/ripples/exact.glsl", gusts),),
             consts={**consts, **gusts.consts},
             uniforms={
                 **uniforms,
@@ -83,7 +83,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     offsets = [Wrap(k=k) for tile in sides for k in ((1.0 / tile, 0.0), (0.0, 1.0 / tile))]
     return Contribution(
         why=f"{WAVES_PER_TILE * len(sides)} ripples, drawn into {len(sides)} tiles each frame",
-        slots=(_detail("chop/tile.glsl", gusts),),
+        slots=(_detail("waves/ripples/tile.glsl", gusts),),
         consts={**consts, **gusts.consts},
         uniforms={
             **uniforms,
@@ -105,7 +105,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"ripples, {tile:g} m tile",
                 program="chop",
-                fragment=("common/numbers.glsl", "chop/tile_pass.glsl"),
+                fragment=("lib/numbers.glsl", "waves/ripples/tile_pass.glsl"),
                 target=f"chop_{i}",
                 uniforms={
                     "u_chop_wave": array("vec4", _data(waves), len(waves)),
@@ -152,9 +152,9 @@ def _gusts(chop: Chop) -> _Gusts:
 
 def _detail(ripples_file: str, gusts: _Gusts) -> SlotFile:
     if not gusts.uniforms:
-        return SlotFile("detail", ripples_file, prefix="chop", needs=("chop/bands.glsl",))
-    needs = ("chop/bands.glsl", Source(ripples_file, (("chop_detail", "even_detail"),)), *PERLIN_3)
-    return SlotFile("detail", "chop/gusts.glsl", prefix="chop", needs=needs)
+        return SlotFile("detail", ripples_file, prefix="chop", needs=("waves/ripples/bands.glsl",))
+    needs = ("waves/ripples/bands.glsl", Source(ripples_file, (("chop_detail", "even_detail"),)), *PERLIN_3)
+    return SlotFile("detail", "waves/ripples/gusts.glsl", prefix="chop", needs=needs)
 
 
 def _bound(scene: Scene, chop: Chop) -> Bound | None:
@@ -211,14 +211,14 @@ EFFECT = Effect(
                 water=Water(chop=Chop(slope=0.6, spread=0.0)),
                 foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),)),
             ),
-            guard="cosine of incidence at least the roughness (shade/lit.glsl)",
+            guard="cosine of incidence at least the roughness (light/shade/lit.glsl)",
             without="glitter 7100 instead of 52 where facets face away; off by up to 0.7 levels",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
         HardCase(
             name="ripples a million to a pixel",
             scene=Scene(water=Water(chop=Chop(slope=0.6))),
-            guard="exponents held at 75 (chop/bands.glsl)",
+            guard="exponents held at 75 (waves/ripples/bands.glsl)",
             without="nothing on llvmpipe: exp of any large negative number is 0",
             camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
         ),

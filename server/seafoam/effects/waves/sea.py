@@ -47,7 +47,7 @@ def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[Pass
                 PassSpec(
                     name=f"{name}: {'columns' if axis else 'rows'}, {span} to {span * radix}",
                     program=f"fft_{radix}",
-                    fragment=(f"sea/radix_{radix}.glsl", "sea/fft_pass.glsl"),
+                    fragment=(f"waves/sea/radix_{radix}.glsl", "waves/sea/fft_pass.glsl"),
                     target=other,
                     inputs={
                         "u_fft_from": TargetInput(target=source),
@@ -152,7 +152,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name="waves of the sea",
                 program="gerstner",
-                fragment=("common/numbers.glsl", "sea/gerstner.glsl", "sea/gerstner_pass.glsl"),
+                fragment=("lib/numbers.glsl", "waves/sea/gerstner.glsl", "waves/sea/gerstner_pass.glsl"),
                 target="sea_a",
                 uniforms=gerstner_uniforms(tiles, size),
             ),
@@ -166,7 +166,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         first = PassSpec(
             name="spectrum of the sea",
             program="sea_spectrum",
-            fragment=("common/numbers.glsl", "sea/spectrum.glsl", "sea/displaced_pass.glsl"),
+            fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", "waves/sea/displaced_pass.glsl"),
             target="sea_a",
             inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
             uniforms=loop_uniforms(),
@@ -178,7 +178,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"sea, {of.size:g} m tile",
                 program="sea_tile",
-                fragment=("sea/resample_pass.glsl", "sea/tile_pass.glsl"),
+                fragment=("waves/sea/resample_pass.glsl", "waves/sea/tile_pass.glsl"),
                 target=f"sea_tile_{i}",
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(of, i, sea.choppiness, size),
@@ -188,7 +188,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             found, measured = measured_bounds(f"sea_tile_{i}", size, of.size / size)
             targets |= found
             passes += measured
-    fetch = f"sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
+    fetch = f"waves/sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
     seen = "sea_seen" if quality.surface.filter else "sea_tile"
     if quality.surface.filter:
         for i, of in enumerate(tiles):
@@ -202,25 +202,25 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 PassSpec(
                     name=f"sea, {of.size:g} m tile as seen",
                     program="sea_seen",
-                    fragment=(fetch, "sea/seen_pass.glsl"),
+                    fragment=(fetch, "waves/sea/seen_pass.glsl"),
                     target=f"sea_seen_{i}",
                     inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
                 ),
             )
-    needs = (fetch, "sea/level.glsl", f"sea/seen{'' if quality.surface.filter else '_exact'}.glsl")
+    needs = (fetch, "waves/sea/level.glsl", f"waves/sea/seen{'' if quality.surface.filter else '_exact'}.glsl")
     slots = [
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
-        SlotFile("bounds", "sea/bounds.glsl", prefix="sea"),
+        SlotFile("bounds", "waves/sea/bounds.glsl", prefix="sea"),
     ]
     if scene.shore is None:
-        slots.append(SlotFile("short", "sea/short.glsl"))
-        slots.append(SlotFile("short bounds", "sea/short_bounds.glsl", needs=("sea/bounds.glsl",)))
+        slots.append(SlotFile("short", "waves/sea/short.glsl"))
+        slots.append(SlotFile("short bounds", "waves/sea/short_bounds.glsl", needs=("waves/sea/bounds.glsl",)))
     if len(tiles) > RAISED:
         name = "detail_two" if len(tiles) == 4 else "detail_one"
-        slots.append(SlotFile("detail", f"sea/{name}.glsl", prefix="sea", needs=needs))
+        slots.append(SlotFile("detail", f"waves/sea/{name}.glsl", prefix="sea", needs=needs))
     orbits: dict[str, TextureInput | TargetInput] = {}
     if carries(scene):
-        slots.append(SlotFile("carry", "carry/sea.glsl", prefix="sea"))
+        slots.append(SlotFile("carry", "foam/carry/sea.glsl", prefix="sea"))
         side = size // 2
         over = FixedSize(width=side, height=RAISED * (side + 1))
         targets["sea_orbits"] = tile_target(quality, side).model_copy(update={"size": over})
@@ -229,7 +229,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"orbits, {of.size:g} m tile",
                 program="sea_orbit",
-                fragment=("sea/resample_pass.glsl", "carry/sea_orbit_pass.glsl"),
+                fragment=("waves/sea/resample_pass.glsl", "foam/carry/sea_orbit_pass.glsl"),
                 target="sea_orbits",
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(of, i, sea.choppiness, size),
@@ -312,7 +312,7 @@ EFFECT = Effect(
         HardCase(
             name="the open sea at any time",
             scene=Scene(sea=Sea(wind=8.0)),
-            guard="whole turns in a loop, whose place is reduced in float64 (sea/spectrum.glsl)",
+            guard="whole turns in a loop, whose place is reduced in float64 (waves/sea/spectrum.glsl)",
             without="with w t in float32 at 1e9 s: 77 % of samples off by more than 2 levels, the worst by 219",
             times=(-1e9, 1e9),
             camera=_NEAR,
@@ -334,14 +334,15 @@ EFFECT = Effect(
         HardCase(
             name="a breath of wind, and no wave on the largest tile",
             scene=Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(chop=Chop())),
-            guard="the divisor at least 1e-30 where slopes are held (sea/tile_pass.glsl)",
+            guard="the divisor at least 1e-30 where slopes are held (waves/sea/tile_pass.glsl)",
             without="nothing on llvmpipe, whose min(1, 0/0) is 1; GLSL leaves it undefined",
             camera=_NEAR,
         ),
         HardCase(
             name="the highest sea there is",
             scene=Scene(sea=Sea(wind=60.0, fetch=1e7, choppiness=1.0), water=Water(depth=11000.0)),
-            guard="heights held in 4.5 standard deviations, so that the slab that is marched ends (sea/tile_pass.glsl)",
+            guard="heights held in 4.5 standard deviations, so that the slab that is marched ends "
+            "(waves/sea/tile_pass.glsl)",
             without="nothing here: no height of these tiles reaches the limit",
             camera=Camera(position=(0.0, 260.0, 0.0), pitch=-0.5),
         ),

@@ -1,4 +1,4 @@
-// From where the water was whole quarters of a brood ago (drift/still_pass.glsl) to where it was when its brood came up.
+// From where the water was whole quarters of a brood ago (foam/drift/still_pass.glsl) to where it was when its brood came up.
 int drift_part() {
     return clamp(int(u_drift_clock.y * (float(DRIFT_PARTS) / DRIFT_BROOD)), 0, DRIFT_PARTS - 1);
 }

@@ -1,4 +1,4 @@
-// Bounds of the rings as their map holds them now, over the level of rings/map.glsl.
+// Bounds of the rings as their map holds them now, over the level of waves/rings/map.glsl.
 uniform sampler2D u_ring_bounds;
 
 vec3 rings_bounds(vec3 ray, float aside, float from) {
