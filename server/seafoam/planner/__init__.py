@@ -1,4 +1,7 @@
-"""Frame plans: what a scene compiles to."""
+"""The planner: scenes become frame plans.
+
+It knows slots and passes; of effects it knows what they contribute, and no formula.
+"""
 
 from seafoam.effects.effect import PlanError
 from seafoam.framegraph.plan import FramePlan

@@ -1,1 +1,1 @@
-"""Effects of boats and their wakes."""
+"""Boats and their wakes. Foam of wakes is in :mod:`seafoam.effects.foam`."""

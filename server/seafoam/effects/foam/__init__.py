@@ -1,1 +1,4 @@
-"""Effects of foam: saturations, looks, its life and what it lies on."""
+"""Foam: saturations, looks, what carries it, its relief, and bubbles under it.
+
+Waves that make foam are in :mod:`seafoam.effects.waves`.
+"""

@@ -354,7 +354,7 @@ EFFECT = Effect(
                     mask_tile=0.7,
                 )
             ),
-            guard="places modulo a tile before each octave, which whole numbers map onto itself (foam/look/filtered.glsl)",
+            guard="places modulo a tile before each octave, which integers map onto itself (foam/look/filtered.glsl)",
             without="0.12 levels at the most: far places lose hundredths of a texel of the finest octave",
             camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
         ),

@@ -1,1 +1,4 @@
-"""Effects of light and sky."""
+"""Sun, sky, clouds, moon and stars, and what glitters.
+
+What the water mirrors is in :mod:`seafoam.effects.reflection`.
+"""

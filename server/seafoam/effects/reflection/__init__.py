@@ -1,1 +1,1 @@
-"""Effects of what the water mirrors."""
+"""What the water mirrors beside the sky: cubemaps, boats and land."""

@@ -1,1 +1,1 @@
-"""Effects of drops in the air."""
+"""Drops in the air, as points that are laid over the picture."""

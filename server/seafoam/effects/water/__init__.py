@@ -1,1 +1,1 @@
-"""Effects of the water's body and of what lies under it."""
+"""The water's body, its floor, caustics on that, and the view from under the surface."""

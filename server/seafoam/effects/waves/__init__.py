@@ -1,1 +1,4 @@
-"""Effects that move the surface."""
+"""What raises or tilts the surface: parametric waves, seas, rings, ripples.
+
+No foam and no light.
+"""

@@ -1,1 +1,4 @@
-"""Rays through pixels, where they meet the surface, and the frame."""
+"""The float64 renderer: rays through pixels, where they meet the surface, and the frame.
+
+Formulas of single effects are in the packages beside it.
+"""

@@ -1,1 +1,4 @@
-"""Worker processes that draw for a server."""
+"""Worker processes that render for a server: queue, deadlines, errors.
+
+No OpenGL in the calling process.
+"""
