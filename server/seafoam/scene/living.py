@@ -20,24 +20,32 @@ class FoamLife(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     carried: bool = Field(
-        default=True, description="Foam lies on the water that it rests on: waves carry it to and fro and stretch it"
+        default=True,
+        description="Waves carry the foam to and fro with the water and stretch it; false: it stays in place",
     )
     masks: tuple[_Mask, ...] = Field(
         default=("lacetorn", "streak"),
         max_length=MASKS_MOST,
-        description="Masks of older foam, the oldest last; as large as the foam's own",
+        description="Masks for ageing foam, the oldest last; each must be as large as the foam's own mask",
     )
     wind_direction: float = Field(
         default=0.0,
         ge=-6.2832,
         le=6.2832,
-        description="Heading of the wind, rad from +x toward +z: of its drift and of the windrows",
+        description="Direction toward which the wind blows, rad from +x toward +z; sets the wind drift and "
+        "the windrows",
         json_schema_extra={"unit": "rad"},
     )
     wind_drift: float = Field(
-        default=0.0, ge=0.0, le=2.0, description="Drift of the surface with the wind, m/s: 1 to 3 % of the wind's speed"
+        default=0.0,
+        ge=0.0,
+        le=2.0,
+        description="Drift speed of the surface with the wind, m/s; in nature 1 to 3 % of the wind speed",
     )
     windrows: float = Field(
-        default=0.0, ge=0.0, le=1.0, description="How much of the foam gathers in rows along the wind (Langmuir 1938)"
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Strength with which foam gathers in windrows, rows along the wind (Langmuir 1938); 0: even",
     )
-    windrow_spacing: float = Field(default=12.0, ge=0.5, le=500.0, description="From row to row, about, m")
+    windrow_spacing: float = Field(default=12.0, ge=0.5, le=500.0, description="Mean spacing of the windrows, m")

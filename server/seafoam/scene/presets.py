@@ -19,12 +19,12 @@ class Preset(Part):
     """A scene worth looking at, and when and how large."""
 
     name: str
-    group: Group = Field(description="What it stands under in the menu")
-    order: int = Field(description="Place in its group")
+    group: Group = Field(description="Heading of the menu under which the preset is listed")
+    order: int = Field(description="Position within its group")
     title: str
     summary: str
-    size: tuple[int, int] = Field(description="Width and height it was made for, pixels")
-    time: float = Field(default=0.0, description="A time at which it looks its best, s")
+    size: tuple[int, int] = Field(description="Recommended width and height, pixels")
+    time: float = Field(default=0.0, description="Recommended time, s")
     scene: Scene
 
 

@@ -22,18 +22,22 @@ class Ring(BaseModel):
     place: tuple[Annotated[float, Field(ge=-1e7, le=1e7)], Annotated[float, Field(ge=-1e7, le=1e7)]] = Field(
         default=(0.0, -20.0), description="Centre (x, z), m"
     )
-    birth: float = Field(default=0.0, ge=-1e9, le=1e9, description="When it starts, s; no ring before")
+    birth: float = Field(default=0.0, ge=-1e9, le=1e9, description="Time at which the ring starts, s")
     every: float | None = Field(
         default=None,
         ge=0.1,
         le=1e5,
-        description="It starts again after so long, s, at least its life, at most 5.55/b; absent: once",
+        description="Interval at which the ring is repeated, s; at least its lifetime, at most 5.55/b; "
+        "absent: it happens once",
     )
-    amplitude: float = Field(default=0.2, ge=0.0, le=20.0, description="I0: height of a crest at birth, m")
-    decay: float = Field(default=0.3, ge=0.01, le=10.0, description="b: how fast it dies away, 1/s")
-    wavelength: float = Field(default=3.0, ge=0.05, le=500.0, description="λ: crest to crest in deep water, m")
+    amplitude: float = Field(default=0.2, ge=0.0, le=20.0, description="I0: initial amplitude of the crests, m")
+    decay: float = Field(default=0.3, ge=0.01, le=10.0, description="b: decay rate of the amplitude, 1/s")
+    wavelength: float = Field(default=3.0, ge=0.05, le=500.0, description="λ: wavelength in deep water, m")
     crests: float | None = Field(
-        default=None, ge=0.5, le=100.0, description="Waves behind the front before it is calm; absent: to the centre"
+        default=None,
+        ge=0.5,
+        le=100.0,
+        description="Number of waves behind the front, after which the water is calm; absent: waves to the centre",
     )
 
     @property
@@ -49,5 +53,5 @@ class Ring(BaseModel):
     @model_validator(mode="after")
     def _ends_before_it_starts_again(self) -> "Ring":
         if self.every is not None and self.every < self.life:
-            raise ValueError(f"every: must be at least the ring's life, {self.life:.4g} s")
+            raise ValueError(f"every: must be at least the ring's lifetime ({self.life:.4g} s)")
         return self
