@@ -68,7 +68,7 @@ def _renderer(probe: Callable[[], dict[str, str]]) -> list[Finding]:
         remedy = "update or reinstall the GL driver: apt-get install --reinstall libgl1-mesa-dri"
         return [Finding("OpenGL", "missing", "the driver crashed while drawing", remedy)]
     except TimeoutError:
-        return [Finding("OpenGL", "missing", f"no picture within {PROBE_SECONDS:g} s", "update the GL driver")]
+        return [Finding("OpenGL", "missing", f"no frame within {PROBE_SECONDS:g} s", "update the GL driver")]
     except Exception as error:
         # Whatever the driver's bindings raise, the text says what to do.
         problem, _, remedy = str(error).partition("; ")
@@ -81,7 +81,7 @@ def _renderer(probe: Callable[[], dict[str, str]]) -> list[Finding]:
     return [
         Finding("OpenGL", "good", f"{info['renderer']} ({kind})"),
         Finding("", "good", f"{info['vendor']}, {info['version']}"),
-        Finding("GLSL ES 3.00", "good", "compiles, and a test picture was drawn"),
+        Finding("GLSL ES 3.00", "good", "compiles; a test frame was drawn"),
     ]
 
 
@@ -95,7 +95,7 @@ def _masks() -> Finding:
         return Finding("Masks", "missing", f"no catalogue in {directory}: {error}", "reinstall seafoam")
     absent = [name for name in names if not (directory / f"{name}.ranks").is_file()]
     if absent:
-        return Finding("Masks", "missing", f"without data: {', '.join(absent)}", "reinstall seafoam")
+        return Finding("Masks", "missing", f"data missing for: {', '.join(absent)}", "reinstall seafoam")
     return Finding("Masks", "good", f"{len(names)} in {directory}")
 
 
@@ -103,7 +103,7 @@ def _webclient() -> Finding:
     index = data_dir("webclient") / "index.html"
     if index.is_file():
         return Finding("Web client", "good", f"built, {index.parent}")
-    return Finding("Web client", "optional", "not built: the page at / is a text", "make webclient")
+    return Finding("Web client", "optional", "not built; the server shows a text page at /", "make webclient")
 
 
 def _node() -> Finding:

@@ -174,7 +174,7 @@ def test_a_budget_takes_the_least_error_that_fits(known):
 def test_a_budget_that_nothing_fits_takes_the_fastest(known):
     found = choose(known, 160, 90, 0.001)
     assert not found.fits
-    assert "nothing fits" in found.why
+    assert "none within budget" in found.why
     assert found.predicted_ms == min(point.model.at(160, 90) for point in known.points)
 
 

@@ -27,7 +27,7 @@ def choose(
     """
     predicted = [(point.model.at(width, height), point) for point in sweep.points if allowed(point.quality)]
     if not predicted:
-        raise ValueError(f"no measured quality may be drawn at {width} x {height}")
+        raise ValueError(f"no measured quality can be rendered at {width} x {height}")
     fitting = [pair for pair in predicted if pair[0] <= budget_ms]
     if fitting:
         at, point = min(fitting, key=lambda pair: (pair[1].error.rmse, pair[0]))
@@ -35,9 +35,9 @@ def choose(
         at, point = min(predicted, key=lambda pair: pair[0])
     size = f"{width} x {height}"
     if fitting:
-        said = f"least error of {len(fitting)} that fit of {len(predicted)} measured"
+        said = f"least error of {len(fitting)} within budget, of {len(predicted)} measured"
     else:
-        said = f"nothing fits, fastest of {len(predicted)} measured"
+        said = f"none within budget, fastest of {len(predicted)} measured"
     why = (
         f"{said}; predicted {at:.3g} ms of {budget_ms:g} ms at {size}; RMSE {point.error.rmse:.2f}/255, "
         f"FLIP {point.error.flip:.3f}"

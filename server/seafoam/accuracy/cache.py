@@ -65,5 +65,7 @@ class Store:
                     os.unlink(temporary)
                 raise
         except OSError as error:
-            log.warning("Cannot keep measurements in %s (%s): they last as long as this process", folder, error)
+            log.warning(
+                "Cannot store measurements in %s (%s): they are kept for the life of this process", folder, error
+            )
             self._memory[f"{kind}/{name}"] = content

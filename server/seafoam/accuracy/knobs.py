@@ -12,17 +12,17 @@ SPINE = "frame"
 """Owner of the knobs that no effect owns: how the surface is found, how often, and with how many digits."""
 
 SPINE_KNOBS: tuple[Knob, ...] = (
-    Knob("/surface/method", "way to the surface", ("mesh", "march"), "geometry"),
-    Knob("/surface/steps", "greatest number of march steps", (48, 96, 192, 384), "geometry"),
-    Knob("/surface/tolerance", "end of the march, heights of a sample", (0.5, 0.2, 0.05, 0.02, 0.002), "geometry"),
-    Knob("/surface/cells", "cells of the mesh along a side", (48, 96, 192, 384), "geometry"),
+    Knob("/surface/method", "surface intersection", ("mesh", "march"), "geometry"),
+    Knob("/surface/steps", "maximum ray-marching steps", (48, 96, 192, 384), "geometry"),
+    Knob("/surface/tolerance", "ray-marching tolerance, sample heights", (0.5, 0.2, 0.05, 0.02, 0.002), "geometry"),
+    Knob("/surface/cells", "mesh cells per side", (48, 96, 192, 384), "geometry"),
     Knob("/surface/refine", "Newton steps", (0, 1, 2, 4), "geometry"),
-    Knob("/surface/filter", "waves under a pixel become roughness", (False, True), "filtering"),
-    Knob("/samples", "samples a pixel", (1, 4, 9, 16), "filtering"),
-    Knob("/samples_max", "samples of a pixel that stands out", (1, 4, 16), "filtering"),
-    Knob("/samples_budget", "further samples, in the mean", (0.5, 1.0, 2.0), "filtering"),
-    Knob("/samples_threshold", "contrast of a pixel that stands out", (0.1, 0.02, 0.004), "filtering"),
-    Knob("/target", "digits of the linear frame", ("RGBA16F", "RGBA32F"), "precision"),
+    Knob("/surface/filter", "waves below a pixel become roughness", (False, True), "filtering"),
+    Knob("/samples", "samples per pixel", (1, 4, 9, 16), "filtering"),
+    Knob("/samples_max", "maximum samples of an adaptive pixel", (1, 4, 16), "filtering"),
+    Knob("/samples_budget", "mean additional samples per pixel", (0.5, 1.0, 2.0), "filtering"),
+    Knob("/samples_threshold", "contrast threshold of adaptive samples", (0.1, 0.02, 0.004), "filtering"),
+    Knob("/target", "format of the linear frame", ("RGBA16F", "RGBA32F"), "precision"),
 )
 
 

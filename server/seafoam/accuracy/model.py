@@ -22,11 +22,11 @@ class Part(BaseModel):
 class KnobInfo(Part):
     """A knob: what it is and which values of it are measured."""
 
-    owner: str = Field(description="The effect that declares it, or 'frame'")
+    owner: str = Field(description="Effect that declares the setting, or 'frame'")
     pointer: str = Field(description="JSON pointer into the quality")
     title: str
-    cause: Cause = Field(description="The kind of error that it works on")
-    steps: tuple[KnobValue, ...] = Field(description="Values that are measured, from cheap to exact")
+    cause: Cause = Field(description="Kind of error that the setting affects")
+    steps: tuple[KnobValue, ...] = Field(description="Measured values, fastest first")
 
 
 class KnobChoice(Part):
@@ -42,22 +42,24 @@ class KnobChoice(Part):
 class Point(Part):
     """A quality that is measured: a tier, or standard with one knob changed."""
 
-    id: str = Field(description="Name of the tier, or the knob and its value", examples=["standard", "samples=4"])
+    id: str = Field(
+        description="Name of the tier, or the changed setting and its value", examples=["standard", "samples=4"]
+    )
     label: str
     tier: Tier | None
     knob: KnobChoice | None
     quality: Quality
-    plan: str = Field(description="SHA-256 of its plan")
+    plan: str = Field(description="SHA-256 of the frame plan")
 
 
 class TruthInfo(Part):
     """The converged float64 picture that errors are against."""
 
-    url: str | None = Field(description="float32 (height, width, 4): linear RGB, foam coverage; rows from the top")
+    url: str | None = Field(description="float32 (height, width, 4): linear RGB and foam coverage; top row first")
     width: int
     height: int
     time: float = Field(description="Time of the scene, s")
-    samples: int = Field(description="Samples a pixel")
+    samples: int = Field(description="Samples per pixel")
 
 
 class Points(Part):
@@ -77,7 +79,7 @@ class TimeSpread(Part):
     median_ms: float
     low_ms: float = Field(description="First quartile")
     high_ms: float = Field(description="Third quartile")
-    rounds_ms: tuple[float, ...] = Field(description="Every round; rounds of different points were drawn together")
+    rounds_ms: tuple[float, ...] = Field(description="Times of the single rounds; one round renders all points in turn")
 
 
 class TimeModel(Part):
@@ -94,14 +96,19 @@ class TimeModel(Part):
 class Errors(Part):
     """Against the truth."""
 
-    rmse: float = Field(description="Of linear RGB clipped at display white, in levels: white = 255")
-    max: float = Field(description="Greatest difference of a channel, the same levels")
+    rmse: float = Field(
+        description="Root mean square error of linear RGB, clipped at display white, in levels (white = 255)"
+    )
+    max: float = Field(description="Maximum error of any channel, in the same levels")
     flip: float = Field(description="Mean FLIP of the tone-mapped sRGB pictures, 0 to 1")
     coverage: float = Field(description="RMSE of foam coverage, 0 to 1")
-    flipped: float = Field(description="Share of pixels that have foam (coverage over 0.5) in one picture alone")
+    flipped: float = Field(
+        description="Fraction of pixels that have foam (coverage above 0.5) in only one of the two pictures"
+    )
     popping: float | None = Field(
-        description="Share of living foam that is lost from one frame to the next, 1/60 s later, in the worst pair of "
-        "the rounds; null without foam. The sea loses some itself: compare with the tier reference"
+        description="Popping: fraction of the existing foam that disappears within 1/60 s, in the worst pair "
+        "of frames; null without foam. Compare with tier reference: some foam of the sea "
+        "disappears in truth"
     )
 
 
@@ -120,15 +127,15 @@ class Causes(Part):
 class MeasuredPoint(Point):
     """A quality with its time and its error."""
 
-    on_front: bool = Field(description="Nothing measured is both faster and more exact")
+    on_front: bool = Field(description="True if no measured point is both faster and more exact")
     beaten_by: tuple[str, ...] = Field(
-        description="Points that are at most as far from the truth, and faster by a tenth and more in three quarters "
-        "of the rounds; the most exact first"
+        description="Points with no greater error that are faster by at least a tenth in three quarters of "
+        "the rounds; the most exact first"
     )
     time: TimeSpread
     model: TimeModel
     error: Errors
-    causes: Causes | None = Field(description="Of tiers; null where one knob alone is changed")
+    causes: Causes | None = Field(description="Error by cause, for tiers; null where a single setting is changed")
 
 
 class Step(Part):
@@ -142,26 +149,29 @@ class Step(Part):
     value_to: KnobValue
     point_from: str
     point_to: str
-    added_ms: float = Field(description="Median of the differences by round")
-    time_factor: float = Field(description="Median of the ratios by round")
-    time_measurable: bool = Field(description="The quartiles of these ratios lie on one side of 1")
-    error_removed: float = Field(description="RMSE, levels; negative: more error")
+    added_ms: float = Field(description="Median of the differences per round")
+    time_factor: float = Field(description="Median of the ratios per round")
+    time_measurable: bool = Field(description="True if both quartiles of the ratios lie on the same side of 1")
+    error_removed: float = Field(description="Reduction of the RMSE, levels; negative: the error grows")
     error_factor: float = Field(description="RMSE before over RMSE after")
-    error_per_ms: float | None = Field(description="error_removed / added_ms; null where that means nothing")
+    error_per_ms: float | None = Field(description="error_removed / added_ms; null where it is undefined")
     sentence: str
 
 
 class Timing(Part):
     """How times were taken."""
 
-    timer: Literal["wall", "gpu"] = Field(description="wall: around a frame and its finish; gpu: timer queries")
+    timer: Literal["wall", "gpu"] = Field(
+        description="wall: wall clock around a frame until it is finished; gpu: GPU timer queries"
+    )
     width: int = Field(
-        description="Of the larger frames that are timed, pixels; slow points are timed by the compared pictures"
+        description="Size of the larger timed frames, pixels; slow points are timed at the size of the "
+        "compared pictures"
     )
     height: int
-    small_width: int = Field(description="Of the smaller ones, for the fixed part of the model")
+    small_width: int = Field(description="Size of the smaller timed frames, for the constant part of the time model")
     small_height: int
-    own_width: int = Field(description="Of the frames that times are told for: the subject's own")
+    own_width: int = Field(description="Frame size for which times are reported: the preset's own")
     own_height: int
     rounds: int
 
@@ -174,7 +184,7 @@ class Machine(Part):
     version: str
     processor: str
     cores: int
-    threads: int = Field(description="Threads that a software renderer may use")
+    threads: int = Field(description="Number of threads of a software renderer")
 
 
 class Sweep(Part):
@@ -182,21 +192,23 @@ class Sweep(Part):
 
     format: int = FORMAT
     status: Literal["measured"] = "measured"
-    preset: str | None = Field(description="Null: a scene of its own")
+    preset: str | None = Field(description="Name of the preset; null: a custom scene")
     scene_sha256: str
-    width: int = Field(description="Of the pictures that errors are taken from, pixels")
+    width: int = Field(description="Size of the compared pictures, pixels")
     height: int
     time: float = Field(description="Time of the scene, s")
     truth: TruthInfo
     timing: Timing
     machine: Machine
     versions: dict[str, str]
-    measured_at: str = Field(description="ISO 8601, UTC")
-    seconds: float = Field(description="How long the sweep took, truth not counted")
+    measured_at: str = Field(description="Date and time of the measurement, ISO 8601, UTC")
+    seconds: float = Field(description="Duration of the sweep without the float64 reference, s")
     points: tuple[MeasuredPoint, ...]
-    front: tuple[str, ...] = Field(description="Points that nothing beats in both time and RMSE, from the fastest")
+    front: tuple[str, ...] = Field(
+        description="Pareto front: IDs of points that no other point beats in both time and RMSE, fastest first"
+    )
     steps: tuple[Step, ...]
-    sentences: tuple[str, ...] = Field(description="What the front says in words")
+    sentences: tuple[str, ...] = Field(description="Summary of the front in words")
 
     def point(self, id: str) -> MeasuredPoint:
         """A point by its id. Raises ``KeyError``."""
@@ -210,6 +222,6 @@ class Running(Part):
     """A measurement that is not finished."""
 
     status: Literal["queued", "running"]
-    stage: str = Field(description="What is being done")
-    progress: float = Field(description="Share of the work that is done, 0 to 1")
-    eta_s: float | None = Field(default=None, description="Seconds that remain, estimated")
+    stage: str = Field(description="Current stage")
+    progress: float = Field(description="Progress, 0 to 1")
+    eta_s: float | None = Field(default=None, description="Estimated remaining time, s")

@@ -114,7 +114,7 @@ class Station:
                 return self._now(self._running)
             if key not in self._waiting:
                 if len(self._waiting) >= MOST_WAITING:
-                    raise StationFullError(f"{len(self._waiting)} measurements wait already")
+                    raise StationFullError(f"{len(self._waiting)} measurements are already waiting")
                 self._waiting[key] = task
                 self._change.notify_all()
             if self._thread is None and not self._stopped.is_set():

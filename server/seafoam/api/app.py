@@ -32,10 +32,10 @@ NOT_WORTH_GZIP = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "
 _DESCRIPTION = """
 Water with halftoned foam, after Yingst, Alford and Parberry (2011).
 
-A **scene** says what the sea is, a **quality** how exactly to compute it. Both make a **frame plan**, which the server
-and the browser run alike. Every frame is a function of scene, quality, camera, size and time, so the same request gives
-the same bytes. SI units, radians, +y up. Errors are `application/problem+json` (RFC 9457) and name the field and what
-it may be.
+A **scene** describes the water, its foam, the light and the camera; a **quality** says how exactly to compute them.
+Both are compiled into a **frame plan**, which the server and the browser execute alike. A frame depends only on scene,
+quality, camera, size and time, so the same request returns the same bytes. Units are SI units and radians; +y points
+up. Errors are `application/problem+json` (RFC 9457) and name the field and its allowed values.
 """
 
 

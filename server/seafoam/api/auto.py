@@ -35,13 +35,13 @@ class Asked:
     def budget(self) -> float:
         """The budget of auto, ms. Raises :class:`BadRequestError` where there is none."""
         if self.budget_ms is None:
-            raise self._refused("quality auto needs the milliseconds that a frame may take")
+            raise self._refused("quality auto requires budget_ms, the frame time allowed in milliseconds")
         return self.budget_ms
 
     def no_budget(self) -> None:
         """Raises :class:`BadRequestError` where a budget was given."""
         if self.budget_ms is not None:
-            raise self._refused("only quality auto has a budget")
+            raise self._refused("allowed only with quality auto")
 
 
 async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Quality, Mapping[str, str]]:
@@ -59,8 +59,8 @@ async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Qua
     found = await measured(context, subject)
     if isinstance(found, Running):
         what = f"preset {subject.preset}" if subject.preset else "this scene"
-        state = "waits to be measured" if found.status == "queued" else f"is {100 * found.progress:.0f} % measured"
-        detail = f"the cost of accuracy of {what} {state}: ask again, or name a tier"
+        state = "is queued for measurement" if found.status == "queued" else f"is {100 * found.progress:.0f} % measured"
+        detail = f"cost of accuracy: {what} {state}; retry later, or name a tier"
         raise NotMeasuredError(detail, retry_seconds(found))
     choice = choose(
         found, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples_drawn)

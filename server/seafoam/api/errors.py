@@ -46,10 +46,10 @@ class FieldProblem(BaseModel):
 
     pointer: str | None = Field(default=None, description="JSON pointer (RFC 6901) into the request body")
     parameter: str | None = Field(default=None, description="Name of the query or path parameter")
-    detail: str = Field(description="What is wrong with it")
+    detail: str = Field(description="Description of the error")
     allowed: dict[str, Any] | None = Field(
         default=None,
-        description="What is allowed: minimum and maximum (inclusive), enum, members, pattern or type",
+        description="Allowed values: minimum and maximum (inclusive), enum, members, pattern or type",
         examples=[{"minimum": 1, "maximum": 4096}],
     )
 
@@ -59,13 +59,13 @@ class Problem(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
 
-    type: str = Field(description="Names the kind of problem", examples=["urn:seafoam:problem:bad-request"])
-    title: str = Field(description="The kind of problem in words")
-    status: int = Field(description="The HTTP status")
-    detail: str = Field(description="What went wrong this time")
-    instance: str = Field(description="The path that was asked for")
-    errors: list[FieldProblem] | None = Field(default=None, description="Where the request is wrong")
-    remedy: str | None = Field(default=None, description="What the operator can do about it")
+    type: str = Field(description="URN of the problem type", examples=["urn:seafoam:problem:bad-request"])
+    title: str = Field(description="Short description of the problem type")
+    status: int = Field(description="HTTP status code")
+    detail: str = Field(description="Description of this occurrence of the problem")
+    instance: str = Field(description="Path of the request")
+    errors: list[FieldProblem] | None = Field(default=None, description="Errors of single fields and parameters")
+    remedy: str | None = Field(default=None, description="How the operator of the server can fix it")
 
 
 class ApiError(Exception):
@@ -115,18 +115,18 @@ class Kind:
 
 
 KINDS: dict[type[Exception], Kind] = {
-    NotFoundError: Kind(404, "not-found", "There is no such thing"),
-    UnsupportedMediaError: Kind(415, "unsupported-media-type", "The body must be JSON"),
-    BadRequestError: Kind(422, "bad-request", "The request asks for what is not allowed"),
-    FrameTooLargeError: Kind(422, "frame-too-large", "The frame is larger than is rendered"),
-    MaskTooSlowError: Kind(422, "mask-too-slow", "The mask takes longer than is allowed on request"),
+    NotFoundError: Kind(404, "not-found", "Not found"),
+    UnsupportedMediaError: Kind(415, "unsupported-media-type", "The request body must be JSON"),
+    BadRequestError: Kind(422, "bad-request", "Invalid request"),
+    FrameTooLargeError: Kind(422, "frame-too-large", "The frame exceeds the size limit"),
+    MaskTooSlowError: Kind(422, "mask-too-slow", "The mask would take too long to generate"),
     RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
     FailedError: Kind(500, "measurement-failed", "The measurement failed"),
     BusyError: Kind(503, "busy", "The server is busy"),
-    NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is being measured"),
-    QueueFullError: Kind(503, "queue-full", "Too many frames are waiting"),
-    RendererUnavailableError: Kind(503, "no-renderer", "There is no renderer"),
-    DeadlineError: Kind(504, "deadline", "The frame was not finished in time"),
+    NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),
+    QueueFullError: Kind(503, "queue-full", "The render queue is full"),
+    RendererUnavailableError: Kind(503, "no-renderer", "No renderer is available"),
+    DeadlineError: Kind(504, "deadline", "The request timed out"),
 }
 """The one table: exception -> status."""
 
@@ -210,11 +210,11 @@ def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation:
         if declared is None:
             known = sorted(parameter["name"] for parameter in parameters if parameter["in"] == source)
             said = {"members": known} if known else None
-            return FieldProblem(parameter=name, detail=f"{name} is not a parameter here", allowed=said)
+            return FieldProblem(parameter=name, detail=f"{name} is not a parameter of this operation", allowed=said)
         allowed = allowed_at(declared["schema"], openapi, ())
         return FieldProblem(parameter=name, detail=f"{name}: {message}", allowed=allowed)
     if item["type"] == "json_invalid":
-        return FieldProblem(pointer="", detail=f"not JSON: {item['ctx']['error']} at character {location[0]}")
+        return FieldProblem(pointer="", detail=f"invalid JSON: {item['ctx']['error']} at character {location[0]}")
     path = pointer_of(location, body, item["type"] == "missing")
     pointer = "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
     schema = operation.get("requestBody", {}).get("content", {}).get("application/json", {}).get("schema", {})
@@ -271,13 +271,13 @@ async def _http(request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, HTTPException)
     detail = error.detail
     if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
-        detail = f"{request.method} is not allowed here"
+        detail = f"method {request.method} is not allowed for this path"
     elif error.status_code == HTTPStatus.NOT_FOUND:
-        detail = f"there is nothing at {request.url.path}"
+        detail = f"{request.url.path} was not found"
     return problem(request.url.path, error.status_code, detail, headers=error.headers)
 
 
 async def _unexpected(request: Request, error: Exception) -> JSONResponse:
     # The server's log has the traceback; a client learns nothing of the inside.
-    detail = "the server failed; its log has the details"
-    return problem(request.url.path, 500, detail, name="internal", title="Internal error")
+    detail = "internal server error; the server log has the details"
+    return problem(request.url.path, 500, detail, name="internal", title="Internal server error")

@@ -59,7 +59,7 @@ class LimitBody:
 
     @property
     def _detail(self) -> str:
-        return f"a request body may have {self.limit:,} bytes"
+        return f"the request body exceeds {self.limit:,} bytes"
 
 
 class NoSniff:

@@ -16,8 +16,8 @@ from seafoam.resources import data_dir
 
 NOT_BUILT = """Seafoam is running, but its web client has not been built.
 
-Build it with:  make webclient
-The manual of the API is at /docs, a picture at /api/frames/default.png.
+To build it, run:  make webclient
+The API reference is at /docs, a rendered frame at /api/frames/default.png.
 """
 
 

@@ -66,7 +66,7 @@ def _budget() -> Any:
         default=None,
         gt=0.0,
         le=1e6,
-        description="With quality auto: milliseconds that drawing may take, reading back and encoding left out",
+        description="With quality auto: maximum frame time, ms, without readback and encoding",
         examples=[8.0],
     )
 
@@ -79,12 +79,10 @@ def _axis(index: int, description: str, example: float) -> Any:
 class SceneOverrides(Parameters):
     """What may be changed of a preset's scene."""
 
-    look: Look | None = Field(
-        default=None, description="Look of the foam instead of the preset's", examples=["halftone"]
-    )
+    look: Look | None = Field(default=None, description="Foam look; absent: the preset's", examples=["halftone"])
     mask: str | None = _same(
         Foam.model_fields["mask"],
-        "Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed[:aspect:age]",
+        "Foam mask, one of /api/masks or family:sigma:size:seed[:aspect:age]; absent: the preset's",
         examples=["vac-6"],
     )
 
@@ -108,7 +106,9 @@ class SceneOverrides(Parameters):
 class PlanParameters(SceneOverrides):
     """A plan of a preset."""
 
-    quality: Tier = Field(default="standard", description="Tier of quality; POST takes single knobs", examples=["high"])
+    quality: Tier = Field(
+        default="standard", description="Quality tier; single settings require POST", examples=["high"]
+    )
 
 
 class FrameParameters(SceneOverrides):
@@ -116,8 +116,8 @@ class FrameParameters(SceneOverrides):
 
     quality: TierOrAuto = Field(
         default="standard",
-        description="Tier of quality, or auto: the most exact that is predicted to be drawn within budget_ms; POST "
-        "takes single knobs",
+        description="Quality tier, or auto: the most exact quality predicted to render within budget_ms; "
+        "single settings require POST",
         examples=["high"],
     )
     budget_ms: float | None = _budget()
@@ -126,16 +126,14 @@ class FrameParameters(SceneOverrides):
         default=None,
         ge=-TIME_LIMIT,
         le=TIME_LIMIT,
-        description="Time, s; absent: the preset's own",
+        description="Time, s; absent: the preset's",
         examples=[12.5],
     )
-    width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's own", examples=[640])
-    height: int | None = Field(
-        default=None, ge=1, description="Height, pixels; absent: the preset's own", examples=[360]
-    )
-    x: float | None = _axis(0, "Eye, m along +x; absent, like the rest of the camera: the preset's own", 0.0)
-    y: float | None = _axis(1, "Eye, m above the troughs", 4.5)
-    z: float | None = _axis(2, "Eye, m along +z", -20.0)
+    width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's", examples=[640])
+    height: int | None = Field(default=None, ge=1, description="Height, pixels; absent: the preset's", examples=[360])
+    x: float | None = _axis(0, "Camera position along +x, m; absent: the preset's, as for all camera parameters", 0.0)
+    y: float | None = _axis(1, "Camera height above the troughs, m", 4.5)
+    z: float | None = _axis(2, "Camera position along +z, m", -20.0)
     yaw: float | None = _same(Camera.model_fields["yaw"], examples=[0.35])
     pitch: float | None = _same(Camera.model_fields["pitch"], examples=[-0.2])
     roll: float | None = _same(Camera.model_fields["roll"], examples=[0.0])
@@ -175,13 +173,18 @@ class SceneRequest(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
-    scene: Scene = Field(description="What the sea is", examples=[{"waves": [{"model": "parametric"}], "foam": {}}])
+    scene: Scene = Field(
+        description="The scene: waves, foam, water, light and camera",
+        examples=[{"waves": [{"model": "parametric"}], "foam": {}}],
+    )
 
 
 class PlanRequest(SceneRequest):
     """A scene to plan."""
 
-    quality: TierOrKnobs = Field(default="standard", description="A tier, or every knob that differs from standard")
+    quality: TierOrKnobs = Field(
+        default="standard", description="A tier, or the settings that differ from tier standard"
+    )
 
 
 class FrameRequest(SceneRequest):
@@ -189,12 +192,12 @@ class FrameRequest(SceneRequest):
 
     quality: TierAutoOrKnobs = Field(
         default="standard",
-        description="A tier, every knob that differs from standard, or auto: the most exact that is predicted to be "
-        "drawn within budget_ms",
+        description="A tier, the settings that differ from tier standard, or auto: the most exact quality "
+        "predicted to render within budget_ms",
     )
     budget_ms: float | None = _budget()
     time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description="png, webp (lossless), or npy (linear float32)")
-    camera: Camera | None = Field(default=None, description="Absent: the scene's own")
+    camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")

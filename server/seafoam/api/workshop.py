@@ -28,5 +28,5 @@ class Workshop:
         """Run ``function`` in a thread. Raises :class:`BusyError` when too much waits, and what the function raises."""
         waiting = self._limiter.statistics().tasks_waiting
         if waiting >= self._queue:
-            raise BusyError(f"{waiting} requests wait for the same work", RETRY_SECONDS)
+            raise BusyError(f"{waiting} requests of this kind are already waiting", RETRY_SECONDS)
         return await anyio.to_thread.run_sync(lambda: function(*args, **kwargs), limiter=self._limiter)

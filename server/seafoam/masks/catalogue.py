@@ -275,7 +275,7 @@ def load_mask(name: str) -> Mask:
     """A shipped mask. Raises :class:`UnknownMaskError` for another name; the mask is kept for later calls."""
     shipped = _shipped()
     if name not in shipped:
-        raise UnknownMaskError(f"no mask {name!r}; there are {', '.join(shipped)}")
+        raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
     ranks = decode_ranks(rank_file(data_dir("masks"), name).read_bytes(), entry.size)
     ranks.setflags(write=False)
@@ -310,8 +310,8 @@ def custom_mask(
     seconds = estimated_seconds(asked.family, asked.sigma, asked.size)
     if seconds > ON_REQUEST_SECONDS:
         raise MaskTooSlowError(
-            f"a {asked.family} mask of sigma {asked.sigma:g} at size {asked.size} takes about {seconds:.0f} s; "
-            f"at most {ON_REQUEST_SECONDS:g} s are allowed: lower sigma or size"
+            f"a {asked.family} mask of sigma {asked.sigma:g} at size {asked.size} would take about {seconds:.0f} s "
+            f"to generate; the limit is {ON_REQUEST_SECONDS:g} s: lower sigma or size"
         )
     return _custom(asked)
 

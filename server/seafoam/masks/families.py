@@ -91,7 +91,7 @@ def check_parameters(
     if isinstance(size, bool) or not isinstance(size, int) or size not in SIZES:
         raise ValueError(f"size {size!r} is not one of {', '.join(map(str, SIZES))} texels")
     if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed <= SEED_MAX:
-        raise ValueError(f"seed {seed!r} is not a whole number in 0..{SEED_MAX}")
+        raise ValueError(f"seed {seed!r} is not an integer in 0..{SEED_MAX}")
     least, greatest = sigma_range(known, size)
     chosen = min(DEFAULT_SIGMA[known], greatest) if sigma is None else float(sigma)
     if not (math.isfinite(chosen) and least <= chosen <= greatest):
@@ -99,7 +99,7 @@ def check_parameters(
     for name, value, low, high in (("aspect", aspect, 1.0, ASPECT_MAX), ("age", age, 0.0, 1.0)):
         if known != "lace":
             if value != low:
-                raise ValueError(f"{name} {value!r} is not for {known}, only for lace")
+                raise ValueError(f"{name} {value!r} is allowed only for lace, not {known}")
         elif not (math.isfinite(value) and low <= value <= high):
             raise ValueError(f"{name} {value!r} is outside {low:g}..{high:g}")
     return MaskParameters(known, chosen, size, seed, float(aspect), float(age))
@@ -112,7 +112,7 @@ def parse_parameters(text: str) -> MaskParameters:
     """
     parts = text.split(":")
     if len(parts) not in (4, 6):
-        raise ValueError(f"{text!r} is not {TEXT_FORM}")
+        raise ValueError(f"{text!r} is not of the form {TEXT_FORM}")
     family, sigma, size, seed, *lace = parts
     return check_parameters(family, float(sigma), int(size), int(seed), *map(float, lace))
 

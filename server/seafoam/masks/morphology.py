@@ -124,7 +124,7 @@ def hole_areas(ranks: Ranks, saturation: float) -> NDArray[np.int64]:
     saturation outside.
     """
     if not 0.0 <= saturation <= 1.0:
-        raise ValueError(f"a saturation lies in [0, 1], not at {saturation:g}")
+        raise ValueError(f"saturation {saturation:g} is outside [0, 1]")
     areas: NDArray[np.int64] = np.sort(_areas(ranks >= saturation * ranks.size, diagonal=False))
     return areas
 

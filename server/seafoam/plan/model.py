@@ -46,8 +46,8 @@ class Program(PlanPart):
 class Texture(PlanPart):
     """Texture data: levels from the largest, rows from v = 0, tightly packed little-endian, one after the other."""
 
-    url: str = Field(description="Where the bytes are, below the server's address")
-    sha256: str = Field(description="Of the bytes")
+    url: str = Field(description="Path of the bytes, relative to the server's address")
+    sha256: str = Field(description="SHA-256 of the bytes")
     format: Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
     width: int
     height: int
@@ -66,8 +66,9 @@ class State(PlanPart):
     clear: bool = Field(default=False, description="Clear the target to (0, 0, 0, 0) and depth to 1 first")
     blend: Blend = Field(
         default="none",
-        description="none: replace what the target holds; add: add to it; over: lie over it, alpha premultiplied. "
-        "Never into 32-bit floats, which WebGL2 need not blend",
+        description="Blending. none: replace the target's content; add: add to it; over: blend over it, with "
+        "premultiplied alpha. Never used with 32-bit float targets, whose blending WebGL2 does "
+        "not guarantee",
     )
 
 
@@ -76,27 +77,30 @@ class Pass(PlanPart):
 
     name: str
     when: Literal["setup", "frame"] = Field(
-        description="setup: no rule of time, camera or picture size reaches the pass or what it reads: drawn when its "
-        "target is first needed, and again only where a live field among its numbers, or among those of what it reads, "
-        "moves; frame: in every frame that needs its target. All passes into one target are of one kind"
+        description="When the pass is drawn. setup: neither time, camera nor picture size affects the pass or "
+        "what it reads; it is drawn when its target is first needed, and again only if a live "
+        "field among its uniforms, or those of what it reads, changes. frame: in every frame that "
+        "needs its target. All passes into one target have the same value"
     )
     eye: Eye = Field(
         default="any",
-        description="over: drawn for eyes at the plan's top or higher; under: for all lower ones, and right for any",
+        description="Camera height for which the pass is drawn. over: at the plan's top or higher; under: "
+        "below it, and correct at any height",
     )
     view: View = Field(
         default="any",
-        description="Where it can show something. rising, falling: only where a ray of the picture does, or the eye is "
-        "lower than the plan's top; balls: only where one of them is in the picture",
+        description="Where the pass can be visible, for culling. rising, falling: only if some ray of the "
+        "picture rises or falls, or the camera is below the plan's top; balls: only if one of "
+        "these bounding spheres is in the picture",
     )
     program: str
-    target: str = Field(description="A target of the plan, or 'screen': the RGBA8 picture itself")
+    target: str = Field(description="Name of a target of the plan, or 'screen': the RGBA8 picture itself")
     mesh: Mesh
     inputs: dict[str, TextureInput | TargetInput] = Field(
-        default_factory=dict, description="Sampler name -> what it reads"
+        default_factory=dict, description="Sampler name -> source of its data"
     )
     uniforms: dict[str, Uniform] = Field(
-        default_factory=dict, description="Uniforms of this pass alone; they win over the plan's"
+        default_factory=dict, description="Uniforms of this pass only; they override the plan's"
     )
     state: State = State()
 
@@ -108,7 +112,7 @@ class EffectNote(PlanPart):
     why: str
     files: tuple[str, ...] = ()
     bound: float | None = Field(
-        default=None, description="Of a skipped effect: the most it could change in a pixel, display white = 1"
+        default=None, description="For a skipped effect: upper bound of its change to any pixel, display white = 1"
     )
 
 
@@ -123,16 +127,17 @@ class FramePlan(PlanPart):
     targets: dict[str, Target]
     passes: tuple[Pass, ...]
     kept: dict[str, str] = Field(
-        description="Targets of setup passes that other passes read -> SHA-256 of all that their pixels hang on: "
-        "programs, numbers, textures, meshes, states and formats, those of what is read included. Plans with the same "
-        "may share the target, as long as no live field moves. All other targets of setup passes are only on the way"
+        description="Targets of setup passes that other passes read -> SHA-256 of everything that determines "
+        "their pixels: programs, numbers, textures, meshes, states and formats, including those "
+        "of their inputs. Plans with the same hash can share the target as long as no live field "
+        "changes. All other targets of setup passes are intermediate"
     )
     uniforms: dict[str, Uniform]
-    linear: str = Field(description="The target that holds the finished linear frame: exposed RGB, A = foam coverage")
-    samples: int = Field(description="Samples a pixel")
-    top: float = Field(description="The highest that a crest can reach, m: an eye as high is over the water")
-    bottom: float = Field(description="The lowest from where an eye sees more than ground, m")
-    live: tuple[str, ...] = Field(description="JSON pointers of scene fields that may change without a new plan")
+    linear: str = Field(description="Target that holds the finished linear frame: exposed RGB, A = foam coverage")
+    samples: int = Field(description="Samples per pixel")
+    top: float = Field(description="Upper bound of the crests' height, m: a camera at or above it is above the water")
+    bottom: float = Field(description="Lowest camera height from which more than ground is visible, m")
+    live: tuple[str, ...] = Field(description="JSON pointers of scene fields that can change without a new plan")
 
     def canonical_json(self) -> bytes:
         """The plan's bytes: JSON with sorted keys and no spaces."""

@@ -487,8 +487,8 @@ def _refuse_too_many(program: Program, readers: Mapping[str, str]) -> None:
         most = ", ".join(f"{name} {count}" for name, count in shares.most_common())
         raise PlanError(
             "",
-            f"too much at once: one shader would read {len(samplers)} textures, and at most {MOST_SAMPLERS} are "
-            f"promised by every WebGL2 ({most}); leave out one of these",
+            f"too many effects: one shader would read {len(samplers)} textures, and at most {MOST_SAMPLERS} are "
+            f"guaranteed by WebGL2 ({most}); remove one of them",
         )
 
 
@@ -577,7 +577,7 @@ def _bound(one: Pass, programs: dict[str, Program], uniforms: dict[str, Uniform]
             raise AssemblyError(f"pass {one.name}: uniform {name} has no rule")
     missing = samplers - one.inputs.keys()
     if missing:
-        raise AssemblyError(f"pass {one.name}: nothing to read for {sorted(missing)}")
+        raise AssemblyError(f"pass {one.name}: no source for {sorted(missing)}")
     return one.model_copy(update={"inputs": {name: source for name, source in one.inputs.items() if name in samplers}})
 
 

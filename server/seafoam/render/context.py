@@ -7,8 +7,8 @@ import moderngl
 
 _ES3 = "GL_ARB_ES3_compatibility"
 _REMEDY = (
-    "install Mesa's software renderer (Debian, Ubuntu: apt-get install libegl1 libgl1 libgl1-mesa-dri), or run where a "
-    "GPU driver offers EGL"
+    "install Mesa's software renderer (Debian, Ubuntu: apt-get install libegl1 libgl1 "
+    "libgl1-mesa-dri), or use a GPU driver with EGL"
 )
 
 

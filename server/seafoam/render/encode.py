@@ -42,7 +42,7 @@ def encode(pixels: NDArray[Any], format: FrameFormat) -> bytes:
     """
     expected = np.dtype(np.float32 if needs_linear(format) else np.uint8)
     if pixels.ndim != 3 or pixels.shape[2] != 4 or pixels.dtype != expected:
-        raise ValueError(f"{format} needs (height, width, 4) of {expected}, not {pixels.shape} of {pixels.dtype}")
+        raise ValueError(f"{format} requires (height, width, 4) of {expected}, not {pixels.shape} of {pixels.dtype}")
     buffer = io.BytesIO()
     if format == "npy":
         np.save(buffer, pixels.astype("<f4", copy=False), allow_pickle=False)

@@ -225,7 +225,7 @@ class Executor:
             # What it spoilt must not be kept.
             self._resting.use()
             self._static.clear()
-            raise RuntimeError(f"{error} while drawing")
+            raise RuntimeError(f"OpenGL error while drawing: {error}")
         self._resting.use()
         for cache in self._caches():
             cache.trim()
@@ -350,7 +350,7 @@ class Executor:
         def make() -> moderngl.Texture:
             data = texture(model.url.removeprefix("/api/textures/"))
             if data.sha256 != model.sha256:
-                raise RuntimeError(f"texture {name} is not the one the plan was made for")
+                raise RuntimeError(f"texture {name} differs from the one named by the plan")
             components, dtype = TEXTURE_FORMATS[model.format]
             made = self._context.texture((model.width, model.height), components, dtype=dtype, alignment=1)
             if model.levels > 1:
@@ -384,7 +384,7 @@ class Executor:
 
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
         if max(size) > self.max_side:
-            raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's {self.max_side} pixels a side")
+            raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's limit of {self.max_side} pixels per side")
         components, dtype = _TARGET_FORMATS[kind]
         color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]

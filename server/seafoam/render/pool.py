@@ -77,7 +77,7 @@ class QueueFullError(RenderError):
     """As many frames wait as may; ask again after ``retry_after`` seconds."""
 
     def __init__(self, waiting: int, retry_after: int) -> None:
-        super().__init__(f"{waiting} frames are waiting already, as many as may wait")
+        super().__init__(f"the render queue is full: {waiting} frames are waiting")
         self.retry_after = retry_after
 
 
@@ -119,15 +119,15 @@ class FrameLimits:
         sides: tuple[tuple[Literal["width", "height"], int], ...] = (("width", width), ("height", height))
         for field, value in sides:
             if not 1 <= value <= side:
-                why = "" if side == self.side else f" at {samples} samples a pixel"
+                why = "" if side == self.side else f" at {samples} samples per pixel"
                 raise FrameTooLargeError(field, f"{field} must be 1 to {side} pixels{why}, not {value}", 1, side)
         asked = width * height * samples
         if asked > self.samples:
             most = max(1, self.samples // (width * samples))
             raise FrameTooLargeError(
                 "height",
-                f"{width} × {height} pixels of {samples} samples are {asked:,} samples; at most {self.samples:,} are "
-                f"rendered: lower width, height or the samples of quality",
+                f"{width} × {height} pixels with {samples} samples each are {asked:,} samples; the limit "
+                f"is {self.samples:,}: lower width, height or the quality's samples",
                 1,
                 most,
             )
@@ -275,7 +275,7 @@ def draw_canary(renderer: Renderer) -> None:
         output="rgba8",
     )
     if np.ptp(rendered.pixels[..., :3]) == 0:
-        raise NoRendererError(f"{renderer.info['renderer']} draws blank pictures: update or reinstall its driver")
+        raise NoRendererError(f"{renderer.info['renderer']} draws blank frames; update or reinstall its driver")
 
 
 @dataclass(frozen=True, slots=True)
@@ -305,7 +305,7 @@ class _Answer(Generic[T]):
     value: T | _Unavailable | _Failed | _Expired
 
 
-_renderer: Renderer | _Unavailable = _Unavailable("this process has not been set up as a render worker")
+_renderer: Renderer | _Unavailable = _Unavailable("this process is not a render worker")
 
 
 def _start_worker(factory: Callable[[], Renderer], threads: int) -> None:
@@ -454,7 +454,7 @@ class RenderPool:
             async with asyncio.timeout(self.deadline):
                 await self._settled.wait()
         if self.state == "starting":
-            raise DeadlineError(f"the renderer did not start within {self.deadline:g} s")
+            raise DeadlineError(f"timeout: the renderer did not start within {self.deadline:g} s")
         if self.state != "ready":
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
 
@@ -477,7 +477,7 @@ class RenderPool:
             async with asyncio.timeout(max(0.0, expires - time.time())):
                 await self._slots.acquire()
         except TimeoutError:
-            raise DeadlineError(f"no worker was free within {self.deadline:g} s") from None
+            raise DeadlineError(f"timeout: no render worker was free within {self.deadline:g} s") from None
 
     async def _run(self, work: Callable[..., _Answer[T]], args: tuple[Any, ...], expires: float) -> T:
         """Run work in the worker that was taken; it is given back when it is free again."""
@@ -490,7 +490,7 @@ class RenderPool:
             try:
                 answer = await self._attempt(work, args, expires)
             except (ProcessExpired, BrokenProcessPool, CancelledFuture) as again:
-                raise RenderFailedError("the worker that rendered died, twice") from again
+                raise RenderFailedError("the render worker crashed twice") from again
         return self._accept(answer)
 
     async def _attempt(self, work: Callable[..., _Answer[T]], args: tuple[Any, ...], expires: float) -> _Answer[T]:
@@ -515,7 +515,7 @@ class RenderPool:
             if future.running() or future.done():
                 self.restarts["deadline"] += 1
             self._keep(self._replace_if_stuck(future))
-            raise DeadlineError(f"the frame was not finished within {self.deadline:g} s") from None
+            raise DeadlineError(f"timeout: the frame was not finished within {self.deadline:g} s") from None
         except (ProcessExpired, BrokenProcessPool, CancelledFuture):
             self.restarts["crash"] += 1
             raise
@@ -531,9 +531,9 @@ class RenderPool:
             raise RendererUnavailableError(value.remedy)
         if isinstance(value, _Failed):
             log.error("A frame failed:\n%s", value.traceback)
-            raise RenderFailedError("the renderer raised an error, which the server's log has")
+            raise RenderFailedError("the renderer failed; the server log has the details")
         if isinstance(value, _Expired):
-            raise DeadlineError(f"the frame was not started within {self.deadline:g} s")
+            raise DeadlineError(f"timeout: the frame was not started within {self.deadline:g} s")
         self.succeeded_at = time.time()
         return value
 
@@ -569,7 +569,7 @@ class RenderPool:
     async def _replace_if_stuck(self, future: Future[_Answer[T]]) -> None:
         await asyncio.sleep(STUCK_SECONDS)
         if not future.done():
-            log.error("A render worker cannot be stopped: replacing all of them")
+            log.error("A render worker could not be stopped; all of them are replaced")
             self._drop_processes()
 
     async def _watch(self) -> None:

@@ -26,10 +26,14 @@ LONGEST_WAIT = 15
 """Seconds after which to ask again, however long a measurement still takes."""
 FULL_WAIT = 30
 
-_RETRY = {"Retry-After": {"description": "Seconds after which to ask again", "schema": {"type": "string"}}}
+_RETRY = {"Retry-After": {"description": "Delay before the next request, s", "schema": {"type": "string"}}}
 _RUNNING: dict[int | str, dict[str, Any]] = {
-    202: {"model": Running, "description": "Being measured, which the first request starts", "headers": _RETRY},
-    304: {"description": "The client's copy (If-None-Match) is current"},
+    202: {
+        "model": Running,
+        "description": "The measurement is running; the first request starts it",
+        "headers": _RETRY,
+    },
+    304: {"description": "Not modified: the copy named by If-None-Match is current"},
 }
 
 
@@ -103,7 +107,7 @@ def _csv(sweep: Sweep) -> bytes:
 
 @router.get(
     "/accuracy/{preset}.csv",
-    responses=_answers("A line a point, times in milliseconds", "text/csv")
+    responses=_answers("CSV with one row per point; times in milliseconds", "text/csv")
     | _RUNNING
     | problem_responses(404, 422, 500, 503, 504),
     response_class=Response,
@@ -117,7 +121,7 @@ async def get_accuracy_csv(
 
 @router.get(
     "/accuracy/{preset}.png",
-    responses=_answers("Time against error, with the front", "image/png")
+    responses=_answers("Plot of time against error, with the Pareto front", "image/png")
     | _RUNNING
     | problem_responses(404, 422, 500, 503, 504),
     response_class=Response,
@@ -131,7 +135,7 @@ async def get_accuracy_plot(
 
 @router.get(
     "/accuracy/{preset}/truth.npy",
-    responses=_answers("float32 (height, width, 4): linear RGB, foam coverage; rows from the top", "application/x-npy")
+    responses=_answers("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
     | _RUNNING
     | problem_responses(404, 422, 500, 503),
     response_class=Response,

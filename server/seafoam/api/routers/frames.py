@@ -27,25 +27,31 @@ CLIENT_CLOSED_REQUEST = 499
 _TEXT = {"type": "string"}
 _RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
-        "description": "The frame: an sRGB picture, or linear float32 (height, width, 4) whose last is foam coverage",
+        "description": "The frame: an sRGB image, or a linear float32 array (height, width, 4) with foam "
+        "coverage in the last channel",
         "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
         "headers": {
-            "ETag": {"description": "Of all that the bytes depend on, the renderer included", "schema": _TEXT},
-            "Server-Timing": {"description": f"Milliseconds by stage: {', '.join(STAGES)}", "schema": _TEXT},
-            "Seafoam-Plan": {"description": "SHA-256 of the plan that was run", "schema": _TEXT},
-            "Seafoam-Renderer": {"description": "GL renderer that ran it", "schema": _TEXT},
+            "ETag": {
+                "description": "Entity tag of the response bytes; it depends on the renderer too",
+                "schema": _TEXT,
+            },
+            "Server-Timing": {"description": f"Time per stage, ms: {', '.join(STAGES)}", "schema": _TEXT},
+            "Seafoam-Plan": {"description": "SHA-256 of the frame plan", "schema": _TEXT},
+            "Seafoam-Renderer": {"description": "Name of the GL renderer", "schema": _TEXT},
             "Seafoam-Quality": {
-                "description": "With quality auto: the point of the sweep that was chosen",
+                "description": "With quality auto: ID of the measured quality that was chosen",
                 "schema": _TEXT,
             },
             "Seafoam-Quality-Why": {
-                "description": "Predicted time, error, and what it was chosen from",
+                "description": "With quality auto: predicted time, error and number of candidates",
                 "schema": _TEXT,
             },
         },
     }
 }
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
+    304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
 
 
 @router.get(

@@ -36,11 +36,11 @@ class Ready(BaseModel):
 
     status: Literal["ready"] = "ready"
     renderer: RendererInfo
-    last_drawn: float = Field(description="Seconds since a canary or frame was last drawn")
-    workers: int = Field(description="Render processes")
-    active: int = Field(description="Of them at work")
-    waiting: int = Field(description="Frames that wait")
-    queue: int = Field(description="Frames that may wait")
+    last_drawn: float = Field(description="Time since the last rendered frame or test frame, s")
+    workers: int = Field(description="Number of render workers")
+    active: int = Field(description="Number of busy render workers")
+    waiting: int = Field(description="Number of frames in the queue")
+    queue: int = Field(description="Capacity of the queue, frames")
 
 
 @router.get("/healthz", responses=problem_responses(422))

@@ -39,7 +39,7 @@ from seafoam.masks.torus import Ranks
 
 router = APIRouter(prefix="/api", tags=["masks"])
 
-MaskName = Annotated[str, Path(description="Name of a mask, see /api/masks", examples=["vac-24"], max_length=40)]
+MaskName = Annotated[str, Path(description="Name of a mask; /api/masks lists them", examples=["vac-24"], max_length=40)]
 MaskFormat = Literal["png", "npy", "u16", "dds"]
 MaskFormatPath = Annotated[
     MaskFormat,
@@ -73,35 +73,42 @@ class CustomMask(Parameters):
     """A mask made on request. The same arguments give the same mask."""
 
     family: Family = Field(
-        description="vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace", examples=["vac"]
+        description="Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; "
+        "clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; "
+        "lace: cell walls of a foam",
+        examples=["vac"],
     )
     sigma: float | None = Field(
         default=None,
         ge=SIGMA_MIN,
         le=SIGMA_MAX,
-        description="The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); "
-        f"absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or what size allows",
+        description="Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. "
+        f"Absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or the maximum for size",
         examples=[3.0],
     )
     size: MaskSize = Field(default=MaskSize.S256, description="Side of the tile, texels", examples=[128])
     seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Random seed", examples=[2011])
     aspect: float = Field(
-        default=1.0, ge=1.0, le=ASPECT_MAX, description="Of lace: length of cells along x over width", examples=[1.0]
+        default=1.0, ge=1.0, le=ASPECT_MAX, description="Aspect ratio of the cells along x (lace only)", examples=[1.0]
     )
     age: float = Field(
-        default=0.0, ge=0.0, le=1.0, description="Of lace: 0, young foam, to 1, old and torn", examples=[0.0]
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Age of the foam, 0 (young) to 1 (old and torn) (lace only)",
+        examples=[0.0],
     )
 
 
 class MaskParameters(BaseModel):
     """What determines a mask."""
 
-    sigma: float = Field(description="The family's length, texels")
+    sigma: float = Field(description="Characteristic length of the family, texels")
     size: int = Field(description="Side of the tile, texels")
     seed: int
-    aspect: float | None = Field(description="Of lace: length of cells along x over width; null for the others")
-    age: float | None = Field(description="Of lace: 0, young foam, to 1, old and torn; null for the others")
-    method: Method | None = Field(description="How vac was ordered; null for the others")
+    aspect: float | None = Field(description="Aspect ratio of the cells along x; null except for lace")
+    age: float | None = Field(description="Age of the foam, 0 (young) to 1 (old and torn); null except for lace")
+    method: Method | None = Field(description="Ordering method of vac; null for other families")
 
 
 class MaskInfo(BaseModel):
@@ -112,14 +119,16 @@ class MaskInfo(BaseModel):
     summary: str
     family: Family
     parameters: MaskParameters
-    generator: str = Field(description="Version of the construction rules")
-    sha256: str = Field(description="Of the ranks as little-endian uint32, row by row")
+    generator: str = Field(description="Version of the construction algorithm")
+    sha256: str = Field(description="SHA-256 of the ranks as little-endian uint32, in row-major order")
     value_rule: str
     license: str
 
 
 _BYTES = {"schema": {"type": "string", "format": "binary"}}
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
+    304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
 
 
 def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dict[str, Any]]:
@@ -128,19 +137,22 @@ def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dic
     return found | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
 
 
-_DATA = ("The mask's ranks", *(media for media, _ in ENCODERS.values()))
-_DATA8 = ("8-bit greyscale PNG of floor(rank 256/N), for quick use", "image/png")
-_SIDECAR = ("How the mask was made, its hash, filtering tables and spectrum", "application/json")
-_SPECTRUM = ("RAPS and anisotropy by grey level", "application/json")
-_SHAPES = ("Pieces, holes and chords of the foam by saturation; lengths in texels", "application/json")
-_PLOT = ("RAPS and anisotropy, plotted", "image/png")
+_DATA = ("Mask data", *(media for media, _ in ENCODERS.values()))
+_DATA8 = ("8-bit greyscale PNG of floor(rank 256/N)", "image/png")
+_SIDECAR = ("Metadata: construction parameters, hash, filtering tables and spectrum", "application/json")
+_SPECTRUM = ("Radially averaged power spectrum and anisotropy by grey level", "application/json")
+_SHAPES = (
+    "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
+    "application/json",
+)
+_PLOT = ("Plot of the radially averaged power spectrum and the anisotropy", "image/png")
 
 
 def _shipped(name: str) -> Mask:
     try:
         return load_mask(name)
     except UnknownMaskError:
-        raise NotFoundError(f"there is no mask {name!r}", "mask", tuple(load_catalogue())) from None
+        raise NotFoundError(f"mask {name!r} was not found", "mask", tuple(load_catalogue())) from None
 
 
 def check_custom(asked: CustomMask) -> None:
@@ -150,14 +162,16 @@ def check_custom(asked: CustomMask) -> None:
     """
     least, greatest = sigma_range(asked.family, asked.size)
     if asked.sigma is not None and not least <= asked.sigma <= greatest:
-        detail = f"sigma: {asked.family} at size {asked.size:d} takes {least:g} to {greatest:g} texels"
+        detail = f"sigma: must be {least:g} to {greatest:g} texels for family {asked.family} at size {asked.size:d}"
         raise BadRequestError(
             FieldProblem(parameter="sigma", detail=detail, allowed={"minimum": least, "maximum": greatest})
         )
     if asked.family != "lace":
         refused = [
             FieldProblem(
-                parameter=name, detail=f"{name}: only lace takes one, not {asked.family}", allowed={"enum": [unset]}
+                parameter=name,
+                detail=f"{name}: allowed only for family lace, not {asked.family}",
+                allowed={"enum": [unset]},
             )
             for name, unset in (("aspect", 1.0), ("age", 0.0))
             if getattr(asked, name) != unset
@@ -171,10 +185,10 @@ def check_custom(asked: CustomMask) -> None:
             sigma for sigma in steps if estimated_seconds(asked.family, sigma, int(asked.size)) <= ON_REQUEST_SECONDS
         ]
         allowed = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
-        within = f"sigma {quick[0]:g} to {quick[-1]:g}" if quick else "a smaller size"
+        within = f"allowed here: sigma {quick[0]:g} to {quick[-1]:g}" if quick else "use a smaller size"
         detail = (
-            f"sigma: this mask takes about {seconds:.0f} s to make; on request at most {ON_REQUEST_SECONDS:g} s, "
-            f"which at size {asked.size:d} allows {within}"
+            f"sigma: this mask would take about {seconds:.0f} s to generate at size {asked.size:d}; the limit is "
+            f"{ON_REQUEST_SECONDS:g} s; {within}"
         )
         raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
 

@@ -17,17 +17,19 @@ from seafoam.quality import TIERS
 router = APIRouter(prefix="/api", tags=["plans"])
 
 _HEADERS = {
-    "ETag": {"description": "The plan's SHA-256, quoted", "schema": {"type": "string"}},
-    "Seafoam-Plan": {"description": "The plan's SHA-256", "schema": {"type": "string"}},
+    "ETag": {"description": "Quoted SHA-256 of the plan", "schema": {"type": "string"}},
+    "Seafoam-Plan": {"description": "SHA-256 of the plan", "schema": {"type": "string"}},
 }
 _RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
         "model": FramePlan,
-        "description": "The plan; the same scene and quality give the same bytes",
+        "description": "The frame plan; the same scene and quality give the same bytes",
         "headers": _HEADERS,
     }
 }
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
+    304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
 
 
 @router.get(

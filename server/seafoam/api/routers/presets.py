@@ -19,19 +19,21 @@ from seafoam.scene.presets import Group, Preset, load_preset, preset_names
 
 router = APIRouter(prefix="/api", tags=["presets"])
 
-PresetName = Annotated[str, Path(description="Name of a preset, see /api/presets", examples=["default"], max_length=80)]
+PresetName = Annotated[
+    str, Path(description="Name of a preset; /api/presets lists them", examples=["default"], max_length=80)
+]
 
 
 class PresetSummary(BaseModel):
     """A preset, without its scene."""
 
     name: str
-    group: Group = Field(description="What it stands under in the menu")
+    group: Group = Field(description="Heading of the menu under which the preset is listed")
     title: str
     summary: str
-    size: tuple[int, int] = Field(description="Width and height it was made for, pixels")
-    time: float = Field(description="A time at which it looks its best, s")
-    effects: list[str] = Field(description="The effects that it runs")
+    size: tuple[int, int] = Field(description="Recommended width and height, pixels")
+    time: float = Field(description="Recommended time, s")
+    effects: list[str] = Field(description="Names of the effects in use")
 
 
 class PresetDetail(PresetSummary):
@@ -43,9 +45,9 @@ class PresetDetail(PresetSummary):
 class QualityTiers(BaseModel):
     """What quality may be."""
 
-    tiers: dict[Tier, Quality] = Field(description="The named tiers, from the fastest")
-    knobs: dict[str, Any] = Field(description="JSON schema of the single knobs: ranges, units and defaults")
-    measured: list[KnobInfo] = Field(description="What each knob is, who owns it, and the steps that are measured")
+    tiers: dict[Tier, Quality] = Field(description="Settings of each named tier, fastest first")
+    knobs: dict[str, Any] = Field(description="JSON schema of the quality settings, with ranges and defaults")
+    measured: list[KnobInfo] = Field(description="Title, owner and measured values of each setting")
 
 
 def find_preset(name: str) -> Preset:
@@ -53,7 +55,7 @@ def find_preset(name: str) -> Preset:
     try:
         return load_preset(name)
     except KeyError:
-        raise NotFoundError(f"there is no preset {name!r}", "preset", preset_names()) from None
+        raise NotFoundError(f"preset {name!r} was not found", "preset", preset_names()) from None
 
 
 @cache
