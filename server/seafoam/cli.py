@@ -1,7 +1,7 @@
 """The command ``seafoam``: serve, render, accuracy, masks, doctor.
 
-Bad input ends in one line that names the field and what it may be, and in exit code 2; what the machine lacks in one
-line with the remedy, and in exit code 1. Heavy modules are imported by the commands that need them: spawned render
+Invalid input prints one line that names the field and its allowed values, with exit code 2; a missing driver or tool
+prints one line with the remedy, with exit code 1. Commands import heavy modules themselves, because spawned render
 workers import this module too.
 """
 
@@ -38,13 +38,13 @@ app.add_typer(masks, name="masks")
 BAD_INPUT = 2
 UNABLE = 1
 OPEN_CONNECTIONS = 256
-"""Beyond which the server answers 503 without looking: a page takes a dozen, the render queue has bounds of its own."""
+"""Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
 LARGEST_SIDE = 8192
 LARGEST_SAMPLED_SIDE = 16384
 LARGEST_SAMPLES = 16384 * 8192
-"""Largest frame of ``render``: nobody else waits, so only memory bounds it."""
+"""Maximum frame size of ``render``, which is limited only by memory."""
 TABLE_WIDTH = 140
-"""Columns that the table of ``accuracy`` needs; a narrower terminal wraps its lines."""
+"""Width of the table of ``accuracy``, columns; a narrower terminal wraps its lines."""
 _QUIET = ("/healthz", "/readyz", "/metrics")
 
 E = TypeVar("E", bound=str)
@@ -66,7 +66,7 @@ def serve(
     port: Annotated[int | None, typer.Option(help="Port to listen on; 0 selects a free one [default: 8000].")] = None,
     open_browser: Annotated[bool, typer.Option("--open", help="Open the web client in a browser.")] = False,
 ) -> None:
-    """Serve the web client and the API. Settings are environment variables that begin with SEAFOAM_."""
+    """Serve the web client and the API. Environment variables that begin with SEAFOAM_ set its options."""
     import uvicorn
     from pydantic import ValidationError
 
@@ -219,7 +219,7 @@ def accuracy(
     ] = None,
     again: Annotated[bool, typer.Option("--again", help="Measure again, ignoring stored results.")] = False,
 ) -> None:
-    """Measure what accuracy costs in time: each tier and each knob, against float64. Takes minutes; is remembered."""
+    """Measure what accuracy costs in time: each tier and setting, against float64. Takes minutes; results are kept."""
     from rich.console import Console
     from rich.table import Column, Table
 
@@ -282,7 +282,7 @@ def _report(sweep: "Sweep", extension: str, command: str) -> bytes:
 
 
 def _measured(executor: "Executor", subject: "Subject", settings: "Settings", *, again: bool = False) -> "Sweep":
-    """The sweep of a subject, from the cache or made here, with a bar that tells how far it is."""
+    """Return the sweep of a subject, from the cache or measured now, with a progress bar."""
     import os
     from functools import partial
 
@@ -325,7 +325,7 @@ def presets() -> None:
 
 @app.command()
 def doctor() -> None:
-    """Say what this machine has and what is missing, with the commands that mend it. Exit code 0: able to render."""
+    """Check this machine for what Seafoam needs, with a remedy for what is missing. Exit code 0: it can render."""
     from rich.console import Console
     from rich.text import Text
 
@@ -427,7 +427,7 @@ def mask_spectrum(
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the spectrum as JSON.")] = False,
 ) -> None:
-    """Measure a mask: radially averaged power and anisotropy, as a plot or as JSON."""
+    """Measure the spectrum of a mask: radially averaged power and anisotropy, as a plot or as JSON."""
     if (output is None) == (not as_json):
         raise CommandError("--output or --json: exactly one is required")
     mask = _mask(name)
@@ -446,7 +446,7 @@ def mask_shapes(
     name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
     as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
 ) -> None:
-    """Measure the shapes of a mask's foam: pieces, holes and chords (texels), by saturation."""
+    """Measure the foam shapes of a mask by saturation: connected components, holes and chord lengths, in texels."""
     mask = _mask(name)
     if as_json:
         typer.echo(json.dumps(mask.morphology.to_json()))
@@ -473,7 +473,7 @@ def mask_shapes(
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
-    """Run the command and exit: 0, 1 where the machine is unable, 2 for bad input, 130 when interrupted."""
+    """Run the command and exit with 0, 1 if the machine lacks something, 2 for invalid input, 130 if interrupted."""
     try:
         code = app(arguments, standalone_mode=False)
     except TyperException as error:
@@ -487,7 +487,7 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
 
 
 def _not_a_probe(record: logging.LogRecord) -> bool:
-    """Keep health checks, which come every few seconds, out of the access log."""
+    """Keep health checks, which arrive every few seconds, out of the access log."""
     arguments = record.args
     return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(_QUIET))
 

@@ -1,4 +1,4 @@
-"""Quality: how exactly a scene is computed, apart from what it is."""
+"""Quality: how exactly a scene is computed."""
 
 from typing import Annotated, Any, Literal, get_args
 
@@ -8,20 +8,20 @@ Tier = Literal["draft", "standard", "high", "reference"]
 
 
 def _no_truth_value(value: Any) -> Any:
-    """``False`` equals 0 and would pass for it, which the schema does not say."""
+    """Reject ``False``, which equals 0 and would otherwise pass, against the schema."""
     if isinstance(value, bool):
         raise ValueError("must be a number")
     return value
 
 
 class Knobs(BaseModel):
-    """Base of every group of knobs."""
+    """Base class of groups of quality settings."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class SurfaceQuality(Knobs):
-    """How the eye's ray finds the surface."""
+    """Settings of the intersection of view rays with the surface."""
 
     method: Literal["mesh", "march"] = Field(
         default="march",
@@ -44,7 +44,7 @@ class SurfaceQuality(Knobs):
 
 
 class Quality(Knobs):
-    """Everything that trades time against error."""
+    """Settings that trade time against error."""
 
     surface: SurfaceQuality = SurfaceQuality()
     waves: int = Field(default=16, ge=1, le=16, description="Maximum number of parametric waves, the steepest first")
@@ -186,12 +186,12 @@ class Quality(Knobs):
 
     @property
     def chosen_samples(self) -> tuple[int, ...]:
-        """Numbers of samples that single pixels may be given beyond ``samples``."""
+        """Sample counts above ``samples`` that adaptive sampling can give to single pixels."""
         return tuple(count for count in (4, 16) if self.samples < count <= self.samples_max)
 
     @property
     def samples_drawn(self) -> int:
-        """What is drawn into at most, samples a pixel in the mean."""
+        """Upper bound of the samples drawn, per pixel in the mean."""
         return self.samples + (4 if self.chosen_samples else 0)
 
 

@@ -1,4 +1,4 @@
-"""A measured sweep as data: what the API serves, the cache keeps and the reports show."""
+"""Data model of a measured sweep: served by the API, stored in the cache and shown in reports."""
 
 from typing import Literal
 
@@ -8,19 +8,19 @@ from seafoam.effects.contribution import Cause
 from seafoam.quality import Quality, Tier
 
 FORMAT = 4
-"""Of the JSON; part of the cache's keys."""
+"""Version of the JSON format; part of the cache keys."""
 
 KnobValue = bool | int | float | str
 
 
 class Part(BaseModel):
-    """Base of everything here."""
+    """Base class of this module's models."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class KnobInfo(Part):
-    """A knob: what it is and which values of it are measured."""
+    """A quality setting and its measured values."""
 
     owner: str = Field(description="Effect that declares the setting, or 'frame'")
     pointer: str = Field(description="JSON pointer into the quality")
@@ -30,7 +30,7 @@ class KnobInfo(Part):
 
 
 class KnobChoice(Part):
-    """A value of one knob; all others are as in tier standard."""
+    """A value of one setting; all others are as in tier standard."""
 
     owner: str
     pointer: str
@@ -40,7 +40,7 @@ class KnobChoice(Part):
 
 
 class Point(Part):
-    """A quality that is measured: a tier, or standard with one knob changed."""
+    """A measured quality: a tier, or tier standard with one setting changed."""
 
     id: str = Field(
         description="Name of the tier, or the changed setting and its value", examples=["standard", "samples=4"]
@@ -53,7 +53,7 @@ class Point(Part):
 
 
 class TruthInfo(Part):
-    """The converged float64 picture that errors are against."""
+    """The converged float64 picture against which errors are measured."""
 
     url: str | None = Field(description="float32 (height, width, 4): linear RGB and foam coverage; top row first")
     width: int
@@ -63,7 +63,7 @@ class TruthInfo(Part):
 
 
 class Points(Part):
-    """What is measured, before it is."""
+    """The points of a sweep, before it is measured."""
 
     preset: str
     truth: TruthInfo
@@ -71,9 +71,9 @@ class Points(Part):
 
 
 class TimeSpread(Part):
-    """What a frame of the subject's own size takes, from the first call until it is finished, reading it back left out.
+    """Time of a frame at the subject's own size, from the first call until it is finished, without readback.
 
-    Told from frames of two sizes in each round, by the line through them.
+    Predicted by a line through the times of two frame sizes in each round.
     """
 
     median_ms: float
@@ -89,12 +89,12 @@ class TimeModel(Part):
     ns_per_pixel: float
 
     def at(self, width: int, height: int) -> float:
-        """Predicted milliseconds."""
+        """Return the predicted time, ms."""
         return self.fixed_ms + 1e-6 * self.ns_per_pixel * width * height
 
 
 class Errors(Part):
-    """Against the truth."""
+    """Errors against the float64 picture."""
 
     rmse: float = Field(
         description="Root mean square error of linear RGB, clipped at display white, in levels (white = 255)"
@@ -113,9 +113,9 @@ class Errors(Part):
 
 
 class Causes(Part):
-    """By how many levels of RMSE the error falls when the knobs of one cause alone are as in tier reference.
+    """Reduction of the RMSE, in levels, when only the settings of one cause are as in tier reference.
 
-    Negative: it grows, since that cause hid another. ``rest``: what remains when all three are.
+    Negative: the error grows, because that cause masked another. ``rest``: error that remains when all three are.
     """
 
     geometry: float
@@ -139,7 +139,7 @@ class MeasuredPoint(Point):
 
 
 class Step(Part):
-    """From one value of a knob to the next more exact one, all other knobs as in tier standard."""
+    """Step from one value of a setting to the next more exact one, all other settings as in tier standard."""
 
     owner: str
     pointer: str
@@ -159,7 +159,7 @@ class Step(Part):
 
 
 class Timing(Part):
-    """How times were taken."""
+    """Conditions of the timing."""
 
     timer: Literal["wall", "gpu"] = Field(
         description="wall: wall clock around a frame until it is finished; gpu: GPU timer queries"
@@ -177,7 +177,7 @@ class Timing(Part):
 
 
 class Machine(Part):
-    """Where times were taken."""
+    """The machine on which times were measured."""
 
     vendor: str
     renderer: str
@@ -219,7 +219,7 @@ class Sweep(Part):
 
 
 class Running(Part):
-    """A measurement that is not finished."""
+    """A measurement in progress."""
 
     status: Literal["queued", "running"]
     stage: str = Field(description="Current stage")

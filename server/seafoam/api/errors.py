@@ -1,13 +1,13 @@
-"""Every error as RFC 9457 problem+json, from one table.
+"""Maps every error to RFC 9457 problem+json, by one table.
 
-What routers raise, beside what the layers below raise::
+Errors that routers raise, in addition to those of the layers below::
 
     ApiError
-    ├── NotFoundError             no such preset, mask, texture, measurement
-    ├── BadRequestError           a parameter or member is not allowed, with its name and what is
-    ├── UnsupportedMediaError     a body that is not JSON
-    └── BusyError                 as much other work waits as may
-        └── NotMeasuredError      the measurement that the answer hangs on is being made
+    ├── NotFoundError             unknown preset, mask, texture or measurement
+    ├── BadRequestError           invalid parameter or member, with its name and the allowed values
+    ├── UnsupportedMediaError     the body is not JSON
+    └── BusyError                 the queue for this kind of work is full
+        └── NotMeasuredError      a measurement that the response requires is still running
     seafoam.render.pool.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
 """
 
@@ -38,11 +38,11 @@ log = logging.getLogger(__name__)
 
 MEDIA_TYPE = "application/problem+json"
 UNAVAILABLE_RETRY = 60
-"""Seconds; how often a server without GL looks for one again."""
+"""Interval at which a server without GL looks for it again, s."""
 
 
 class FieldProblem(BaseModel):
-    """What is wrong with one member or parameter."""
+    """An error in one body member or parameter."""
 
     pointer: str | None = Field(default=None, description="JSON pointer (RFC 6901) into the request body")
     parameter: str | None = Field(default=None, description="Name of the query or path parameter")
@@ -55,7 +55,7 @@ class FieldProblem(BaseModel):
 
 
 class Problem(BaseModel):
-    """An error, after RFC 9457."""
+    """An error, as defined by RFC 9457."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -69,11 +69,11 @@ class Problem(BaseModel):
 
 
 class ApiError(Exception):
-    """Base of what routers raise."""
+    """Base class of errors that routers raise."""
 
 
 class NotFoundError(ApiError):
-    """There is no such thing. ``parameter`` names what was wrong in the path, ``known`` what there is."""
+    """A resource does not exist. ``parameter``: path parameter with the wrong name; ``known``: available names."""
 
     def __init__(self, detail: str, parameter: str, known: Sequence[str] = ()) -> None:
         super().__init__(detail)
@@ -82,7 +82,7 @@ class NotFoundError(ApiError):
 
 
 class BadRequestError(ApiError):
-    """Parts of the request are not allowed."""
+    """Parts of the request are invalid."""
 
     def __init__(self, *errors: FieldProblem) -> None:
         super().__init__("; ".join(error.detail for error in errors))
@@ -94,7 +94,7 @@ class UnsupportedMediaError(ApiError):
 
 
 class BusyError(ApiError):
-    """As much work as may waits already; ask again after ``retry_after`` seconds."""
+    """The queue for this kind of work is full; retry after ``retry_after`` seconds."""
 
     def __init__(self, detail: str, retry_after: int) -> None:
         super().__init__(detail)
@@ -102,12 +102,12 @@ class BusyError(ApiError):
 
 
 class NotMeasuredError(BusyError):
-    """The measurement that the answer hangs on is being made; the text says how far it is."""
+    """A measurement that the response requires is still running; the text gives its progress."""
 
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """How an exception answers."""
+    """HTTP status, name and title of an error."""
 
     status: int
     name: str
@@ -128,11 +128,11 @@ KINDS: dict[type[Exception], Kind] = {
     RendererUnavailableError: Kind(503, "no-renderer", "No renderer is available"),
     DeadlineError: Kind(504, "deadline", "The request timed out"),
 }
-"""The one table: exception -> status."""
+"""Maps exceptions to HTTP errors."""
 
 
 def problem_responses(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """OpenAPI descriptions of the problems that an operation may answer with."""
+    """Return OpenAPI descriptions of the problems that an operation can return."""
     content = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}
     described: dict[int | str, dict[str, Any]] = {}
     for status in sorted(statuses):
@@ -152,7 +152,7 @@ def problem(
     remedy: str | None = None,
     headers: Mapping[str, str] | None = None,
 ) -> JSONResponse:
-    """A problem+json response, never stored."""
+    """Return a problem+json response, which is never cached."""
     content = Problem(
         type=f"urn:seafoam:problem:{name}" if name else "about:blank",
         title=title or HTTPStatus(status).phrase,
@@ -171,7 +171,7 @@ def problem(
 
 
 def install(app: FastAPI) -> None:
-    """Make every error of the app a problem."""
+    """Install handlers that turn every error of the application into a problem."""
     for kind in KINDS:
         app.add_exception_handler(kind, _known)
     app.add_exception_handler(RequestValidationError, _invalid)
@@ -180,7 +180,7 @@ def install(app: FastAPI) -> None:
 
 
 def field_errors(error: RequestValidationError, openapi: Schema, operation: Schema) -> list[FieldProblem]:
-    """The places that validation refused, each with what the operation's schema allows there."""
+    """Return the fields that validation rejected, each with its allowed values from the operation's schema."""
     items = error.errors()
     # A list with a bad item also counts as too short, which says nothing new.
     telling = [item for item in items if item["type"] != "too_short" or item["input"] in ([], {}, "")]
@@ -188,7 +188,7 @@ def field_errors(error: RequestValidationError, openapi: Schema, operation: Sche
 
 
 def pointer_of(location: Sequence[str | int], value: Any, missing: bool) -> tuple[str | int, ...]:
-    """The path into ``value`` that a pydantic location means: without the names of union members."""
+    """Convert a pydantic location to a path into ``value``, without the names of union members."""
     path: list[str | int] = []
     for index, step in enumerate(location):
         named = isinstance(value, dict) and step in value

@@ -1,4 +1,4 @@
-"""Prometheus metrics of one app, in a registry of its own."""
+"""Prometheus metrics of one application, in a registry of its own."""
 
 import time
 
@@ -14,7 +14,7 @@ _STATES: tuple[State, ...] = ("starting", "ready", "unavailable", "stopped")
 
 
 class Metrics:
-    """What is counted; ``seafoam_`` metrics, durations in seconds."""
+    """Metrics with the prefix ``seafoam_``; durations in seconds."""
 
     def __init__(self, pool: RenderPool) -> None:
         self.registry = CollectorRegistry()
@@ -61,7 +61,7 @@ class Metrics:
             self.stages.labels(stage).observe(seconds)
 
     def exposition(self) -> bytes:
-        """All metrics in Prometheus' text format, :data:`CONTENT_TYPE_LATEST`."""
+        """Return all metrics in Prometheus text format, :data:`CONTENT_TYPE_LATEST`."""
         return generate_latest(self.registry)
 
 
@@ -77,7 +77,7 @@ class _Restarts(Collector):
 
 
 class MeasureRequests:
-    """ASGI middleware: counts requests, their time and bytes, by the route's template."""
+    """ASGI middleware: counts requests, their duration and bytes, by route template."""
 
     def __init__(self, app: ASGIApp, metrics: Metrics) -> None:
         self.app = app

@@ -1,4 +1,4 @@
-"""Query parameters and bodies, with the ranges that the scene itself states."""
+"""Query parameters and bodies, with the ranges declared by the scene."""
 
 import json
 from typing import Annotated, Any, Literal, TypeVar, get_args
@@ -14,7 +14,7 @@ from seafoam.render.encode import FrameFormat
 from seafoam.scene.models import Camera, Foam, Look, Scene
 
 TIME_LIMIT = 1e9
-"""Greatest |time|, s."""
+"""Maximum |time|, s."""
 DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
 
 TierOrAuto = Literal[Tier, "auto"]
@@ -23,13 +23,13 @@ M = TypeVar("M", bound=BaseModel)
 
 
 class Parameters(BaseModel):
-    """Base of every set of query parameters: those it does not name are refused. As it stands, there are none."""
+    """Base class of query parameters; unknown ones are rejected. This class itself has none."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 def one_value_each(request: Request) -> None:
-    """Refuse a query parameter that is given twice: which one was meant is anyone's guess."""
+    """Reject a query parameter that is given twice, since either value could be meant."""
     names = [name for name, _ in request.query_params.multi_items()]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
@@ -38,7 +38,7 @@ def one_value_each(request: Request) -> None:
 
 
 def strictly(model: type[M]) -> Any:
-    """The model as a JSON body, without pydantic's conversions: the string "1" is no number, nor is true."""
+    """Parse a JSON body without pydantic's conversions: neither the string "1" nor true is a number."""
 
     def validate(body: Any) -> Any:
         if isinstance(body, bytes):
@@ -53,7 +53,7 @@ def strictly(model: type[M]) -> Any:
 
 
 def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
-    """An optional query parameter with the range and description of a field of the scene."""
+    """Return an optional query parameter with the range and description of a scene field."""
     bounds: dict[str, Any] = {}
     for rule in info.metadata:
         found = {name: getattr(rule, name, None) for name in ("ge", "le", "max_length", "pattern")}
@@ -77,7 +77,7 @@ def _axis(index: int, description: str, example: float) -> Any:
 
 
 class SceneOverrides(Parameters):
-    """What may be changed of a preset's scene."""
+    """Changes to a preset's scene."""
 
     look: Look | None = Field(default=None, description="Foam look; absent: the preset's", examples=["halftone"])
     mask: str | None = _same(
@@ -87,7 +87,7 @@ class SceneOverrides(Parameters):
     )
 
     def apply(self, scene: Scene) -> Scene:
-        """The scene with these changes. Raises :class:`BadRequestError` if it has no foam to change."""
+        """Return the scene with these changes. Raises :class:`BadRequestError` if it has no foam to change."""
         changes = {name: value for name, value in (("look", self.look), ("mask", self.mask)) if value is not None}
         if not changes:
             return scene
@@ -104,7 +104,7 @@ class SceneOverrides(Parameters):
 
 
 class PlanParameters(SceneOverrides):
-    """A plan of a preset."""
+    """Parameters of a preset's frame plan."""
 
     quality: Tier = Field(
         default="standard", description="Quality tier; single settings require POST", examples=["high"]
@@ -112,7 +112,7 @@ class PlanParameters(SceneOverrides):
 
 
 class FrameParameters(SceneOverrides):
-    """A frame of a preset."""
+    """Parameters of a frame of a preset."""
 
     quality: TierOrAuto = Field(
         default="standard",
@@ -140,7 +140,7 @@ class FrameParameters(SceneOverrides):
     fov: float | None = _same(Camera.model_fields["fov"], examples=[0.9])
 
     def camera(self, own: Camera) -> Camera:
-        """The preset's own camera, with what is given put in its place."""
+        """Return the preset's camera with the given parameters replaced."""
         eye = zip((self.x, self.y, self.z), own.position, strict=True)
         x, y, z = (at if given is None else given for given, at in eye)
         angles = {name: value for name in ("yaw", "pitch", "roll", "fov") if (value := getattr(self, name)) is not None}
@@ -164,12 +164,12 @@ TierAutoOrKnobs = Annotated[
 
 
 def knobs_of(quality: Tier | Quality) -> Quality:
-    """Every knob of a tier, or of what are knobs already."""
+    """Return the settings of a tier; settings are returned as they are."""
     return quality if isinstance(quality, Quality) else TIERS[quality]
 
 
 class SceneRequest(BaseModel):
-    """A scene sent as JSON."""
+    """A scene, as JSON."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -180,7 +180,7 @@ class SceneRequest(BaseModel):
 
 
 class PlanRequest(SceneRequest):
-    """A scene to plan."""
+    """A scene and a quality to compile into a frame plan."""
 
     quality: TierOrKnobs = Field(
         default="standard", description="A tier, or the settings that differ from tier standard"
@@ -188,7 +188,7 @@ class PlanRequest(SceneRequest):
 
 
 class FrameRequest(SceneRequest):
-    """A frame of a scene."""
+    """A frame to render: scene, quality, time, size and camera."""
 
     quality: TierAutoOrKnobs = Field(
         default="standard",

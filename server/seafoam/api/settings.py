@@ -1,4 +1,4 @@
-"""What the operator may set: environment variables that begin with ``SEAFOAM_``."""
+"""Settings of the server: environment variables that begin with ``SEAFOAM_``."""
 
 import os
 from pathlib import Path
@@ -10,7 +10,7 @@ from seafoam.render.pool import FrameLimits
 
 
 def default_workers() -> int:
-    """Half the cores, up to four: software GL uses several cores a frame, a GPU gains nothing from more."""
+    """Half the number of cores, at most four: software GL uses several cores per frame, and a GPU needs no more."""
     return max(1, min(4, (os.cpu_count() or 1) // 2))
 
 
@@ -59,5 +59,5 @@ class Settings(BaseSettings):
 
     @property
     def frame_limits(self) -> FrameLimits:
-        """The limits of one frame."""
+        """Return the limits of one frame."""
         return FrameLimits(self.max_side, self.max_sampled_side, self.max_samples)

@@ -1,11 +1,11 @@
-"""Drift: what carries foam over a square of water: a current, the waves' own drift, and vortices."""
+"""Drift: the flow that carries foam over a square of water: a current, Stokes drift, and vortices."""
 
 from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
 VORTICES_MOST = 12
-"""A scene holds no more vortices."""
+"""Maximum number of vortices in a scene."""
 
 _Place = Annotated[float, Field(ge=-1e7, le=1e7)]
 _Speed = Annotated[float, Field(ge=-20.0, le=20.0)]
@@ -16,7 +16,7 @@ class _Part(BaseModel):
 
 
 class Vortex(_Part):
-    """Water that turns around a place that stays: fastest at its radius, still at its centre and past six radii."""
+    """A stationary vortex: fastest at its radius, at rest at its centre and beyond six radii."""
 
     place: tuple[_Place, _Place] = Field(default=(0.0, -30.0), description="Centre (x, z), m")
     radius: float = Field(

@@ -1,13 +1,13 @@
-"""Foam that lives: carried by its water, gathered by the wind, and of another mask when it is old."""
+"""Foam transport and ageing: waves and wind move the foam, and its mask changes with its age."""
 
 from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
 MASKS_MOST = 2
-"""Masks of older foam that a scene holds at most."""
+"""Maximum number of masks of older foam in a scene."""
 MASK_NAME = r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+(:[0-9.]+:[0-9.]+)?$"
-"""Of the catalogue, or what it is made from."""
+"""Name in the catalogue, or the parameters of a custom mask."""
 
 _Mask = Annotated[
     str, Field(max_length=40, pattern=MASK_NAME, json_schema_extra={"choices_from": "/api/masks"}, title="Mask")
@@ -15,7 +15,7 @@ _Mask = Annotated[
 
 
 class FoamLife(BaseModel):
-    """What becomes of foam after it is born; the filtered look alone shows it."""
+    """Transport and ageing of foam; applies to the filtered look only."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 

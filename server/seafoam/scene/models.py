@@ -1,7 +1,7 @@
-"""The Scene: what the sea is. SI units, right-handed, +y up, radians.
+"""The scene model. SI units, right-handed, +y up, radians.
 
-An effect that is absent is off. Unknown keys are refused. Every number states its unit and range here, and the
-OpenAPI page, the panel of the web client and the validation errors all come from these descriptions.
+An effect whose part is absent is off. Unknown keys are rejected. Every number declares its unit and range here, and the
+OpenAPI document, the panel of the web client and the validation errors are all generated from these descriptions.
 """
 
 from typing import Annotated, Literal
@@ -25,7 +25,7 @@ Rgb = tuple[Share, Share, Share]
 
 
 class Part(BaseModel):
-    """Base of every part of a scene: immutable, no unknown keys, no NaN or infinity."""
+    """Base class of every part of a scene: immutable, no unknown keys, no NaN or infinity."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -62,7 +62,7 @@ class ParametricWave(Part):
 
 
 class Sea(Part):
-    """Open sea that a wind raises: a JONSWAP spectrum (Hasselmann et al. 1973) drawn on tiles."""
+    """Wind-driven open sea: a JONSWAP spectrum (Hasselmann et al. 1973) on tiles."""
 
     model: Literal["gerstner", "fft"] = Field(
         default="fft",
@@ -107,11 +107,11 @@ class Sea(Part):
 
 
 Wave = ParametricWave
-"""Every wave model; becomes a union, told apart by ``model``, when the second one arrives."""
+"""All wave models; becomes a union discriminated by ``model`` when there is a second one."""
 
 
 class FrontSaturation(Part):
-    """Foam born at the front of a crest and fading behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
+    """Foam that appears at the front of a crest and fades behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
 
     With several waves θ is the phase of their sum (its analytic signal), so one wave gives the paper's formula.
     """
@@ -152,7 +152,7 @@ class FrontSaturation(Part):
 
 
 class HeightSaturation(Part):
-    """Foam by height: f = (H − H0)/(Hmax − H0) (Kryachko 2005)."""
+    """Foam by wave height: f = (H − H0)/(Hmax − H0) (Kryachko 2005)."""
 
     source: Literal["height"] = "height"
     base: float = Field(
@@ -170,7 +170,7 @@ class HeightSaturation(Part):
 
 
 class SlopeSaturation(Part):
-    """Foam where the water is steep: f = gain (1 − n.y − base), n the waves' normal (GPU ocean, 2007: base 0)."""
+    """Foam on steep water: f = gain (1 − n.y − base), n the normal of the waves (GPU ocean, 2007: base 0)."""
 
     source: Literal["slope"] = "slope"
     gain: float = Field(
@@ -194,7 +194,7 @@ class SlopeSaturation(Part):
 
 
 class FoldSaturation(Part):
-    """Foam where the sea folds: where the Jacobian of its horizontal displacement falls, and some seconds after."""
+    """Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after."""
 
     source: Literal["fold"] = "fold"
     coverage: float = Field(
@@ -219,7 +219,7 @@ class FoldSaturation(Part):
 
 
 class SurfSaturation(Part):
-    """Foam of the surf: born where a shore wave breaks, left behind it, draining down the beach."""
+    """Foam of the surf: it appears at breaking fronts, remains behind them, and drains down the beach."""
 
     source: Literal["surf"] = "surf"
     amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation at a breaking front")
@@ -238,7 +238,7 @@ class SurfSaturation(Part):
 
 
 class DriftSaturation(Part):
-    """Patches of foam that come up everywhere on the scene's ``drift`` square, are carried by its flow, and go."""
+    """Patches of foam that appear on the scene's ``drift`` square, are carried by its flow, and disappear."""
 
     source: Literal["drift"] = "drift"
     amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation of a patch halfway through its life")
@@ -251,7 +251,7 @@ class DriftSaturation(Part):
 
 
 class WakeSaturation(Part):
-    """Foam of boats: the churned band that each leaves behind it, and what its bow throws aside."""
+    """Foam of boats: the turbulent band behind each boat, and the foam of its bow wave."""
 
     source: Literal["wake"] = "wake"
     amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation directly behind the boat")
@@ -274,7 +274,7 @@ Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing",
 
 
 class Foam(Part):
-    """Foam: saturation, thresholded by a halftone mask."""
+    """Foam: a saturation, thresholded by a halftone mask."""
 
     saturation: tuple[Saturation, ...] = Field(default=(FrontSaturation(),), min_length=1, max_length=4)
     combine: Literal["max", "product"] = Field(
@@ -355,7 +355,7 @@ class Foam(Part):
 
 
 class Chop(Part):
-    """Wind ripples, too small for the mesh: they tilt the surface and leave its height alone."""
+    """Wind ripples: they tilt the surface normal but do not change the surface height."""
 
     wind_direction: float = Field(
         default=0.0,
@@ -379,7 +379,7 @@ class Chop(Part):
 
 
 class Water(Part):
-    """The body of the water, and the ripples on it."""
+    """Optical properties of the water, its floor, and its ripples."""
 
     absorption_length: tuple[
         Annotated[float, Field(ge=0.01, le=1000.0)],
@@ -432,7 +432,7 @@ class Water(Part):
 
 
 class Sparkles(Part):
-    """Small sparks in the sun's reflection (GPU ocean, 2007); their mean light is that of the smooth glint."""
+    """Sparkles in the sun's reflection (GPU ocean, 2007); their mean radiance is that of the smooth glint."""
 
     size: float = Field(
         default=0.0016,
@@ -455,9 +455,9 @@ class Sparkles(Part):
 
 
 class Caustics(Part):
-    """Sunlight that the ripples focus on a level floor.
+    """Caustics: sunlight that the ripples focus on a level floor.
 
-    With it the ripples repeat: every 9.3 m instead of never, and so does their light.
+    With caustics, ripples and caustics repeat every 9.3 m; without, ripples never repeat.
     """
 
     dispersion: float = Field(
@@ -470,7 +470,7 @@ class Caustics(Part):
 
 
 class Light(Part):
-    """Sun, sky and haze. Absent: no light at all, foam white on black as the paper's equations have it."""
+    """Sun, sky and haze. Absent: unlit, white foam on black, as in the paper's equations."""
 
     sun_azimuth: float = Field(
         default=0.0,
@@ -560,7 +560,7 @@ class Camera(Part):
 
 
 class Scene(Part):
-    """What the sea is."""
+    """A scene: water, foam, shore, objects, light and camera."""
 
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
     rings: tuple[Ring, ...] = Field(

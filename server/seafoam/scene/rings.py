@@ -1,4 +1,4 @@
-"""Rings on the water: what a stone, a drop or a blast sends out (Kryachko 2005)."""
+"""Circular waves from a stone, a drop or a blast (Kryachko 2005)."""
 
 import math
 from typing import Annotated
@@ -7,11 +7,11 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 DEAD = 1e-4
 DEAD_SHARE = 1.0 / 256.0
-"""A ring's amplitude is lowered by 10⁻⁴ m or by this share of I0, whichever is more: it ends, without a jump, where the
-formula's has sunk so far."""
+"""A ring's amplitude is reduced by 10⁻⁴ m or by this share of I0, whichever is more, so that it ends, without a jump,
+when the formula's amplitude has decayed to that."""
 
 RINGS_MOST = 100
-"""A scene holds no more rings."""
+"""Maximum number of rings in a scene."""
 
 
 class Ring(BaseModel):
@@ -42,12 +42,12 @@ class Ring(BaseModel):
 
     @property
     def dead(self) -> float:
-        """d: what its amplitude is lowered by, m."""
+        """d: reduction of the amplitude, m."""
         return max(DEAD, DEAD_SHARE * self.amplitude)
 
     @property
     def life(self) -> float:
-        """Age at which nothing is left of it, s; 0 for a ring that never shows."""
+        """Age at which the ring ends, s; 0 for a ring that is never visible."""
         return math.log(self.amplitude / self.dead) / self.decay if self.amplitude > self.dead else 0.0
 
     @model_validator(mode="after")

@@ -1,7 +1,7 @@
-"""The open sea that a wind raises: its spectrum and the random components that effect and reference both draw.
+"""The open sea: its wave spectrum, and the random components that both the effect and the reference use.
 
 JONSWAP (Hasselmann et al. 1973) with the fully developed limits of Pierson and Moskowitz (1964), the finite-depth
-factor of Kitaigorodskii et al. (1975; TMA, Bouws et al. 1985), spreading cos^2s of half the angle (Longuet-Higgins
+factor of Kitaigorodskii et al. (1975; TMA, Bouws et al. 1985), directional spreading cos^2s(θ/2) (Longuet-Higgins
 et al. 1963). docs/formulae.md, section 2.
 """
 
@@ -17,41 +17,41 @@ from seafoam.scene.chance import chance
 from seafoam.scene.models import GRAVITY, FoldSaturation, Sea
 
 BAND = 64
-"""Wavenumbers of a tile stay under so many waves along its side."""
+"""Bound of a tile's wavenumbers, in waves along its side."""
 LOOP = 2048.0
-"""Seconds after which the sea repeats: every angular frequency is a whole multiple of 2π/LOOP."""
+"""Period of the sea, s: every angular frequency is an integer multiple of 2π/LOOP."""
 RATIOS = (1.0, 5.23, 4.87, 4.61)
-"""Side of each tile's predecessor over its own; no small whole numbers, so the tiles never line up again."""
+"""Ratio of the sides of successive tiles; no ratio of small integers, so that the tiles never align again."""
 PEAKS = 8.0
-"""Waves of the spectrum's peak along the largest tile."""
+"""Waves of the spectral peak along the largest tile."""
 SMALLEST_TILE = 24.0
-"""The largest tile is at least so large, m."""
+"""Minimum side of the largest tile, m."""
 SHORTEST = 0.1
-"""No wave is shorter, m: ripples (``Chop``) stand for those."""
+"""Shortest wavelength, m; ripples (``Chop``) represent shorter waves."""
 RAISED = 2
-"""So many tiles, the largest, raise the surface; what is smaller tilts it alone."""
+"""Number of tiles, the largest first, that displace the surface; smaller ones only tilt its normal."""
 GERSTNER_WAVES = 48
 GERSTNER_RATIO = 1.618
-"""Of the sides of the two tiles that hold these waves."""
+"""Ratio of the sides of the two tiles of Gerstner waves."""
 CREST = 4.5
-"""Heights are held within so many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
+"""Heights are clamped to this many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
 TILT = 0.24
-"""Greatest root mean square slope of a tile times choppiness: one point in 60 000 of a Gaussian sea folds then."""
+"""Maximum of a tile's root mean square slope times choppiness: one point in 60 000 of a Gaussian sea folds then."""
 GAMMA = 3.3
 """Peak enhancement of JONSWAP."""
 LEAST_JACOBIAN = 0.3
-"""What stands for a smaller Jacobian where one divides by it: at a fold the sea turns over, a height field cannot."""
+"""Lower bound of the Jacobian in divisions: at a fold the sea turns over, which a height field cannot."""
 AGE_STEPS = 8
-"""Earlier times at which folds are looked for."""
+"""Number of earlier times at which folds are evaluated."""
 AGE_STEP = 0.35
-"""Seconds between them."""
+"""Interval between them, s."""
 
 OLD_STEPS = 16
-"""Still earlier times at which folds of the largest tile alone are looked for, where foam lasts."""
+"""Number of still earlier times at which folds of the largest tile are evaluated, if foam lasts."""
 OLD_STEP = 0.5
-"""Seconds between them."""
+"""Interval between them, s."""
 OLD_TEXELS = 2 * BAND
-"""Texels along that tile then: as few as hold its waves."""
+"""Texels along that tile then: the minimum that resolves its waves."""
 
 Floats = NDArray[np.float64]
 
@@ -66,9 +66,9 @@ class Cascade:
     size: float
     """Side, m."""
     h0: NDArray[np.complex128]
-    """Complex amplitude of the wave that runs along +k, m: half its real amplitude, with its phase."""
+    """Complex amplitude of the wave that travels along +k, m: half its real amplitude, with its phase."""
     turns: NDArray[np.int64]
-    """Periods in LOOP seconds."""
+    """Number of periods in LOOP seconds."""
 
     @cached_property
     def k(self) -> Floats:
@@ -89,12 +89,12 @@ class Cascade:
 
     @cached_property
     def limit(self) -> float:
-        """Heights are held in ± this, m."""
+        """Heights are clamped to ± this, m."""
         return min(CREST * math.sqrt(self.variance), 2.0 * float(np.abs(self.h0).sum()))
 
     @property
     def steepest(self) -> float:
-        """Bound of the drawn height's slope."""
+        """Upper bound of the slope of the drawn height."""
         return slope_limit(math.sqrt(self.mean_square_slope))
 
     def grain(self, texels: int) -> float:
@@ -104,7 +104,7 @@ class Cascade:
         return 0.085 * deviation * (self.size / texels) ** 2
 
     def choppiness(self, wanted: float) -> float:
-        """``wanted``, lowered where the tile would fold too often."""
+        """Return ``wanted``, reduced if the tile would fold too often."""
         slope = math.sqrt(self.mean_square_slope)
         return wanted if wanted * slope <= TILT else TILT / slope
 
@@ -127,37 +127,37 @@ class Cascade:
 
     @property
     def waves(self) -> list[tuple[int, int]]:
-        """(iz, ix) rows and columns of the waves that are there."""
+        """Row and column indices (iz, ix) of the non-zero waves."""
         rows, columns = np.nonzero(self.h0)
         return list(zip(rows.tolist(), columns.tolist(), strict=True))
 
 
 @dataclass(frozen=True)
 class Fold:
-    """Foam of a sea: f = min(Σ_j a_j clamp((threshold − F_j)/width, 0, 1), 1), a_j the share left after j steps."""
+    """Foam of a sea: f = min(Σ_j a_j clamp((threshold − F_j)/width, 0, 1), 1), a_j the fraction left after j steps."""
 
     now: tuple[float, float]
-    """Threshold and width for the fold of the moment."""
+    """Threshold and width for the present fold."""
     earlier: tuple[float, float]
-    """The same for earlier ones."""
+    """The same for earlier folds."""
     shares: tuple[float, ...]
     variance: tuple[float, float]
-    """Mean square of the fold as it is drawn, now and earlier."""
+    """Mean square of the drawn fold, now and earlier."""
     clamped: float
-    """Share of the sum that is left where sums are held at 1."""
+    """Fraction of the sum that is left after sums are clamped to 1."""
     old: tuple[float, float]
-    """Threshold and width for the folds of the largest tile long ago."""
+    """Threshold and width for the early folds of the largest tile."""
     old_shares: tuple[float, ...]
-    """What is left of those, times of :func:`old_times`; empty where foam does not last."""
+    """Fractions left of these folds, at :func:`old_times`; empty if foam does not last."""
 
 
 def old_times(steps: int, step: float) -> list[float]:
-    """How long ago they were, s, behind ``steps`` of ``step`` seconds."""
+    """Return how long ago they were, s, after ``steps`` of ``step`` seconds."""
     return [steps * step + (j + 1) * OLD_STEP for j in range(OLD_STEPS)]
 
 
 def whitecaps(wind: float) -> float:
-    """Share of the sea under whitecaps, W = 3.84·10⁻⁶ U^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.6."""
+    """Return the whitecap coverage W = 3.84·10⁻⁶ U^3.41 (Monahan and O'Muircheartaigh 1980), at most 0.6."""
     return min(3.84e-6 * math.pow(wind, 3.41), 0.6)
 
 
@@ -170,8 +170,8 @@ CLAMPED: tuple[tuple[float, float], ...] = (
     (17.5, 1.512),
     (20.0, 1.511),
 )
-"""Wind (m/s), and wanted over drawn coverage: the closed form loses where foam of several times adds up to more than
-1. By ``docs/make_whitecaps.py --derive``."""
+"""Wind speed (m/s), and wanted over drawn coverage, which corrects the closed form where foam of several times exceeds
+1. Generated by ``docs/make_whitecaps.py --derive``."""
 LASTING_CLAMPED: tuple[tuple[float, float], ...] = (
     (5.0, 1.331),
     (7.5, 1.207),
@@ -181,15 +181,15 @@ LASTING_CLAMPED: tuple[tuple[float, float], ...] = (
     (17.5, 1.284),
     (20.0, 1.294),
 )
-"""The same where foam lasts."""
+"""The same if foam lasts."""
 
 
 def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: float, texels: int) -> Fold | None:
-    """Thresholds of the fold that give a sea its whitecaps, on tiles of ``texels``²; None where it has none.
+    """Return the fold thresholds that give a sea its whitecap coverage, on tiles of ``texels``²; None without foam.
 
-    Where water rests, the fold of a Gaussian sea is normal about 0; over the surface, which is pressed together where
-    it folds, about its variance. So mean foam has a closed form, which is solved for the threshold in standard
-    deviations; what the form leaves out is in ``CLAMPED``.
+    In material coordinates the fold of a Gaussian sea is normal about 0; on the surface, which is compressed where it
+    folds, about its variance. So mean foam has a closed form, which is solved for the threshold in standard
+    deviations; ``CLAMPED`` corrects what the form leaves out.
     """
     raised = cascades(sea, depth)[:RAISED]
     now = sum(c.fold_variance(sea.choppiness, texels, "spline") for c in raised)
@@ -242,18 +242,18 @@ def _above(t: float) -> float:
 
 
 def slope_limit(root_mean_square: float) -> float:
-    """Slope that texel pairs of a tile of this root mean square slope do not pass but for one in ten thousand."""
+    """Return the slope that one in ten thousand texel pairs of a tile of this root mean square slope exceeds."""
     return min(5.0 * root_mean_square, 3.0)
 
 
 def peak_frequency(wind: float, fetch: float) -> float:
-    """Angular frequency of the spectrum's peak, rad/s; wind in m/s above 0, fetch in m."""
+    """Return the peak angular frequency of the spectrum, rad/s; wind in m/s above 0, fetch in m."""
     growing = 22.0 * math.pow(GRAVITY * GRAVITY / (wind * fetch), 1.0 / 3.0)
     return max(growing, 0.855 * GRAVITY / wind)
 
 
 def frequency_spectrum(omega: Floats, wind: float, fetch: float) -> Floats:
-    """JONSWAP S(ω) in deep water, m²·s/rad, at ω > 0 rad/s; 0 without wind."""
+    """Return JONSWAP S(ω) in deep water, m²·s/rad, at ω > 0 rad/s; 0 without wind."""
     if wind <= 0.0:
         return np.zeros_like(omega)
     peak = peak_frequency(wind, fetch)
@@ -268,7 +268,7 @@ def frequency_spectrum(omega: Floats, wind: float, fetch: float) -> Floats:
 
 
 def dispersion(k: Floats, depth: float | None) -> tuple[Floats, Floats, Floats]:
-    """ω (rad/s), dω/dk (m/s) and the depth factor of the spectrum, at k > 0 rad/m; depth in m, absent: deep."""
+    """Return ω (rad/s), dω/dk (m/s) and the depth factor of the spectrum, at k > 0 rad/m; depth in m, absent: deep."""
     if depth is None:
         omega = np.sqrt(GRAVITY * k)
         return omega, 0.5 * omega / k, np.ones_like(k)
@@ -280,7 +280,7 @@ def dispersion(k: Floats, depth: float | None) -> tuple[Floats, Floats, Floats]:
 
 
 def spreading(angle: Floats, exponent: float, against: float) -> Floats:
-    """Share of the energy a radian, at an angle to the wind, rad; waves against the wind weighted by ``against``."""
+    """Return the energy fraction per radian at an angle to the wind (rad); ``against`` weights waves against it."""
 
     def shape(angles: Floats) -> Floats:
         weight = np.where(np.cos(angles) < 0.0, against, 1.0)
@@ -293,7 +293,7 @@ def spreading(angle: Floats, exponent: float, against: float) -> Floats:
 
 
 def largest_tile(sea: Sea, depth: float | None) -> float:
-    """Side of the largest tile, m."""
+    """Return the side of the largest tile, m."""
     if sea.wind <= 0.0:
         return SMALLEST_TILE
     omega = peak_frequency(sea.wind, sea.fetch)
@@ -309,7 +309,7 @@ def largest_tile(sea: Sea, depth: float | None) -> float:
 
 
 def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floats:
-    """Ψ(k), m⁴: its integral over the plane of wavevectors (rad/m, not 0) is the mean square height."""
+    """Return Ψ(k), m⁴: its integral over the plane of wavevectors (rad/m, not 0) is the mean square height."""
     k = np.hypot(kx, kz)
     omega, group, shallow = dispersion(k, depth)
     angle = np.arctan2(kz, kx) - sea.wind_direction
@@ -320,7 +320,7 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
 
 @lru_cache(maxsize=32)
 def cascades(sea: Sea, depth: float | None) -> tuple[Cascade, ...]:
-    """The tiles of a sea over water of a depth (m; absent: deep), the largest first: four, or two for ``gerstner``."""
+    """Return the tiles of a sea at a depth (m; absent: deep), the largest first: four, or two for ``gerstner``."""
     sea = sea.model_copy(update={"choppiness": 0.0})
     largest = largest_tile(sea, depth)
     if sea.model == "gerstner":
@@ -348,7 +348,7 @@ def _turns(k: Floats, depth: float | None) -> NDArray[np.int64]:
 
 
 def _shallow(omega: Floats, depth: float | None) -> Floats:
-    """The depth factor by frequency."""
+    """Return the depth factor by frequency."""
     if depth is None:
         return np.ones_like(omega)
     k = np.geomspace(1e-7, 1e3, 20001)
@@ -372,9 +372,9 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
 
 
 def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tuple[Cascade, Cascade]:
-    """Waves on the tiles' whole wavevectors, one in each of many equal steps of log k, with its step's energy.
+    """Return waves on the tiles' integer wavevectors, one per equal step of log k, with that step's energy.
 
-    They lie on the two tiles in turn: the tiles have no common period, so no pattern of waves comes back.
+    They lie on the two tiles in turn: the tiles have no common period, so no pattern of waves repeats.
     """
     tiles = [np.zeros((2 * BAND, 2 * BAND), np.complex128) for _ in sizes]
     steps = [2.0 * math.pi / size for size in sizes]

@@ -1,4 +1,4 @@
-"""A shore: sea floor and land over a square, and the surf that runs up on it. docs/formulae.md, section 8."""
+"""A shore: sea floor and land over a square, and surf. docs/formulae.md, section 8."""
 
 import base64
 import binascii
@@ -20,7 +20,7 @@ _Share = Annotated[float, Field(ge=0.0, le=1.0)]
 _Rgb = tuple[_Share, _Share, _Share]
 
 STEPS = 1024
-"""Heights are whole multiples of 1/1024 m, so that the last bits of a root hide."""
+"""Heights are multiples of 1/1024 m, which hides differences in the last bits of square roots."""
 
 
 class _Part(BaseModel):
@@ -66,7 +66,7 @@ class Surf(_Part):
 
 
 class Shore(_Part):
-    """Sea floor and land: a height field over a square; beyond it the floor goes on level."""
+    """Sea floor and land: a height field over a square; beyond it the floor is level."""
 
     kind: Literal["beach", "island", "islands", "lagoon", "image"] = Field(
         default="beach",
@@ -128,12 +128,12 @@ class Shore(_Part):
 
     @property
     def deep(self) -> float:
-        """Depth of the level floor below y = 0, m; at least 0.1, so that what divides by it may."""
+        """Depth of the level floor below y = 0, m; at least 0.1, so that divisions by it are safe."""
         return max(self.depth - self.level, 0.1)
 
     @property
     def ground(self) -> str:
-        """All that the height field hangs on, as text: what is equal here has the same floor."""
+        """Everything that determines the height field, as text; equal texts have the same floor."""
         values = [str(getattr(self, name)) for name in _GROUND]
         if self.image is not None:
             # The alphabet of base64 that addresses take.
@@ -142,7 +142,7 @@ class Shore(_Part):
 
     @staticmethod
     def of_ground(text: str) -> "Shore":
-        """A shore with the ground that :attr:`ground` tells of. Raises ``ValueError`` where no shore has it."""
+        """Return a shore with the ground described by :attr:`ground`. Raises ``ValueError`` if the text is invalid."""
         values = text.split(",")
         names = _GROUND if len(values) == len(_GROUND) else (*_GROUND, "image")
         if len(values) != len(names):
@@ -170,7 +170,7 @@ _GROUND = (
 
 @lru_cache(maxsize=16)
 def _picture(encoded: str) -> Floats:
-    """Grey of a PNG in base64, (rows, columns) in [0, 1]. Raises ``ValueError`` that says what is wrong with it."""
+    """Return the grey values of a base64 PNG, (rows, columns) in [0, 1]. Raises ``ValueError`` with the reason."""
     try:
         raw = base64.b64decode(encoded, validate=True)
     except binascii.Error:
@@ -189,7 +189,7 @@ def _picture(encoded: str) -> Floats:
 
 
 def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
-    """The quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
+    """Return the quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
     taps = []
     for place, count in ((z, grey.shape[0]), (x, grey.shape[1])):
         at = place * count - 0.5
@@ -205,10 +205,10 @@ def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
 
 
 def floor_grid(shore: Shore, texels: int) -> Floats:
-    """(texels, texels, 2): height of floor or land over y = 0 (m) and a tint in [0, 1]; row z, column x, texel centres.
+    """Return (texels, texels, 2): height of floor or land above y = 0 (m), and a tint in [0, 1]; row z, column x.
 
-    Sums, products, quotients and square roots alone (and one sine and cosine), rounded to 1/1024: the same bytes
-    everywhere.
+    Values are at texel centres. Only sums, products, quotients and square roots (and one sine and cosine), rounded to
+    1/1024: the same bytes on every machine.
     """
     return _floor_grid(shore.ground, texels)
 
@@ -254,7 +254,7 @@ def _floor_grid(ground: str, texels: int) -> Floats:
 
 
 def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
-    """The floor made level where the square ends, with its tint; rounded, read-only."""
+    """Return the floor, levelled toward the edges of the square, with its tint; rounded, read-only."""
     half = 0.5 * shore.size
     # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
     ends = _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
@@ -268,7 +268,7 @@ def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
 
 
 def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
-    """Distance to the plain coast, m: positive at sea."""
+    """Return the distance to the plain coastline, m: positive at sea."""
     c, s = math.cos(shore.heading), math.sin(shore.heading)
     r = np.sqrt(x * x + z * z)
     match shore.kind:
@@ -302,7 +302,7 @@ def _smoothstep(low: float, high: float, x: Floats) -> Floats:
 
 
 def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
-    """Value noise in [0, 1] with a cell of 1, twice smooth."""
+    """Value noise in [0, 1] with cells of size 1, with continuous second derivatives."""
     i, j = np.floor(x), np.floor(z)
     u, v = x - i, z - j
     u = u * u * u * (u * (6.0 * u - 15.0) + 10.0)
@@ -315,7 +315,7 @@ def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
 
 
 def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
-    """Octaves of value noise, the largest ``cell`` m wide; in [0, 1], about ½ in the mean."""
+    """Octaves of value noise, the largest with cells of ``cell`` m; in [0, 1], mean about ½."""
     total, weight, sum_of_weights = np.zeros_like(x), 1.0, 0.0
     for octave in range(octaves):
         # Each octave is turned against the last (3-4-5), so that no lattice shows.

@@ -1,4 +1,4 @@
-"""A sky worth mirroring: time of day, haze over the horizon, clouds, moon and stars. docs/formulae.md, section 9."""
+"""Sky: time of day, haze, clouds, moon and stars. docs/formulae.md, section 9."""
 
 import math
 from typing import Annotated
@@ -8,7 +8,7 @@ from pydantic.config import JsonDict
 
 _RAD: JsonDict = {"unit": "rad"}
 TILT = math.radians(23.44)
-"""Of the earth's axis."""
+"""Axial tilt of the earth, rad."""
 
 Direction = tuple[float, float, float]
 
@@ -18,7 +18,7 @@ class _Part(BaseModel):
 
 
 class Day(_Part):
-    """A time of day at a place on earth, which says where the sun stands."""
+    """Time of day and place on earth, which determine the sun's position."""
 
     hour: float = Field(default=12.0, ge=0.0, le=24.0, description="Solar time, h; the sun is highest at 12")
     date: float = Field(default=172.0, ge=1.0, le=366.0, description="Day of the year; 172 is 21 June")
@@ -35,7 +35,7 @@ class Day(_Part):
 
 
 class Clouds(_Part):
-    """A layer of clouds, thin as paper: gradient noise that drifts with the wind and changes as it goes."""
+    """A thin layer of clouds: gradient noise that drifts with the wind and changes shape."""
 
     cover: Annotated[float, Field(ge=0.0, le=1.0, description="Fraction of the sky covered by clouds")] = 0.4
     thickness: float = Field(
@@ -65,7 +65,7 @@ class Clouds(_Part):
 
 
 class Moon(_Part):
-    """A moon; how much of it is lit follows from where the sun is. It lights the water once the sun is well down."""
+    """A moon; its phase follows from the sun's position. It lights the water when the sun is well below the horizon."""
 
     azimuth: float = Field(
         default=-1.2,
@@ -93,7 +93,7 @@ class Moon(_Part):
 
 
 class Sky(_Part):
-    """A sky that light reaches through more air near the horizon; absent: the plain clear sky."""
+    """A sky with longer light paths near the horizon; absent: a plain clear sky."""
 
     haze: float = Field(default=0.5, ge=0.0, le=20.0, description="Optical depth of the haze along the horizon")
     stars: float = Field(default=0.0, ge=0.0, le=10.0, description="Brightness of the stars at night; 0: none")
@@ -102,7 +102,7 @@ class Sky(_Part):
 
 
 class Gusts(_Part):
-    """Gusts run over the water: patches of rougher and of smoother ripples."""
+    """Gusts: moving patches of rougher and smoother ripples."""
 
     strength: float = Field(
         default=0.6, ge=0.0, le=1.0, description="Relative variation of the ripples' slope about its mean"
@@ -114,15 +114,15 @@ class Gusts(_Part):
 
 
 def direction(azimuth: float, elevation: float) -> Direction:
-    """Unit vector toward azimuth and elevation, rad."""
+    """Return the unit vector toward azimuth and elevation, rad."""
     level = math.cos(elevation)
     return level * math.cos(azimuth), math.sin(elevation), level * math.sin(azimuth)
 
 
 def sun_angles(day: Day) -> tuple[float, float]:
-    """Azimuth and elevation of the sun, rad (declination after Cooper 1969).
+    """Return azimuth and elevation of the sun, rad (declination after Cooper 1969).
 
-    Where it stands overhead its azimuth is south or north, whichever the sum of roundings says.
+    At the zenith its azimuth is south or north, depending on rounding.
     """
     declination = TILT * math.sin(2.0 * math.pi * (284.0 + day.date) / 365.0)
     turn = math.pi * (day.hour - 12.0) / 12.0

@@ -1,4 +1,4 @@
-"""Spray: drops that the water throws up, and the rocks that surf breaks on. docs/formulae.md, section 13."""
+"""Spray: drops thrown up by waves, and rocks on which surf breaks. docs/formulae.md, section 13."""
 
 import math
 from functools import lru_cache
@@ -10,15 +10,15 @@ from pydantic import BaseModel, ConfigDict, Field
 from seafoam.scene.shore import Shore, floor_grid
 
 DROPS = 16384
-"""Drops of the whole spray; a quality that draws fewer makes each larger."""
+"""Number of drops; a quality that draws fewer draws each larger."""
 ROCKS = 1024
-"""Places on the rocks that drops start from."""
+"""Number of places on rocks at which drops start."""
 _TEXELS = 256
 _SEED = 7
 
 
 class Spray(BaseModel):
-    """Drops thrown up where waves rise fast or, where there is a shore, where surf breaks on rocks."""
+    """Drops thrown up where waves rise fast, or, with a shore, where surf breaks on rocks."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 

@@ -1,4 +1,4 @@
-"""The drift that waves give to what floats on them (Stokes 1847). docs/formulae.md, section 14."""
+"""Stokes drift: the mean drift of floating matter caused by waves (Stokes 1847). docs/formulae.md, section 14."""
 
 import math
 
@@ -10,7 +10,7 @@ from seafoam.scene.models import ParametricWave, Scene, Sea
 from seafoam.scene.sea import SHORTEST, dispersion, frequency_spectrum, spreading
 
 SHALLOW = 0.5
-"""Least k·depth in the factor of finite depth: nearer to 0 the theory of small waves has no end."""
+"""Minimum of k·depth in the finite-depth factor: linear theory diverges toward 0."""
 
 
 def steady_drift(scene: Scene) -> tuple[float, float]:

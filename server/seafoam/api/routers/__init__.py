@@ -1,1 +1,1 @@
-"""One module a resource."""
+"""The routers, one module per resource."""

@@ -1,4 +1,4 @@
-"""``/healthz``, ``/readyz`` and ``/metrics``: answered by the web process, never behind the render queue."""
+"""``/healthz``, ``/readyz`` and ``/metrics``: answered by the web process, without the render queue."""
 
 import time
 from typing import Annotated, Literal
@@ -18,13 +18,13 @@ router = APIRouter(tags=["health"])
 
 
 class Alive(BaseModel):
-    """The web process answers."""
+    """The web process responds."""
 
     status: Literal["alive"] = "alive"
 
 
 class RendererInfo(BaseModel):
-    """The GL in use."""
+    """The OpenGL implementation in use."""
 
     vendor: str = Field(examples=["Mesa"])
     renderer: str = Field(examples=["llvmpipe (LLVM 15.0.6, 256 bits)"])
@@ -45,14 +45,14 @@ class Ready(BaseModel):
 
 @router.get("/healthz", responses=problem_responses(422))
 async def get_health(_: Annotated[Parameters, Query()], response: Response) -> Alive:
-    """Whether the web process is alive."""
+    """Check whether the web process responds."""
     response.headers["Cache-Control"] = NO_STORE
     return Alive()
 
 
 @router.get("/readyz", response_model=Ready, responses=problem_responses(422, 503))
 async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -> Response:
-    """Whether frames can be rendered, and by what. Plans, masks and the page need no renderer."""
+    """Check whether frames can be rendered, and by which renderer. Plans, masks and the page need none."""
     pool = context.pool
     if pool.state == "starting":
         raise BusyError("the renderer is starting", retry_after=1)
@@ -76,7 +76,7 @@ async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -
     | {200: {"description": "Prometheus' text format", "content": {"text/plain": {"schema": {"type": "string"}}}}},
 )
 async def get_metrics(_: Annotated[Parameters, Query()], context: InContext) -> Response:
-    """Counters and durations for Prometheus."""
+    """Get counters and durations for Prometheus."""
     return Response(
         context.metrics.exposition(), headers={"Cache-Control": NO_STORE, "Content-Type": CONTENT_TYPE_LATEST}
     )

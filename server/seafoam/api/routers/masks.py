@@ -1,4 +1,4 @@
-"""``/api/masks``: the halftone masks, shipped and made on request, in every format, with their spectra."""
+"""``/api/masks``: shipped and custom halftone masks, in every format, with their spectra."""
 
 import json
 from collections.abc import Callable
@@ -56,7 +56,7 @@ ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
     "dds": ("image/vnd-ms.dds", to_dds),
 }
 SIGMA_STEPS = 200
-"""Into which a range of sigma is cut to find what is quick enough."""
+"""Number of values of sigma that are tried to find those that are fast enough."""
 
 
 class MaskSize(IntEnum):
@@ -70,7 +70,7 @@ class MaskSize(IntEnum):
 
 
 class CustomMask(Parameters):
-    """A mask made on request. The same arguments give the same mask."""
+    """Parameters of a custom mask. The same parameters give the same mask."""
 
     family: Family = Field(
         description="Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; "
@@ -101,7 +101,7 @@ class CustomMask(Parameters):
 
 
 class MaskParameters(BaseModel):
-    """What determines a mask."""
+    """Parameters that determine a mask."""
 
     sigma: float = Field(description="Characteristic length of the family, texels")
     size: int = Field(description="Side of the tile, texels")
@@ -112,7 +112,7 @@ class MaskParameters(BaseModel):
 
 
 class MaskInfo(BaseModel):
-    """What a mask is and how it was made."""
+    """A mask's description and construction parameters."""
 
     name: str
     title: str
@@ -156,7 +156,7 @@ def _shipped(name: str) -> Mask:
 
 
 def check_custom(asked: CustomMask) -> None:
-    """Refuse what the family cannot be made with, or not quickly enough, naming the range that can.
+    """Reject parameters that the family does not allow or that take too long, with the allowed range.
 
     Raises :class:`BadRequestError`.
     """
@@ -234,7 +234,7 @@ async def _answer(
     context: Context,
     file: str = "",
 ) -> Response:
-    """A mask as bytes; 304 before they are made."""
+    """Return a mask as bytes, or 304 before they are encoded."""
     mask = await context.masks.run(source)
     headers = {"Cache-Control": REVALIDATE}
     if file:
@@ -248,7 +248,7 @@ async def _answer(
 
 @router.get("/masks", response_model=list[MaskInfo], responses=problem_responses(422))
 async def list_masks(_: Annotated[Parameters, Query()]) -> list[dict[str, Any]]:
-    """The shipped masks."""
+    """List the shipped masks."""
     entries: list[MaskEntry] = list(load_catalogue().values())
     return [entry.to_json() for entry in entries]
 
@@ -259,7 +259,7 @@ async def list_masks(_: Annotated[Parameters, Query()]) -> list[dict[str, Any]]:
     response_class=Response,
 )
 async def get_custom_mask(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """A mask made on request: what it is. Its data is below this path with the same parameters."""
+    """Generate a custom mask and get its description. Its data is below this path, with the same parameters."""
     return await _answer(lambda: _custom(asked), _info, "application/json", request, context)
 
 
@@ -267,38 +267,38 @@ async def get_custom_mask(asked: Annotated[CustomMask, Query()], request: Reques
 async def get_custom_data(
     format: MaskFormatPath, asked: Annotated[CustomMask, Query()], request: Request, context: InContext
 ) -> Response:
-    """The data of a mask made on request."""
+    """Get the data of a custom mask."""
     media, encoder = ENCODERS[format]
     return await _answer(lambda: _custom(asked), _ranks_as(encoder), media, request, context, f".{format}")
 
 
 @router.get("/masks/custom/data8.png", responses=_answers(*_DATA8, custom=True), response_class=Response)
 async def get_custom_data8(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """A mask made on request, in 8 bits."""
+    """Get a custom mask in 8 bits."""
     return await _answer(lambda: _custom(asked), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
 
 
 @router.get("/masks/custom/sidecar", responses=_answers(*_SIDECAR, custom=True), response_class=Response)
 async def get_custom_sidecar(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """What accompanies the data of a mask made on request."""
+    """Get the metadata of a custom mask."""
     return await _answer(lambda: _custom(asked), _sidecar, "application/json", request, context, ".json")
 
 
 @router.get("/masks/custom/spectrum", responses=_answers(*_SPECTRUM, custom=True), response_class=Response)
 async def get_custom_spectrum(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """The measured spectrum of a mask made on request."""
+    """Get the measured spectrum of a custom mask."""
     return await _answer(lambda: _custom(asked), _spectrum, "application/json", request, context)
 
 
 @router.get("/masks/custom/shapes", responses=_answers(*_SHAPES, custom=True), response_class=Response)
 async def get_custom_shapes(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """The measured shapes of the foam of a mask made on request."""
+    """Get the measured foam shapes of a custom mask."""
     return await _answer(lambda: _custom(asked), _shapes, "application/json", request, context)
 
 
 @router.get("/masks/custom/spectrum.png", responses=_answers(*_PLOT, custom=True), response_class=Response)
 async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """The measured spectrum of a mask made on request, as a plot."""
+    """Get the measured spectrum of a custom mask as a plot."""
     return await _answer(lambda: _custom(asked), _plot, "image/png", request, context, "-spectrum.png")
 
 
@@ -306,7 +306,7 @@ async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Reques
     "/masks/{mask}", responses=problem_responses(404, 422, 503) | {200: {"model": MaskInfo}}, response_class=Response
 )
 async def get_mask(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
-    """A shipped mask: size, family, sigma, seed, hash, how it was made."""
+    """Get the description of a shipped mask: size, family, sigma, seed, hash and construction."""
     return await _answer(lambda: _shipped(mask), _info, "application/json", request, context)
 
 
@@ -318,7 +318,7 @@ async def get_data(
     request: Request,
     context: InContext,
 ) -> Response:
-    """The data of a shipped mask."""
+    """Get the data of a shipped mask."""
     media, encoder = ENCODERS[format]
     return await _answer(lambda: _shipped(mask), _ranks_as(encoder), media, request, context, f".{format}")
 
@@ -327,7 +327,7 @@ async def get_data(
 async def get_data8(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """A shipped mask, in 8 bits."""
+    """Get a shipped mask in 8 bits."""
     return await _answer(lambda: _shipped(mask), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
 
 
@@ -335,7 +335,7 @@ async def get_data8(
 async def get_sidecar(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """What accompanies the data of a shipped mask."""
+    """Get the metadata of a shipped mask."""
     return await _answer(lambda: _shipped(mask), _sidecar, "application/json", request, context, ".json")
 
 
@@ -343,7 +343,7 @@ async def get_sidecar(
 async def get_spectrum(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The measured spectrum of a shipped mask."""
+    """Get the measured spectrum of a shipped mask."""
     return await _answer(lambda: _shipped(mask), _spectrum, "application/json", request, context)
 
 
@@ -351,11 +351,11 @@ async def get_spectrum(
 async def get_shapes(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The measured shapes of the foam of a shipped mask."""
+    """Get the measured foam shapes of a shipped mask."""
     return await _answer(lambda: _shipped(mask), _shapes, "application/json", request, context)
 
 
 @router.get("/masks/{mask}/spectrum.png", responses=_answers(*_PLOT, custom=False), response_class=Response)
 async def get_plot(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
-    """The measured spectrum of a shipped mask, as a plot."""
+    """Get the measured spectrum of a shipped mask as a plot."""
     return await _answer(lambda: _shipped(mask), _plot, "image/png", request, context, "-spectrum.png")

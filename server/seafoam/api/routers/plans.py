@@ -1,4 +1,4 @@
-"""``/api/plans``: compiled scenes, for an executor to run."""
+"""``/api/plans``: frame plans, compiled scenes for an executor to run."""
 
 from typing import Annotated, Any
 
@@ -40,7 +40,7 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 async def get_plan(
     preset: PresetName, asked: Annotated[PlanParameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The frame plan of a preset."""
+    """Get the frame plan of a preset."""
     scene = asked.apply(find_preset(preset).scene)
     compiled = await context.plans.run(
         compile_scene, scene, TIERS[asked.quality], scene_at=None, parameters=asked.changed
@@ -51,7 +51,7 @@ async def get_plan(
 
 @router.post("/plans", responses=_RESPONSES | problem_responses(413, 415, 422, 503), response_class=Response)
 async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Response:  # type: ignore[valid-type]
-    """The frame plan of a scene sent as JSON."""
+    """Compile a scene sent as JSON into a frame plan."""
     body: PlanRequest = asked
     compiled = await context.plans.run(compile_scene, body.scene, knobs_of(body.quality), scene_at="/scene")
     return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})

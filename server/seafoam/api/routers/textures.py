@@ -1,4 +1,4 @@
-"""``/api/textures``: the bytes of the textures that plans name."""
+"""``/api/textures``: bytes of the textures that plans refer to."""
 
 from typing import Annotated, Any
 
@@ -16,7 +16,7 @@ router = APIRouter(prefix="/api", tags=["textures"])
 
 
 class TextureParameters(Parameters):
-    """Which bytes are meant."""
+    """Parameters of a texture."""
 
     sha256: str | None = Field(
         default=None,
@@ -45,7 +45,7 @@ async def get_texture(
     request: Request,
     context: InContext,
 ) -> Response:
-    """The bytes of a texture. Format and size stand in the plan."""
+    """Get the bytes of a texture. The plan gives its format and size."""
     try:
         found = await context.masks.run(texture, name)
     except (KeyError, ValueError):
