@@ -56,7 +56,7 @@ ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
     "dds": ("image/vnd-ms.dds", to_dds),
 }
 SIGMA_STEPS = 200
-"""Number of values of sigma that are tried to find those that are fast enough."""
+"""Number of steps of sigma that are tried to find those that are fast enough."""
 
 
 class MaskSize(IntEnum):
