@@ -11,7 +11,7 @@ from seafoam.scene.models import Part, Scene
 
 _DIRECTORY = Path(__file__).parent / "presets"
 
-Group = Literal["Seas", "Light and life", "Shores", "Lakes and rivers", "Foam of the paper"]
+Group = Literal["Seas", "Light and objects", "Shores", "Lakes and rivers", "Figures of the paper"]
 """Headings of the menu under which presets are listed, in menu order."""
 
 

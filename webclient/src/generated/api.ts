@@ -2124,7 +2124,7 @@ export interface components {
              * @description Heading of the menu under which the preset is listed
              * @enum {string}
              */
-            group: "Seas" | "Light and life" | "Shores" | "Lakes and rivers" | "Foam of the paper";
+            group: "Seas" | "Light and objects" | "Shores" | "Lakes and rivers" | "Figures of the paper";
             /** Title */
             title: string;
             /** Summary */
@@ -2161,7 +2161,7 @@ export interface components {
              * @description Heading of the menu under which the preset is listed
              * @enum {string}
              */
-            group: "Seas" | "Light and life" | "Shores" | "Lakes and rivers" | "Foam of the paper";
+            group: "Seas" | "Light and objects" | "Shores" | "Lakes and rivers" | "Figures of the paper";
             /** Title */
             title: string;
             /** Summary */
