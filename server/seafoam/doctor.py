@@ -1,4 +1,4 @@
-"""What this machine has and what is missing, each with the command that mends it."""
+"""Checks what this machine has and what is missing, with the command that installs it."""
 
 import multiprocessing
 import shutil
@@ -25,7 +25,7 @@ State = Literal["good", "missing", "optional"]
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing looked for. ``missing`` keeps frames from being rendered; ``optional`` does not."""
+    """Result of one check. ``missing``: frames cannot be rendered without it; ``optional``: they can."""
 
     what: str
     state: State
@@ -34,7 +34,7 @@ class Finding:
 
 
 def probe_renderer() -> dict[str, str]:
-    """Draw a small picture in this process and report the GL; runs in a process of its own, which GL may kill.
+    """Draw a small picture in this process and return the GL's names; runs in a separate process, which GL can crash.
 
     Raises :class:`seafoam.render.executor.NoRendererError`.
     """
@@ -47,12 +47,12 @@ def probe_renderer() -> dict[str, str]:
 
 
 def examine(probe: Callable[[], dict[str, str]] = probe_renderer) -> list[Finding]:
-    """Look for everything that rendering, the web client and the tests need. Takes some seconds; starts a process."""
+    """Check everything that rendering, the web client and the tests need. Takes seconds; starts a process."""
     return [_python(), *_renderer(probe), _masks(), _webclient(), _node(), _chromium()]
 
 
 def able_to_render(findings: list[Finding]) -> bool:
-    """Whether nothing that frames need is missing."""
+    """Whether everything that rendering requires is present."""
     return all(finding.state != "missing" for finding in findings)
 
 

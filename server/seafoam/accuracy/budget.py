@@ -1,4 +1,4 @@
-"""The quality for a number of milliseconds."""
+"""Selects the quality for a time budget."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from seafoam.quality import Quality
 
 @dataclass(frozen=True)
 class Choice:
-    """The point that was chosen, and why. ``fits``: its predicted time is within the budget."""
+    """The selected point, and why. ``fits``: its predicted time is within the budget."""
 
     point: MeasuredPoint
     predicted_ms: float
@@ -20,10 +20,10 @@ class Choice:
 def choose(
     sweep: Sweep, width: int, height: int, budget_ms: float, allowed: Callable[[Quality], bool] = lambda quality: True
 ) -> Choice:
-    """Of the points whose predicted time at this size is within the budget, the one with the least RMSE.
+    """Return the point with the least RMSE whose predicted time at this size is within the budget.
 
-    The prediction is each point's :class:`~seafoam.accuracy.model.TimeModel`. Where nothing fits, the fastest.
-    ``allowed`` says which qualities may be drawn at this size; raises ``ValueError`` where none may.
+    The prediction is each point's :class:`~seafoam.accuracy.model.TimeModel`. If none is within budget, the fastest.
+    ``allowed`` tells which qualities can be rendered at this size; raises ``ValueError`` if none can.
     """
     predicted = [(point.model.at(width, height), point) for point in sweep.points if allowed(point.quality)]
     if not predicted:

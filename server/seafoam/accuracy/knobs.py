@@ -1,4 +1,4 @@
-"""The knobs of quality: those of the effects that run in a scene, and those of the planner's own spine."""
+"""The quality settings: those of the effects in a scene, and those of the planner itself."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 
 SPINE = "frame"
-"""Owner of the knobs that no effect owns: how the surface is found, how often, and with how many digits."""
+"""Owner of the settings that no effect owns: surface intersection, number of samples, and number format."""
 
 SPINE_KNOBS: tuple[Knob, ...] = (
     Knob("/surface/method", "surface intersection", ("mesh", "march"), "geometry"),
@@ -27,13 +27,13 @@ SPINE_KNOBS: tuple[Knob, ...] = (
 
 
 def every_knob() -> tuple[tuple[str, Knob], ...]:
-    """Every knob there is, with the name of its owner."""
+    """Return every setting, with the name of its owner."""
     spine = tuple((SPINE, knob) for knob in SPINE_KNOBS)
     return spine + tuple((effect.name, knob) for effect in EFFECTS for knob in effect.knobs)
 
 
 def all_knobs(scene: Scene) -> tuple[tuple[str, Knob], ...]:
-    """The spine's knobs and those of the effects that run in this scene, each with the name of its owner.
+    """Return the planner's settings and those of the effects in this scene, each with the name of its owner.
 
     Raises :class:`seafoam.plan.PlanError` for a scene that cannot be planned.
     """
@@ -42,7 +42,7 @@ def all_knobs(scene: Scene) -> tuple[tuple[str, Knob], ...]:
 
 
 def value_at(quality: Quality, pointer: str) -> Any:
-    """The value that a JSON pointer names."""
+    """Return the value at a JSON pointer."""
     found: Any = quality
     for member in pointer.split("/")[1:]:
         found = getattr(found, member)
@@ -50,7 +50,7 @@ def value_at(quality: Quality, pointer: str) -> Any:
 
 
 def with_value(quality: Quality, pointer: str, value: Any) -> Quality:
-    """The quality with one value changed. Raises ``ValidationError`` where it is out of range."""
+    """Return the quality with one value changed. Raises ``ValidationError`` if it is out of range."""
     document = quality.model_dump()
     *path, last = pointer.split("/")[1:]
     inner = document
@@ -63,7 +63,7 @@ def with_value(quality: Quality, pointer: str, value: Any) -> Quality:
 
 
 def idealised(quality: Quality, cause: Cause, knobs: tuple[tuple[str, Knob], ...]) -> Quality:
-    """The quality with every knob of one cause where the tier ``reference`` has it."""
+    """Return the quality with every setting of one cause as in tier ``reference``."""
     for _, knob in knobs:
         if knob.cause == cause:
             quality = with_value(quality, knob.pointer, value_at(TIERS["reference"], knob.pointer))

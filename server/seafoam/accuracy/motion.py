@@ -1,4 +1,4 @@
-"""How much a moving picture flickers: what changes from frame to frame in another way than by moving on smoothly."""
+"""Flicker of a moving picture: changes between frames other than smooth motion."""
 
 from collections.abc import Sequence
 from typing import Any

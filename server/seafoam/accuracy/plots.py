@@ -1,4 +1,4 @@
-"""Time against error as a picture. Only matplotlib's object interface is used, as threads of a server must."""
+"""Plot of time against error. Uses only matplotlib's object interface, as threads of a server must."""
 
 from __future__ import annotations
 
@@ -91,12 +91,12 @@ def _kind(point: MeasuredPoint) -> str:
 
 
 def _shown(point: MeasuredPoint) -> float:
-    """An error of nothing has no place on a logarithmic axis."""
+    """Replace an error of 0, which a logarithmic axis cannot show."""
     return max(point.error.rmse, 1e-3)
 
 
 def _label(axes: Axes, canvas: FigureCanvasAgg, sweep: Sweep) -> None:
-    """Name the points, the front and the tiers first, where there is room; a thin line leads to names further off."""
+    """Label the points, the front and the tiers first, where there is room; a thin line leads to labels further off."""
     renderer = canvas.get_renderer()  # type: ignore[no-untyped-call]
     place = axes.transData
     taken: list[Bbox] = []
@@ -134,7 +134,7 @@ def _label(axes: Axes, canvas: FigureCanvasAgg, sweep: Sweep) -> None:
 
 
 def _offsets(width: float) -> Iterator[tuple[float, float]]:
-    """Places for a name of this width around its point, the nearest first; pixels."""
+    """Return positions for a label of this width around its point, the nearest first; pixels."""
     for distance in (12, 24, 40, 60, 85, 115, 150, 190, 235, 285, 340):
         yield distance, 0.7 * distance
         yield distance, -0.7 * distance

@@ -1,4 +1,4 @@
-"""A sweep as a table, as CSV and as a page that needs no other file."""
+"""A sweep as a table, as CSV and as a self-contained HTML page."""
 
 import base64
 import csv
@@ -33,7 +33,7 @@ NOTES = (
 
 
 def csv_of(sweep: Sweep) -> str:
-    """A header and a line a point."""
+    """Return a header and one line per point."""
     buffer = io.StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -62,7 +62,7 @@ def csv_of(sweep: Sweep) -> str:
 
 
 def row_of(point: MeasuredPoint) -> tuple[str, ...]:
-    """A point's cells, under :data:`HEADINGS`."""
+    """Return a point's cells, under :data:`HEADINGS`."""
     time, error, causes = point.time, point.error, point.causes
     return (
         point.id,
@@ -85,12 +85,12 @@ def _cells(causes: Causes) -> tuple[str, ...]:
 
 
 def milliseconds(value: float) -> str:
-    """To three digits or so."""
+    """Format to about three digits."""
     return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
 
 
 def page(sweep: Sweep, command: str) -> str:
-    """One HTML file: the plot inside it, the table, what it says in words, the machine and the command."""
+    """Return one HTML file with plot, table, summary, machine and command."""
     from seafoam.accuracy.plots import plot_sweep
 
     machine, timing = sweep.machine, sweep.timing
@@ -138,7 +138,7 @@ def page(sweep: Sweep, command: str) -> str:
 
 
 def _standing(sweep: Sweep, point: MeasuredPoint) -> str:
-    """What a tier is beside everything else that was measured."""
+    """Describe a tier relative to all other points."""
     if not point.beaten_by:
         return f"{point.id}: nothing measured is as exact and faster by a tenth"
     better = [sweep.point(id) for id in point.beaten_by[:3]]

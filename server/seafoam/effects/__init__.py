@@ -1,4 +1,4 @@
-"""The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
+"""The effects, in the order in which they contribute. A new effect is one module here, its GLSL, and a line below."""
 
 from seafoam.effects import (
     aeration,
@@ -69,6 +69,6 @@ EFFECTS: tuple[Effect, ...] = (
     boat.EFFECT,
     planar.EFFECT,
 )
-"""Every effect there is."""
+"""All effects."""
 
 __all__ = ["EFFECTS"]

@@ -1,6 +1,6 @@
-"""What an effect gives to a frame plan: slot files, compile-time numbers, textures, targets, passes, uniform rules.
+"""The contribution of an effect to a frame plan: slot files, constants, textures, targets, passes and uniform rules.
 
-Effects describe; the planner assembles. The uniform rules here are the only arithmetic that both executors carry.
+Effects describe; the planner assembles. The uniform rules are the only arithmetic that both executors implement.
 """
 
 from collections.abc import Callable, Iterable
@@ -14,13 +14,13 @@ from seafoam.scene.models import Camera, Scene
 
 
 class PlanPart(BaseModel):
-    """Base of everything that a frame plan is made of."""
+    """Base class of all parts of a frame plan."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class Constant(PlanPart):
-    """Numbers as they stand. ``field``: the JSON pointer of the scene field they are, if they are one."""
+    """Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one."""
 
     rule: Literal["constant"] = "constant"
     value: tuple[float, ...]
@@ -28,7 +28,7 @@ class Constant(PlanPart):
 
 
 class Phase(PlanPart):
-    """offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the eye's (x, z), m."""
+    """offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m."""
 
     rule: Literal["phase"] = "phase"
     offset: float
@@ -54,9 +54,9 @@ class Loop(PlanPart):
 
 
 class Held(PlanPart):
-    """offset + rate·t + k·origin, held in [low, high], in float64: an age, or the way from a place to the eye.
+    """offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
 
-    Exact to the rounding of the sum: t − birth and eye − place keep every digit that float64 has of them.
+    Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
     """
 
     rule: Literal["held"] = "held"
@@ -68,7 +68,7 @@ class Held(PlanPart):
 
 
 class CameraRule(PlanPart):
-    """The camera, seen from the eye's own (x, z): position enters as height alone.
+    """The camera, relative to its own (x, z): of the position, only the height enters.
 
     view_projection: mat4, column-major; ``top`` (m) is the highest point of the surface and sets the near plane.
     eye_height: float. ray_x, ray_y, ray_z: vec3 with ray = ray_z + X·ray_x + Y·ray_y for X, Y in clip space [−1, 1].
@@ -80,7 +80,7 @@ class CameraRule(PlanPart):
 
 
 class Viewport(PlanPart):
-    """Width and height of the pass's target or of the picture, pixels, ``times`` over."""
+    """Width and height of the pass's target or of the picture, pixels, multiplied by ``times``."""
 
     rule: Literal["viewport"] = "viewport"
     of: Literal["target", "picture"] = "target"
@@ -88,7 +88,7 @@ class Viewport(PlanPart):
 
 
 class PassIndex(PlanPart):
-    """Position of the pass in the plan, from 0."""
+    """Index of the pass in the plan, from 0."""
 
     rule: Literal["pass_index"] = "pass_index"
 
@@ -101,7 +101,7 @@ COMPONENTS: dict[UniformType, int] = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 
 
 
 class Uniform(PlanPart):
-    """One uniform or uniform array. The values of ``rules``, one after the other, fill type × count exactly."""
+    """A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly."""
 
     type: UniformType
     count: int = Field(default=1, ge=1)
@@ -109,19 +109,19 @@ class Uniform(PlanPart):
 
 
 class TextureInput(PlanPart):
-    """A sampler reads a texture of the plan."""
+    """A sampler that reads a texture of the plan."""
 
     texture: str
 
 
 class TargetInput(PlanPart):
-    """A sampler reads what an earlier pass drew into a target of the plan."""
+    """A sampler that reads a target of the plan, drawn by an earlier pass."""
 
     target: str
 
 
 class ViewportSize(PlanPart):
-    """As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+    """The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
     rounded up."""
 
     rule: Literal["viewport"] = "viewport"
@@ -131,7 +131,7 @@ class ViewportSize(PlanPart):
 
 
 class FixedSize(PlanPart):
-    """A size in pixels."""
+    """A fixed size in pixels."""
 
     rule: Literal["fixed"] = "fixed"
     width: int
@@ -139,15 +139,15 @@ class FixedSize(PlanPart):
 
 
 TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
-"""RG32UI: whole numbers, which no pass clears or blends, nor tests for depth; read texel by texel."""
+"""RG32UI: integers, which no pass clears, blends or depth-tests; sampled texel by texel."""
 Filter = Literal["nearest", "linear", "linear_mipmap_linear"]
 MIPMAPPED: Final = "linear_mipmap_linear"
-"""A target with this filter has levels of means of 2 × 2 texels below it, made anew after each pass into it."""
+"""A target with this filter has mip levels, means of 2 × 2 texels, generated after each pass into it."""
 WrapMode = Literal["repeat", "clamp_to_edge"]
 
 
 class Target(PlanPart):
-    """A picture that passes draw into and later passes read."""
+    """A render target: passes draw into it, and later passes read it."""
 
     size: Annotated[ViewportSize | FixedSize, Field(discriminator="rule")]
     format: TargetFormat
@@ -157,13 +157,13 @@ class Target(PlanPart):
 
 
 class Fullscreen(PlanPart):
-    """One triangle that covers the target; attribute-free, from gl_VertexID."""
+    """A triangle that covers the target; without attributes, from gl_VertexID."""
 
     rule: Literal["fullscreen"] = "fullscreen"
 
 
 class Grid(PlanPart):
-    """rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) runs over [0, 1]², columns first."""
+    """rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first."""
 
     rule: Literal["grid"] = "grid"
     rows: int = Field(ge=1)
@@ -171,7 +171,7 @@ class Grid(PlanPart):
 
 
 class Points(PlanPart):
-    """``count`` points without attributes; gl_VertexID tells which, and gl_PointSize gives the side in pixels."""
+    """``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels."""
 
     rule: Literal["points"] = "points"
     count: int = Field(ge=1, le=1 << 20)
@@ -180,31 +180,31 @@ class Points(PlanPart):
 Mesh = Annotated[Fullscreen | Grid | Points, Field(discriminator="rule")]
 
 Blend = Literal["none", "add", "over"]
-"""How a pass meets what its target holds: replaces it, adds to it, or lies over it with premultiplied alpha."""
+"""Blending of a pass: replaces the target's content, adds to it, or blends over it with premultiplied alpha."""
 
 
 class Ball(PlanPart):
-    """All that a pass can show, at any time: nothing of it is further than ``radius`` from ``centre`` (x, y, z); m."""
+    """A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m."""
 
     centre: tuple[float, float, float]
     radius: float
 
 
 View = Literal["any", "rising", "falling"] | tuple[Ball, ...]
-"""Where a pass can show something: anywhere; where a ray of the picture rises, or falls, or for both where crests may
-cover the eye; or in one of these balls."""
+"""Where a pass can be visible: anywhere; where a ray of the picture rises, or falls, or for both where crests can be
+above the camera; or in one of these bounding spheres."""
 
 BENEATH = "beneath"
-"""The target of surface and sky where passes of stage ``after`` follow; those may read it."""
+"""The target of surface and sky if passes of stage ``after`` follow; those can read it."""
 ABOVE = "above"
-"""The target of passes of stage ``after``: premultiplied light, laid over :data:`BENEATH`; half floats, which blend."""
+"""The target of passes of stage ``after``: premultiplied light, blended over :data:`BENEATH`; half floats."""
 
 
 HALF_FLOAT = 2.0**-11
 """Relative rounding of a half float."""
 
 UNBOUNDED = 1e9
-"""Curvature of a surface that has kinks, 1/m: steps by its slope alone are longer than any that this allows."""
+"""Curvature of a surface with kinks, 1/m: steps by its slope are always longer than any that this allows."""
 
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
@@ -214,7 +214,7 @@ Const = int | float | bool | tuple[int, ...]
 class SlotFile:
     """A GLSL file that fills a slot. ``prefix`` names its functions where several files share a slot.
 
-    ``needs``: helper files that go in before it, once however many ask for them.
+    ``needs``: helper files that precede it, included once.
     """
 
     slot: str
@@ -227,9 +227,9 @@ class SlotFile:
 class PassSpec:
     """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
 
-    It covers its whole target unless told otherwise. ``@waves`` among the files stands for that slot as the surface's
-    shader has it, and brings what it reads; so do ``@find``, ``@sky`` and the others. ``stage``: before the surface is
-    drawn, or after surface and sky into :data:`ABOVE`, which is cleared for the first of them.
+    It covers its whole target by default. ``@waves`` among the files stands for that slot as in the surface's shader,
+    with its inputs; so do ``@find``, ``@sky`` and the others. ``stage``: before the surface is drawn, or after surface
+    and sky into :data:`ABOVE`, which is cleared for the first of them.
     """
 
     name: str
@@ -245,7 +245,7 @@ class PassSpec:
     clear: bool = False
     view: View = "any"
     under: tuple[str, ...] = ()
-    """Files of the fragment shader for eyes that crests may cover; none: the same as for others."""
+    """Files of the fragment shader for cameras that can be below crests; empty: the same files."""
 
 
 @dataclass(frozen=True)
@@ -262,26 +262,26 @@ class Contribution:
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
     bound: "Bound | None" = None
-    """The most that the effect can change; ``None``: it shows."""
+    """Upper bound of the effect's change to a pixel; ``None``: visible."""
     top: float = 0.0
-    """What the effect can add to the surface's height at most, m."""
+    """Upper bound of the effect's share of the surface height, m."""
     steepest: float = 0.0
-    """What the effect can add to the surface's slope at most."""
+    """Upper bound of the effect's share of the surface slope."""
     curvature: float = 0.0
-    """What the effect can add at most to the surface's second derivative along any direction, 1/m: how sharply its
-    troughs turn up. :data:`UNBOUNDED` where nothing is known."""
+    """Upper bound of the effect's share of the surface's second derivative along any direction, 1/m: how sharply its
+    troughs turn up. :data:`UNBOUNDED` if unknown."""
     grain: float = 0.0
-    """How far the drawn surface may stand over what its slope at a place and ``curvature`` say, m: what reading a map
-    between its texels and its digits add."""
+    """Upper bound of the drawn surface's excess over what its slope at a place and ``curvature`` say, m, caused by the
+    interpolation and the number format of a map."""
     bottom: float | None = None
-    """Where the effect's ground lies at the deepest, m."""
+    """Lowest height of the effect's ground, m."""
     march: int = 1
-    """How many times the march's steps it takes: its crests are steep, or fill their slab thinly."""
+    """Factor on the number of ray-marching steps: steep crests, or crests that fill their slab thinly, need more."""
 
 
 @dataclass(frozen=True)
 class TextureUse:
-    """A texture of the store, and how it is sampled."""
+    """A texture of the store, and its sampler state."""
 
     source: str
     filter: Filter = "nearest"
@@ -290,10 +290,10 @@ class TextureUse:
 
 @dataclass(frozen=True)
 class Bound:
-    """The most by which an effect can change any pixel, from any camera, at any time.
+    """Upper bound of an effect's change to any pixel, from any camera, at any time.
 
-    ``value``: exposed linear light, display white = 1, pictures clipped there. ``why``: what makes it so small.
-    ``fields``: JSON pointers of the scene fields it hangs on that could otherwise change without a new plan; where the
+    ``value``: exposed linear light, display white = 1, pictures clipped there. ``why``: the reason. ``fields``: JSON
+    pointers of scene fields that the bound depends on and that could otherwise change without a new plan; if the
     effect is left out, they cannot.
     """
 
@@ -307,10 +307,11 @@ Cause = Literal["geometry", "filtering", "precision"]
 
 @dataclass(frozen=True)
 class Knob:
-    """A single thing of the quality that trades time against error, declared by the effect that owns it.
+    """A quality setting that trades time against error, declared by the effect that owns it.
 
     ``pointer``: JSON pointer into the Quality. ``steps``: values to measure, from cheap to exact. ``cause``: the kind
-    of error it works on: where the surface is (geometry), what a pixel averages (filtering), digits (precision).
+    of error that it affects: position of the surface (geometry), average over a pixel (filtering), number of digits
+    (precision).
     """
 
     pointer: str
@@ -321,23 +322,23 @@ class Knob:
 
 @dataclass(frozen=True)
 class HardCase:
-    """A scene, a time and a camera that provoke a failure, the guard against it, and what happened without it."""
+    """A scene, a time and a camera that provoke a failure, the guard against it, and the failure without it."""
 
     name: str
     scene: Scene
     guard: str
     without: str
-    """What the frame or the function gave with the guard taken out, measured once: a number and its unit."""
+    """Result of the frame or function without the guard, measured once: a number and its unit."""
     times: tuple[float, ...] = (0.0,)
     camera: Camera | None = None
 
 
 @dataclass(frozen=True)
 class Effect:
-    """An effect: its name, and what it gives to the plan of a scene.
+    """An effect: its name, and its contribution to the plan of a scene.
 
-    ``contribute`` returns ``None`` where the scene does not call for the effect. ``invisible``: scenes that call for it
-    and cannot show it; an effect that shows wherever it is called for says why in ``always_visible`` instead.
+    ``contribute`` returns ``None`` if the scene does not use the effect. ``invisible``: scenes that use it and cannot
+    show it; an effect that is always visible gives the reason in ``always_visible`` instead.
     """
 
     name: str
@@ -349,7 +350,7 @@ class Effect:
 
 
 class PlanError(ValueError):
-    """A scene that is well formed but cannot be planned.
+    """A valid scene that cannot be planned.
 
     ``pointer``: JSON pointer of the field at fault; empty: the scene as a whole.
     """
@@ -361,21 +362,21 @@ class PlanError(ValueError):
 
 
 def number(value: float, field_pointer: str | None = None) -> Uniform:
-    """A float uniform of one constant."""
+    """Return a float uniform with one constant."""
     return Uniform(type="float", rules=(Constant(value=(value,), field=field_pointer),))
 
 
 def vector(value: tuple[float, ...], field_pointer: str | None = None) -> Uniform:
-    """A vec2, vec3 or vec4 uniform of constants."""
+    """Return a vec2, vec3 or vec4 uniform of constants."""
     kinds: dict[int, UniformType] = {2: "vec2", 3: "vec3", 4: "vec4"}
     return Uniform(type=kinds[len(value)], rules=(Constant(value=value, field=field_pointer),))
 
 
 def array(kind: UniformType, rules: Iterable[Rule], count: int) -> Uniform:
-    """An array uniform of ``count`` elements."""
+    """Return an array uniform of ``count`` elements."""
     return Uniform(type=kind, count=count, rules=tuple(rules))
 
 
 def significant(value: float) -> float:
-    """``value`` to 8 significant digits, all that float32 keeps: hides the last bits that processors disagree on."""
+    """Round ``value`` to 8 significant digits, as float32 has: hides last bits that differ between processors."""
     return float(f"{value:.8g}")

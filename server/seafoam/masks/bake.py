@@ -1,6 +1,6 @@
-"""Baking the shipped masks: ``python -m seafoam.masks.bake [--out masks] [--only NAME ...]``.
+"""Generates the shipped masks: ``python -m seafoam.masks.bake [--out masks] [--only NAME ...]``.
 
-It constructs, measures and writes them; with ``--only`` the others keep the ranks that they have.
+It constructs, measures and writes them; with ``--only`` all others keep their ranks.
 """
 
 from __future__ import annotations

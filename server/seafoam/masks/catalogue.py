@@ -35,13 +35,13 @@ from .torus import Field, Ranks
 
 CATALOGUE_FILE = "catalogue.json"
 ON_REQUEST_SECONDS = 5.0
-"""Masks expected to take longer are not made on request."""
+"""Expected construction time above which custom masks are refused, s."""
 CUSTOM_MASKS_KEPT = 16
 QUANTILE_ABSCISSA = "entry i of n is Q(s) at t = i / (n - 1); t = sqrt(s / 2) if s <= 1/2, else 1 - sqrt((1 - s) / 2)"
 
 
 class UnknownMaskError(KeyError):
-    """No mask of that name is shipped."""
+    """No shipped mask has that name."""
 
 
 class MaskTooSlowError(ValueError):
@@ -50,7 +50,7 @@ class MaskTooSlowError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class MaskTables:
-    """What is measured of a mask."""
+    """Measurements of a mask."""
 
     sigma_l: tuple[float, ...]
     """Deviation inside boxes of 2^l texels, by level (:func:`prefilter.footprint_deviations`)."""
@@ -91,7 +91,7 @@ class MaskTables:
 
 @dataclass(frozen=True, slots=True)
 class MaskEntry:
-    """What a mask is and how it was made."""
+    """Description and construction parameters of a mask."""
 
     name: str
     title: str
@@ -154,13 +154,13 @@ class MaskEntry:
 
 @dataclass(frozen=True, eq=False)
 class Mask:
-    """A mask with its description; everything else is derived from the ranks when first asked for."""
+    """A mask with its description; everything else is computed from the ranks on first use."""
 
     entry: MaskEntry
     ranks: Ranks
     """(size, size) uint32, read-only, each of 0..size^2-1 once."""
     measured: MaskTables | None = None
-    """Its tables where they are known beforehand: those of the catalogue."""
+    """Its tables if known in advance: those of the catalogue."""
 
     @cached_property
     def tables(self) -> MaskTables:
@@ -174,7 +174,7 @@ class Mask:
 
     @property
     def morphology(self) -> MaskMorphology:
-        """Pieces, holes and chords of its foam."""
+        """Connected components, holes and chord lengths of its foam."""
         return self.tables.morphology
 
     @property
@@ -217,7 +217,7 @@ class Mask:
         return rows
 
     def sidecar(self) -> dict[str, object]:
-        """The description that accompanies a download, as plain JSON values."""
+        """Metadata of a download, as plain JSON values."""
         return {**self.entry.to_json(), **self.tables.to_json()}
 
 

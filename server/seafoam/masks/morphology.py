@@ -1,6 +1,6 @@
-"""The shapes that foam takes on a mask at a saturation: pieces, holes, chords and the Euler number, on the torus.
+"""Shapes of the foam on a mask at a saturation: components, holes, chords and the Euler number, on the torus.
 
-Foam is 8-connected, water 4-connected, so that a diagonal step is one or the other and never both.
+Foam is 8-connected, water 4-connected, so that a diagonal step belongs to exactly one of them.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ class FoamShapes:
 
     saturation: float
     largest_piece: float
-    """Share of all foam that the largest connected piece holds, 0..1."""
+    """Fraction of the foam in its largest connected component, 0..1."""
     euler_number: int
-    """Pieces of foam less holes in them."""
+    """Number of components minus number of holes."""
     hole_diameters: tuple[float, ...]
     """Diameters of circles as large as the holes up to which lie :data:`HOLE_SHARES` of the water's area."""
     foam_chord: float
@@ -48,7 +48,7 @@ class MaskMorphology:
     """Shapes of a mask's foam at :data:`SATURATIONS`."""
 
     joined_from: float
-    """Least saturation, in steps of :data:`JOIN_STEP`, at which one piece holds more than half of the foam."""
+    """Lowest saturation, in steps of :data:`JOIN_STEP`, at which one component contains more than half of the foam."""
     shapes: tuple[FoamShapes, ...]
 
     def at(self, saturation: float) -> FoamShapes:

@@ -1,4 +1,4 @@
-"""Frame plans: what a scene compiles to."""
+"""Frame plans: compiled scenes."""
 
 from seafoam.effects.contribution import PlanError
 from seafoam.plan.model import FramePlan

@@ -22,14 +22,14 @@ PLAN_VERSION = 1
 
 
 class SourceFile(PlanPart):
-    """A file of the assembled text, and the line (from 1) where it starts."""
+    """A file of the assembled source, and the line (from 1) at which it starts."""
 
     path: str
     line: int
 
 
 class Shader(PlanPart):
-    """Assembled GLSL ES 3.00. ``sha256`` is of the UTF-8 text."""
+    """Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text."""
 
     text: str
     sha256: str
@@ -44,7 +44,7 @@ class Program(PlanPart):
 
 
 class Texture(PlanPart):
-    """Texture data: levels from the largest, rows from v = 0, tightly packed little-endian, one after the other."""
+    """Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian."""
 
     url: str = Field(description="Path of the bytes, relative to the server's address")
     sha256: str = Field(description="SHA-256 of the bytes")
@@ -60,7 +60,7 @@ Eye = Literal["any", "over", "under"]
 
 
 class State(PlanPart):
-    """Fixed-function state of a pass; everything else is off."""
+    """Fixed-function state of a pass; everything else is disabled."""
 
     depth: bool = False
     clear: bool = Field(default=False, description="Clear the target to (0, 0, 0, 0) and depth to 1 first")
@@ -106,7 +106,7 @@ class Pass(PlanPart):
 
 
 class EffectNote(PlanPart):
-    """Why an effect runs, or why it does not."""
+    """An effect, and why it runs or does not."""
 
     name: str
     why: str
@@ -117,7 +117,7 @@ class EffectNote(PlanPart):
 
 
 class FramePlan(PlanPart):
-    """A compiled scene. Same scene and quality, same bytes."""
+    """A compiled scene. The same scene and quality give the same bytes."""
 
     version: int = PLAN_VERSION
     effects: tuple[EffectNote, ...]
@@ -145,7 +145,7 @@ class FramePlan(PlanPart):
 
     @property
     def sha256(self) -> str:
-        """The plan's identity."""
+        """SHA-256 of the plan's bytes."""
         return hashlib.sha256(self.canonical_json()).hexdigest()
 
 

@@ -1,4 +1,4 @@
-"""The planner: a scene and a quality become a frame plan, here and nowhere else."""
+"""The planner: compiles a scene and a quality into a frame plan."""
 
 import math
 from collections import Counter
@@ -65,31 +65,31 @@ _HORIZON_DEPTH = 0.9999995
 
 
 NEGLIGIBLE = 0.5 / 255.0
-"""Half a level of exposed linear light: what can change a pixel by less is left out."""
+"""Half a level of exposed linear light: an effect that changes every pixel by less is left out."""
 
 
 START_TILE = 4
-"""Pixels along a side of the tiles for whose rays one start is found."""
+"""Side of the tiles whose rays share a start distance, pixels."""
 
 
 START_SHARE = 0.25
-"""Of its tile's height: a shorter step ends the search for a start."""
+"""Step, in heights of a tile, below which the search for a start distance ends."""
 
 
 LOWEST = -100.0
-"""Where there is no floor an eye may dive so deep, m: there is nothing more to see."""
+"""Maximum depth of the camera without a floor, m: there is nothing more to see."""
 
 
 MOST_SAMPLERS = 16
-"""Textures that one fragment shader may read: no WebGL2 promises more (MAX_TEXTURE_IMAGE_UNITS)."""
+"""Maximum number of textures of a fragment shader that WebGL2 guarantees (MAX_TEXTURE_IMAGE_UNITS)."""
 
 
 class AssemblyError(RuntimeError):
-    """The effects contradict each other or their GLSL: a mistake in Seafoam, never in a scene."""
+    """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
 
 
 class _Draft:
-    """What the effects gave, joined."""
+    """The contributions of all effects, joined."""
 
     def __init__(self, scene: Scene, quality: Quality, economy: bool) -> None:
         self.effects: list[EffectNote] = []
@@ -105,12 +105,12 @@ class _Draft:
         self.grain = 0.0
         self.steepest = 0.0
         self.bounds = [0.0, 0.0, 0.0]
-        """Height, slope and curvature at most of what does not measure its own."""
+        """Upper bounds of height, slope and curvature of what does not measure its own."""
         self.bottom = LOWEST
         self.march = 1
         self.bound_fields: set[str] = set()
         self.readers: dict[str, str] = {}
-        """Sampler -> the effect that brings it."""
+        """Sampler -> the effect that adds it."""
         for effect in EFFECTS:
             given = effect.contribute(scene, quality)
             if given is None:
@@ -151,7 +151,7 @@ class _Draft:
             mine.update(theirs)  # type: ignore[arg-type]
 
     def add_starts(self, side: int) -> None:
-        """The pass that finds, for tiles of the picture, where their rays may begin to look for water and land."""
+        """Return the pass that finds, for tiles of the picture, the start distances of their rays to water and land."""
         self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA16F")
         self.inputs["u_start"] = TargetInput(target="start")
         if any(file.slot == "bounds" for file in self.slots):
@@ -178,13 +178,13 @@ class _Draft:
 
 @lru_cache(maxsize=256)
 def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
-    """The frame plan of a scene at a quality.
+    """Return the frame plan of a scene at a quality.
 
-    ``economy``: leave out what can change no pixel by more than :data:`NEGLIGIBLE`, and say of passes where they can
-    be seen; without it everything that the scene names is drawn from everywhere, which is how both are tested. Pure:
-    the same arguments give the same bytes. Raises :class:`seafoam.effects.contribution.PlanError` where the scene asks
-    for what does not exist, such as an unknown mask, or for more effects together than one shader can read the textures
-    of.
+    ``economy``: leave out effects that change no pixel by more than :data:`NEGLIGIBLE`, and declare where passes can
+    be visible; otherwise everything that the scene names is drawn from everywhere, so that tests can compare both.
+    Pure: the same arguments give the same bytes. Raises :class:`seafoam.effects.contribution.PlanError` if the scene
+    names something that does not exist, such as an unknown mask, or more effects together than one shader can read the
+    textures of.
     """
     scene = _kept(scene, quality.waves)
     draft = _Draft(scene, quality, economy)
@@ -446,7 +446,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
 
 
 def _kept(scene: Scene, count: int) -> Scene:
-    """The scene with its ``count`` steepest waves, in their own order."""
+    """Return the scene with its ``count`` steepest waves, in their own order."""
     if len(scene.waves) <= count:
         return scene
     order = sorted(range(len(scene.waves)), key=lambda i: -scene.waves[i].amplitude / scene.waves[i].wavelength)

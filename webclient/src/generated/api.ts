@@ -646,7 +646,7 @@ export interface components {
         };
         /**
          * Ball
-         * @description All that a pass can show, at any time: nothing of it is further than ``radius`` from ``centre`` (x, y, z); m.
+         * @description A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m.
          */
         Ball: {
             /** Centre */
@@ -812,7 +812,7 @@ export interface components {
         };
         /**
          * CameraRule
-         * @description The camera, seen from the eye's own (x, z): position enters as height alone.
+         * @description The camera, relative to its own (x, z): of the position, only the height enters.
          *
          *     view_projection: mat4, column-major; ``top`` (m) is the highest point of the surface and sets the near plane.
          *     eye_height: float. ray_x, ray_y, ray_z: vec3 with ray = ray_z + X·ray_x + Y·ray_y for X, Y in clip space [−1, 1].
@@ -958,7 +958,7 @@ export interface components {
         };
         /**
          * Constant
-         * @description Numbers as they stand. ``field``: the JSON pointer of the scene field they are, if they are one.
+         * @description Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one.
          */
         Constant: {
             /**
@@ -1092,7 +1092,7 @@ export interface components {
         };
         /**
          * EffectNote
-         * @description Why an effect runs, or why it does not.
+         * @description An effect, and why it runs or does not.
          */
         EffectNote: {
             /** Name */
@@ -1148,7 +1148,7 @@ export interface components {
         };
         /**
          * FixedSize
-         * @description A size in pixels.
+         * @description A fixed size in pixels.
          */
         FixedSize: {
             /**
@@ -1345,7 +1345,7 @@ export interface components {
         };
         /**
          * FramePlan
-         * @description A compiled scene. Same scene and quality, same bytes.
+         * @description A compiled scene. The same scene and quality give the same bytes.
          */
         FramePlan: {
             /**
@@ -1513,7 +1513,7 @@ export interface components {
         };
         /**
          * Fullscreen
-         * @description One triangle that covers the target; attribute-free, from gl_VertexID.
+         * @description A triangle that covers the target; without attributes, from gl_VertexID.
          */
         Fullscreen: {
             /**
@@ -1524,7 +1524,7 @@ export interface components {
         };
         /**
          * Grid
-         * @description rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) runs over [0, 1]², columns first.
+         * @description rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first.
          */
         Grid: {
             /**
@@ -1598,9 +1598,9 @@ export interface components {
         };
         /**
          * Held
-         * @description offset + rate·t + k·origin, held in [low, high], in float64: an age, or the way from a place to the eye.
+         * @description offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
          *
-         *     Exact to the rounding of the sum: t − birth and eye − place keep every digit that float64 has of them.
+         *     Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
          */
         Held: {
             /**
@@ -2035,7 +2035,7 @@ export interface components {
         };
         /**
          * PassIndex
-         * @description Position of the pass in the plan, from 0.
+         * @description Index of the pass in the plan, from 0.
          */
         PassIndex: {
             /**
@@ -2046,7 +2046,7 @@ export interface components {
         };
         /**
          * Phase
-         * @description offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the eye's (x, z), m.
+         * @description offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m.
          */
         Phase: {
             /**
@@ -2756,7 +2756,7 @@ export interface components {
         };
         /**
          * Shader
-         * @description Assembled GLSL ES 3.00. ``sha256`` is of the UTF-8 text.
+         * @description Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text.
          */
         Shader: {
             /** Text */
@@ -2970,7 +2970,7 @@ export interface components {
         };
         /**
          * SourceFile
-         * @description A file of the assembled text, and the line (from 1) where it starts.
+         * @description A file of the assembled source, and the line (from 1) at which it starts.
          */
         SourceFile: {
             /** Path */
@@ -3076,7 +3076,7 @@ export interface components {
         };
         /**
          * State
-         * @description Fixed-function state of a pass; everything else is off.
+         * @description Fixed-function state of a pass; everything else is disabled.
          */
         State: {
             /**
@@ -3350,7 +3350,7 @@ export interface components {
         };
         /**
          * Target
-         * @description A picture that passes draw into and later passes read.
+         * @description A render target: passes draw into it, and later passes read it.
          */
         Target: {
             /** Size */
@@ -3380,7 +3380,7 @@ export interface components {
         };
         /**
          * TargetInput
-         * @description A sampler reads what an earlier pass drew into a target of the plan.
+         * @description A sampler that reads a target of the plan, drawn by an earlier pass.
          */
         TargetInput: {
             /** Target */
@@ -3388,7 +3388,7 @@ export interface components {
         };
         /**
          * Texture
-         * @description Texture data: levels from the largest, rows from v = 0, tightly packed little-endian, one after the other.
+         * @description Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian.
          */
         Texture: {
             /**
@@ -3425,7 +3425,7 @@ export interface components {
         };
         /**
          * TextureInput
-         * @description A sampler reads a texture of the plan.
+         * @description A sampler that reads a texture of the plan.
          */
         TextureInput: {
             /** Texture */
@@ -3528,7 +3528,7 @@ export interface components {
         };
         /**
          * Uniform
-         * @description One uniform or uniform array. The values of ``rules``, one after the other, fill type × count exactly.
+         * @description A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly.
          */
         Uniform: {
             /**
@@ -3546,7 +3546,7 @@ export interface components {
         };
         /**
          * Viewport
-         * @description Width and height of the pass's target or of the picture, pixels, ``times`` over.
+         * @description Width and height of the pass's target or of the picture, pixels, multiplied by ``times``.
          */
         Viewport: {
             /**
@@ -3568,7 +3568,7 @@ export interface components {
         };
         /**
          * ViewportSize
-         * @description As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+         * @description The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
          *     rounded up.
          */
         ViewportSize: {
@@ -3773,7 +3773,7 @@ export interface components {
         };
         /**
          * Points
-         * @description ``count`` points without attributes; gl_VertexID tells which, and gl_PointSize gives the side in pixels.
+         * @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels.
          */
         seafoam__effects__contribution__Points: {
             /**
