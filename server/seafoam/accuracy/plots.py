@@ -17,7 +17,12 @@ _INK = "#1c2b33"
 _FAINT = "#8a979e"
 _COLOURS = {"tier": "#b5353c", "geometry": "#1f3a73", "filtering": "#2a9d78", "precision": "#e0912f"}
 _MARKERS = {"tier": "s", "geometry": "o", "filtering": "D", "precision": "^"}
-_NAMES = {"tier": "tier", "geometry": "a knob of geometry", "filtering": "of filtering", "precision": "of precision"}
+_NAMES = {
+    "tier": "tier",
+    "geometry": "geometry setting",
+    "filtering": "filtering setting",
+    "precision": "precision setting",
+}
 
 
 def plot_sweep(sweep: Sweep) -> bytes:
@@ -35,7 +40,7 @@ def plot_sweep(sweep: Sweep) -> bytes:
         color=_INK,
         lw=1.2,
         drawstyle="steps-post",
-        label="front: nothing is faster and more exact",
+        label="front: no point is faster and more exact",
         zorder=1,
     )
     for kind in _COLOURS:
@@ -61,10 +66,10 @@ def plot_sweep(sweep: Sweep) -> bytes:
         )
     timing = sweep.timing
     axes.set_xlabel(
-        f"time of a frame of {timing.own_width} × {timing.own_height}, ms ({timing.timer} clock, median, quartiles)"
+        f"frame time at {timing.own_width} × {timing.own_height}, ms ({timing.timer} clock, median, quartiles)"
     )
-    axes.set_ylabel(f"RMSE against float64 truth at {sweep.width} × {sweep.height}, levels (white = 255)")
-    axes.set_title(f"What accuracy costs: {sweep.preset or 'a scene'}", loc="left", color=_INK)
+    axes.set_ylabel(f"RMSE against float64 at {sweep.width} × {sweep.height}, levels (white = 255)")
+    axes.set_title(f"Cost of accuracy: {sweep.preset or 'a scene'}", loc="left", color=_INK)
     axes.set_title(sweep.machine.renderer, loc="right", color=_FAINT, fontsize="small")
     axes.legend(frameon=False, fontsize="small", loc="best")
     axes.spines[["top", "right"]].set_visible(False)

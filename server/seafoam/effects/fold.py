@@ -253,8 +253,8 @@ EFFECT = Effect(
         Scene(sea=Sea(choppiness=0.0), foam=Foam(saturation=(FoldSaturation(), HeightSaturation()), look="halftone")),
     ),
     knobs=(
-        Knob("/age_steps", "earlier folds", (0, 4, 8), "geometry"),
-        Knob("/age_step", "seconds between folds", (0.17, 0.35, 0.7), "geometry"),
+        Knob("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
+        Knob("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
     ),
     hard_cases=(
         HardCase(
