@@ -107,7 +107,7 @@ def page(sweep: Sweep, command: str) -> str:
         ("times", f"of frames of {timing.own_width} × {timing.own_height}, {timing.timer} clock"),
         (
             "predicted from",
-            f"frames of {timing.width} × {timing.height} and of {timing.small_width} × {timing.small_height} per round; "
+            f"frames of {timing.width} × {timing.height} and {timing.small_width} × {timing.small_height} per round; "
             f"slow points from frames of {sweep.width} × {sweep.height}",
         ),
         ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples per pixel in float64"),
