@@ -1,4 +1,4 @@
-"""GLSL assembly: files and joining functions, in order, under one prologue with the compile-time numbers."""
+"""GLSL assembly: files and joining functions, in order, after one prologue with the compile-time numbers."""
 
 import hashlib
 import re
@@ -27,12 +27,12 @@ Consts = Mapping[str, Const]
 
 @cache
 def read_file(path: str) -> str:
-    """Text of a file of ``shaders/``. Raises ``FileNotFoundError``."""
+    """Return the source of a file of ``shaders/``. Raises ``FileNotFoundError``."""
     return (data_dir("shaders") / path).read_text(encoding="utf-8")
 
 
 def const_line(name: str, value: Const) -> str:
-    """A GLSL constant; floats with the 9 digits that float32 needs."""
+    """Return a GLSL constant; floats have the 9 digits that float32 needs."""
     if isinstance(value, tuple):
         kind = f"int[{len(value)}]"
         return f"const {kind} {name} = {kind}({', '.join(map(str, value))});\n"
@@ -45,7 +45,7 @@ def const_line(name: str, value: Const) -> str:
 
 
 def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[str]:
-    """The files and joining functions that make up a slot: paths as they are, text behind ``=``."""
+    """Return the files and joining functions of a slot: paths unchanged, source text after ``=``."""
     files = [file for file in chosen if file.slot == slot.name]
     pieces: list[str] = []
     for file in files:
@@ -98,5 +98,5 @@ def _declared(text: str) -> tuple[tuple[str, bool], ...]:
 
 
 def declared_uniforms(shader: Shader) -> dict[str, bool]:
-    """Uniforms that the text declares, and whether each is a sampler."""
+    """Return the uniforms that the source declares, and whether each is a sampler."""
     return dict(_declared(shader.text))

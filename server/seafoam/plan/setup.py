@@ -103,7 +103,7 @@ def _static_targets(passes: Sequence[Pass], steady: Sequence[bool], targets: Map
 
 
 def _covers(one: Pass) -> bool:
-    """Whether nothing is left of what the target held."""
+    """Whether a pass replaces the whole content of its target."""
     return one.state.clear or (isinstance(one.mesh, Fullscreen) and one.state.blend == "none" and not one.state.depth)
 
 
