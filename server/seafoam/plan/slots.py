@@ -92,7 +92,8 @@ BOUNDS = Slot(
     joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside, float from", "bounds", "ray, aside, from"),),
 )
 """Upper bounds of the surface's height over y = 0 (m), slope and second derivative (1/m) along a ray from ``from``
-times its vector on, and along all rays up to ``aside`` metres a unit beside it. Height and slope hold for the whole ray."""
+times its vector on, and along all rays up to ``aside`` metres a unit beside it. Height and slope hold for the whole
+ray."""
 
 START = Slot(
     "start",
