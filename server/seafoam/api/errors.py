@@ -1,14 +1,14 @@
-"""Maps every error to RFC 9457 problem+json, by one table.
+"""Every error as RFC 9457 problem+json, from one table.
 
-Errors that routers raise, in addition to those of the layers below::
+What routers raise, beside what the layers below raise::
 
     ApiError
-    ├── NotFoundError             unknown preset, mask, texture or measurement
-    ├── BadRequestError           invalid parameter or member, with its name and the allowed values
-    ├── UnsupportedMediaError     the body is not JSON
-    └── BusyError                 the queue for this kind of work is full
-        └── NotMeasuredError      a measurement that the response requires is still running
-    seafoam.render.pool.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
+    ├── NotFoundError             no such preset, mask, texture, measurement
+    ├── BadRequestError           a parameter or member is not allowed, with its name and what is
+    ├── UnsupportedMediaError     a body that is not JSON
+    └── BusyError                 as much other work waits as may
+        └── NotMeasuredError      the measurement that the answer hangs on is being made
+    seafoam.render.service.pool.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
 """
 
 import logging
@@ -26,7 +26,7 @@ from starlette.responses import JSONResponse
 from seafoam.accuracy.station import FailedError
 from seafoam.api.allowed import Schema, allowed_at
 from seafoam.masks.catalogue import MaskTooSlowError
-from seafoam.render.pool import (
+from seafoam.render.service.pool import (
     DeadlineError,
     FrameTooLargeError,
     QueueFullError,

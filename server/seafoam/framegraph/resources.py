@@ -1,0 +1,74 @@
+"""Textures and targets of a frame plan, and how they are read."""
+
+from typing import Annotated, Final, Literal
+
+from pydantic import Field
+
+from seafoam.framegraph.rules import PlanPart
+
+
+class TextureInput(PlanPart):
+    """A sampler that reads a texture of the plan."""
+
+    texture: str
+
+
+class TargetInput(PlanPart):
+    """A sampler that reads a target of the plan, drawn by an earlier pass."""
+
+    target: str
+
+
+class ViewportSize(PlanPart):
+    """The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
+    rounded up."""
+
+    rule: Literal["viewport"] = "viewport"
+    scale: int = Field(default=1, ge=1)
+    part: int = Field(default=1, ge=1)
+    narrow: int = Field(default=1, ge=1)
+
+
+class FixedSize(PlanPart):
+    """A fixed size in pixels."""
+
+    rule: Literal["fixed"] = "fixed"
+    width: int
+    height: int
+
+
+TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
+"""RG32UI: integers, which no pass clears, blends or depth-tests; sampled texel by texel."""
+
+
+Filter = Literal["nearest", "linear", "linear_mipmap_linear"]
+
+
+MIPMAPPED: Final = "linear_mipmap_linear"
+"""A target with this filter has mip levels, means of 2 × 2 texels, generated after each pass into it."""
+
+
+WrapMode = Literal["repeat", "clamp_to_edge"]
+
+
+class Target(PlanPart):
+    """A render target: passes draw into it, and later passes read it."""
+
+    size: Annotated[ViewportSize | FixedSize, Field(discriminator="rule")]
+    format: TargetFormat
+    depth: bool = False
+    filter: Filter = "nearest"
+    wrap: WrapMode = "clamp_to_edge"
+
+
+class Texture(PlanPart):
+    """Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian."""
+
+    url: str = Field(description="Path of the bytes, relative to the server's address")
+    sha256: str = Field(description="SHA-256 of the bytes")
+    format: Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
+    width: int
+    height: int
+    levels: int
+    filter: Filter
+    wrap: WrapMode

@@ -1,0 +1,88 @@
+"""Selects the passes that a picture needs: those that can be visible in it, and their inputs.
+
+The web client implements the same function; ``tests/golden/views.json`` tests both.
+"""
+
+import math
+from collections.abc import Iterable, Mapping
+
+from seafoam.framegraph.evaluation import axes
+from seafoam.framegraph.passes import Ball, Pass, View
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import TargetInput
+from seafoam.scene.models import Camera
+
+LEVEL = 0.01
+"""Rays that fall or rise by less, of the picture's middle ray, may meet either water or sky."""
+
+
+def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, target: str) -> dict[int, bool]:
+    """Return the indices of the passes that ``target`` needs, in drawing order; False: only to clear their target.
+
+    ``camera``: viewpoint, ``width`` × ``height`` pixels. A pass is needed if it draws into a target that is needed and
+    matches the camera height; one out of view (:attr:`seafoam.framegraph.passes.Pass.view`) only if it clears.
+    """
+    eye = "over" if camera.position[1] >= plan.top else "under"
+    needed = {target}
+    found: dict[int, bool] = {}
+    for index, one in reversed([*enumerate(plan.passes)]):
+        if one.eye not in ("any", eye) or one.target not in needed:
+            continue
+        shows = in_view(one.view, plan.top, camera, width, height)
+        if shows or one.state.clear:
+            found[index] = shows
+        if shows:
+            needed |= reads(one)
+    return dict(sorted(found.items()))
+
+
+def passes_into(passes: Mapping[int, Pass], targets: Iterable[str]) -> dict[int, Pass]:
+    """Return those of ``passes`` by index that draw into ``targets`` or into their inputs, in drawing order."""
+    needed = set(targets)
+    found: dict[int, Pass] = {}
+    for index, one in sorted(passes.items(), reverse=True):
+        if one.target in needed:
+            found[index] = one
+            needed |= reads(one)
+    return dict(sorted(found.items()))
+
+
+def reads(one: Pass) -> set[str]:
+    """Return the targets that a pass reads."""
+    return {source.target for source in one.inputs.values() if isinstance(source, TargetInput)}
+
+
+def everywhere(plan: FramePlan) -> FramePlan:
+    """Return the plan without culling: every pass is drawn for its camera height, visible or not."""
+    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)})
+
+
+def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> bool:
+    """Whether a pass of this view can be visible. ``top``: upper bound of the crests' height, m."""
+    if view == "any":
+        return True
+    right, up, forward = axes(camera)
+    tangent = math.tan(0.5 * camera.fov)
+    sides = (right, tangent * width / height), (up, tangent)
+    if isinstance(view, tuple):
+        return any(_meets(ball, camera, forward, sides) for ball in view)
+    if camera.position[1] < top:
+        return True
+    spread = sum(reach * abs(axis[1]) for axis, reach in sides)
+    return forward[1] + spread >= -LEVEL if view == "rising" else forward[1] - spread <= LEVEL
+
+
+_Axis = tuple[float, float, float]
+
+
+def _meets(ball: Ball, camera: Camera, forward: _Axis, sides: tuple[tuple[_Axis, float], ...]) -> bool:
+    """Whether a bounding sphere intersects the pyramid of the picture's rays; conservative near its edges."""
+    way = [place - eye for place, eye in zip(ball.centre, camera.position, strict=True)]
+    ahead = _dot(way, forward)
+    if ahead < -ball.radius:
+        return False
+    return all(abs(_dot(way, axis)) - ahead * reach <= ball.radius * math.hypot(1.0, reach) for axis, reach in sides)
+
+
+def _dot(a: list[float], b: _Axis) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
