@@ -18,7 +18,7 @@ STRENGTH = 3.0
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for where there is foam and a wind."""
+    """Active if the scene has foam and wind ripples."""
     if scene.foam is None or scene.water.chop is None:
         return None
     wind = scene.water.chop.wind_direction
@@ -30,7 +30,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         slots=(SlotFile("saturation", str(Path(__file__).with_name("windrows.glsl")), prefix="windrow"),),
         uniforms={
             "u_windrow_k": vector(across),
-            # The eye's own place enters here, reduced in float64: the shader's p starts at the eye.
+            # The camera position enters here, reduced in float64: the shader's p is relative to the camera.
             "u_windrow_phase": array("float", [Phase(offset=0.0, rate=0.0, k=across)], 1),
             "u_windrow_strength": number(strength),
         },

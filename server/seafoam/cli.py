@@ -1,7 +1,7 @@
 """The command ``seafoam``: serve, render, accuracy, masks, doctor.
 
-Bad input ends in one line that names the field and what it may be, and in exit code 2; what the machine lacks in one
-line with the remedy, and in exit code 1. Heavy modules are imported by the commands that need them: spawned render
+Invalid input prints one line that names the field and its allowed values, with exit code 2; a missing driver or tool
+prints one line with the remedy, with exit code 1. Commands import heavy modules themselves, because spawned render
 workers import this module too.
 """
 
@@ -32,24 +32,24 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-masks = typer.Typer(help="Halftone masks: list the shipped ones, make others, measure them.", no_args_is_help=True)
+masks = typer.Typer(help="Halftone masks: list the shipped ones, make new ones, measure them.", no_args_is_help=True)
 app.add_typer(masks, name="masks")
 
 BAD_INPUT = 2
 UNABLE = 1
 OPEN_CONNECTIONS = 256
-"""Beyond which the server answers 503 without looking: a page takes a dozen, the render queue has bounds of its own."""
+"""Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
 LARGEST_SIDE = 8192
 LARGEST_SAMPLED_SIDE = 16384
 LARGEST_SAMPLES = 16384 * 8192
-"""Largest frame of ``render``: nobody else waits, so only memory bounds it."""
+"""Maximum frame size of ``render``, which is limited only by memory."""
 TABLE_WIDTH = 140
-"""Columns that the table of ``accuracy`` needs; a narrower terminal wraps its lines."""
+"""Width of the table of ``accuracy``, columns; a narrower terminal wraps its lines."""
 _QUIET = ("/healthz", "/readyz", "/metrics")
 
 E = TypeVar("E", bound=str)
 
-Output = Annotated[Path, typer.Option("--output", "-o", help="File to write; its extension says the format.")]
+Output = Annotated[Path, typer.Option("--output", "-o", help="Output file; the extension selects the format.")]
 
 
 class CommandError(TyperException):
@@ -63,10 +63,10 @@ class CommandError(TyperException):
 @app.command()
 def serve(
     host: Annotated[str | None, typer.Option(help="Address to listen on [default: 127.0.0.1].")] = None,
-    port: Annotated[int | None, typer.Option(help="Port to listen on, 0 for a free one [default: 8000].")] = None,
-    open_browser: Annotated[bool, typer.Option("--open", help="Open the page in a browser.")] = False,
+    port: Annotated[int | None, typer.Option(help="Port to listen on; 0 selects a free one [default: 8000].")] = None,
+    open_browser: Annotated[bool, typer.Option("--open", help="Open the web client in a browser.")] = False,
 ) -> None:
-    """Serve the web client and the API. Settings are environment variables that begin with SEAFOAM_."""
+    """Serve the web client and the API. Environment variables that begin with SEAFOAM_ set its options."""
     import uvicorn
     from pydantic import ValidationError
 
@@ -81,7 +81,7 @@ def serve(
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
     except OSError as error:
-        detail = f"cannot listen on {settings.host}:{settings.port}: {error.strerror}; choose another with --port"
+        detail = f"cannot listen on {settings.host}:{settings.port}: {error.strerror}; choose another port with --port"
         raise CommandError(detail, UNABLE) from error
     # asyncio sets this only on sockets that name their protocol; without it every answer waits 40 ms for an ACK.
     listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -103,22 +103,31 @@ def serve(
 
 @app.command()
 def render(
-    preset: Annotated[str, typer.Argument(help="A preset, see: seafoam presets.")],
+    preset: Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")],
     output: Output,
     time: Annotated[float | None, typer.Option(help="Time, s [default: the preset's].")] = None,
-    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT, pixels [default: the preset's].")] = None,
-    quality: Annotated[str, typer.Option(help="draft, standard, high, reference or auto.")] = "standard",
+    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels [default: the preset's].")] = None,
+    quality: Annotated[
+        str, typer.Option(help="draft, standard, high, reference, or auto: the most exact that fits --budget-ms.")
+    ] = "standard",
     budget_ms: Annotated[
-        float | None, typer.Option(help="With auto: milliseconds that drawing may take; measures first where needed.")
+        float | None,
+        typer.Option(help="With auto: maximum frame time, ms. The first use measures, which takes minutes."),
     ] = None,
-    look: Annotated[str | None, typer.Option(help="Look of the foam [default: the preset's].")] = None,
-    mask: Annotated[str | None, typer.Option(help="Mask of the foam, or family:sigma:size:seed[:aspect:age].")] = None,
-    x: Annotated[float | None, typer.Option(help="Eye, m along +x [default, as below: the preset's].")] = None,
-    y: Annotated[float | None, typer.Option(help="Eye, m above the troughs.")] = None,
-    z: Annotated[float | None, typer.Option(help="Eye, m along +z.")] = None,
-    yaw: Annotated[float | None, typer.Option(help="Heading, rad from -z toward +x.")] = None,
-    pitch: Annotated[float | None, typer.Option(help="Elevation of the view, rad.")] = None,
-    roll: Annotated[float | None, typer.Option(help="Turn about the view, rad.")] = None,
+    look: Annotated[str | None, typer.Option(help="Foam look [default: the preset's].")] = None,
+    mask: Annotated[
+        str | None,
+        typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] [default: the preset's]."),
+    ] = None,
+    x: Annotated[
+        float | None,
+        typer.Option(help="Camera position along +x, m [default: the preset's, as for all camera options]."),
+    ] = None,
+    y: Annotated[float | None, typer.Option(help="Camera height above the troughs, m.")] = None,
+    z: Annotated[float | None, typer.Option(help="Camera position along +z, m.")] = None,
+    yaw: Annotated[float | None, typer.Option(help="Camera yaw, rad from -z toward +x.")] = None,
+    pitch: Annotated[float | None, typer.Option(help="Camera pitch, rad; positive looks up.")] = None,
+    roll: Annotated[float | None, typer.Option(help="Camera roll about the view axis, rad.")] = None,
     fov: Annotated[float | None, typer.Option(help="Vertical field of view, rad.")] = None,
 ) -> None:
     """Render a frame to a .png, .webp (lossless) or .npy (linear float32) file, without a server."""
@@ -137,7 +146,7 @@ def render(
     from seafoam.scene.presets import preset_names
 
     if preset not in preset_names():
-        raise CommandError(f"PRESET: there is no {preset!r}; there are {', '.join(preset_names())}")
+        raise CommandError(f"PRESET: {preset!r} was not found; available: {', '.join(preset_names())}")
     found = find_preset(preset)
     extension = _extension(output, FRAME_FORMATS)
     width, height = found.size if size is None else _size(size)
@@ -149,7 +158,7 @@ def render(
     try:
         asked = FrameParameters.model_validate({name: value for name, value in given.items() if value is not None})
         if (asked.quality == "auto") != (asked.budget_ms is not None):
-            raise CommandError("--budget-ms: goes with --quality auto, and auto with it")
+            raise CommandError("--budget-ms: required with --quality auto, and allowed only with it")
         limits = FrameLimits(LARGEST_SIDE, LARGEST_SAMPLED_SIDE, LARGEST_SAMPLES)
         limits.check(width, height, 1 if asked.quality == "auto" else TIERS[asked.quality].samples_drawn)
         scene = asked.apply(found.scene)
@@ -191,18 +200,26 @@ def render(
 
 @app.command()
 def accuracy(
-    preset: Annotated[str | None, typer.Argument(help="A preset, see: seafoam presets.")] = None,
-    every: Annotated[bool, typer.Option("--all", help="Every preset; -o, --json, --csv, --html name folders.")] = False,
-    size: Annotated[str, typer.Option(help="WIDTHxHEIGHT of the pictures that are compared, pixels.")] = "160x90",
-    rounds: Annotated[int, typer.Option(min=2, max=100, help="Times that each quality is timed.")] = 7,
-    samples: Annotated[int, typer.Option(min=2, max=32, help="Samples along a pixel's side in the truth.")] = 16,
+    preset: Annotated[str | None, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")] = None,
+    every: Annotated[
+        bool, typer.Option("--all", help="Measure every preset; -o, --json, --csv and --html name directories.")
+    ] = False,
+    size: Annotated[str, typer.Option(help="WIDTHxHEIGHT of the compared pictures, pixels.")] = "160x90",
+    rounds: Annotated[int, typer.Option(min=2, max=100, help="Number of timed rounds per quality.")] = 7,
+    samples: Annotated[
+        int, typer.Option(min=2, max=32, help="Samples along each side of a pixel in the float64 reference.")
+    ] = 16,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
-    as_json: Annotated[Path | None, typer.Option("--json", help="JSON file to write, as the API gives it.")] = None,
+    as_json: Annotated[
+        Path | None, typer.Option("--json", help="JSON file to write, in the format of the API.")
+    ] = None,
     as_csv: Annotated[Path | None, typer.Option("--csv", help="CSV file to write.")] = None,
-    as_html: Annotated[Path | None, typer.Option("--html", help="Report to write: one page with everything.")] = None,
-    again: Annotated[bool, typer.Option("--again", help="Measure even what was measured before.")] = False,
+    as_html: Annotated[
+        Path | None, typer.Option("--html", help="HTML report to write, a single page with plot and tables.")
+    ] = None,
+    again: Annotated[bool, typer.Option("--again", help="Measure again, ignoring stored results.")] = False,
 ) -> None:
-    """Measure what accuracy costs in time: each tier and each knob, against float64. Takes minutes; is remembered."""
+    """Measure what accuracy costs in time: each tier and setting, against float64. Takes minutes; results are kept."""
     from rich.console import Console
     from rich.table import Column, Table
 
@@ -212,17 +229,17 @@ def accuracy(
     from seafoam.scene.presets import preset_names
 
     if (preset is None) != every:
-        raise CommandError("PRESET or --all: give one of them")
+        raise CommandError("PRESET or --all: exactly one is required")
     if preset is not None and preset not in preset_names():
-        raise CommandError(f"PRESET: there is no {preset!r}; there are {', '.join(preset_names())}")
+        raise CommandError(f"PRESET: {preset!r} was not found; available: {', '.join(preset_names())}")
     width, height = _size(size)
     if not (16 <= width <= 1280 and 16 <= height <= 720):
-        raise CommandError(f"--size: {size!r} is not 16x16 to 1280x720")
+        raise CommandError(f"--size: must be 16x16 to 1280x720, not {size!r}")
     places = {"--output": (output, ".png"), "--json": (as_json, ".json"), "--csv": (as_csv, ".csv")}
     places["--html"] = (as_html, ".html")
     for option, (path, extension) in places.items():
         if path is not None and not every and path.suffix.lower() != extension:
-            raise CommandError(f"{option}: {path.name!r} does not end in {extension}")
+            raise CommandError(f"{option}: {path.name!r} must end in {extension}")
     try:
         executor = Executor()
     except NoRendererError as error:
@@ -231,7 +248,7 @@ def accuracy(
     console.width = max(console.width, TABLE_WIDTH)
     for name in preset_names() if every else (str(preset),):
         sweep = _measured(executor, Subject.of_preset(name), Settings(width, height, samples, rounds), again=again)
-        title = f"{name}, {width} × {height}, times of {sweep.timing.own_width} × {sweep.timing.own_height}"
+        title = f"{name}: errors at {width} × {height}, times for {sweep.timing.own_width} × {sweep.timing.own_height}"
         first, *others = (Column(heading, no_wrap=True, justify="right") for heading in report.HEADINGS)
         first.justify = "left"
         table = Table(first, *others, title=title, title_justify="left", box=None, pad_edge=False)
@@ -265,7 +282,7 @@ def _report(sweep: "Sweep", extension: str, command: str) -> bytes:
 
 
 def _measured(executor: "Executor", subject: "Subject", settings: "Settings", *, again: bool = False) -> "Sweep":
-    """The sweep of a subject, from the cache or made here, with a bar that tells how far it is."""
+    """Return the sweep of a subject, from the cache or measured now, with a progress bar."""
     import os
     from functools import partial
 
@@ -308,7 +325,7 @@ def presets() -> None:
 
 @app.command()
 def doctor() -> None:
-    """Say what this machine has and what is missing, with the commands that mend it. Exit code 0: able to render."""
+    """Check this machine for what Seafoam needs, with a remedy for what is missing. Exit code 0: it can render."""
     from rich.console import Console
     from rich.text import Text
 
@@ -323,7 +340,7 @@ def doctor() -> None:
         if finding.remedy:
             console.print(Text(f"{'':<13}    {finding.remedy}", "bold"))
     able = able_to_render(findings)
-    console.print(Text("This machine can render." if able else "This machine cannot render yet."))
+    console.print(Text("This machine can render." if able else "This machine cannot render."))
     raise typer.Exit(0 if able else UNABLE)
 
 
@@ -355,13 +372,17 @@ def list_masks() -> None:
 def make_mask(
     output: Output,
     family: Annotated[str, typer.Option(help="vac, blur, clump, bubble, mix or lace.")] = "vac",
-    sigma: Annotated[float | None, typer.Option(help="The family's length, texels [default: the family's].")] = None,
+    sigma: Annotated[
+        float | None, typer.Option(help="Characteristic length, texels [default: depends on the family].")
+    ] = None,
     size: Annotated[int, typer.Option(help="Side of the tile, texels: 32, 64, 128, 256 or 512.")] = 512,
     seed: Annotated[int, typer.Option(help="Random seed.")] = 0,
-    aspect: Annotated[float, typer.Option(help="Of lace: length of cells along x over width, 1 to 6.")] = 1.0,
-    age: Annotated[float, typer.Option(help="Of lace: 0, young foam, to 1, old and torn.")] = 0.0,
-    method: Annotated[str, typer.Option(help="How vac is ordered: exact takes minutes, batched seconds.")] = "batched",
-    bits: Annotated[int, typer.Option(help="Of a .png: 16 or 8.")] = 16,
+    aspect: Annotated[float, typer.Option(help="Aspect ratio of the cells along x, 1 to 6 (lace only).")] = 1.0,
+    age: Annotated[float, typer.Option(help="Age of the foam, 0 (young) to 1 (old and torn) (lace only).")] = 0.0,
+    method: Annotated[
+        str, typer.Option(help="Ordering of vac: exact (takes minutes) or batched (seconds).")
+    ] = "batched",
+    bits: Annotated[int, typer.Option(help="Bits per texel of a .png: 16 or 8.")] = 16,
 ) -> None:
     """Make a mask and write it as .png, .npy (float32 thresholds), .u16 (raw) or .dds (R16_UNORM)."""
     from rich.console import Console
@@ -377,7 +398,7 @@ def make_mask(
     }
     encoder = encoders[_extension(output, tuple(encoders))]
     if bits not in (8, 16):
-        raise CommandError(f"--bits: {bits} is not one of 8, 16")
+        raise CommandError(f"--bits: must be one of 8, 16, not {bits}")
     columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
     console = Console(stderr=True)
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
@@ -406,9 +427,9 @@ def mask_spectrum(
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the spectrum as JSON.")] = False,
 ) -> None:
-    """Measure a mask: radially averaged power and anisotropy, as a plot or as JSON."""
+    """Measure the spectrum of a mask: radially averaged power and anisotropy, as a plot or as JSON."""
     if (output is None) == (not as_json):
-        raise CommandError("--output or --json: give one of them")
+        raise CommandError("--output or --json: exactly one is required")
     mask = _mask(name)
     if output is None:
         typer.echo(json.dumps(mask.spectrum.to_json()))
@@ -425,7 +446,7 @@ def mask_shapes(
     name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
     as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
 ) -> None:
-    """Measure the shapes of a mask's foam: pieces, holes and chords (texels), by saturation."""
+    """Measure the foam shapes of a mask by saturation: connected components, holes and chord lengths, in texels."""
     mask = _mask(name)
     if as_json:
         typer.echo(json.dumps(mask.morphology.to_json()))
@@ -433,7 +454,7 @@ def mask_shapes(
     from rich.console import Console
     from rich.table import Table
 
-    columns = ("saturation", "largest piece", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
+    columns = ("saturation", "largest component", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
     table = Table(*columns, box=None, pad_edge=False)
     for entry in mask.morphology.shapes:
         holes = " / ".join(f"{diameter:.0f}" for diameter in entry.hole_diameters)
@@ -446,11 +467,13 @@ def mask_shapes(
             f"{entry.water_chord:.1f}",
         )
     Console().print(table)
-    typer.echo(f"One piece holds more than half of the foam from saturation {mask.morphology.joined_from:g} on.")
+    typer.echo(
+        f"At saturation {mask.morphology.joined_from:g} and above, one component holds more than half of the foam."
+    )
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
-    """Run the command and exit: 0, 1 where the machine is unable, 2 for bad input, 130 when interrupted."""
+    """Run the command and exit with 0, 1 if the machine lacks something, 2 for invalid input, 130 if interrupted."""
     try:
         code = app(arguments, standalone_mode=False)
     except TyperException as error:
@@ -464,7 +487,7 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
 
 
 def _not_a_probe(record: logging.LogRecord) -> bool:
-    """Keep health checks, which come every few seconds, out of the access log."""
+    """Keep health checks, which arrive every few seconds, out of the access log."""
     arguments = record.args
     return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(_QUIET))
 
@@ -489,7 +512,7 @@ def _frame_option(field: str) -> str:
 def _size(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"(\d{1,6})[x×](\d{1,6})", text)
     if found is None:
-        raise CommandError(f"--size: {text!r} is not WIDTHxHEIGHT in pixels, such as 1280x720")
+        raise CommandError(f"--size: must be WIDTHxHEIGHT in pixels, such as 1280x720, not {text!r}")
     return int(found[1]), int(found[2])
 
 
@@ -498,7 +521,7 @@ def _extension(path: Path, known: Sequence[E]) -> E:
         if path.suffix.lower() == f".{name}":
             return name
     endings = ", ".join(f".{name}" for name in known)
-    raise CommandError(f"--output: {path.name!r} does not end in one of {endings}")
+    raise CommandError(f"--output: {path.name!r} must end in one of {endings}")
 
 
 def _mask(name: str) -> "Mask":
@@ -509,7 +532,7 @@ def _mask(name: str) -> "Mask":
         return mask_by_name(name)
     except UnknownMaskError:
         known = ", ".join(load_catalogue())
-        raise CommandError(f"NAME: there is no mask {name!r}; there are {known}, or {TEXT_FORM}") from None
+        raise CommandError(f"NAME: mask {name!r} was not found; available: {known}, or {TEXT_FORM}") from None
     except ValueError as error:
         raise CommandError(f"NAME: {error}") from error
 

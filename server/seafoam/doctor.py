@@ -1,4 +1,4 @@
-"""What this machine has and what is missing, each with the command that mends it."""
+"""Checks what this machine has and what is missing, with the command that installs it."""
 
 import multiprocessing
 import shutil
@@ -25,7 +25,7 @@ State = Literal["good", "missing", "optional"]
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing looked for. ``missing`` keeps frames from being rendered; ``optional`` does not."""
+    """Result of one check. ``missing``: frames cannot be rendered without it; ``optional``: they can."""
 
     what: str
     state: State
@@ -34,7 +34,7 @@ class Finding:
 
 
 def probe_renderer() -> dict[str, str]:
-    """Draw a small picture in this process and report the GL; runs in a process of its own, which GL may kill.
+    """Draw a small picture in this process and return the GL's names; runs in a separate process, which GL can crash.
 
     Raises :class:`seafoam.render.gl.executor.NoRendererError`.
     """
@@ -47,12 +47,12 @@ def probe_renderer() -> dict[str, str]:
 
 
 def examine(probe: Callable[[], dict[str, str]] = probe_renderer) -> list[Finding]:
-    """Look for everything that rendering, the web client and the tests need. Takes some seconds; starts a process."""
+    """Check everything that rendering, the web client and the tests need. Takes seconds; starts a process."""
     return [_python(), *_renderer(probe), _masks(), _webclient(), _node(), _chromium()]
 
 
 def able_to_render(findings: list[Finding]) -> bool:
-    """Whether nothing that frames need is missing."""
+    """Whether everything that rendering requires is present."""
     return all(finding.state != "missing" for finding in findings)
 
 
@@ -68,7 +68,7 @@ def _renderer(probe: Callable[[], dict[str, str]]) -> list[Finding]:
         remedy = "update or reinstall the GL driver: apt-get install --reinstall libgl1-mesa-dri"
         return [Finding("OpenGL", "missing", "the driver crashed while drawing", remedy)]
     except TimeoutError:
-        return [Finding("OpenGL", "missing", f"no picture within {PROBE_SECONDS:g} s", "update the GL driver")]
+        return [Finding("OpenGL", "missing", f"no frame within {PROBE_SECONDS:g} s", "update the GL driver")]
     except Exception as error:
         # Whatever the driver's bindings raise, the text says what to do.
         problem, _, remedy = str(error).partition("; ")
@@ -81,7 +81,7 @@ def _renderer(probe: Callable[[], dict[str, str]]) -> list[Finding]:
     return [
         Finding("OpenGL", "good", f"{info['renderer']} ({kind})"),
         Finding("", "good", f"{info['vendor']}, {info['version']}"),
-        Finding("GLSL ES 3.00", "good", "compiles, and a test picture was drawn"),
+        Finding("GLSL ES 3.00", "good", "compiles; a test frame was drawn"),
     ]
 
 
@@ -95,7 +95,7 @@ def _masks() -> Finding:
         return Finding("Masks", "missing", f"no catalogue in {directory}: {error}", "reinstall seafoam")
     absent = [name for name in names if not (directory / f"{name}.ranks").is_file()]
     if absent:
-        return Finding("Masks", "missing", f"without data: {', '.join(absent)}", "reinstall seafoam")
+        return Finding("Masks", "missing", f"data missing for: {', '.join(absent)}", "reinstall seafoam")
     return Finding("Masks", "good", f"{len(names)} in {directory}")
 
 
@@ -103,7 +103,7 @@ def _webclient() -> Finding:
     index = data_dir("webclient") / "index.html"
     if index.is_file():
         return Finding("Web client", "good", f"built, {index.parent}")
-    return Finding("Web client", "optional", "not built: the page at / is a text", "make webclient")
+    return Finding("Web client", "optional", "not built; the server shows a text page at /", "make webclient")
 
 
 def _node() -> Finding:

@@ -1,4 +1,4 @@
-"""Quality: how exactly a scene is computed, apart from what it is."""
+"""Quality: how exactly a scene is computed."""
 
 from typing import Annotated, Any, Literal, get_args
 
@@ -8,164 +8,190 @@ Tier = Literal["draft", "standard", "high", "reference"]
 
 
 def _no_truth_value(value: Any) -> Any:
-    """``False`` equals 0 and would pass for it, which the schema does not say."""
+    """Reject ``False``, which equals 0 and would otherwise pass, against the schema."""
     if isinstance(value, bool):
         raise ValueError("must be a number")
     return value
 
 
 class Knobs(BaseModel):
-    """Base of every group of knobs."""
+    """Base class of groups of quality settings."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class SurfaceQuality(Knobs):
-    """How the eye's ray finds the surface."""
+    """Settings of the intersection of view rays with the surface."""
 
     method: Literal["mesh", "march"] = Field(
         default="march",
-        description="march: steps along the ray that cannot pass the surface; mesh: a grid and Newton steps",
+        description="How the view ray is intersected with the surface. march: conservative ray marching, "
+        "which cannot step over a crest; mesh: a polar grid, then Newton steps",
     )
-    steps: int = Field(default=192, ge=8, le=1024, description="Greatest number of steps of a march")
+    steps: int = Field(default=192, ge=8, le=1024, description="Maximum number of ray-marching steps")
     tolerance: float = Field(
         default=0.05,
         ge=1e-4,
         le=1.0,
-        description="A march ends this near the surface, in heights of a sample",
+        description="Distance from the surface at which ray marching stops, as a fraction of the height of "
+        "one sample's footprint; smaller is more exact and slower",
     )
-    cells: int = Field(default=192, ge=8, le=1024, description="Cells of the mesh along each side")
-    refine: int = Field(default=0, ge=0, le=8, description="Newton steps a pixel after the mesh or the march")
-    filter: bool = Field(default=True, description="Turn waves smaller than a pixel into roughness")
+    cells: int = Field(default=192, ge=8, le=1024, description="Cells along each side of the mesh")
+    refine: int = Field(default=0, ge=0, le=8, description="Newton steps per sample after the mesh or the ray march")
+    filter: bool = Field(
+        default=True, description="Convert waves smaller than the sampling footprint into roughness; false: they alias"
+    )
 
 
 class Quality(Knobs):
-    """Everything that trades time against error."""
+    """Settings that trade time against error."""
 
     surface: SurfaceQuality = SurfaceQuality()
-    waves: int = Field(default=16, ge=1, le=16, description="Waves kept, the steepest first")
+    waves: int = Field(default=16, ge=1, le=16, description="Maximum number of parametric waves, the steepest first")
     mask: Literal["u8", "half", "u16"] = Field(
-        default="u16", description="Format of the mask's thresholds, where a look reads single texels"
+        default="u16", description="Storage format of the mask's thresholds, for looks that read single texels"
     )
     foam_taps: Literal[4, 16] = Field(
         default=16,
-        description="Texels of the mask that the filtered look averages where it is minified: 2 by 2 or 4 by 4",
+        description="Mask texels that the filtered look averages under minification: 4 (2 × 2) or 16 (4 × 4); "
+        "fewer is faster and noisier",
     )
     foam_octaves: Annotated[Literal[1, 2, 3, 4], BeforeValidator(_no_truth_value)] = Field(
-        default=4, description="Octaves of the mask at most: how fine foam is near the eye"
+        default=4, description="Maximum number of octaves of the foam mask; more show finer foam near the camera"
     )
-    foam_relief: bool = Field(default=False, description="Foam of a thickness shades what lies beside it")
+    foam_relief: bool = Field(
+        default=False, description="Shade the water and the foam edges around foam that has a thickness"
+    )
     chop: Literal["tile", "exact"] = Field(
-        default="tile", description="Ripples from a tile drawn each frame, or summed per pixel"
+        default="tile",
+        description="Wind ripples. tile: read from a tile that is drawn each frame; exact: summed for each sample",
     )
-    chop_size: int = Field(default=256, ge=32, le=1024, description="Texels along a side of the ripple tile")
+    chop_size: int = Field(default=256, ge=32, le=1024, description="Side of the ripple tile, texels")
     rings: Literal["map", "exact"] = Field(
-        default="map", description="Rings from a map drawn each frame, or summed per pixel"
+        default="map",
+        description="Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample",
     )
-    rings_size: int = Field(default=1024, ge=32, le=2048, description="Texels along a side of the map of rings")
-    sea_size: Literal[64, 128, 256, 512] = Field(default=256, description="Texels along a side of a tile of open sea")
-    sea_tiles: Literal[2, 3, 4] = Field(default=4, description="Tiles of an FFT sea, the largest first")
-    sea_digits: Literal["half", "float"] = Field(default="half", description="Floats of the tiles of open sea")
+    rings_size: int = Field(
+        default=1024, ge=32, le=2048, description="Side of the displacement map of the rings, texels"
+    )
+    sea_size: Literal[64, 128, 256, 512] = Field(default=256, description="Side of each tile of the open sea, texels")
+    sea_tiles: Literal[2, 3, 4] = Field(
+        default=4, description="Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves"
+    )
+    sea_digits: Literal["half", "float"] = Field(
+        default="half",
+        description="Floating-point format of the tiles of the open sea: 16-bit (half) or 32-bit (float)",
+    )
     age_steps: Annotated[Literal[0, 4, 8], BeforeValidator(_no_truth_value)] = Field(
-        default=8, description="Earlier times at which the sea's folds are looked for"
+        default=8,
+        description="Number of earlier times at which the folds of the sea are evaluated, for foam left by "
+        "past breakers",
     )
-    age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Seconds between them")
+    age_step: float = Field(default=0.35, ge=0.02, le=5.0, description="Interval between these times, s")
     shore_map: Literal[64, 128, 256, 512] = Field(
-        default=256, description="Texels along a side of the map of distances to the shore"
+        default=256, description="Side of the map of distances to the shore, texels"
     )
     shore_floor: Literal[64, 128, 256, 512] = Field(
-        default=256, description="Texels along a side of the height field of floor and land"
+        default=256, description="Side of the height field of sea floor and land, texels"
     )
     shore_profile: Literal[32, 64, 128, 256] = Field(
-        default=128, description="Nodes of a row of the table of shore-wave profiles"
+        default=128, description="Nodes per row of the table of shore wave profiles"
     )
-    cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the clouds' noise")
+    cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the cloud noise; more show finer clouds")
     cube: Literal["map", "exact"] = Field(
-        default="map", description="What stands around the water, from a cube map or found for each sample"
+        default="map", description="Reflected surroundings. map: read from a cube map; exact: traced for each sample"
     )
     cube_size: Literal[32, 64, 128, 256, 512, 1024] = Field(
-        default=256, description="Texels along a side of a face of the cube map"
+        default=256, description="Side of each face of the cube map, texels"
     )
     refraction_steps: Literal[1, 2, 4, 8, 16] = Field(
-        default=2, description="Steps after which the refracted ray is taken to meet a shore's floor"
+        default=2, description="Iterations of the intersection of the refracted ray with a shore's floor"
     )
     drift: Literal["backward", "forward", "exact"] = Field(
         default="backward",
-        description="Drifting foam from a map that each texel finds by going back along the flow, from a map that "
-        "points are moved over (gaps, piles and sticking: for comparison), or gone back for at each sample",
+        description="Advection of drifting foam. backward: a map whose texels trace the flow back in time; "
+        "forward: a map in which cells of foam are moved along the flow (leaves gaps and piles, "
+        "for comparison); exact: traced back for each sample",
     )
-    drift_size: Literal[64, 128, 256, 512, 1024] = Field(
-        default=256, description="Texels along a side of the maps of drift"
-    )
+    drift_size: Literal[64, 128, 256, 512, 1024] = Field(default=256, description="Side of the drift maps, texels")
     drift_window: float = Field(
-        default=120.0, ge=1.0, le=120.0, description="How far back foam is followed, s; older foam is not drawn"
+        default=120.0, ge=1.0, le=120.0, description="Maximum age of drifting foam, s; older foam is not drawn"
     )
-    drift_step: float = Field(default=1.0, ge=0.05, le=10.0, description="Longest step along the flow, s")
+    drift_step: float = Field(
+        default=1.0, ge=0.05, le=10.0, description="Maximum time step of the integration along the flow, s"
+    )
     sparkle_cells: Annotated[Literal[1, 4], BeforeValidator(_no_truth_value)] = Field(
-        default=4, description="Cells that a sample asks for sparkles: its own, or all that may reach it"
+        default=4, description="Sparkle cells evaluated per sample: 1 (its own) or 4 (all that can reach it)"
     )
     spray_count: Literal[2048, 4096, 8192, 16384] = Field(
-        default=8192, description="Drops of the spray; fewer are larger, and cover as much"
+        default=8192,
+        description="Number of spray drops; fewer drops are drawn larger, so that they cover the same area",
     )
     caustics: Literal["grid", "photons"] = Field(
         default="grid",
-        description="Caustics from a refracted grid's cells (photons where deep water spreads them far), or from "
-        "photons counted where they land",
+        description="Caustics. grid: area ratios of a refracted grid (photons where deep water spreads the "
+        "light far); photons: photons counted where they land",
     )
-    caustics_size: Literal[128, 256, 512, 1024] = Field(
-        default=512, description="Texels along a side of the caustic map"
-    )
+    caustics_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Side of the caustic map, texels")
     caustics_cells: Literal[64, 128, 256, 512] = Field(
-        default=256, description="Cells along a side of the refracted grid"
+        default=256, description="Cells along each side of the refracted grid"
     )
-    caustics_photons: Literal[128, 256, 512, 1024] = Field(default=512, description="Photons along a side of the tile")
+    caustics_photons: Literal[128, 256, 512, 1024] = Field(
+        default=512, description="Photons along each side of the caustic tile"
+    )
     wake: Literal["map", "exact"] = Field(
-        default="map", description="Wakes from a map drawn each frame, or worked out per pixel"
+        default="map", description="Wakes. map: read from a displacement map; exact: evaluated for each sample"
     )
-    wake_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Texels along a map of a wake")
+    wake_size: Literal[128, 256, 512, 1024] = Field(default=512, description="Side of each wake map, texels")
     reflection: Literal["map", "traced"] = Field(
-        default="map", description="Boats mirrored from a planar mirror drawn each frame, or by rays from the water"
+        default="map",
+        description="Reflection of boats. map: from a planar mirror that is drawn each frame; traced: by rays "
+        "from the water",
     )
-    reflection_size: int = Field(default=256, ge=32, le=2048, description="Texels along a side of the planar mirror")
+    reflection_size: int = Field(default=256, ge=32, le=2048, description="Side of the planar mirror, texels")
     slope_places: Annotated[Literal[1, 5], BeforeValidator(_no_truth_value)] = Field(
         default=1,
-        description="Places whose slopes make blurred slope foam: five, or one whose footprint is as wide as the blur",
+        description="Points at which the slope for blurred slope foam is read: 5, or 1 with a footprint as "
+        "wide as the blur",
     )
     boat_readings: Annotated[Literal[1, 7], BeforeValidator(_no_truth_value)] = Field(
-        default=7, description="Heights read round each hull point of a boat"
+        default=7, description="Wave heights read around each hull point of a boat"
     )
     boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = Field(
-        default=4, description="Rays through each sample where boats are: their edges against water and sky"
+        default=4, description="Rays per sample where boats are, to antialias their edges against water and sky"
     )
-    samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples a pixel, on a square grid")
+    samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples per pixel, on a square grid")
     samples_max: Annotated[Literal[1, 4, 16], BeforeValidator(_no_truth_value)] = Field(
         default=1,
-        description="Greatest number of samples that a pixel is given where it stands out from those round it; no more "
-        "than `samples`: every pixel has as many",
+        description="Maximum number of samples for a pixel that stands out from its neighbours (adaptive "
+        "sampling); a value not above `samples` turns it off",
     )
     samples_budget: float = Field(
         default=2.0,
         ge=0.1,
         le=3.0,
-        description="Further samples that these take at most, in the mean of the pixels under the horizon",
+        description="Maximum number of additional adaptive samples per pixel, averaged over the pixels below "
+        "the horizon",
     )
     samples_threshold: float = Field(
         default=0.004,
         ge=0.001,
         le=1.0,
-        description="Contrast from which on a pixel is given more samples, white on black = 1; more contrast where the "
-        "budget would not do",
+        description="Contrast with its neighbours above which a pixel gets more samples; white on black is 1. "
+        "Raised automatically where the budget would be exceeded",
     )
-    target: Literal["RGBA16F", "RGBA32F"] = Field(default="RGBA16F", description="Float format of the linear frame")
+    target: Literal["RGBA16F", "RGBA32F"] = Field(
+        default="RGBA16F", description="Floating-point format of the linear frame"
+    )
 
     @property
     def chosen_samples(self) -> tuple[int, ...]:
-        """Numbers of samples that single pixels may be given beyond ``samples``."""
+        """Sample counts above ``samples`` that adaptive sampling can give to single pixels."""
         return tuple(count for count in (4, 16) if self.samples < count <= self.samples_max)
 
     @property
     def samples_drawn(self) -> int:
-        """What is drawn into at most, samples a pixel in the mean."""
+        """Upper bound of the samples drawn, per pixel in the mean."""
         return self.samples + (4 if self.chosen_samples else 0)
 
 

@@ -41,7 +41,7 @@ def test_measured_on_request(fresh):
     early = fresh.get(f"/api/frames/{PRESET}.png", params=asked)
     assert early.status_code == 503
     assert early.json()["type"] == "urn:seafoam:problem:not-measured"
-    assert "measured" in early.json()["detail"]
+    assert "measure" in early.json()["detail"]
     first, *_, last = eventually(lambda: fresh.get(URL))
     assert first.status_code == 202
     assert first.json()["status"] in ("queued", "running")
@@ -81,7 +81,7 @@ def test_auto_says_what_it_took_and_why(fresh):
     assert "of 8 ms at 24 x 16" in response.headers["Seafoam-Quality-Why"]
     assert f"of {len(ids)} measured" in response.headers["Seafoam-Quality-Why"]
     hurried = fresh.get(f"/api/frames/{PRESET}.png", params=asked | {"budget_ms": 1e-3})
-    assert "nothing fits" in hurried.headers["Seafoam-Quality-Why"]
+    assert "none within budget" in hurried.headers["Seafoam-Quality-Why"]
     scene = load_preset(PRESET).scene.model_dump(mode="json")
     posted = fresh.post("/api/frames", json={"scene": scene, "quality": "auto", "budget_ms": 8, **FRAME})
     assert posted.headers["Seafoam-Quality"] == response.headers["Seafoam-Quality"]

@@ -108,7 +108,7 @@ def test_parameters_travel_as_text():
         ("vac:1.5:128", "family:sigma:size:seed"),
         ("lace:10:256:3:7:0", "aspect 7.0 is outside 1..6"),
         ("lace:10:256:3:1:1.5", "age 1.5 is outside 0..1"),
-        ("vac:1.5:128:9:2:0", "aspect 2.0 is not for vac"),
+        ("vac:1.5:128:9:2:0", "aspect 2.0 is allowed only for lace, not vac"),
         ("lace:3:256:0", "sigma 3.0 is outside 4..24"),
     ):
         with pytest.raises(ValueError, match=named):

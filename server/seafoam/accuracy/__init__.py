@@ -1,5 +1,5 @@
-"""What accuracy costs in time: every tier and every single knob, measured for time and for error against float64.
+"""The cost of accuracy in time: every tier and every setting, measured for time and for error against float64.
 
-The reference says what the picture should be, the renderer draws it at each quality, and both are compared: a table,
-the front of what is worth having, and the quality to take for a given number of milliseconds.
+The float64 reference gives the correct picture, the renderer draws it at each quality, and the comparison gives a
+table, the Pareto front, and the quality to use for a given time budget in milliseconds.
 """

@@ -1,4 +1,4 @@
-"""What was measured or computed, kept on disk by what it hangs on."""
+"""Stores measurements and computed pictures on disk, keyed by everything that they depend on."""
 
 import contextlib
 import hashlib
@@ -16,7 +16,7 @@ ENVIRONMENT = "SEAFOAM_CACHE"
 
 
 def cache_dir() -> Path:
-    """``SEAFOAM_CACHE``, or the place that the system has for such files."""
+    """Return ``SEAFOAM_CACHE``, or the system's cache directory."""
     if chosen := os.environ.get(ENVIRONMENT):
         return Path(chosen)
     if sys.platform == "darwin":
@@ -29,20 +29,20 @@ def cache_dir() -> Path:
 
 
 def key_of(*parts: Any) -> str:
-    """A file name for JSON values."""
+    """Return a file name for JSON values."""
     text = json.dumps(parts, sort_keys=True, separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 
 class Store:
-    """A folder of files by key. One that cannot be written to keeps its content in memory alone."""
+    """A directory of files by key. If it cannot be written to, content is kept in memory."""
 
     def __init__(self, directory: Path | None = None) -> None:
         self.directory = cache_dir() if directory is None else directory
         self._memory: dict[str, bytes] = {}
 
     def get(self, kind: str, name: str) -> bytes | None:
-        """The content that was put under this name, or None."""
+        """Return the content stored under this name, or None."""
         if (held := self._memory.get(f"{kind}/{name}")) is not None:
             return held
         try:
@@ -51,7 +51,7 @@ class Store:
             return None
 
     def put(self, kind: str, name: str, content: bytes) -> None:
-        """Keep content under a name. Files appear whole or not at all."""
+        """Store content under a name. Files appear complete or not at all."""
         try:
             folder = self.directory / kind
             folder.mkdir(parents=True, exist_ok=True)
@@ -65,5 +65,7 @@ class Store:
                     os.unlink(temporary)
                 raise
         except OSError as error:
-            log.warning("Cannot keep measurements in %s (%s): they last as long as this process", folder, error)
+            log.warning(
+                "Cannot store measurements in %s (%s): they are kept for the life of this process", folder, error
+            )
             self._memory[f"{kind}/{name}"] = content

@@ -1,4 +1,4 @@
-"""A measured sweep as data: what the API serves, the cache keeps and the reports show."""
+"""Data model of a measured sweep: served by the API, stored in the cache and shown in reports."""
 
 from typing import Literal
 
@@ -8,29 +8,29 @@ from seafoam.effects.effect import Cause
 from seafoam.quality import Quality, Tier
 
 FORMAT = 4
-"""Of the JSON; part of the cache's keys."""
+"""Version of the JSON format; part of the cache keys."""
 
 KnobValue = bool | int | float | str
 
 
 class Part(BaseModel):
-    """Base of everything here."""
+    """Base class of this module's models."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class KnobInfo(Part):
-    """A knob: what it is and which values of it are measured."""
+    """A quality setting and its measured values."""
 
-    owner: str = Field(description="The effect that declares it, or 'frame'")
+    owner: str = Field(description="Effect that declares the setting, or 'frame'")
     pointer: str = Field(description="JSON pointer into the quality")
     title: str
-    cause: Cause = Field(description="The kind of error that it works on")
-    steps: tuple[KnobValue, ...] = Field(description="Values that are measured, from cheap to exact")
+    cause: Cause = Field(description="Kind of error that the setting affects")
+    steps: tuple[KnobValue, ...] = Field(description="Measured values, fastest first")
 
 
 class KnobChoice(Part):
-    """A value of one knob; all others are as in tier standard."""
+    """A value of one setting; all others are as in tier standard."""
 
     owner: str
     pointer: str
@@ -40,28 +40,30 @@ class KnobChoice(Part):
 
 
 class Point(Part):
-    """A quality that is measured: a tier, or standard with one knob changed."""
+    """A measured quality: a tier, or tier standard with one setting changed."""
 
-    id: str = Field(description="Name of the tier, or the knob and its value", examples=["standard", "samples=4"])
+    id: str = Field(
+        description="Name of the tier, or the changed setting and its value", examples=["standard", "samples=4"]
+    )
     label: str
     tier: Tier | None
     knob: KnobChoice | None
     quality: Quality
-    plan: str = Field(description="SHA-256 of its plan")
+    plan: str = Field(description="SHA-256 of the frame plan")
 
 
 class TruthInfo(Part):
-    """The converged float64 picture that errors are against."""
+    """The converged float64 picture against which errors are measured."""
 
-    url: str | None = Field(description="float32 (height, width, 4): linear RGB, foam coverage; rows from the top")
+    url: str | None = Field(description="float32 (height, width, 4): linear RGB and foam coverage; top row first")
     width: int
     height: int
     time: float = Field(description="Time of the scene, s")
-    samples: int = Field(description="Samples a pixel")
+    samples: int = Field(description="Samples per pixel")
 
 
 class Points(Part):
-    """What is measured, before it is."""
+    """The points of a sweep, before it is measured."""
 
     preset: str
     truth: TruthInfo
@@ -69,15 +71,15 @@ class Points(Part):
 
 
 class TimeSpread(Part):
-    """What a frame of the subject's own size takes, from the first call until it is finished, reading it back left out.
+    """Time of a frame at the subject's own size, from the first call until it is finished, without readback.
 
-    Told from frames of two sizes in each round, by the line through them.
+    Predicted by a line through the times of two frame sizes in each round.
     """
 
     median_ms: float
     low_ms: float = Field(description="First quartile")
     high_ms: float = Field(description="Third quartile")
-    rounds_ms: tuple[float, ...] = Field(description="Every round; rounds of different points were drawn together")
+    rounds_ms: tuple[float, ...] = Field(description="Times of the single rounds; one round renders all points in turn")
 
 
 class TimeModel(Part):
@@ -87,28 +89,33 @@ class TimeModel(Part):
     ns_per_pixel: float
 
     def at(self, width: int, height: int) -> float:
-        """Predicted milliseconds."""
+        """Return the predicted time, ms."""
         return self.fixed_ms + 1e-6 * self.ns_per_pixel * width * height
 
 
 class Errors(Part):
-    """Against the truth."""
+    """Errors against the float64 picture."""
 
-    rmse: float = Field(description="Of linear RGB clipped at display white, in levels: white = 255")
-    max: float = Field(description="Greatest difference of a channel, the same levels")
+    rmse: float = Field(
+        description="Root mean square error of linear RGB, clipped at display white, in levels (white = 255)"
+    )
+    max: float = Field(description="Maximum error of any channel, in the same levels")
     flip: float = Field(description="Mean FLIP of the tone-mapped sRGB pictures, 0 to 1")
     coverage: float = Field(description="RMSE of foam coverage, 0 to 1")
-    flipped: float = Field(description="Share of pixels that have foam (coverage over 0.5) in one picture alone")
+    flipped: float = Field(
+        description="Fraction of pixels that have foam (coverage above 0.5) in only one of the two pictures"
+    )
     popping: float | None = Field(
-        description="Share of living foam that is lost from one frame to the next, 1/60 s later, in the worst pair of "
-        "the rounds; null without foam. The sea loses some itself: compare with the tier reference"
+        description="Popping: fraction of the existing foam that disappears within 1/60 s, in the worst pair "
+        "of frames; null without foam. Compare with tier reference: some foam of the sea "
+        "disappears in truth"
     )
 
 
 class Causes(Part):
-    """By how many levels of RMSE the error falls when the knobs of one cause alone are as in tier reference.
+    """Reduction of the RMSE, in levels, when only the settings of one cause are as in tier reference.
 
-    Negative: it grows, since that cause hid another. ``rest``: what remains when all three are.
+    Negative: the error grows, because that cause masked another. ``rest``: error that remains when all three are.
     """
 
     geometry: float
@@ -120,19 +127,19 @@ class Causes(Part):
 class MeasuredPoint(Point):
     """A quality with its time and its error."""
 
-    on_front: bool = Field(description="Nothing measured is both faster and more exact")
+    on_front: bool = Field(description="True if no measured point is both faster and more exact")
     beaten_by: tuple[str, ...] = Field(
-        description="Points that are at most as far from the truth, and faster by a tenth and more in three quarters "
-        "of the rounds; the most exact first"
+        description="Points with no greater error that are faster by at least a tenth in three quarters of "
+        "the rounds; the most exact first"
     )
     time: TimeSpread
     model: TimeModel
     error: Errors
-    causes: Causes | None = Field(description="Of tiers; null where one knob alone is changed")
+    causes: Causes | None = Field(description="Error by cause, for tiers; null where a single setting is changed")
 
 
 class Step(Part):
-    """From one value of a knob to the next more exact one, all other knobs as in tier standard."""
+    """Step from one value of a setting to the next more exact one, all other settings as in tier standard."""
 
     owner: str
     pointer: str
@@ -142,39 +149,42 @@ class Step(Part):
     value_to: KnobValue
     point_from: str
     point_to: str
-    added_ms: float = Field(description="Median of the differences by round")
-    time_factor: float = Field(description="Median of the ratios by round")
-    time_measurable: bool = Field(description="The quartiles of these ratios lie on one side of 1")
-    error_removed: float = Field(description="RMSE, levels; negative: more error")
+    added_ms: float = Field(description="Median of the differences per round")
+    time_factor: float = Field(description="Median of the ratios per round")
+    time_measurable: bool = Field(description="True if both quartiles of the ratios lie on the same side of 1")
+    error_removed: float = Field(description="Reduction of the RMSE, levels; negative: the error grows")
     error_factor: float = Field(description="RMSE before over RMSE after")
-    error_per_ms: float | None = Field(description="error_removed / added_ms; null where that means nothing")
+    error_per_ms: float | None = Field(description="error_removed / added_ms; null where it is undefined")
     sentence: str
 
 
 class Timing(Part):
-    """How times were taken."""
+    """Conditions of the timing."""
 
-    timer: Literal["wall", "gpu"] = Field(description="wall: around a frame and its finish; gpu: timer queries")
+    timer: Literal["wall", "gpu"] = Field(
+        description="wall: wall clock around a frame until it is finished; gpu: GPU timer queries"
+    )
     width: int = Field(
-        description="Of the larger frames that are timed, pixels; slow points are timed by the compared pictures"
+        description="Size of the larger timed frames, pixels; slow points are timed at the size of the "
+        "compared pictures"
     )
     height: int
-    small_width: int = Field(description="Of the smaller ones, for the fixed part of the model")
+    small_width: int = Field(description="Size of the smaller timed frames, for the constant part of the time model")
     small_height: int
-    own_width: int = Field(description="Of the frames that times are told for: the subject's own")
+    own_width: int = Field(description="Frame size for which times are reported: the preset's own")
     own_height: int
     rounds: int
 
 
 class Machine(Part):
-    """Where times were taken."""
+    """The machine on which times were measured."""
 
     vendor: str
     renderer: str
     version: str
     processor: str
     cores: int
-    threads: int = Field(description="Threads that a software renderer may use")
+    threads: int = Field(description="Number of threads of a software renderer")
 
 
 class Sweep(Part):
@@ -182,21 +192,23 @@ class Sweep(Part):
 
     format: int = FORMAT
     status: Literal["measured"] = "measured"
-    preset: str | None = Field(description="Null: a scene of its own")
+    preset: str | None = Field(description="Name of the preset; null: a custom scene")
     scene_sha256: str
-    width: int = Field(description="Of the pictures that errors are taken from, pixels")
+    width: int = Field(description="Size of the compared pictures, pixels")
     height: int
     time: float = Field(description="Time of the scene, s")
     truth: TruthInfo
     timing: Timing
     machine: Machine
     versions: dict[str, str]
-    measured_at: str = Field(description="ISO 8601, UTC")
-    seconds: float = Field(description="How long the sweep took, truth not counted")
+    measured_at: str = Field(description="Date and time of the measurement, ISO 8601, UTC")
+    seconds: float = Field(description="Duration of the sweep without the float64 reference, s")
     points: tuple[MeasuredPoint, ...]
-    front: tuple[str, ...] = Field(description="Points that nothing beats in both time and RMSE, from the fastest")
+    front: tuple[str, ...] = Field(
+        description="Pareto front: IDs of points that no other point beats in both time and RMSE, fastest first"
+    )
     steps: tuple[Step, ...]
-    sentences: tuple[str, ...] = Field(description="What the front says in words")
+    sentences: tuple[str, ...] = Field(description="Summary of the front in words")
 
     def point(self, id: str) -> MeasuredPoint:
         """A point by its id. Raises ``KeyError``."""
@@ -207,9 +219,9 @@ class Sweep(Part):
 
 
 class Running(Part):
-    """A measurement that is not finished."""
+    """A measurement in progress."""
 
     status: Literal["queued", "running"]
-    stage: str = Field(description="What is being done")
-    progress: float = Field(description="Share of the work that is done, 0 to 1")
-    eta_s: float | None = Field(default=None, description="Seconds that remain, estimated")
+    stage: str = Field(description="Current stage")
+    progress: float = Field(description="Progress, 0 to 1")
+    eta_s: float | None = Field(default=None, description="Estimated remaining time, s")

@@ -1,4 +1,4 @@
-"""How much a moving picture flickers: what changes from frame to frame in another way than by moving on smoothly."""
+"""Flicker of a moving picture: changes between frames other than smooth motion."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -32,7 +32,7 @@ def flicker(frames: Sequence[NDArray[Any]]) -> float:
     Raises ``ValueError`` for fewer frames or frames of different shapes.
     """
     if len(frames) < 3 or any(frame.ndim != 2 or frame.shape != frames[0].shape for frame in frames):
-        raise ValueError("flicker needs three frames (height, width) or more, all of one shape")
+        raise ValueError("flicker requires at least three frames (height, width), all of one shape")
     square, count = 0.0, 0
     for before, now, after in zip(frames[:-2], frames[1:-1], frames[2:], strict=True):
         bend = before.astype(np.float64) - 2.0 * now + after
@@ -48,5 +48,5 @@ def excess(frames: Sequence[NDArray[Any]], truth: Sequence[NDArray[Any]], floor:
     clip of noise is no infinity. Raises ``ValueError`` as :func:`flicker` does, and where the clips differ in length.
     """
     if len(frames) != len(truth) or not floor > 0.0:
-        raise ValueError("both clips need as many frames, and the floor lies above 0")
+        raise ValueError("both clips must have as many frames, and the floor must be above 0")
     return flicker(frames) / max(flicker(truth), floor)

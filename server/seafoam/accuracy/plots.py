@@ -1,4 +1,4 @@
-"""Time against error as a picture. Only matplotlib's object interface is used, as threads of a server must."""
+"""Plot of time against error. Uses only matplotlib's object interface, as threads of a server must."""
 
 from __future__ import annotations
 
@@ -17,7 +17,12 @@ _INK = "#1c2b33"
 _FAINT = "#8a979e"
 _COLOURS = {"tier": "#b5353c", "geometry": "#1f3a73", "filtering": "#2a9d78", "precision": "#e0912f"}
 _MARKERS = {"tier": "s", "geometry": "o", "filtering": "D", "precision": "^"}
-_NAMES = {"tier": "tier", "geometry": "a knob of geometry", "filtering": "of filtering", "precision": "of precision"}
+_NAMES = {
+    "tier": "tier",
+    "geometry": "geometry setting",
+    "filtering": "filtering setting",
+    "precision": "precision setting",
+}
 
 
 def plot_sweep(sweep: Sweep) -> bytes:
@@ -35,7 +40,7 @@ def plot_sweep(sweep: Sweep) -> bytes:
         color=_INK,
         lw=1.2,
         drawstyle="steps-post",
-        label="front: nothing is faster and more exact",
+        label="front: no point is faster and more exact",
         zorder=1,
     )
     for kind in _COLOURS:
@@ -61,10 +66,10 @@ def plot_sweep(sweep: Sweep) -> bytes:
         )
     timing = sweep.timing
     axes.set_xlabel(
-        f"time of a frame of {timing.own_width} × {timing.own_height}, ms ({timing.timer} clock, median, quartiles)"
+        f"frame time at {timing.own_width} × {timing.own_height}, ms ({timing.timer} clock, median, quartiles)"
     )
-    axes.set_ylabel(f"RMSE against float64 truth at {sweep.width} × {sweep.height}, levels (white = 255)")
-    axes.set_title(f"What accuracy costs: {sweep.preset or 'a scene'}", loc="left", color=_INK)
+    axes.set_ylabel(f"RMSE against float64 at {sweep.width} × {sweep.height}, levels (white = 255)")
+    axes.set_title(f"Cost of accuracy: {sweep.preset or 'a scene'}", loc="left", color=_INK)
     axes.set_title(sweep.machine.renderer, loc="right", color=_FAINT, fontsize="small")
     axes.legend(frameon=False, fontsize="small", loc="best")
     axes.spines[["top", "right"]].set_visible(False)
@@ -91,12 +96,12 @@ def _kind(point: MeasuredPoint) -> str:
 
 
 def _shown(point: MeasuredPoint) -> float:
-    """An error of nothing has no place on a logarithmic axis."""
+    """Replace an error of 0, which a logarithmic axis cannot show."""
     return max(point.error.rmse, 1e-3)
 
 
 def _label(axes: Axes, canvas: FigureCanvasAgg, sweep: Sweep) -> None:
-    """Name the points, the front and the tiers first, where there is room; a thin line leads to names further off."""
+    """Label the points, the front and the tiers first, where there is room; a thin line leads to labels further off."""
     renderer = canvas.get_renderer()  # type: ignore[no-untyped-call]
     place = axes.transData
     taken: list[Bbox] = []
@@ -134,7 +139,7 @@ def _label(axes: Axes, canvas: FigureCanvasAgg, sweep: Sweep) -> None:
 
 
 def _offsets(width: float) -> Iterator[tuple[float, float]]:
-    """Places for a name of this width around its point, the nearest first; pixels."""
+    """Return positions for a label of this width around its point, the nearest first; pixels."""
     for distance in (12, 24, 40, 60, 85, 115, 150, 190, 235, 285, 340):
         yield distance, 0.7 * distance
         yield distance, -0.7 * distance

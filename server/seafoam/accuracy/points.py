@@ -1,4 +1,4 @@
-"""The points of a sweep: the tiers, and tier standard with one knob changed at a time."""
+"""The points of a sweep: the tiers, and tier standard with one setting changed at a time."""
 
 import json
 from functools import lru_cache
@@ -12,7 +12,7 @@ from seafoam.scene.models import Scene
 
 
 def points_of(scene: Scene) -> tuple[Point, ...]:
-    """Every quality that is measured for a scene, no two with the same plan; tiers first, from the fastest.
+    """Return every quality measured for a scene, no two with the same plan; tiers first, fastest first.
 
     Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned.
     """
@@ -45,7 +45,7 @@ def points_of(scene: Scene) -> tuple[Point, ...]:
 
 
 def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, KnobChoice, KnobChoice, str, str]]:
-    """Neighbouring steps of each knob whose plans differ: (owner, from, to, point from, point to)."""
+    """Return neighbouring values of each setting whose plans differ: (owner, from, to, point from, point to)."""
     by_plan = {point.plan: point.id for point in points}
     found = []
     for owner, knob in all_knobs(scene):
@@ -63,15 +63,15 @@ def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, KnobChoic
 
 @lru_cache(maxsize=2048)
 def plan_sha256(scene: Scene, quality: Quality) -> str:
-    """Identity of the plan."""
+    """Return the hash of the plan."""
     return make_plan(scene, quality).sha256
 
 
 def point_id(pointer: str, value: KnobValue) -> str:
-    """Name of standard with one knob changed."""
+    """Return the name of tier standard with one setting changed."""
     return f"{pointer[1:].replace('/', '.')}={shown(value)}"
 
 
 def shown(value: KnobValue) -> str:
-    """A value of a knob, as its JSON without quotes."""
+    """Return the value of a setting as JSON without quotes."""
     return value if isinstance(value, str) else json.dumps(value)

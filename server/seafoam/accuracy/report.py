@@ -1,4 +1,4 @@
-"""A sweep as a table, as CSV and as a page that needs no other file."""
+"""A sweep as a table, as CSV and as a self-contained HTML page."""
 
 import base64
 import csv
@@ -20,20 +20,21 @@ HEADINGS = (
 )  # fmt: skip
 
 NOTES = (
-    "Time: from the first call of a frame until it is finished, median and quartiles of rounds in which all points "
-    "take turns; reading back and encoding are left out.",
+    "Time: from the first call of a frame until it is finished, without readback and encoding; median and quartiles "
+    "of rounds in which all points are drawn in turn.",
     "RMSE and max: linear RGB clipped at display white, in levels of 255, against the converged float64 picture. "
-    "FLIP: mean, of tone-mapped sRGB. Coverage: RMSE of foam coverage. Flipped: share of pixels that have foam in one "
-    "picture alone.",
-    "Popping: the most of the living foam that is gone 1/60 s later. The sea itself loses some: what tier reference "
-    "shows is no fault.",
-    "Geometry, filtering, precision: by how much RMSE falls when the knobs of that cause alone are as in tier "
-    "reference; rest: what remains when all are. Causes hide each other, so falls need not add up and may be negative.",
+    "FLIP: mean, of tone-mapped sRGB. Coverage: RMSE of foam coverage. Flipped: fraction of pixels that have foam in "
+    "only one picture.",
+    "Popping: maximum fraction of the foam that disappears within 1/60 s. Some foam of the sea disappears in truth: "
+    "compare with tier reference.",
+    "Geometry, filtering, precision: reduction of the RMSE when only the settings of that cause are as in tier "
+    "reference; rest: error that remains when all are. Causes mask each other, so the reductions need not add up and "
+    "can be negative.",
 )
 
 
 def csv_of(sweep: Sweep) -> str:
-    """A header and a line a point."""
+    """Return a header and one line per point."""
     buffer = io.StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -62,7 +63,7 @@ def csv_of(sweep: Sweep) -> str:
 
 
 def row_of(point: MeasuredPoint) -> tuple[str, ...]:
-    """A point's cells, under :data:`HEADINGS`."""
+    """Return a point's cells, under :data:`HEADINGS`."""
     time, error, causes = point.time, point.error, point.causes
     return (
         point.id,
@@ -85,12 +86,12 @@ def _cells(causes: Causes) -> tuple[str, ...]:
 
 
 def milliseconds(value: float) -> str:
-    """To three digits or so."""
+    """Format to about three digits."""
     return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
 
 
 def page(sweep: Sweep, command: str) -> str:
-    """One HTML file: the plot inside it, the table, what it says in words, the machine and the command."""
+    """Return one HTML file with plot, table, summary, machine and command."""
     from seafoam.accuracy.plots import plot_sweep
 
     machine, timing = sweep.machine, sweep.timing
@@ -105,11 +106,11 @@ def page(sweep: Sweep, command: str) -> str:
         ("time of the scene", f"{sweep.time:g} s"),
         ("times", f"of frames of {timing.own_width} × {timing.own_height}, {timing.timer} clock"),
         (
-            "told from",
-            f"frames of {timing.width} × {timing.height} and of {timing.small_width} × {timing.small_height} a round; "
-            f"slow ones from those of {sweep.width} × {sweep.height}",
+            "predicted from",
+            f"frames of {timing.width} × {timing.height} and {timing.small_width} × {timing.small_height} per round; "
+            f"slow points from frames of {sweep.width} × {sweep.height}",
         ),
-        ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples a pixel in float64"),
+        ("compared at", f"{sweep.width} × {sweep.height} with {sweep.truth.samples} samples per pixel in float64"),
         ("versions", ", ".join(f"{package} {number}" for package, number in sweep.versions.items())),
     )
     rows = [row_of(point) for point in sweep.points]
@@ -117,37 +118,37 @@ def page(sweep: Sweep, command: str) -> str:
     parts = [
         "<!doctype html>",
         '<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">',
-        f"<title>What accuracy costs: {html.escape(name)}</title>",
+        f"<title>Cost of accuracy: {html.escape(name)}</title>",
         f"<style>{_STYLE}</style>",
-        f"<h1>What accuracy costs: {html.escape(name)}</h1>",
+        f"<h1>Cost of accuracy: {html.escape(name)}</h1>",
         f'<img alt="Time against error" src="data:image/png;base64,{plot}">',
         "<h2>Along the front</h2>",
         _list(sweep.sentences),
         "<h2>Tiers</h2>",
         _list([_standing(sweep, point) for point in sweep.points if point.tier is not None]),
-        "<h2>Knob by knob</h2>",
-        "<p>From a value to the next more exact one, everything else as in tier standard.</p>",
+        "<h2>Single settings</h2>",
+        "<p>Steps from a value to the next more exact one, all other settings as in tier standard.</p>",
         _list([step.sentence + _worth(step.error_per_ms) for step in sweep.steps]),
-        "<h2>Every point</h2>",
+        "<h2>All points</h2>",
         _table(HEADINGS, rows, marks),
         *(f"<p>{html.escape(note)}</p>" for note in NOTES),
-        "<h2>How it was measured</h2>",
+        "<h2>Method</h2>",
         "<dl>" + "".join(f"<dt>{what}<dd>{html.escape(said)}" for what, said in about) + "</dl>",
     ]
     return "\n".join(parts) + "\n"
 
 
 def _standing(sweep: Sweep, point: MeasuredPoint) -> str:
-    """What a tier is beside everything else that was measured."""
+    """Describe a tier relative to all other points."""
     if not point.beaten_by:
-        return f"{point.id}: nothing measured is as exact and faster by a tenth"
+        return f"{point.id}: no measured point is as exact and faster by a tenth"
     better = [sweep.point(id) for id in point.beaten_by[:3]]
     told = ", ".join(f"{one.id} ({milliseconds(one.time.median_ms)} ms, {one.error.rmse:.2f})" for one in better)
     return f"{point.id} ({milliseconds(point.time.median_ms)} ms, {point.error.rmse:.2f}) is beaten by {told}"
 
 
 def _worth(error_per_ms: float | None) -> str:
-    return "" if error_per_ms is None else f" ({error_per_ms:+.3g} levels of RMSE removed a millisecond)"
+    return "" if error_per_ms is None else f" ({error_per_ms:+.3g} levels of RMSE removed per millisecond)"
 
 
 def _list(lines: Sequence[str]) -> str:

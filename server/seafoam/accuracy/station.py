@@ -1,4 +1,4 @@
-"""Measurements behind a server: one at a time, in a thread of their own, asked for by name and answered when done."""
+"""Background measurements for a server: one at a time, in a thread, started by the first request."""
 
 import logging
 import math
@@ -17,21 +17,21 @@ from seafoam.reference import scene_sha256
 log = logging.getLogger(__name__)
 
 KEPT = 16
-"""Finished measurements in memory."""
+"""Number of finished measurements in memory."""
 MOST_WAITING = 24
 
 
 class StationFullError(Exception):
-    """As many measurements wait as may."""
+    """The queue of measurements is full."""
 
 
 class FailedError(Exception):
-    """A measurement that was asked for failed; asking again tries again."""
+    """A requested measurement failed; the next request starts it again."""
 
 
 @dataclass(frozen=True)
 class _Task:
-    """Something to measure: the truth of a subject alone, or the whole sweep."""
+    """A task: the float64 picture of a subject only, or the whole sweep."""
 
     subject: Subject
     whole: bool
@@ -42,9 +42,9 @@ class _Task:
 
 
 class Station:
-    """Measures what is asked for, one after the other. Its methods never wait for a measurement.
+    """Runs requested measurements, one after the other. Its methods never wait for a measurement.
 
-    ``rig`` gives the renderer when it is needed and raises where there is none. Methods may read files and plan scenes,
+    ``rig`` returns the renderer when needed, and raises if there is none. Methods can read files and plan scenes,
     so an event loop calls them in a thread.
     """
 
@@ -61,9 +61,9 @@ class Station:
         self._thread: threading.Thread | None = None
 
     def sweep(self, subject: Subject) -> Sweep | Running:
-        """The sweep if it is there, else how far it is; the first call starts it.
+        """Return the sweep if it is finished, else its progress; the first call starts it.
 
-        Raises :class:`StationFullError`, what ``rig`` raises, and once what the last attempt failed with.
+        Raises :class:`StationFullError`, what ``rig`` raises, and once the error of the last attempt.
         """
         rig = self._rig()
         key = key_of(_Task(subject, True).key, rig.machine.model_dump())
@@ -80,7 +80,7 @@ class Station:
         return found
 
     def truth(self, subject: Subject) -> Truth | Running:
-        """The truth if it is there, else how far it is; the first call starts it. Raises as :meth:`sweep` does."""
+        """Return the float64 picture or its progress; the first call starts it. Raises as :meth:`sweep` does."""
         settings = self.settings
         at = (settings.width, settings.height, settings.samples_along)
         found = find_truth(self._store, subject.scene, subject.time, *at)
@@ -93,11 +93,11 @@ class Station:
 
     @property
     def stopped(self) -> bool:
-        """Whether everything was called off."""
+        """Whether all measurements were cancelled."""
         return self._stopped.is_set()
 
     def stop(self) -> None:
-        """Call everything off and wait until it has ended."""
+        """Cancel all measurements and wait until they have ended."""
         self._stopped.set()
         with self._change:
             self._waiting.clear()
@@ -114,7 +114,7 @@ class Station:
                 return self._now(self._running)
             if key not in self._waiting:
                 if len(self._waiting) >= MOST_WAITING:
-                    raise StationFullError(f"{len(self._waiting)} measurements wait already")
+                    raise StationFullError(f"{len(self._waiting)} measurements are already waiting")
                 self._waiting[key] = task
                 self._change.notify_all()
             if self._thread is None and not self._stopped.is_set():

@@ -1,8 +1,8 @@
-"""A sweep: every point of a scene drawn in turn, round after round, timed, and held against the truth.
+"""A sweep: every point of a scene drawn in turn, round after round, timed, and compared with the float64 picture.
 
-Rounds visit all points, so that a machine that grows slower does so for all of them; a round's frames lie 1/60 s after
-the last round's, so they are the sequence that popping is counted in as well. A frame is drawn once untimed just before
-it is timed, for what compiling and allocating take; once that is done, only where it is so short that caches count.
+Rounds visit all points, so that a slowdown of the machine affects all of them; a round's frames are 1/60 s after
+the last round's, so they are also the sequence in which popping is counted. A frame is drawn once untimed just before
+it is timed, which compiles and allocates; after that, only if it is so short that caches matter.
 """
 
 import os
@@ -47,32 +47,32 @@ from seafoam.scene.presets import load_preset, preset_names
 
 FRAME_SECONDS = 1.0 / 60.0
 ENOUGH_SECONDS = 0.02
-"""A frame of tier standard takes at least this at the timing size, so that what a call costs does not hide it."""
+"""Minimum time of a frame of tier standard at the timing size, so that the cost of a call is negligible."""
 LEAST_SHARE = 4
-"""The timing size is at least the subject's own over this, along each side: in a much smaller one what a pixel costs
-would drown in maps and tiles, which cost the same at every size."""
+"""The timing size is at least the subject's own over this, along each side: in a much smaller one the cost per pixel
+would be hidden by maps and tiles, which cost the same at every size."""
 LONG_MS = 200.0
-"""A frame that takes longer is not drawn once more before it is timed."""
+"""Time above which a frame is not drawn once more before it is timed."""
 SLOW_MS = 100.0
-"""Where the pixels of the compared picture take longer, that picture is timed in place of one of the timing size."""
+"""If the pixels of the compared picture take longer, that picture is timed instead of one of the timing size."""
 SMALL = 10
-"""The second size of the time model is so many times smaller along each side."""
+"""Ratio of the two sizes of the time model along each side."""
 COMPILE_WEIGHT = 6.0
-"""Compiling a plan takes about as long as drawing so many frames of one sample a pixel; only progress hangs on it."""
+"""Time to compile a plan, in frames of one sample per pixel; used only for the progress."""
 
 TOLD = 1.02
-"""Errors nearer to each other than by this factor are told as the same."""
+"""Ratio below which two errors are reported as equal."""
 
 FASTER = 1.1
-"""Times of a round nearer to each other than by this factor are told as the same: of forty plans that cost the same
-some differ by as much on a shared machine."""
+"""Ratio below which two times of a round are reported as equal: of forty plans with the same cost, some differ by as
+much on a shared machine."""
 
 Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What is measured. ``size``: of the frames that times are told for, pixels."""
+    """The scene to measure. ``size``: frame size for which times are reported, pixels."""
 
     preset: str | None
     scene: Scene
@@ -81,13 +81,13 @@ class Subject:
 
     @staticmethod
     def of_preset(name: str) -> "Subject":
-        """A preset as it stands. Raises ``KeyError``."""
+        """Return the subject of a preset. Raises ``KeyError``."""
         found = load_preset(name)
         return Subject(name, found.scene, found.time, found.size)
 
     @staticmethod
     def of_scene(scene: Scene) -> "Subject":
-        """The preset that the scene is, or a scene of its own at time 0."""
+        """Return the preset with this scene, or a custom subject at time 0."""
         for name in preset_names():
             if load_preset(name).scene == scene:
                 return Subject.of_preset(name)
@@ -96,19 +96,19 @@ class Subject:
 
 @dataclass(frozen=True)
 class Settings:
-    """How a sweep is made. Width and height: of the pictures that errors are taken from."""
+    """Settings of a sweep. Width and height: of the compared pictures."""
 
     width: int = 160
     height: int = 90
     samples_along: int = 16
-    """Of the truth: its square is the samples a pixel."""
+    """Samples along each side of a pixel of the float64 picture."""
     rounds: int = 7
     """At least 2."""
 
 
 @dataclass(frozen=True)
 class Rig:
-    """What draws. ``info``: vendor, renderer and version of the GL; ``threads``: that a software GL may use."""
+    """The renderer. ``info``: vendor, renderer and version of the GL; ``threads``: maximum of a software GL."""
 
     measure: Measure
     info: Mapping[str, str]
@@ -116,7 +116,7 @@ class Rig:
 
     @property
     def machine(self) -> Machine:
-        """The machine, as sweeps name it."""
+        """The machine, as recorded in sweeps."""
         return Machine(
             vendor=self.info["vendor"],
             renderer=self.info["renderer"],
@@ -129,15 +129,15 @@ class Rig:
 
 @dataclass(frozen=True)
 class Watcher:
-    """Told how a sweep goes, and asked whether to go on."""
+    """Receives the progress of a sweep, and can stop it."""
 
     progress: Callable[[str, float, float | None], None] = lambda stage, share, remaining: None
-    """Gets the stage in words, the share done, and the seconds that remain if that can be told."""
+    """Receives the stage in words, the fraction done, and the remaining seconds if known."""
     stopped: Callable[[], bool] = lambda: False
 
 
 def truth_info(subject: Subject, settings: Settings) -> TruthInfo:
-    """The truth of a subject, and where the API has it."""
+    """The float64 picture of a subject, and its path in the API."""
     return TruthInfo(
         url=None if subject.preset is None else f"/api/accuracy/{subject.preset}/truth.npy",
         width=settings.width,
@@ -148,7 +148,7 @@ def truth_info(subject: Subject, settings: Settings) -> TruthInfo:
 
 
 def find_sweep(store: Store, subject: Subject, settings: Settings, machine: Machine) -> Sweep | None:
-    """The sweep if it was made before: of these plans, at this time and size, on this machine, by these versions."""
+    """Return a stored sweep with the same plans, time, size, machine and versions, if there is one."""
     content = store.get("sweeps", _name(subject, settings, machine))
     if content is None:
         return None
@@ -197,7 +197,7 @@ class _Sweeping:
         self.points = points_of(subject.scene)
         self.knobs = all_knobs(subject.scene)
         self.drawn: dict[str, Picture] = {}
-        """The picture at the subject's own time, by plan."""
+        """Pictures at the subject's own time, by plan."""
         self.ideals = self._ideals()
         everyone = [point.quality for point in self.points]
         extra = {plan: quality for wanted in self.ideals.values() for plan, quality in wanted.values()}
@@ -303,7 +303,7 @@ class _Sweeping:
         return Causes(**falls, rest=without["rest"])
 
     def _picture(self, plan: str, quality: Quality, stage: str) -> Picture:
-        """The linear picture at the subject's own time; each plan is drawn once."""
+        """Return the linear picture at the subject's own time; each plan is drawn once."""
         if plan not in self.drawn:
             draw = Draw(self.settings.width, self.settings.height, "linear", keep=True)
             (drawn,) = self._draw(quality, 0, (draw,), stage, COMPILE_WEIGHT + quality.samples)
@@ -326,7 +326,7 @@ class _Sweeping:
         return drawn
 
     def _sizes(self) -> tuple[tuple[int, int], tuple[int, int]]:
-        """The timing size, at least that of the pictures, at most the subject's own; and the small one."""
+        """Return the timing size, at least that of the pictures, at most the subject's own; and the small size."""
         width, height = self.settings.width, self.settings.height
         whole = self.subject.size
         standard = next(point for point in self.points if point.id == "standard")
@@ -366,7 +366,7 @@ class _Sweeping:
 
 
 def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
-    """Of (time, error) by name, the names that nothing else beats in both, from the fastest."""
+    """Of (time, error) by name, return the names on the Pareto front, fastest first."""
     best: list[str] = []
     least = float("inf")
     for name, (_, error) in sorted(found.items(), key=lambda item: item[1]):
@@ -377,9 +377,9 @@ def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
 
 
 def beating(found: Mapping[str, tuple[Sequence[float], float]]) -> dict[str, tuple[str, ...]]:
-    """Of (times by round, error) by name: who has no more error, and is faster beyond the noise.
+    """Of (times by round, error) by name, return the points with no greater error that are faster beyond the noise.
 
-    Times of a round are compared with one another: the third quartile of their ratios is below 1 / :data:`FASTER`. The
+    Times of a round are compared with each other: the third quartile of their ratios is below 1 / :data:`FASTER`. The
     most exact first.
     """
     by_error = sorted(found, key=lambda name: found[name][1])
@@ -396,7 +396,7 @@ def beating(found: Mapping[str, tuple[Sequence[float], float]]) -> dict[str, tup
 
 @dataclass(frozen=True)
 class Comparison:
-    """Two points of the same rounds."""
+    """Compares two points of the same rounds."""
 
     added_ms: float
     factor: float
@@ -431,7 +431,7 @@ def _times(factor: float) -> str:
 
 
 def _sentences(best: list[MeasuredPoint], rounds: Mapping[str, list[float]]) -> tuple[str, ...]:
-    """Along the front, in steps that are worth a sentence."""
+    """Describe the front, in steps that are worth a sentence."""
     worth = best[:1]
     for point in best[1:]:
         if point.error.rmse * TOLD <= worth[-1].error.rmse:
@@ -457,7 +457,7 @@ def _model(large_ms: float, large: tuple[int, int], small_ms: float, small: tupl
 
 
 def _middle(models: list[TimeModel], size: tuple[int, int]) -> TimeModel:
-    """The median of the fixed parts, and of what is left of the median time."""
+    """Return the median of the constant parts, and of the rest of the median time."""
     fixed = median(model.fixed_ms for model in models)
     left = max(0.0, median(model.at(*size) for model in models) - fixed)
     return TimeModel(fixed_ms=fixed, ns_per_pixel=1e6 * left / (size[0] * size[1]))

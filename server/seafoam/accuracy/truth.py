@@ -1,4 +1,4 @@
-"""The converged float64 picture of a scene, computed once in a process of its own and kept on disk."""
+"""The converged float64 picture of a scene, computed once in a separate process and stored on disk."""
 
 import io
 import json
@@ -19,21 +19,21 @@ from seafoam.reference import render, scene_sha256
 from seafoam.scene.models import Scene
 
 SAMPLES_ALONG = 16
-"""Samples along each side of a pixel: 256 a pixel."""
+"""Samples along each side of a pixel: 256 per pixel."""
 POLITE = 5
-"""Niceness: frames and the web server go first."""
+"""Niceness: frames and the web server have priority."""
 POLL_SECONDS = 0.2
 
 Truth = NDArray[np.float32]
-"""(height, width, 4): linear RGB and foam coverage, rows from the top."""
+"""(height, width, 4): linear RGB and foam coverage, top row first."""
 
 
 class StoppedError(Exception):
-    """The work was called off."""
+    """The computation was cancelled."""
 
 
 def find_truth(store: Store, scene: Scene, at: float, width: int, height: int, along: int) -> Truth | None:
-    """The truth if it was computed before."""
+    """Return the stored picture, if there is one."""
     content = store.get("truth", _name(scene, at, width, height, along))
     if content is None:
         return None
@@ -56,10 +56,10 @@ def make_truth(
     progress: Callable[[float, float], None] = lambda share, remaining: None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Truth:
-    """The truth, from the store or computed in a spawned process.
+    """Return the picture, from the store or computed in a spawned process.
 
-    ``progress`` gets the share that is done and the seconds that remain, estimated from a coarser picture.
-    Raises :class:`StoppedError` once ``stopped`` says so.
+    ``progress`` receives the fraction done and the remaining seconds, estimated from a coarser picture.
+    Raises :class:`StoppedError` once ``stopped`` returns true.
     """
     found = find_truth(store, scene, at, width, height, along)
     if found is not None:
@@ -100,7 +100,7 @@ def _wait(
 
 
 def _converged(scene: Scene, at: float, width: int, height: int, along: int) -> tuple[Truth, float]:
-    """In the process of its own: the picture and the seconds it took."""
+    """In the separate process: return the picture and the seconds it took."""
     if hasattr(os, "nice"):
         os.nice(max(0, POLITE - os.nice(0)))
     began = time.perf_counter()

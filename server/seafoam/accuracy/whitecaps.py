@@ -38,7 +38,7 @@ def grey(picture: NDArray[Any]) -> Floats:
     another shape.
     """
     if picture.ndim != 3 or picture.shape[2] < 3:
-        raise ValueError(f"a picture is (height, width, 3), not {picture.shape}")
+        raise ValueError(f"a picture must be (height, width, 3), not {picture.shape}")
     encoded = picture[..., :3].astype(np.float64)
     if picture.dtype == np.uint8:
         encoded /= 255.0
@@ -170,7 +170,7 @@ def patches(foam: NDArray[np.bool_], pixel: float, least: int = 16) -> Patches:
     1. Raises ``ValueError`` where that is not so.
     """
     if foam.ndim != 2 or not pixel > 0.0 or least < 1:
-        raise ValueError("patches need a picture (height, width), a pixel's side and a least size above 0")
+        raise ValueError("patches need a picture (height, width), and a pixel size and a minimum size above 0")
     names, count = label(foam, structure=np.ones((3, 3)))
     edge = np.unique(np.concatenate([names[0], names[-1], names[:, 0], names[:, -1]]))
     sizes = np.bincount(names.ravel(), minlength=count + 1)
@@ -191,12 +191,12 @@ def patches(foam: NDArray[np.bool_], pixel: float, least: int = 16) -> Patches:
 
 def _checked(image: NDArray[Any]) -> Floats:
     if image.ndim != 2 or image.size == 0:
-        raise ValueError(f"a grey picture is (height, width), not {image.shape}")
+        raise ValueError(f"a grey picture must be (height, width), not {image.shape}")
     values: Floats = image.astype(np.float64)
     if image.dtype == np.uint8:
         values /= 255.0
     if not bool(np.isfinite(values).all()) or values.min() < 0.0 or values.max() > 1.0:
-        raise ValueError("a grey picture lies in [0, 1]")
+        raise ValueError("a grey picture must lie in [0, 1]")
     return values
 
 

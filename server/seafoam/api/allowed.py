@@ -1,4 +1,4 @@
-"""What a JSON schema allows at a place, so that an error can say it."""
+"""Finds what a JSON schema allows at a path, for error messages."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -10,16 +10,16 @@ _LENGTHS = ("minLength", "maxLength", "minItems", "maxItems", "pattern")
 
 
 def allowed_at(schema: Schema, root: Schema, path: Sequence[str | int], value: Any = None) -> dict[str, Any] | None:
-    """What is allowed at ``path`` of ``schema``: bounds, choices, lengths or names of members; None if it says nothing.
+    """Return what is allowed at ``path`` of ``schema``: bounds, choices, lengths or member names; None if unrestricted.
 
-    root: the document that ``$ref`` points into. value: the whole that was sent, which picks among alternatives.
+    root: document that ``$ref`` points into. value: the whole value that was sent, which selects among alternatives.
     """
     found = _descend(schema, root, tuple(path), value)
     return None if found is None else _summary(found, root)
 
 
 def describe_allowed(allowed: Mapping[str, Any]) -> str:
-    """What :func:`allowed_at` found, as words."""
+    """Describe the result of :func:`allowed_at` in words."""
     if "enum" in allowed:
         return "one of " + ", ".join(map(str, allowed["enum"]))
     if "members" in allowed:
@@ -54,7 +54,7 @@ def _alternatives(schema: Schema, root: Schema) -> list[Schema]:
 
 
 def _fits(schema: Schema, value: Any) -> bool:
-    """Whether an object's fixed members (those that tell the alternatives of a union apart) are those of the value."""
+    """Whether the discriminating members of a schema (its constants) match those of the value."""
     if not isinstance(value, Mapping):
         return True
     fixed = {name: part["const"] for name, part in schema.get("properties", {}).items() if "const" in part}

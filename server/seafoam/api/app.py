@@ -1,4 +1,4 @@
-"""The app: routers, errors, limits and the render pool, put together."""
+"""Assembles the application: routers, errors, limits and the render pool."""
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
@@ -26,24 +26,24 @@ from seafoam.render.gl.executor import Executor
 from seafoam.render.service.pool import Renderer, RenderPool
 
 GZIP_LEVEL = 4
-"""Plans are a tenth of their size at level 4 and hardly less at 9."""
+"""Level 4 compresses plans to a tenth; level 9 gains little more."""
 NOT_WORTH_GZIP = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/x-npy", "image/*", "font/*")
 
 _DESCRIPTION = """
 Water with halftoned foam, after Yingst, Alford and Parberry (2011).
 
-A **scene** says what the sea is, a **quality** how exactly to compute it. Both make a **frame plan**, which the server
-and the browser run alike. Every frame is a function of scene, quality, camera, size and time, so the same request gives
-the same bytes. SI units, radians, +y up. Errors are `application/problem+json` (RFC 9457) and name the field and what
-it may be.
+A **scene** describes the water, its foam, the light and the camera; a **quality** says how exactly to compute them.
+Both are compiled into a **frame plan**, which the server and the browser execute alike. A frame depends only on scene,
+quality, camera, size and time, so the same request returns the same bytes. Units are SI units and radians; +y points
+up. Errors are `application/problem+json` (RFC 9457) and name the field and its allowed values.
 """
 
 
 def create_app(settings: Settings | None = None, *, renderer: Callable[[], Renderer] | None = None) -> FastAPI:
-    """The server's app.
+    """Create the server's application.
 
-    settings: absent: from the environment. renderer: makes what the workers render with, absent: the GL executor; must
-    be importable, because the workers are spawned.
+    settings: absent: read from the environment. renderer: factory of the workers' renderer, absent: the GL executor;
+    must be importable, because the workers are spawned.
     """
     settings = settings or Settings()
     pool = RenderPool(
@@ -96,7 +96,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
 
 def _describe(app: FastAPI, settings: Settings) -> None:
-    """Complete the OpenAPI document with the problem schema and the limits that are settings."""
+    """Add the problem schema and the limits from the settings to the OpenAPI document."""
 
     def openapi() -> dict[str, Any]:
         if app.openapi_schema is None:

@@ -1,4 +1,4 @@
-"""``quality=auto``: the most exact quality that is predicted to be drawn in time, from what was measured here."""
+"""``quality=auto``: the most exact quality predicted to fit the time budget, from measurements on this server."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from seafoam.quality import Quality
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """The quality of a frame as it was asked for. ``parameter``: in the query, else in a body."""
+    """The requested quality of a frame. ``parameter``: it came from the query, else from the body."""
 
     quality: TierOrAuto | Quality
     budget_ms: float | None
@@ -33,22 +33,22 @@ class Asked:
         )
 
     def budget(self) -> float:
-        """The budget of auto, ms. Raises :class:`BadRequestError` where there is none."""
+        """Return the time budget, ms. Raises :class:`BadRequestError` if none was given."""
         if self.budget_ms is None:
-            raise self._refused("quality auto needs the milliseconds that a frame may take")
+            raise self._refused("quality auto requires budget_ms, the frame time allowed in milliseconds")
         return self.budget_ms
 
     def no_budget(self) -> None:
-        """Raises :class:`BadRequestError` where a budget was given."""
+        """Raise :class:`BadRequestError` if a time budget was given."""
         if self.budget_ms is not None:
-            raise self._refused("only quality auto has a budget")
+            raise self._refused("allowed only with quality auto")
 
 
 async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Quality, Mapping[str, str]]:
-    """The quality to draw with, and the headers that say why; none where it was named.
+    """Return the quality to render with, and headers that explain an automatic choice.
 
-    Auto goes by the subject's own camera and time, which the frame's may differ from. Raises
-    :class:`NotMeasuredError` while the subject is being measured, which the first call starts.
+    The prediction holds for the subject's own camera and time, which can differ from the frame's. Raises
+    :class:`NotMeasuredError` while the subject is being measured; the first call starts the measurement.
     """
     if asked.quality != "auto":
         asked.no_budget()
@@ -59,8 +59,8 @@ async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Qua
     found = await measured(context, subject)
     if isinstance(found, Running):
         what = f"preset {subject.preset}" if subject.preset else "this scene"
-        state = "waits to be measured" if found.status == "queued" else f"is {100 * found.progress:.0f} % measured"
-        detail = f"the cost of accuracy of {what} {state}: ask again, or name a tier"
+        state = "is queued for measurement" if found.status == "queued" else f"is {100 * found.progress:.0f} % measured"
+        detail = f"cost of accuracy: {what} {state}; retry later, or name a tier"
         raise NotMeasuredError(detail, retry_seconds(found))
     choice = choose(
         found, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples_drawn)

@@ -1,4 +1,4 @@
-"""Entity tags: answering 304 before any work is done."""
+"""Entity tags, which allow a 304 response before any work is done."""
 
 import hashlib
 import json
@@ -13,18 +13,18 @@ VERSION = version("seafoam")
 
 IMMUTABLE = "public, max-age=31536000, immutable"
 REVALIDATE = "public, no-cache"
-"""Stored, but asked about before each use: the answer is a cheap 304 and an upgrade shows at once."""
+"""Stored, but revalidated before each use: the response is a cheap 304, and upgrades show at once."""
 NO_STORE = "no-store"
 
 
 def tag_of(*parts: Any) -> str:
-    """A strong entity tag of JSON values and this package's version."""
+    """Return a strong entity tag of JSON values and this package's version."""
     text = json.dumps([VERSION, *parts], sort_keys=True, separators=(",", ":"))
     return f'"{hashlib.sha256(text.encode()).hexdigest()[:40]}"'
 
 
 def not_modified(request: Request, tag: str, headers: Mapping[str, str]) -> Response | None:
-    """A 304 with the headers a full answer would carry, if the client's copy is current; else None."""
+    """Return a 304 with the headers of a full response if the client's copy is current, else None."""
     sent = request.headers.get("if-none-match", "")
     current = sent.strip() == "*" or tag in (part.strip().removeprefix("W/") for part in sent.split(","))
     return Response(status_code=304, headers={"ETag": tag, **headers}) if current else None

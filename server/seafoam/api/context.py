@@ -1,4 +1,4 @@
-"""What the handlers of one app share."""
+"""State that the request handlers of an application share."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -14,9 +14,9 @@ from seafoam.render.service.pool import RenderPool
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Settings, render pool, metrics, threads for the work of the web process, and the station that measures.
+    """Settings, render pool, metrics, thread pools of the web process, and the measuring station.
 
-    ``plans`` and ``masks`` are apart so that a mask of some seconds does not hold up plans.
+    ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans.
     """
 
     settings: Settings

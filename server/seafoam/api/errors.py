@@ -38,42 +38,42 @@ log = logging.getLogger(__name__)
 
 MEDIA_TYPE = "application/problem+json"
 UNAVAILABLE_RETRY = 60
-"""Seconds; how often a server without GL looks for one again."""
+"""Interval at which a server without GL looks for it again, s."""
 
 
 class FieldProblem(BaseModel):
-    """What is wrong with one member or parameter."""
+    """An error in one body member or parameter."""
 
     pointer: str | None = Field(default=None, description="JSON pointer (RFC 6901) into the request body")
     parameter: str | None = Field(default=None, description="Name of the query or path parameter")
-    detail: str = Field(description="What is wrong with it")
+    detail: str = Field(description="Description of the error")
     allowed: dict[str, Any] | None = Field(
         default=None,
-        description="What is allowed: minimum and maximum (inclusive), enum, members, pattern or type",
+        description="Allowed values: minimum and maximum (inclusive), enum, members, pattern or type",
         examples=[{"minimum": 1, "maximum": 4096}],
     )
 
 
 class Problem(BaseModel):
-    """An error, after RFC 9457."""
+    """An error, as defined by RFC 9457."""
 
     model_config = ConfigDict(extra="forbid")
 
-    type: str = Field(description="Names the kind of problem", examples=["urn:seafoam:problem:bad-request"])
-    title: str = Field(description="The kind of problem in words")
-    status: int = Field(description="The HTTP status")
-    detail: str = Field(description="What went wrong this time")
-    instance: str = Field(description="The path that was asked for")
-    errors: list[FieldProblem] | None = Field(default=None, description="Where the request is wrong")
-    remedy: str | None = Field(default=None, description="What the operator can do about it")
+    type: str = Field(description="URN of the problem type", examples=["urn:seafoam:problem:bad-request"])
+    title: str = Field(description="Short description of the problem type")
+    status: int = Field(description="HTTP status code")
+    detail: str = Field(description="Description of this occurrence of the problem")
+    instance: str = Field(description="Path of the request")
+    errors: list[FieldProblem] | None = Field(default=None, description="Errors of single fields and parameters")
+    remedy: str | None = Field(default=None, description="How the operator of the server can fix it")
 
 
 class ApiError(Exception):
-    """Base of what routers raise."""
+    """Base class of errors that routers raise."""
 
 
 class NotFoundError(ApiError):
-    """There is no such thing. ``parameter`` names what was wrong in the path, ``known`` what there is."""
+    """A resource does not exist. ``parameter``: path parameter with the wrong name; ``known``: available names."""
 
     def __init__(self, detail: str, parameter: str, known: Sequence[str] = ()) -> None:
         super().__init__(detail)
@@ -82,7 +82,7 @@ class NotFoundError(ApiError):
 
 
 class BadRequestError(ApiError):
-    """Parts of the request are not allowed."""
+    """Parts of the request are invalid."""
 
     def __init__(self, *errors: FieldProblem) -> None:
         super().__init__("; ".join(error.detail for error in errors))
@@ -94,7 +94,7 @@ class UnsupportedMediaError(ApiError):
 
 
 class BusyError(ApiError):
-    """As much work as may waits already; ask again after ``retry_after`` seconds."""
+    """The queue for this kind of work is full; retry after ``retry_after`` seconds."""
 
     def __init__(self, detail: str, retry_after: int) -> None:
         super().__init__(detail)
@@ -102,12 +102,12 @@ class BusyError(ApiError):
 
 
 class NotMeasuredError(BusyError):
-    """The measurement that the answer hangs on is being made; the text says how far it is."""
+    """A measurement that the response requires is still running; the text gives its progress."""
 
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """How an exception answers."""
+    """HTTP status, name and title of an error."""
 
     status: int
     name: str
@@ -115,24 +115,24 @@ class Kind:
 
 
 KINDS: dict[type[Exception], Kind] = {
-    NotFoundError: Kind(404, "not-found", "There is no such thing"),
-    UnsupportedMediaError: Kind(415, "unsupported-media-type", "The body must be JSON"),
-    BadRequestError: Kind(422, "bad-request", "The request asks for what is not allowed"),
-    FrameTooLargeError: Kind(422, "frame-too-large", "The frame is larger than is rendered"),
-    MaskTooSlowError: Kind(422, "mask-too-slow", "The mask takes longer than is allowed on request"),
+    NotFoundError: Kind(404, "not-found", "Not found"),
+    UnsupportedMediaError: Kind(415, "unsupported-media-type", "The request body must be JSON"),
+    BadRequestError: Kind(422, "bad-request", "Invalid request"),
+    FrameTooLargeError: Kind(422, "frame-too-large", "The frame exceeds the size limit"),
+    MaskTooSlowError: Kind(422, "mask-too-slow", "The mask would take too long to generate"),
     RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
     FailedError: Kind(500, "measurement-failed", "The measurement failed"),
     BusyError: Kind(503, "busy", "The server is busy"),
-    NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is being measured"),
-    QueueFullError: Kind(503, "queue-full", "Too many frames are waiting"),
-    RendererUnavailableError: Kind(503, "no-renderer", "There is no renderer"),
-    DeadlineError: Kind(504, "deadline", "The frame was not finished in time"),
+    NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),
+    QueueFullError: Kind(503, "queue-full", "The render queue is full"),
+    RendererUnavailableError: Kind(503, "no-renderer", "No renderer is available"),
+    DeadlineError: Kind(504, "deadline", "The request timed out"),
 }
-"""The one table: exception -> status."""
+"""Maps exceptions to HTTP errors."""
 
 
 def problem_responses(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """OpenAPI descriptions of the problems that an operation may answer with."""
+    """Return OpenAPI descriptions of the problems that an operation can return."""
     content = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}
     described: dict[int | str, dict[str, Any]] = {}
     for status in sorted(statuses):
@@ -152,7 +152,7 @@ def problem(
     remedy: str | None = None,
     headers: Mapping[str, str] | None = None,
 ) -> JSONResponse:
-    """A problem+json response, never stored."""
+    """Return a problem+json response, which is never cached."""
     content = Problem(
         type=f"urn:seafoam:problem:{name}" if name else "about:blank",
         title=title or HTTPStatus(status).phrase,
@@ -171,7 +171,7 @@ def problem(
 
 
 def install(app: FastAPI) -> None:
-    """Make every error of the app a problem."""
+    """Install handlers that turn every error of the application into a problem."""
     for kind in KINDS:
         app.add_exception_handler(kind, _known)
     app.add_exception_handler(RequestValidationError, _invalid)
@@ -180,7 +180,7 @@ def install(app: FastAPI) -> None:
 
 
 def field_errors(error: RequestValidationError, openapi: Schema, operation: Schema) -> list[FieldProblem]:
-    """The places that validation refused, each with what the operation's schema allows there."""
+    """Return the fields that validation rejected, each with its allowed values from the operation's schema."""
     items = error.errors()
     # A list with a bad item also counts as too short, which says nothing new.
     telling = [item for item in items if item["type"] != "too_short" or item["input"] in ([], {}, "")]
@@ -188,7 +188,7 @@ def field_errors(error: RequestValidationError, openapi: Schema, operation: Sche
 
 
 def pointer_of(location: Sequence[str | int], value: Any, missing: bool) -> tuple[str | int, ...]:
-    """The path into ``value`` that a pydantic location means: without the names of union members."""
+    """Convert a pydantic location to a path into ``value``, without the names of union members."""
     path: list[str | int] = []
     for index, step in enumerate(location):
         named = isinstance(value, dict) and step in value
@@ -210,11 +210,11 @@ def _field_error(item: Mapping[str, Any], body: Any, openapi: Schema, operation:
         if declared is None:
             known = sorted(parameter["name"] for parameter in parameters if parameter["in"] == source)
             said = {"members": known} if known else None
-            return FieldProblem(parameter=name, detail=f"{name} is not a parameter here", allowed=said)
+            return FieldProblem(parameter=name, detail=f"{name} is not a parameter of this operation", allowed=said)
         allowed = allowed_at(declared["schema"], openapi, ())
         return FieldProblem(parameter=name, detail=f"{name}: {message}", allowed=allowed)
     if item["type"] == "json_invalid":
-        return FieldProblem(pointer="", detail=f"not JSON: {item['ctx']['error']} at character {location[0]}")
+        return FieldProblem(pointer="", detail=f"invalid JSON: {item['ctx']['error']} at character {location[0]}")
     path = pointer_of(location, body, item["type"] == "missing")
     pointer = "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
     schema = operation.get("requestBody", {}).get("content", {}).get("application/json", {}).get("schema", {})
@@ -271,13 +271,13 @@ async def _http(request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, HTTPException)
     detail = error.detail
     if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
-        detail = f"{request.method} is not allowed here"
+        detail = f"method {request.method} is not allowed for this path"
     elif error.status_code == HTTPStatus.NOT_FOUND:
-        detail = f"there is nothing at {request.url.path}"
+        detail = f"{request.url.path} was not found"
     return problem(request.url.path, error.status_code, detail, headers=error.headers)
 
 
 async def _unexpected(request: Request, error: Exception) -> JSONResponse:
     # The server's log has the traceback; a client learns nothing of the inside.
-    detail = "the server failed; its log has the details"
-    return problem(request.url.path, 500, detail, name="internal", title="Internal error")
+    detail = "internal server error; the server log has the details"
+    return problem(request.url.path, 500, detail, name="internal", title="Internal server error")

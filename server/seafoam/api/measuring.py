@@ -1,4 +1,4 @@
-"""The station of an app: its measurements are drawn by the app's own render pool."""
+"""The measuring station of an application, which draws on its render pool."""
 
 import asyncio
 from concurrent.futures import TimeoutError as NotYet
@@ -15,7 +15,7 @@ _POLL_SECONDS = 0.2
 
 
 def measuring_station(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEventLoop) -> Station:
-    """A station that measures on the pool, whose coroutines run on ``loop``."""
+    """Return a station that measures on the pool; coroutines run on ``loop``."""
 
     def measure(job: MeasureJob) -> tuple[Drawn, ...]:
         future = asyncio.run_coroutine_threadsafe(pool.measure(job), loop)

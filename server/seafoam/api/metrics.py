@@ -1,4 +1,4 @@
-"""Prometheus metrics of one app, in a registry of its own."""
+"""Prometheus metrics of one application, in a registry of its own."""
 
 import time
 
@@ -14,7 +14,7 @@ _STATES: tuple[State, ...] = ("starting", "ready", "unavailable", "stopped")
 
 
 class Metrics:
-    """What is counted; ``seafoam_`` metrics, durations in seconds."""
+    """Metrics with the prefix ``seafoam_``; durations in seconds."""
 
     def __init__(self, pool: RenderPool) -> None:
         self.registry = CollectorRegistry()
@@ -23,7 +23,7 @@ class Metrics:
         )
         self.durations = Histogram(
             "seafoam_request_duration_seconds",
-            "Time from a request's head to its last byte",
+            "Time from the start of a request to the last byte of its response",
             ("method", "route"),
             buckets=_SECONDS,
             registry=self.registry,
@@ -32,20 +32,23 @@ class Metrics:
         self.frames = Counter("seafoam_frames", "Frames rendered", ("format",), registry=self.registry)
         self.stages = Histogram(
             "seafoam_frame_stage_seconds",
-            "Time of a frame by stage: queue, plan, render, read, encode",
+            "Time per frame and stage: queue, plan, render, read, encode",
             ("stage",),
             buckets=_SECONDS,
             registry=self.registry,
         )
         for name, text, read in (
-            ("seafoam_queue_waiting", "Frames that wait for a worker", lambda: pool.waiting),
-            ("seafoam_queue_limit", "Frames that may wait for a worker", lambda: pool.queue),
-            ("seafoam_workers", "Render processes", lambda: pool.workers),
-            ("seafoam_workers_active", "Render processes at work", lambda: pool.active),
+            ("seafoam_queue_waiting", "Frames waiting for a render worker", lambda: pool.waiting),
+            ("seafoam_queue_limit", "Capacity of the render queue, frames", lambda: pool.queue),
+            ("seafoam_workers", "Render workers", lambda: pool.workers),
+            ("seafoam_workers_active", "Busy render workers", lambda: pool.active),
         ):
             Gauge(name, text, registry=self.registry).set_function(read)
         state = Gauge(
-            "seafoam_renderer_state", "1 for the state the renderer is in", ("state",), registry=self.registry
+            "seafoam_renderer_state",
+            "State of the renderer: 1 for the current state, 0 for the others",
+            ("state",),
+            registry=self.registry,
         )
         for name in _STATES:
             state.labels(name).set_function(lambda name=name: float(pool.state == name))  # type: ignore[misc]
@@ -58,7 +61,7 @@ class Metrics:
             self.stages.labels(stage).observe(seconds)
 
     def exposition(self) -> bytes:
-        """All metrics in Prometheus' text format, :data:`CONTENT_TYPE_LATEST`."""
+        """Return all metrics in Prometheus text format, :data:`CONTENT_TYPE_LATEST`."""
         return generate_latest(self.registry)
 
 
@@ -67,14 +70,14 @@ class _Restarts(Collector):
         self._pool = pool
 
     def collect(self) -> list[CounterMetricFamily]:
-        family = CounterMetricFamily("seafoam_worker_restarts", "Render processes replaced", labels=("reason",))
+        family = CounterMetricFamily("seafoam_worker_restarts", "Render workers replaced", labels=("reason",))
         for reason in ("deadline", "crash", "recycled"):
             family.add_metric((reason,), self._pool.restarts[reason])
         return [family]
 
 
 class MeasureRequests:
-    """ASGI middleware: counts requests, their time and bytes, by the route's template."""
+    """ASGI middleware: counts requests, their duration and bytes, by route template."""
 
     def __init__(self, app: ASGIApp, metrics: Metrics) -> None:
         self.app = app

@@ -1,4 +1,4 @@
-"""What holds for every request, as plain ASGI."""
+"""ASGI middleware for every request."""
 
 from http import HTTPStatus
 
@@ -10,7 +10,7 @@ from seafoam.api.errors import problem
 
 
 class HeadAsGet:
-    """Answers HEAD with what GET would answer, without the body."""
+    """Answers HEAD like GET, without the body."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
@@ -29,7 +29,7 @@ class HeadAsGet:
 
 
 class LimitBody:
-    """Refuses bodies over ``limit`` bytes, by their announced length or as they arrive."""
+    """Rejects bodies of more than ``limit`` bytes, by their declared length or as they arrive."""
 
     def __init__(self, app: ASGIApp, limit: int) -> None:
         self.app = app
@@ -59,11 +59,11 @@ class LimitBody:
 
     @property
     def _detail(self) -> str:
-        return f"a request body may have {self.limit:,} bytes"
+        return f"the request body exceeds {self.limit:,} bytes"
 
 
 class NoSniff:
-    """Tells browsers to believe the media types."""
+    """Forbids browsers to guess media types (``nosniff``)."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app

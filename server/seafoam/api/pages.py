@@ -1,4 +1,4 @@
-"""Pages for people: the web client at ``/`` and the API's manual at ``/docs``, all served from here."""
+"""HTML pages: the web client at ``/`` and the API reference at ``/docs``, without external resources."""
 
 import importlib.util
 import mimetypes
@@ -16,25 +16,25 @@ from seafoam.resources import data_dir
 
 NOT_BUILT = """Seafoam is running, but its web client has not been built.
 
-Build it with:  make webclient
-The manual of the API is at /docs, a picture at /api/frames/default.png.
+To build it, run:  make webclient
+The API reference is at /docs, a rendered frame at /api/frames/default.png.
 """
 
 
 class WebClient(StaticFiles):
-    """The built web client, or a text that says how to build it."""
+    """Serves the built web client, or a text that says how to build it."""
 
     def __init__(self, directory: Path) -> None:
         super().__init__(directory=directory, html=True, check_dir=False)
         self.folder = directory
 
     async def check_config(self) -> None:
-        """A client that is not built yet is no error."""
+        """Accept a missing build."""
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """A file, as Brotli has it where the build made that and the client takes it.
+        """Return a file, compressed with Brotli if the build contains that and the client accepts it.
 
-        Built files under ``assets`` carry their hash in their name, so they never change.
+        Files under ``assets`` carry their hash in their name, so they never change.
         """
         if path == "." and not (self.folder / "index.html").is_file():
             return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
@@ -52,7 +52,7 @@ class WebClient(StaticFiles):
 
 
 def install(app: FastAPI) -> None:
-    """Serve the pages wherever no route of the app matches."""
+    """Serve the pages on paths that no route of the application matches."""
     found = importlib.util.find_spec("fastapi_offline")
     assert found is not None
     assert found.origin is not None

@@ -1,4 +1,4 @@
-"""Query parameters and bodies, with the ranges that the scene itself states."""
+"""Query parameters and bodies, with the ranges declared by the scene."""
 
 import json
 from typing import Annotated, Any, Literal, TypeVar, get_args
@@ -14,7 +14,7 @@ from seafoam.render.encode import FrameFormat
 from seafoam.scene.models import Camera, Foam, Look, Scene
 
 TIME_LIMIT = 1e9
-"""Greatest |time|, s."""
+"""Maximum |time|, s."""
 DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
 
 TierOrAuto = Literal[Tier, "auto"]
@@ -23,13 +23,13 @@ M = TypeVar("M", bound=BaseModel)
 
 
 class Parameters(BaseModel):
-    """Base of every set of query parameters: those it does not name are refused. As it stands, there are none."""
+    """Base class of query parameters; unknown ones are rejected. This class itself has none."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 def one_value_each(request: Request) -> None:
-    """Refuse a query parameter that is given twice: which one was meant is anyone's guess."""
+    """Reject a query parameter that is given twice, since either value could be meant."""
     names = [name for name, _ in request.query_params.multi_items()]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
@@ -38,7 +38,7 @@ def one_value_each(request: Request) -> None:
 
 
 def strictly(model: type[M]) -> Any:
-    """The model as a JSON body, without pydantic's conversions: the string "1" is no number, nor is true."""
+    """Parse a JSON body without pydantic's conversions: neither the string "1" nor true is a number."""
 
     def validate(body: Any) -> Any:
         if isinstance(body, bytes):
@@ -53,7 +53,7 @@ def strictly(model: type[M]) -> Any:
 
 
 def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
-    """An optional query parameter with the range and description of a field of the scene."""
+    """Return an optional query parameter with the range and description of a scene field."""
     bounds: dict[str, Any] = {}
     for rule in info.metadata:
         found = {name: getattr(rule, name, None) for name in ("ge", "le", "max_length", "pattern")}
@@ -66,7 +66,7 @@ def _budget() -> Any:
         default=None,
         gt=0.0,
         le=1e6,
-        description="With quality auto: milliseconds that drawing may take, reading back and encoding left out",
+        description="With quality auto: maximum frame time, ms, without readback and encoding",
         examples=[8.0],
     )
 
@@ -77,19 +77,17 @@ def _axis(index: int, description: str, example: float) -> Any:
 
 
 class SceneOverrides(Parameters):
-    """What may be changed of a preset's scene."""
+    """Changes to a preset's scene."""
 
-    look: Look | None = Field(
-        default=None, description="Look of the foam instead of the preset's", examples=["halftone"]
-    )
+    look: Look | None = Field(default=None, description="Foam look; absent: the preset's", examples=["halftone"])
     mask: str | None = _same(
         Foam.model_fields["mask"],
-        "Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed[:aspect:age]",
+        "Foam mask, one of /api/masks or family:sigma:size:seed[:aspect:age]; absent: the preset's",
         examples=["vac-6"],
     )
 
     def apply(self, scene: Scene) -> Scene:
-        """The scene with these changes. Raises :class:`BadRequestError` if it has no foam to change."""
+        """Return the scene with these changes. Raises :class:`BadRequestError` if it has no foam to change."""
         changes = {name: value for name, value in (("look", self.look), ("mask", self.mask)) if value is not None}
         if not changes:
             return scene
@@ -106,18 +104,20 @@ class SceneOverrides(Parameters):
 
 
 class PlanParameters(SceneOverrides):
-    """A plan of a preset."""
+    """Parameters of a preset's frame plan."""
 
-    quality: Tier = Field(default="standard", description="Tier of quality; POST takes single knobs", examples=["high"])
+    quality: Tier = Field(
+        default="standard", description="Quality tier; single settings require POST", examples=["high"]
+    )
 
 
 class FrameParameters(SceneOverrides):
-    """A frame of a preset."""
+    """Parameters of a frame of a preset."""
 
     quality: TierOrAuto = Field(
         default="standard",
-        description="Tier of quality, or auto: the most exact that is predicted to be drawn within budget_ms; POST "
-        "takes single knobs",
+        description="Quality tier, or auto: the most exact quality predicted to render within budget_ms; "
+        "single settings require POST",
         examples=["high"],
     )
     budget_ms: float | None = _budget()
@@ -126,23 +126,21 @@ class FrameParameters(SceneOverrides):
         default=None,
         ge=-TIME_LIMIT,
         le=TIME_LIMIT,
-        description="Time, s; absent: the preset's own",
+        description="Time, s; absent: the preset's",
         examples=[12.5],
     )
-    width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's own", examples=[640])
-    height: int | None = Field(
-        default=None, ge=1, description="Height, pixels; absent: the preset's own", examples=[360]
-    )
-    x: float | None = _axis(0, "Eye, m along +x; absent, like the rest of the camera: the preset's own", 0.0)
-    y: float | None = _axis(1, "Eye, m above the troughs", 4.5)
-    z: float | None = _axis(2, "Eye, m along +z", -20.0)
+    width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's", examples=[640])
+    height: int | None = Field(default=None, ge=1, description="Height, pixels; absent: the preset's", examples=[360])
+    x: float | None = _axis(0, "Camera position along +x, m; absent: the preset's, as for all camera parameters", 0.0)
+    y: float | None = _axis(1, "Camera height above the troughs, m", 4.5)
+    z: float | None = _axis(2, "Camera position along +z, m", -20.0)
     yaw: float | None = _same(Camera.model_fields["yaw"], examples=[0.35])
     pitch: float | None = _same(Camera.model_fields["pitch"], examples=[-0.2])
     roll: float | None = _same(Camera.model_fields["roll"], examples=[0.0])
     fov: float | None = _same(Camera.model_fields["fov"], examples=[0.9])
 
     def camera(self, own: Camera) -> Camera:
-        """The preset's own camera, with what is given put in its place."""
+        """Return the preset's camera with the given parameters replaced."""
         eye = zip((self.x, self.y, self.z), own.position, strict=True)
         x, y, z = (at if given is None else given for given, at in eye)
         angles = {name: value for name in ("yaw", "pitch", "roll", "fov") if (value := getattr(self, name)) is not None}
@@ -166,35 +164,40 @@ TierAutoOrKnobs = Annotated[
 
 
 def knobs_of(quality: Tier | Quality) -> Quality:
-    """Every knob of a tier, or of what are knobs already."""
+    """Return the settings of a tier; settings are returned as they are."""
     return quality if isinstance(quality, Quality) else TIERS[quality]
 
 
 class SceneRequest(BaseModel):
-    """A scene sent as JSON."""
+    """A scene, as JSON."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
-    scene: Scene = Field(description="What the sea is", examples=[{"waves": [{"model": "parametric"}], "foam": {}}])
+    scene: Scene = Field(
+        description="The scene: waves, foam, water, light and camera",
+        examples=[{"waves": [{"model": "parametric"}], "foam": {}}],
+    )
 
 
 class PlanRequest(SceneRequest):
-    """A scene to plan."""
+    """A scene and a quality to compile into a frame plan."""
 
-    quality: TierOrKnobs = Field(default="standard", description="A tier, or every knob that differs from standard")
+    quality: TierOrKnobs = Field(
+        default="standard", description="A tier, or the settings that differ from tier standard"
+    )
 
 
 class FrameRequest(SceneRequest):
-    """A frame of a scene."""
+    """A frame to render: scene, quality, time, size and camera."""
 
     quality: TierAutoOrKnobs = Field(
         default="standard",
-        description="A tier, every knob that differs from standard, or auto: the most exact that is predicted to be "
-        "drawn within budget_ms",
+        description="A tier, the settings that differ from tier standard, or auto: the most exact quality "
+        "predicted to render within budget_ms",
     )
     budget_ms: float | None = _budget()
     time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description="png, webp (lossless), or npy (linear float32)")
-    camera: Camera | None = Field(default=None, description="Absent: the scene's own")
+    camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")

@@ -1,4 +1,4 @@
-"""Plans as the API gives them: compiled, canonical bytes and identity, kept."""
+"""Compiles and caches frame plans, as canonical bytes with their hash."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from seafoam.scene.models import Scene
 
 @dataclass(frozen=True, slots=True)
 class CompiledPlan:
-    """A plan, its canonical JSON and the SHA-256 of that."""
+    """A plan, its canonical JSON and the SHA-256 of that JSON."""
 
     plan: FramePlan
     content: bytes
@@ -29,10 +29,10 @@ def _compiled(scene: Scene, quality: Quality) -> CompiledPlan:
 def compile_scene(
     scene: Scene, quality: Quality, *, scene_at: str | None, parameters: Collection[str] = ()
 ) -> CompiledPlan:
-    """Plan a scene.
+    """Compile a scene into a plan.
 
-    A scene that cannot be planned raises :class:`BadRequestError`. It names the member of the body, where the scene
-    stands in one (``scene_at``: its JSON pointer), or the query parameter (of ``parameters``) that put the value there.
+    A scene that cannot be planned raises :class:`BadRequestError`, which names the member of the body (``scene_at``:
+    JSON pointer of the scene in it) or the query parameter (among ``parameters``) that set the value.
     """
     try:
         return _compiled(scene, quality)

@@ -1,4 +1,4 @@
-"""What the operator may set: environment variables that begin with ``SEAFOAM_``."""
+"""Settings of the server: environment variables that begin with ``SEAFOAM_``."""
 
 import os
 from pathlib import Path
@@ -10,7 +10,7 @@ from seafoam.render.service.pool import FrameLimits
 
 
 def default_workers() -> int:
-    """Half the cores, up to four: software GL uses several cores a frame, a GPU gains nothing from more."""
+    """Half the number of cores, at most four: software GL uses several cores per frame, and a GPU needs no more."""
     return max(1, min(4, (os.cpu_count() or 1) // 2))
 
 
@@ -20,34 +20,44 @@ class Settings(BaseSettings):
     model_config = SettingsConfigDict(env_prefix="SEAFOAM_", extra="ignore", frozen=True)
 
     host: str = Field(default="127.0.0.1", description="Address to listen on")
-    port: int = Field(default=8000, ge=0, le=65535, description="Port to listen on; 0 takes a free one")
-    workers: int = Field(default_factory=default_workers, ge=1, le=64, description="Render processes")
+    port: int = Field(default=8000, ge=0, le=65535, description="Port to listen on; 0 selects a free one")
+    workers: int = Field(
+        default_factory=default_workers, ge=1, le=64, description="Number of render workers (processes)"
+    )
     queue: int | None = Field(
-        default=None, ge=0, le=10_000, description="Frames that may wait for a worker; absent: twice the workers"
+        default=None,
+        ge=0,
+        le=10_000,
+        description="Capacity of the render queue, frames; absent: twice the number of workers",
     )
-    deadline: float = Field(default=10.0, gt=0.0, le=3600.0, description="Seconds a frame may take, waiting included")
-    recycle: int = Field(default=1000, ge=0, description="Frames after which a worker is replaced; 0: never")
-    device_index: int | None = Field(default=None, ge=0, description="EGL device to render on; absent: the first")
-    max_side: int = Field(default=4096, ge=1, le=16384, description="Greatest width and height of a frame, pixels")
+    deadline: float = Field(default=10.0, gt=0.0, le=3600.0, description="Timeout of a frame, waiting included, s")
+    recycle: int = Field(default=1000, ge=0, description="Number of frames after which a worker is replaced; 0: never")
+    device_index: int | None = Field(
+        default=None, ge=0, description="Index of the EGL device to render on; absent: the first"
+    )
+    max_side: int = Field(default=4096, ge=1, le=16384, description="Maximum width and height of a frame, pixels")
     max_sampled_side: int = Field(
-        default=8192, ge=1, le=32768, description="Greatest width and height in samples, what the GL can draw into"
+        default=8192,
+        ge=1,
+        le=32768,
+        description="Maximum width and height of the render target, samples; limited by the GL implementation",
     )
-    max_samples: int = Field(default=8_400_000, ge=1, description="Greatest width × height × samples a pixel")
-    max_body: int = Field(default=262_144, ge=1024, description="Greatest request body, bytes")
+    max_samples: int = Field(default=8_400_000, ge=1, description="Maximum of width × height × samples per pixel")
+    max_body: int = Field(default=262_144, ge=1024, description="Maximum size of a request body, bytes")
 
     accuracy_width: int = Field(
-        default=160, ge=16, le=640, description="Width of the pictures that the cost of accuracy is measured on, pixels"
+        default=160, ge=16, le=640, description="Width of the pictures compared when accuracy is measured, pixels"
     )
-    accuracy_height: int = Field(default=90, ge=16, le=360, description="Their height, pixels")
+    accuracy_height: int = Field(default=90, ge=16, le=360, description="Height of these pictures, pixels")
     accuracy_samples: int = Field(
-        default=16, ge=2, le=32, description="Samples along each side of a pixel of the float64 truth"
+        default=16, ge=2, le=32, description="Samples along each side of a pixel in the float64 reference"
     )
-    accuracy_rounds: int = Field(default=7, ge=2, le=100, description="Times that each quality is timed")
+    accuracy_rounds: int = Field(default=7, ge=2, le=100, description="Number of timed rounds per quality")
     cache: Path | None = Field(
-        default=None, description="Folder of measurements; absent: the system's place for caches"
+        default=None, description="Directory for measurements; absent: the system's cache directory"
     )
 
     @property
     def frame_limits(self) -> FrameLimits:
-        """The limits of one frame."""
+        """Return the limits of one frame."""
         return FrameLimits(self.max_side, self.max_sampled_side, self.max_samples)

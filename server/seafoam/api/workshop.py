@@ -1,4 +1,4 @@
-"""CPU work of the web process (plans, masks, textures, plots): in threads, bounded, so the event loop never waits."""
+"""Thread pools for CPU work of the web process (plans, masks, textures, plots), so that the event loop never blocks."""
 
 from collections.abc import Callable
 from typing import ParamSpec, TypeVar
@@ -17,7 +17,7 @@ RETRY_SECONDS = 5
 class Workshop:
     """Runs functions in threads, in order.
 
-    threads: how many run at a time. queue: how many more may wait.
+    threads: number that run at a time. queue: number of further calls that can wait.
     """
 
     def __init__(self, threads: int, queue: int) -> None:
@@ -25,8 +25,8 @@ class Workshop:
         self._queue = queue
 
     async def run(self, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Run ``function`` in a thread. Raises :class:`BusyError` when too much waits, and what the function raises."""
+        """Run ``function`` in a thread. Raises :class:`BusyError` if the queue is full, or what the function raises."""
         waiting = self._limiter.statistics().tasks_waiting
         if waiting >= self._queue:
-            raise BusyError(f"{waiting} requests wait for the same work", RETRY_SECONDS)
+            raise BusyError(f"{waiting} requests of this kind are already waiting", RETRY_SECONDS)
         return await anyio.to_thread.run_sync(lambda: function(*args, **kwargs), limiter=self._limiter)

@@ -1,4 +1,4 @@
-"""The greatest values that parts of a scene can reach, anywhere and at any time: what bounds are made of."""
+"""Upper bounds of parts of a scene, at any place and time, from which the effects' bounds are derived."""
 
 import math
 
@@ -21,7 +21,7 @@ from seafoam.scene.models import (
 )
 
 SATURATION_CAP = 4.0
-"""No look tells saturations above 4 apart (docs/formulae.md, section 4)."""
+"""Cap of the saturation: no look distinguishes greater values (docs/formulae.md, section 4)."""
 
 
 def waves_top(scene: Scene) -> float:

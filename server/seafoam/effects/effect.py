@@ -15,16 +15,16 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Scene
 
 BENEATH = "beneath"
-"""The target of surface and sky where passes of stage ``after`` follow; those may read it."""
+"""The target of surface and sky if passes of stage ``after`` follow; those can read it."""
 
 ABOVE = "above"
-"""The target of passes of stage ``after``: premultiplied light, laid over :data:`BENEATH`; half floats, which blend."""
+"""The target of passes of stage ``after``: premultiplied light, blended over :data:`BENEATH`; half floats."""
 
 HALF_FLOAT = 2.0**-11
 """Relative rounding of a half float."""
 
 UNBOUNDED = 1e9
-"""Curvature of a surface that has kinks, 1/m: steps by its slope alone are longer than any that this allows."""
+"""Curvature of a surface with kinks, 1/m: steps by its slope are always longer than any that this allows."""
 
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
@@ -105,7 +105,7 @@ class PassSpec:
     clear: bool = False
     view: View = "any"
     under: tuple[Piece | SlotRef, ...] = ()
-    """Files of the fragment shader for eyes that crests may cover; none: the same as for others."""
+    """Files of the fragment shader for cameras that can be below crests; empty: the same files."""
 
 
 @dataclass(frozen=True)
@@ -122,26 +122,26 @@ class Contribution:
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
     bound: "Bound | None" = None
-    """The most that the effect can change; ``None``: it shows."""
+    """Upper bound of the effect's change to a pixel; ``None``: visible."""
     top: float = 0.0
-    """What the effect can add to the surface's height at most, m."""
+    """Upper bound of the effect's share of the surface height, m."""
     steepest: float = 0.0
-    """What the effect can add to the surface's slope at most."""
+    """Upper bound of the effect's share of the surface slope."""
     curvature: float = 0.0
-    """What the effect can add at most to the surface's second derivative along any direction, 1/m: how sharply its
-    troughs turn up. :data:`UNBOUNDED` where nothing is known."""
+    """Upper bound of the effect's share of the surface's second derivative along any direction, 1/m: how sharply its
+    troughs turn up. :data:`UNBOUNDED` if unknown."""
     grain: float = 0.0
-    """How far the drawn surface may stand over what its slope at a place and ``curvature`` say, m: what reading a map
-    between its texels and its digits add."""
+    """Upper bound of the drawn surface's excess over what its slope at a place and ``curvature`` say, m, caused by the
+    interpolation and the number format of a map."""
     bottom: float | None = None
-    """Where the effect's ground lies at the deepest, m."""
+    """Lowest height of the effect's ground, m."""
     march: int = 1
-    """How many times the march's steps it takes: its crests are steep, or fill their slab thinly."""
+    """Factor on the number of ray-marching steps: steep crests, or crests that fill their slab thinly, need more."""
 
 
 @dataclass(frozen=True)
 class TextureUse:
-    """A texture of the store, and how it is sampled."""
+    """A texture of the store, and its sampler state."""
 
     source: str
     filter: Filter = "nearest"
@@ -150,10 +150,10 @@ class TextureUse:
 
 @dataclass(frozen=True)
 class Bound:
-    """The most by which an effect can change any pixel, from any camera, at any time.
+    """Upper bound of an effect's change to any pixel, from any camera, at any time.
 
-    ``value``: exposed linear light, display white = 1, pictures clipped there. ``why``: what makes it so small.
-    ``fields``: JSON pointers of the scene fields it hangs on that could otherwise change without a new plan; where the
+    ``value``: exposed linear light, display white = 1, pictures clipped there. ``why``: the reason. ``fields``: JSON
+    pointers of scene fields that the bound depends on and that could otherwise change without a new plan; if the
     effect is left out, they cannot.
     """
 
@@ -167,10 +167,11 @@ Cause = Literal["geometry", "filtering", "precision"]
 
 @dataclass(frozen=True)
 class Knob:
-    """A single thing of the quality that trades time against error, declared by the effect that owns it.
+    """A quality setting that trades time against error, declared by the effect that owns it.
 
     ``pointer``: JSON pointer into the Quality. ``steps``: values to measure, from cheap to exact. ``cause``: the kind
-    of error it works on: where the surface is (geometry), what a pixel averages (filtering), digits (precision).
+    of error that it affects: position of the surface (geometry), average over a pixel (filtering), number of digits
+    (precision).
     """
 
     pointer: str
@@ -181,23 +182,23 @@ class Knob:
 
 @dataclass(frozen=True)
 class HardCase:
-    """A scene, a time and a camera that provoke a failure, the guard against it, and what happened without it."""
+    """A scene, a time and a camera that provoke a failure, the guard against it, and the failure without it."""
 
     name: str
     scene: Scene
     guard: str
     without: str
-    """What the frame or the function gave with the guard taken out, measured once: a number and its unit."""
+    """Result of the frame or function without the guard, measured once: a number and its unit."""
     times: tuple[float, ...] = (0.0,)
     camera: Camera | None = None
 
 
 @dataclass(frozen=True)
 class Effect:
-    """An effect: its name, and what it gives to the plan of a scene.
+    """An effect: its name, and its contribution to the plan of a scene.
 
-    ``contribute`` returns ``None`` where the scene does not call for the effect. ``invisible``: scenes that call for it
-    and cannot show it; an effect that shows wherever it is called for says why in ``always_visible`` instead.
+    ``contribute`` returns ``None`` if the scene does not use the effect. ``invisible``: scenes that use it and cannot
+    show it; an effect that is always visible gives the reason in ``always_visible`` instead.
     """
 
     name: str
@@ -209,7 +210,7 @@ class Effect:
 
 
 class PlanError(ValueError):
-    """A scene that is well formed but cannot be planned.
+    """A valid scene that cannot be planned.
 
     ``pointer``: JSON pointer of the field at fault; empty: the scene as a whole.
     """

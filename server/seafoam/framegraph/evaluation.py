@@ -1,5 +1,5 @@
-"""Uniform rules in float64: what turns a plan, a time and a camera into numbers. The web client carries the same rules;
-``tests/golden/uniform_rules.json`` pins both."""
+"""Uniform rules in float64: compute uniforms from a plan, a time and a camera. The web client has the same rules;
+``tests/golden/uniform_rules.json`` tests both."""
 
 import math
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ TAU = 2.0 * math.pi
 
 @dataclass(frozen=True)
 class FrameState:
-    """What a frame is drawn for: time (s), camera, the picture's size and the pass's target size (pixels)."""
+    """Inputs of a frame: time (s), camera, size of the picture and of the pass's target (pixels)."""
 
     time: float
     camera: Camera
@@ -27,7 +27,7 @@ class FrameState:
 
 
 def evaluate(uniform: Uniform, state: FrameState) -> NDArray[np.float32]:
-    """The uniform's values, flat float32. Raises ``ValueError`` where the rules do not fill it exactly."""
+    """Return the uniform's values, flat float32. Raises ``ValueError`` if the rules do not fill it exactly."""
     values = [value for rule in uniform.rules for value in evaluate_rule(rule, state)]
     if len(values) != COMPONENTS[uniform.type] * uniform.count:
         raise ValueError(f"{len(values)} values for {uniform.count} × {uniform.type}")
@@ -35,7 +35,7 @@ def evaluate(uniform: Uniform, state: FrameState) -> NDArray[np.float32]:
 
 
 def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
-    """The values of one rule, float64."""
+    """Return the values of one rule, float64."""
     match rule:
         case Constant():
             return rule.value
@@ -104,7 +104,7 @@ def _camera(rule: CameraRule, state: FrameState) -> tuple[float, ...]:
 
 
 def axes(camera: Camera) -> tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]:
-    """Right, up and forward of a camera; unit vectors, with no pole at any pitch."""
+    """Return right, up and forward vectors of a camera; unit length, without a pole at any pitch."""
     sy, cy = math.sin(camera.yaw), math.cos(camera.yaw)
     sp, cp = math.sin(camera.pitch), math.cos(camera.pitch)
     sr, cr = math.sin(camera.roll), math.cos(camera.roll)

@@ -9,13 +9,13 @@ from seafoam.framegraph.rules import PlanPart, Uniform
 
 
 class Fullscreen(PlanPart):
-    """One triangle that covers the target; attribute-free, from gl_VertexID."""
+    """A triangle that covers the target; without attributes, from gl_VertexID."""
 
     rule: Literal["fullscreen"] = "fullscreen"
 
 
 class Grid(PlanPart):
-    """rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) runs over [0, 1]², columns first."""
+    """rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first."""
 
     rule: Literal["grid"] = "grid"
     rows: int = Field(ge=1)
@@ -23,7 +23,7 @@ class Grid(PlanPart):
 
 
 class Points(PlanPart):
-    """``count`` points without attributes; gl_VertexID tells which, and gl_PointSize gives the side in pixels."""
+    """``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels."""
 
     rule: Literal["points"] = "points"
     count: int = Field(ge=1, le=1 << 20)
@@ -33,33 +33,34 @@ Mesh = Annotated[Fullscreen | Grid | Points, Field(discriminator="rule")]
 
 
 Blend = Literal["none", "add", "over"]
-"""How a pass meets what its target holds: replaces it, adds to it, or lies over it with premultiplied alpha."""
+"""Blending of a pass: replaces the target's content, adds to it, or blends over it with premultiplied alpha."""
 
 
 class Ball(PlanPart):
-    """All that a pass can show, at any time: nothing of it is further than ``radius`` from ``centre`` (x, y, z); m."""
+    """A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m."""
 
     centre: tuple[float, float, float]
     radius: float
 
 
 View = Literal["any", "rising", "falling"] | tuple[Ball, ...]
-"""Where a pass can show something: anywhere; where a ray of the picture rises, or falls, or for both where crests may
-cover the eye; or in one of these balls."""
+"""Where a pass can be visible: anywhere; where a ray of the picture rises, or falls, or for both where crests can be
+above the camera; or in one of these bounding spheres."""
 
 
 Eye = Literal["any", "over", "under"]
 
 
 class State(PlanPart):
-    """Fixed-function state of a pass; everything else is off."""
+    """Fixed-function state of a pass; everything else is disabled."""
 
     depth: bool = False
     clear: bool = Field(default=False, description="Clear the target to (0, 0, 0, 0) and depth to 1 first")
     blend: Blend = Field(
         default="none",
-        description="none: replace what the target holds; add: add to it; over: lie over it, alpha premultiplied. "
-        "Never into 32-bit floats, which WebGL2 need not blend",
+        description="Blending. none: replace the target's content; add: add to it; over: blend over it, with "
+        "premultiplied alpha. Never used with 32-bit float targets, whose blending WebGL2 does "
+        "not guarantee",
     )
 
 
@@ -68,26 +69,29 @@ class Pass(PlanPart):
 
     name: str
     when: Literal["setup", "frame"] = Field(
-        description="setup: no rule of time, camera or picture size reaches the pass or what it reads: drawn when its "
-        "target is first needed, and again only where a live field among its numbers, or among those of what it reads, "
-        "moves; frame: in every frame that needs its target. All passes into one target are of one kind"
+        description="When the pass is drawn. setup: neither time, camera nor picture size affects the pass or "
+        "what it reads; it is drawn when its target is first needed, and again only if a live "
+        "field among its uniforms, or those of what it reads, changes. frame: in every frame that "
+        "needs its target. All passes into one target have the same value"
     )
     eye: Eye = Field(
         default="any",
-        description="over: drawn for eyes at the plan's top or higher; under: for all lower ones, and right for any",
+        description="Camera height for which the pass is drawn. over: at the plan's top or higher; under: "
+        "below it, and correct at any height",
     )
     view: View = Field(
         default="any",
-        description="Where it can show something. rising, falling: only where a ray of the picture does, or the eye is "
-        "lower than the plan's top; balls: only where one of them is in the picture",
+        description="Where the pass can be visible, for culling. rising, falling: only if some ray of the "
+        "picture rises or falls, or the camera is below the plan's top; balls: only if one of "
+        "these bounding spheres is in the picture",
     )
     program: str
-    target: str = Field(description="A target of the plan, or 'screen': the RGBA8 picture itself")
+    target: str = Field(description="Name of a target of the plan, or 'screen': the RGBA8 picture itself")
     mesh: Mesh
     inputs: dict[str, TextureInput | TargetInput] = Field(
-        default_factory=dict, description="Sampler name -> what it reads"
+        default_factory=dict, description="Sampler name -> source of its data"
     )
     uniforms: dict[str, Uniform] = Field(
-        default_factory=dict, description="Uniforms of this pass alone; they win over the plan's"
+        default_factory=dict, description="Uniforms of this pass only; they override the plan's"
     )
     state: State = State()

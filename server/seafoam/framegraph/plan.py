@@ -13,18 +13,18 @@ PLAN_VERSION = 1
 
 
 class EffectNote(PlanPart):
-    """Why an effect runs, or why it does not."""
+    """An effect, and why it runs or does not."""
 
     name: str
     why: str
     files: tuple[str, ...] = ()
     bound: float | None = Field(
-        default=None, description="Of a skipped effect: the most it could change in a pixel, display white = 1"
+        default=None, description="For a skipped effect: upper bound of its change to any pixel, display white = 1"
     )
 
 
 class FramePlan(PlanPart):
-    """A compiled scene. Same scene and quality, same bytes."""
+    """A compiled scene. The same scene and quality give the same bytes."""
 
     version: int = PLAN_VERSION
     effects: tuple[EffectNote, ...]
@@ -34,16 +34,17 @@ class FramePlan(PlanPart):
     targets: dict[str, Target]
     passes: tuple[Pass, ...]
     kept: dict[str, str] = Field(
-        description="Targets of setup passes that other passes read -> SHA-256 of all that their pixels hang on: "
-        "programs, numbers, textures, meshes, states and formats, those of what is read included. Plans with the same "
-        "may share the target, as long as no live field moves. All other targets of setup passes are only on the way"
+        description="Targets of setup passes that other passes read -> SHA-256 of everything that determines "
+        "their pixels: programs, numbers, textures, meshes, states and formats, including those "
+        "of their inputs. Plans with the same hash can share the target as long as no live field "
+        "changes. All other targets of setup passes are intermediate"
     )
     uniforms: dict[str, Uniform]
-    linear: str = Field(description="The target that holds the finished linear frame: exposed RGB, A = foam coverage")
-    samples: int = Field(description="Samples a pixel")
-    top: float = Field(description="The highest that a crest can reach, m: an eye as high is over the water")
-    bottom: float = Field(description="The lowest from where an eye sees more than ground, m")
-    live: tuple[str, ...] = Field(description="JSON pointers of scene fields that may change without a new plan")
+    linear: str = Field(description="Target that holds the finished linear frame: exposed RGB, A = foam coverage")
+    samples: int = Field(description="Samples per pixel")
+    top: float = Field(description="Upper bound of the crests' height, m: a camera at or above it is above the water")
+    bottom: float = Field(description="Lowest camera height from which more than ground is visible, m")
+    live: tuple[str, ...] = Field(description="JSON pointers of scene fields that can change without a new plan")
 
     def canonical_json(self) -> bytes:
         """The plan's bytes: JSON with sorted keys and no spaces."""
@@ -51,7 +52,7 @@ class FramePlan(PlanPart):
 
     @property
     def sha256(self) -> str:
-        """The plan's identity."""
+        """SHA-256 of the plan's bytes."""
         return hashlib.sha256(self.canonical_json()).hexdigest()
 
 

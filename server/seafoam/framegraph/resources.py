@@ -8,19 +8,19 @@ from seafoam.framegraph.rules import PlanPart
 
 
 class TextureInput(PlanPart):
-    """A sampler reads a texture of the plan."""
+    """A sampler that reads a texture of the plan."""
 
     texture: str
 
 
 class TargetInput(PlanPart):
-    """A sampler reads what an earlier pass drew into a target of the plan."""
+    """A sampler that reads a target of the plan, drawn by an earlier pass."""
 
     target: str
 
 
 class ViewportSize(PlanPart):
-    """As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+    """The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
     rounded up."""
 
     rule: Literal["viewport"] = "viewport"
@@ -30,7 +30,7 @@ class ViewportSize(PlanPart):
 
 
 class FixedSize(PlanPart):
-    """A size in pixels."""
+    """A fixed size in pixels."""
 
     rule: Literal["fixed"] = "fixed"
     width: int
@@ -38,21 +38,21 @@ class FixedSize(PlanPart):
 
 
 TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]
-"""RG32UI: whole numbers, which no pass clears or blends, nor tests for depth; read texel by texel."""
+"""RG32UI: integers, which no pass clears, blends or depth-tests; sampled texel by texel."""
 
 
 Filter = Literal["nearest", "linear", "linear_mipmap_linear"]
 
 
 MIPMAPPED: Final = "linear_mipmap_linear"
-"""A target with this filter has levels of means of 2 × 2 texels below it, made anew after each pass into it."""
+"""A target with this filter has mip levels, means of 2 × 2 texels, generated after each pass into it."""
 
 
 WrapMode = Literal["repeat", "clamp_to_edge"]
 
 
 class Target(PlanPart):
-    """A picture that passes draw into and later passes read."""
+    """A render target: passes draw into it, and later passes read it."""
 
     size: Annotated[ViewportSize | FixedSize, Field(discriminator="rule")]
     format: TargetFormat
@@ -62,10 +62,10 @@ class Target(PlanPart):
 
 
 class Texture(PlanPart):
-    """Texture data: levels from the largest, rows from v = 0, tightly packed little-endian, one after the other."""
+    """Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian."""
 
-    url: str = Field(description="Where the bytes are, below the server's address")
-    sha256: str = Field(description="Of the bytes")
+    url: str = Field(description="Path of the bytes, relative to the server's address")
+    sha256: str = Field(description="SHA-256 of the bytes")
     format: Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
     width: int
     height: int

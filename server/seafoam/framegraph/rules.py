@@ -1,4 +1,4 @@
-"""Uniform rules: the only arithmetic that both executors carry."""
+"""Uniform rules: the only arithmetic that both executors implement."""
 
 from collections.abc import Iterable
 from typing import Annotated, Literal
@@ -7,13 +7,13 @@ from pydantic import BaseModel, ConfigDict, Field
 
 
 class PlanPart(BaseModel):
-    """Base of everything that a frame plan is made of."""
+    """Base class of all parts of a frame plan."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class Constant(PlanPart):
-    """Numbers as they stand. ``field``: the JSON pointer of the scene field they are, if they are one."""
+    """Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one."""
 
     rule: Literal["constant"] = "constant"
     value: tuple[float, ...]
@@ -21,7 +21,7 @@ class Constant(PlanPart):
 
 
 class Phase(PlanPart):
-    """offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the eye's (x, z), m."""
+    """offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m."""
 
     rule: Literal["phase"] = "phase"
     offset: float
@@ -47,9 +47,9 @@ class Loop(PlanPart):
 
 
 class Held(PlanPart):
-    """offset + rate·t + k·origin, held in [low, high], in float64: an age, or the way from a place to the eye.
+    """offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
 
-    Exact to the rounding of the sum: t − birth and eye − place keep every digit that float64 has of them.
+    Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
     """
 
     rule: Literal["held"] = "held"
@@ -61,7 +61,7 @@ class Held(PlanPart):
 
 
 class CameraRule(PlanPart):
-    """The camera, seen from the eye's own (x, z): position enters as height alone.
+    """The camera, relative to its own (x, z): of the position, only the height enters.
 
     view_projection: mat4, column-major; ``top`` (m) is the highest point of the surface and sets the near plane.
     eye_height: float. ray_x, ray_y, ray_z: vec3 with ray = ray_z + X·ray_x + Y·ray_y for X, Y in clip space [−1, 1].
@@ -73,7 +73,7 @@ class CameraRule(PlanPart):
 
 
 class Viewport(PlanPart):
-    """Width and height of the pass's target or of the picture, pixels, ``times`` over."""
+    """Width and height of the pass's target or of the picture, pixels, multiplied by ``times``."""
 
     rule: Literal["viewport"] = "viewport"
     of: Literal["target", "picture"] = "target"
@@ -81,7 +81,7 @@ class Viewport(PlanPart):
 
 
 class PassIndex(PlanPart):
-    """Position of the pass in the plan, from 0."""
+    """Index of the pass in the plan, from 0."""
 
     rule: Literal["pass_index"] = "pass_index"
 
@@ -94,7 +94,7 @@ COMPONENTS: dict[UniformType, int] = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 
 
 
 class Uniform(PlanPart):
-    """One uniform or uniform array. The values of ``rules``, one after the other, fill type × count exactly."""
+    """A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly."""
 
     type: UniformType
     count: int = Field(default=1, ge=1)
@@ -102,21 +102,21 @@ class Uniform(PlanPart):
 
 
 def number(value: float, field_pointer: str | None = None) -> Uniform:
-    """A float uniform of one constant."""
+    """Return a float uniform with one constant."""
     return Uniform(type="float", rules=(Constant(value=(value,), field=field_pointer),))
 
 
 def vector(value: tuple[float, ...], field_pointer: str | None = None) -> Uniform:
-    """A vec2, vec3 or vec4 uniform of constants."""
+    """Return a vec2, vec3 or vec4 uniform of constants."""
     kinds: dict[int, UniformType] = {2: "vec2", 3: "vec3", 4: "vec4"}
     return Uniform(type=kinds[len(value)], rules=(Constant(value=value, field=field_pointer),))
 
 
 def array(kind: UniformType, rules: Iterable[Rule], count: int) -> Uniform:
-    """An array uniform of ``count`` elements."""
+    """Return an array uniform of ``count`` elements."""
     return Uniform(type=kind, count=count, rules=tuple(rules))
 
 
 def significant(value: float) -> float:
-    """``value`` to 8 significant digits, all that float32 keeps: hides the last bits that processors disagree on."""
+    """Round ``value`` to 8 significant digits, as float32 has: hides last bits that differ between processors."""
     return float(f"{value:.8g}")

@@ -7,14 +7,14 @@ from seafoam.framegraph.rules import PlanPart
 
 
 class SourceFile(PlanPart):
-    """A file of the assembled text, and the line (from 1) where it starts."""
+    """A file of the assembled source, and the line (from 1) at which it starts."""
 
     path: str
     line: int
 
 
 class Shader(PlanPart):
-    """Assembled GLSL ES 3.00. ``sha256`` is of the UTF-8 text."""
+    """Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text."""
 
     text: str
     sha256: str
@@ -39,5 +39,5 @@ def _declared(text: str) -> tuple[tuple[str, bool], ...]:
 
 
 def declared_uniforms(shader: Shader) -> dict[str, bool]:
-    """Uniforms that the text declares, and whether each is a sampler."""
+    """Return the uniforms that the source declares, and whether each is a sampler."""
     return dict(_declared(shader.text))

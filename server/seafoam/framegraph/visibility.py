@@ -1,6 +1,6 @@
-"""Which passes a picture needs: those that can show something in it, and what these read.
+"""Selects the passes that a picture needs: those that can be visible in it, and their inputs.
 
-The web client carries the same few lines; ``tests/golden/views.json`` pins both.
+The web client implements the same function; ``tests/golden/views.json`` tests both.
 """
 
 import math
@@ -17,10 +17,10 @@ LEVEL = 0.01
 
 
 def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, target: str) -> dict[int, bool]:
-    """Positions of the passes that ``target`` needs, in drawing order; False: only to clear what it draws into.
+    """Return the indices of the passes that ``target`` needs, in drawing order; False: only to clear their target.
 
-    ``camera``: from where, ``width`` × ``height`` pixels. A pass is needed where it draws into something that is needed
-    and is of this eye's kind; one out of view (:attr:`seafoam.framegraph.passes.Pass.view`) only if it clears.
+    ``camera``: viewpoint, ``width`` × ``height`` pixels. A pass is needed if it draws into a target that is needed and
+    matches the camera height; one out of view (:attr:`seafoam.framegraph.passes.Pass.view`) only if it clears.
     """
     eye = "over" if camera.position[1] >= plan.top else "under"
     needed = {target}
@@ -37,7 +37,7 @@ def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, targe
 
 
 def passes_into(passes: Mapping[int, Pass], targets: Iterable[str]) -> dict[int, Pass]:
-    """Of ``passes`` by position those that draw into ``targets`` or into what these read, in drawing order."""
+    """Return those of ``passes`` by index that draw into ``targets`` or into their inputs, in drawing order."""
     needed = set(targets)
     found: dict[int, Pass] = {}
     for index, one in sorted(passes.items(), reverse=True):
@@ -48,17 +48,17 @@ def passes_into(passes: Mapping[int, Pass], targets: Iterable[str]) -> dict[int,
 
 
 def reads(one: Pass) -> set[str]:
-    """The targets that a pass reads."""
+    """Return the targets that a pass reads."""
     return {source.target for source in one.inputs.values() if isinstance(source, TargetInput)}
 
 
 def everywhere(plan: FramePlan) -> FramePlan:
-    """The plan with every pass drawn for its eye, whether what it shows is in the picture or not."""
+    """Return the plan without culling: every pass is drawn for its camera height, visible or not."""
     return plan.model_copy(update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)})
 
 
 def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> bool:
-    """Whether a pass of this view can show something. ``top``: the highest that a crest can reach, m."""
+    """Whether a pass of this view can be visible. ``top``: upper bound of the crests' height, m."""
     if view == "any":
         return True
     right, up, forward = axes(camera)
@@ -76,7 +76,7 @@ _Axis = tuple[float, float, float]
 
 
 def _meets(ball: Ball, camera: Camera, forward: _Axis, sides: tuple[tuple[_Axis, float], ...]) -> bool:
-    """Whether a ball meets the pyramid of the picture's rays; it may say yes to one that only comes near an edge."""
+    """Whether a bounding sphere intersects the pyramid of the picture's rays; conservative near its edges."""
     way = [place - eye for place, eye in zip(ball.centre, camera.position, strict=True)]
     ahead = _dot(way, forward)
     if ahead < -ball.radius:

@@ -1,6 +1,6 @@
-"""Baking the shipped masks: ``python -m seafoam.masks.bake [--out masks] [--only NAME ...]``.
+"""Generates the shipped masks: ``python -m seafoam.masks.bake [--out masks] [--only NAME ...]``.
 
-It constructs, measures and writes them; with ``--only`` the others keep the ranks that they have.
+It constructs, measures and writes them; with ``--only`` all others keep their ranks.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Bake the shipped masks and their catalogue.")
     parser.add_argument("--out", type=Path, default=Path("masks"), help="directory to write to")
     names = [mask.name for mask in SHIPPED]
-    parser.add_argument("--only", nargs="+", choices=names, default=(), help="masks to make; the others are kept")
+    parser.add_argument("--only", nargs="+", choices=names, default=(), help="masks to make; all others stay unchanged")
     arguments = parser.parse_args()
     directory = arguments.out
     with ProgressBar() as bar:

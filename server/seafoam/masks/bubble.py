@@ -1,8 +1,8 @@
-"""Masks whose foam is made of discs: ``bubble``, and ``mix``, its clustered form.
+"""Masks whose foam consists of discs: ``bubble``, and ``mix``, its clustered form.
 
 Sites are scattered over the torus and given birth thresholds r_i. The mask is the rank of min_i(r_i + a d_i^2),
 so the foam at a threshold t is the union of discs of radius sqrt((t - r_i) / a): as saturation falls, bubbles
-shrink and go out one after another.
+shrink and disappear one after another.
 """
 
 from __future__ import annotations

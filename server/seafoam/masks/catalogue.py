@@ -34,13 +34,13 @@ from seafoam.resources import data_dir
 
 CATALOGUE_FILE = "catalogue.json"
 ON_REQUEST_SECONDS = 5.0
-"""Masks expected to take longer are not made on request."""
+"""Expected construction time above which custom masks are refused, s."""
 CUSTOM_MASKS_KEPT = 16
 QUANTILE_ABSCISSA = "entry i of n is Q(s) at t = i / (n - 1); t = sqrt(s / 2) if s <= 1/2, else 1 - sqrt((1 - s) / 2)"
 
 
 class UnknownMaskError(KeyError):
-    """No mask of that name is shipped."""
+    """No shipped mask has that name."""
 
 
 class MaskTooSlowError(ValueError):
@@ -49,7 +49,7 @@ class MaskTooSlowError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class MaskTables:
-    """What is measured of a mask."""
+    """Measurements of a mask."""
 
     sigma_l: tuple[float, ...]
     """Deviation inside boxes of 2^l texels, by level (:func:`prefilter.footprint_deviations`)."""
@@ -90,7 +90,7 @@ class MaskTables:
 
 @dataclass(frozen=True, slots=True)
 class MaskEntry:
-    """What a mask is and how it was made."""
+    """Description and construction parameters of a mask."""
 
     name: str
     title: str
@@ -153,13 +153,13 @@ class MaskEntry:
 
 @dataclass(frozen=True, eq=False)
 class Mask:
-    """A mask with its description; everything else is derived from the ranks when first asked for."""
+    """A mask with its description; everything else is computed from the ranks on first use."""
 
     entry: MaskEntry
     ranks: Ranks
     """(size, size) uint32, read-only, each of 0..size^2-1 once."""
     measured: MaskTables | None = None
-    """Its tables where they are known beforehand: those of the catalogue."""
+    """Its tables if known in advance: those of the catalogue."""
 
     @cached_property
     def tables(self) -> MaskTables:
@@ -173,7 +173,7 @@ class Mask:
 
     @property
     def morphology(self) -> MaskMorphology:
-        """Pieces, holes and chords of its foam."""
+        """Connected components, holes and chord lengths of its foam."""
         return self.tables.morphology
 
     @property
@@ -216,7 +216,7 @@ class Mask:
         return rows
 
     def sidecar(self) -> dict[str, object]:
-        """The description that accompanies a download, as plain JSON values."""
+        """Metadata of a download, as plain JSON values."""
         return {**self.entry.to_json(), **self.tables.to_json()}
 
 
@@ -274,7 +274,7 @@ def load_mask(name: str) -> Mask:
     """A shipped mask. Raises :class:`UnknownMaskError` for another name; the mask is kept for later calls."""
     shipped = _shipped()
     if name not in shipped:
-        raise UnknownMaskError(f"no mask {name!r}; there are {', '.join(shipped)}")
+        raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
     ranks = decode_ranks(rank_file(data_dir("masks"), name).read_bytes(), entry.size)
     ranks.setflags(write=False)
@@ -309,8 +309,8 @@ def custom_mask(
     seconds = estimated_seconds(asked.family, asked.sigma, asked.size)
     if seconds > ON_REQUEST_SECONDS:
         raise MaskTooSlowError(
-            f"a {asked.family} mask of sigma {asked.sigma:g} at size {asked.size} takes about {seconds:.0f} s; "
-            f"at most {ON_REQUEST_SECONDS:g} s are allowed: lower sigma or size"
+            f"a {asked.family} mask of sigma {asked.sigma:g} at size {asked.size} would take about {seconds:.0f} s "
+            f"to generate; the limit is {ON_REQUEST_SECONDS:g} s: lower sigma or size"
         )
     return _custom(asked)
 

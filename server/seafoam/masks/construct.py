@@ -1,4 +1,4 @@
-"""Making a mask: a permutation of 0..N-1 on a torus whose level sets are the foam patterns."""
+"""Constructs masks: permutations of 0..N-1 on a torus whose level sets are the foam patterns."""
 
 from __future__ import annotations
 

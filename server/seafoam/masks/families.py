@@ -1,16 +1,16 @@
-"""The mask families, their parameters and the bounds of what may be asked for.
+"""The mask families, their parameters and ranges.
 
-A family has one length parameter, ``sigma``, in texels; ``lace`` has an aspect and an age besides:
+A family has one length parameter, ``sigma``, in texels; ``lace`` also has an aspect and an age:
 
 ======== ==========================================================================
-family   what ``sigma`` is
+family   meaning of ``sigma``
 ======== ==========================================================================
 vac      standard deviation of the Gaussian that measures voids and clusters
 blur     standard deviation of the Gaussian that filters the white noise
 clump    narrow Gaussian of the difference of Gaussians; the wide one is 4 sigma
-bubble   mean distance between bubble sites (rounded so that a whole number fits)
+bubble   mean distance between bubble sites (rounded so that an integer number fits)
 mix      both: narrow Gaussian of its clumps, and distance between its bubble sites
-lace     spacing of the finest of the three grids that its coarse cells come from
+lace     spacing of the finest of the three grids of its coarse cells
 ======== ==========================================================================
 """
 
@@ -27,7 +27,7 @@ FAMILIES: tuple[Family, ...] = get_args(Family)
 METHODS: tuple[Method, ...] = get_args(Method)
 
 GENERATOR = "seafoam-masks/1"
-"""Names the construction rules; raised whenever the same arguments would give other ranks."""
+"""Version of the construction algorithm; incremented whenever the same arguments would give other ranks."""
 
 LICENSE = "CC0-1.0"
 VALUE_RULE = "u = (rank + 0.5) / N; foam shows where f > u; data, linear, toroidal"
@@ -36,22 +36,22 @@ SIZES: tuple[int, ...] = (32, 64, 128, 256, 512)
 SIGMA_MIN = 0.5
 SIGMA_MAX = 24.0
 SIGMA_MAX_SHARE = 1.0 / 8.0
-"""sigma may not exceed this share of the tile side, so that a tile holds at least 8 x 8 features."""
+"""Maximum of sigma over the tile side, so that a tile holds at least 8 x 8 features."""
 SPACING_MIN = 2.0
-"""Least distance of bubble sites in texels; closer ones are single texels, not discs."""
+"""Minimum distance of bubble sites, texels; closer ones are single texels, not discs."""
 LACE_SIGMA_MIN = 4.0
-"""At less the finest cells of ``lace`` would be narrower than two texels."""
+"""Minimum sigma of ``lace``: with less, its finest cells would be narrower than two texels."""
 ASPECT_MAX = 6.0
 SEED_MAX = 2**32 - 1
 TEXT_FORM = "family:sigma:size:seed (lace: also :aspect:age)"
-"""How a mask made on request is called."""
+"""Name of a custom mask."""
 
 DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "bubble": 4.0, "mix": 4.0, "lace": 10.0}
 
 
 @dataclass(frozen=True, slots=True)
 class MaskParameters:
-    """What, with :data:`GENERATOR` and a method, determines a mask. Build it with :func:`check_parameters`."""
+    """Determine a mask, with :data:`GENERATOR` and a method. Create them with :func:`check_parameters`."""
 
     family: Family
     sigma: float
@@ -91,7 +91,7 @@ def check_parameters(
     if isinstance(size, bool) or not isinstance(size, int) or size not in SIZES:
         raise ValueError(f"size {size!r} is not one of {', '.join(map(str, SIZES))} texels")
     if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed <= SEED_MAX:
-        raise ValueError(f"seed {seed!r} is not a whole number in 0..{SEED_MAX}")
+        raise ValueError(f"seed {seed!r} is not an integer in 0..{SEED_MAX}")
     least, greatest = sigma_range(known, size)
     chosen = min(DEFAULT_SIGMA[known], greatest) if sigma is None else float(sigma)
     if not (math.isfinite(chosen) and least <= chosen <= greatest):
@@ -99,7 +99,7 @@ def check_parameters(
     for name, value, low, high in (("aspect", aspect, 1.0, ASPECT_MAX), ("age", age, 0.0, 1.0)):
         if known != "lace":
             if value != low:
-                raise ValueError(f"{name} {value!r} is not for {known}, only for lace")
+                raise ValueError(f"{name} {value!r} is allowed only for lace, not {known}")
         elif not (math.isfinite(value) and low <= value <= high):
             raise ValueError(f"{name} {value!r} is outside {low:g}..{high:g}")
     return MaskParameters(known, chosen, size, seed, float(aspect), float(age))
@@ -112,7 +112,7 @@ def parse_parameters(text: str) -> MaskParameters:
     """
     parts = text.split(":")
     if len(parts) not in (4, 6):
-        raise ValueError(f"{text!r} is not {TEXT_FORM}")
+        raise ValueError(f"{text!r} is not of the form {TEXT_FORM}")
     family, sigma, size, seed, *lace = parts
     return check_parameters(family, float(sigma), int(size), int(seed), *map(float, lace))
 

@@ -79,7 +79,7 @@ def decode_ranks(content: bytes, size: int) -> Ranks:
     """Inverse of :func:`encode_ranks` for a (size, size) mask. Raises ``ValueError`` for another length."""
     texels = size * size
     if len(content) != 2 * texels + texels // 4:
-        raise ValueError(f"{len(content)} bytes do not hold {size} x {size} ranks")
+        raise ValueError(f"{len(content)} bytes cannot hold {size} x {size} ranks")
     low = np.frombuffer(content, "<u2", texels).astype(np.uint32)
     packed = np.frombuffer(content, np.uint8, offset=2 * texels)
     high = (packed[:, None] >> np.array([0, 2, 4, 6], np.uint8)) & 3

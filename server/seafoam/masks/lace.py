@@ -1,7 +1,7 @@
-"""Masks whose foam is the walls of a foam: ``lace``.
+"""Masks whose foam consists of cell walls: ``lace``.
 
-The cells of two polydisperse power diagrams, one coarse and one fine, are filled from their middles: as saturation
-falls, the insides of cells open first and their walls go last, so holes grow and merge. Walls of the fine diagram
+The cells of two polydisperse power diagrams, one coarse and one fine, are filled from their centres: as saturation
+falls, the insides of cells open first and their walls last, so holes grow and merge. Walls of the fine diagram
 open before those of the coarse one, and noise breaks walls into threads.
 """
 

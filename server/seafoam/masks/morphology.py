@@ -1,6 +1,6 @@
-"""The shapes that foam takes on a mask at a saturation: pieces, holes, chords and the Euler number, on the torus.
+"""Shapes of the foam on a mask at a saturation: components, holes, chords and the Euler number, on the torus.
 
-Foam is 8-connected, water 4-connected, so that a diagonal step is one or the other and never both.
+Foam is 8-connected, water 4-connected, so that a diagonal step belongs to exactly one of them.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from seafoam.masks.torus import Ranks
 
 SATURATIONS: tuple[float, ...] = (0.15, 0.3, 0.5, 0.7, 0.9)
 HOLE_SHARES: tuple[float, ...] = (0.1, 0.5, 0.9)
-"""Of the water's area: holes up to the diameter that is given hold so much of it."""
+"""Fractions of the water's area in holes up to the given diameters."""
 JOIN_STEP = 0.025
-"""Saturations at which :attr:`MaskMorphology.joined_from` is looked for, 0.025 apart."""
+"""Saturations at which :attr:`MaskMorphology.joined_from` is evaluated, 0.025 apart."""
 _DIGITS = 4
 
 Pattern = NDArray[np.bool_]
@@ -33,11 +33,11 @@ class FoamShapes:
 
     saturation: float
     largest_piece: float
-    """Share of all foam that the largest connected piece holds, 0..1."""
+    """Fraction of the foam in its largest connected component, 0..1."""
     euler_number: int
-    """Pieces of foam less holes in them."""
+    """Number of components minus number of holes."""
     hole_diameters: tuple[float, ...]
-    """Diameters of circles as large as the holes up to which lie :data:`HOLE_SHARES` of the water's area."""
+    """Equivalent diameters of the holes below which :data:`HOLE_SHARES` of the water's area lie."""
     foam_chord: float
     water_chord: float
     """Mean length of the runs of foam and of water along rows and columns."""
@@ -48,7 +48,7 @@ class MaskMorphology:
     """Shapes of a mask's foam at :data:`SATURATIONS`."""
 
     joined_from: float
-    """Least saturation, in steps of :data:`JOIN_STEP`, at which one piece holds more than half of the foam."""
+    """Lowest saturation, in steps of :data:`JOIN_STEP`, at which one component contains more than half of the foam."""
     shapes: tuple[FoamShapes, ...]
 
     def at(self, saturation: float) -> FoamShapes:
@@ -104,13 +104,13 @@ def measure_morphology(ranks: Ranks) -> MaskMorphology:
 
 
 def largest_piece(foam: Pattern) -> float:
-    """Share of the foam that its largest 8-connected piece holds; 0 without foam. foam: (size, size)."""
+    """Return the fraction of the foam in its largest 8-connected component; 0 without foam. foam: (size, size)."""
     total = int(foam.sum())
     return float(_areas(foam, diagonal=True).max(initial=0)) / total if total else 0.0
 
 
 def euler_number(foam: Pattern) -> int:
-    """Pieces less holes of 8-connected foam on the torus: corners less edges plus texels. foam: (size, size)."""
+    """Return components minus holes of 8-connected foam on the torus: corners - edges + texels. foam: (size, size)."""
     beside = foam | np.roll(foam, 1, axis=1)
     below = foam | np.roll(foam, 1, axis=0)
     corners = beside | np.roll(beside, 1, axis=0)
@@ -124,7 +124,7 @@ def hole_areas(ranks: Ranks, saturation: float) -> NDArray[np.int64]:
     saturation outside.
     """
     if not 0.0 <= saturation <= 1.0:
-        raise ValueError(f"a saturation lies in [0, 1], not at {saturation:g}")
+        raise ValueError(f"saturation {saturation:g} is outside [0, 1]")
     areas: NDArray[np.int64] = np.sort(_areas(ranks >= saturation * ranks.size, diagonal=False))
     return areas
 
@@ -148,7 +148,7 @@ def _shapes(ranks: Ranks, saturation: float) -> FoamShapes:
 
 
 def _areas(pattern: Pattern, *, diagonal: bool) -> NDArray[np.int64]:
-    """Texels of each connected piece on the torus; (pieces,)."""
+    """Return the number of texels of each connected component on the torus; (components,)."""
     labels, count = label(pattern, np.ones((3, 3)) if diagonal else None)
     if count == 0:
         return np.zeros(0, np.int64)

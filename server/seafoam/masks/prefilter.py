@@ -1,8 +1,8 @@
-"""Tables with which a mask can be thresholded at any scale without losing its cover.
+"""Tables with which a mask can be thresholded at any scale with exact coverage.
 
-The limit at every scale is a threshold of the interpolated mask, which no longer has its values equally often: the
-saturation is first sent through its quantile function, the quantile table. Minified, a footprint is a few texels of
-a level that each say where the thresholds in them lie: the spans, which have a quantile table for each level.
+The limit at every scale is a threshold of the interpolated mask, whose values are not uniformly distributed: the
+saturation is first mapped by its quantile function, the quantile table. Under minification, a footprint is a few texels
+of a level that each approximate the distribution of their thresholds: the spans, with a quantile table for each level.
 """
 
 from __future__ import annotations

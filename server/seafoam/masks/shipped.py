@@ -1,4 +1,4 @@
-"""Which masks are baked, and what is said about them."""
+"""The shipped masks and their descriptions."""
 
 from __future__ import annotations
 

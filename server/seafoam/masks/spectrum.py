@@ -115,14 +115,14 @@ def measure_spectrum(ranks: Ranks, *, greys: tuple[float, ...] = GREY_LEVELS, se
     if ranks.shape != (size, size):
         raise ValueError(f"ranks of shape {ranks.shape} are not square")
     if segments_a_side < 1 or size % segments_a_side or size // segments_a_side < 8:
-        raise ValueError(f"{segments_a_side} segments a side do not divide {size} texels into 8 or more each")
+        raise ValueError(f"{segments_a_side} segments per side do not divide {size} texels into parts of 8 or more")
     side = size // segments_a_side
     ring, count = _rings(side)
     spectra = []
     for grey in greys:
         ones = round(grey * ranks.size)
         if not 0 < ones < ranks.size:
-            raise ValueError(f"grey {grey!r} leaves no pattern on {ranks.size} texels")
+            raise ValueError(f"grey {grey!r} gives an empty or full pattern on {ranks.size} texels")
         power = _power(ranks < ones, ones / ranks.size, side)
         raps, anisotropy = _ring_statistics(power, ring, count)
         spectra.append(GreySpectrum(grey, raps, anisotropy))

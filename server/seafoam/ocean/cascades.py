@@ -24,39 +24,39 @@ from seafoam.ocean.spectrum import (
 from seafoam.scene.models import Sea
 
 BAND = 64
-"""Wavenumbers of a tile stay under so many waves along its side."""
+"""Bound of a tile's wavenumbers, in waves along its side."""
 
 LOOP = 2048.0
-"""Seconds after which the sea repeats: every angular frequency is a whole multiple of 2π/LOOP."""
+"""Period of the sea, s: every angular frequency is an integer multiple of 2π/LOOP."""
 
 RATIOS = (1.0, 5.23, 4.87, 4.61)
-"""Side of each tile's predecessor over its own; no small whole numbers, so the tiles never line up again."""
+"""Ratio of the sides of successive tiles; no ratio of small integers, so that the tiles never align again."""
 
 PEAKS = 8.0
-"""Waves of the spectrum's peak along the largest tile."""
+"""Waves of the spectral peak along the largest tile."""
 
 SMALLEST_TILE = 24.0
-"""The largest tile is at least so large, m."""
+"""Minimum side of the largest tile, m."""
 
 SHORTEST = 0.1
-"""No wave is shorter, m: ripples (``Chop``) stand for those."""
+"""Shortest wavelength, m; ripples (``Chop``) represent shorter waves."""
 
 RAISED = 2
-"""So many tiles, the largest, raise the surface; what is smaller tilts it alone."""
+"""Number of tiles, the largest first, that displace the surface; smaller ones only tilt its normal."""
 
 GERSTNER_WAVES = 48
 
 GERSTNER_RATIO = 1.618
-"""Of the sides of the two tiles that hold these waves."""
+"""Ratio of the sides of the two tiles of Gerstner waves."""
 
 CREST = 4.5
-"""Heights are held within so many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
+"""Heights are clamped to this many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
 
 TILT = 0.24
-"""Greatest root mean square slope of a tile times choppiness: one point in 60 000 of a Gaussian sea folds then."""
+"""Maximum of a tile's root mean square slope times choppiness: one point in 60 000 of a Gaussian sea folds then."""
 
 LEAST_JACOBIAN = 0.3
-"""What stands for a smaller Jacobian where one divides by it: at a fold the sea turns over, a height field cannot."""
+"""Lower bound of the Jacobian in divisions: at a fold the sea turns over, which a height field cannot."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,9 +69,9 @@ class Cascade:
     size: float
     """Side, m."""
     h0: NDArray[np.complex128]
-    """Complex amplitude of the wave that runs along +k, m: half its real amplitude, with its phase."""
+    """Complex amplitude of the wave that travels along +k, m: half its real amplitude, with its phase."""
     turns: NDArray[np.int64]
-    """Periods in LOOP seconds."""
+    """Number of periods in LOOP seconds."""
 
     @cached_property
     def k(self) -> Floats:
@@ -92,12 +92,12 @@ class Cascade:
 
     @cached_property
     def limit(self) -> float:
-        """Heights are held in ± this, m."""
+        """Heights are clamped to ± this, m."""
         return min(CREST * math.sqrt(self.variance), 2.0 * float(np.abs(self.h0).sum()))
 
     @property
     def steepest(self) -> float:
-        """Bound of the drawn height's slope."""
+        """Upper bound of the slope of the drawn height."""
         return slope_limit(math.sqrt(self.mean_square_slope))
 
     def grain(self, texels: int) -> float:
@@ -107,7 +107,7 @@ class Cascade:
         return 0.085 * deviation * (self.size / texels) ** 2
 
     def choppiness(self, wanted: float) -> float:
-        """``wanted``, lowered where the tile would fold too often."""
+        """Return ``wanted``, reduced if the tile would fold too often."""
         slope = math.sqrt(self.mean_square_slope)
         return wanted if wanted * slope <= TILT else TILT / slope
 
@@ -130,18 +130,18 @@ class Cascade:
 
     @property
     def waves(self) -> list[tuple[int, int]]:
-        """(iz, ix) rows and columns of the waves that are there."""
+        """Row and column indices (iz, ix) of the non-zero waves."""
         rows, columns = np.nonzero(self.h0)
         return list(zip(rows.tolist(), columns.tolist(), strict=True))
 
 
 def slope_limit(root_mean_square: float) -> float:
-    """Slope that texel pairs of a tile of this root mean square slope do not pass but for one in ten thousand."""
+    """Return the slope that one in ten thousand texel pairs of a tile of this root mean square slope exceeds."""
     return min(5.0 * root_mean_square, 3.0)
 
 
 def largest_tile(sea: Sea, depth: float | None) -> float:
-    """Side of the largest tile, m."""
+    """Return the side of the largest tile, m."""
     if sea.wind <= 0.0:
         return SMALLEST_TILE
     omega = peak_frequency(sea.wind, sea.fetch)
@@ -158,7 +158,7 @@ def largest_tile(sea: Sea, depth: float | None) -> float:
 
 @lru_cache(maxsize=32)
 def cascades(sea: Sea, depth: float | None) -> tuple[Cascade, ...]:
-    """The tiles of a sea over water of a depth (m; absent: deep), the largest first: four, or two for ``gerstner``."""
+    """Return the tiles of a sea at a depth (m; absent: deep), the largest first: four, or two for ``gerstner``."""
     sea = sea.model_copy(update={"choppiness": 0.0})
     largest = largest_tile(sea, depth)
     if sea.model == "gerstner":
@@ -200,9 +200,9 @@ def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) ->
 
 
 def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tuple[Cascade, Cascade]:
-    """Waves on the tiles' whole wavevectors, one in each of many equal steps of log k, with its step's energy.
+    """Return waves on the tiles' integer wavevectors, one per equal step of log k, with that step's energy.
 
-    They lie on the two tiles in turn: the tiles have no common period, so no pattern of waves comes back.
+    They lie on the two tiles in turn: the tiles have no common period, so no pattern of waves repeats.
     """
     tiles = [np.zeros((2 * BAND, 2 * BAND), np.complex128) for _ in sizes]
     steps = [2.0 * math.pi / size for size in sizes]

@@ -7,7 +7,7 @@ from seafoam.scene.models import ParametricWave
 
 
 def wavenumber(deep: float, depth: float | None) -> float:
-    """k with k tanh(k·depth) = ``deep``, the wavenumber (rad/m) that the same frequency has in deep water.
+    """Return k with k tanh(k·depth) = ``deep``, the wavenumber (rad/m) of the same frequency in deep water.
 
     ``depth`` in m, positive; absent or large: ``deep`` itself. Newton's method from Eckart's (1952) estimate, to the
     last digits of float64.
@@ -25,12 +25,12 @@ def wavenumber(deep: float, depth: float | None) -> float:
 
 
 def angular_frequency(wave: ParametricWave) -> float:
-    """ω = 2πs/λ, rad/s, with the deep-water speed √(gλ/2π) where the wave names none."""
+    """Return ω = 2πs/λ, rad/s, with the deep-water speed √(gλ/2π) if the wave gives none."""
     deep = 2.0 * math.pi / wave.wavelength
     return math.sqrt(GRAVITY * deep) if wave.speed is None else wave.speed * deep
 
 
 def wavevector(wave: ParametricWave, depth: float | None) -> tuple[float, float]:
-    """k along the heading of travel, (x, z), rad/m; θ = ωt − k·x + phase."""
+    """Return the wavevector k in the direction of travel, (x, z), rad/m; θ = ωt − k·x + phase."""
     k = wavenumber(2.0 * math.pi / wave.wavelength, depth)
     return k * math.cos(wave.direction), k * math.sin(wave.direction)

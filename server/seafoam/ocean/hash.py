@@ -1,4 +1,4 @@
-"""Chances that are the same on every machine: a hash of whole numbers."""
+"""Random numbers that are the same on every machine: a hash of integers."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +8,7 @@ _LOW = np.uint64(0xFFFFFFFF)
 
 
 def chance(*words: int | NDArray[np.integer]) -> NDArray[np.float64]:
-    """A number in (0, 1) for whole numbers, taken modulo 2³²; of the shape to which they broadcast.
+    """Return a number in (0, 1) for integers taken modulo 2³², in the shape to which they broadcast.
 
     They are chained through PCG-RXS-M-XS 32 (O'Neill 2014): pcg(… pcg(pcg(first) ⊕ second) … ⊕ last).
     """

@@ -1,4 +1,4 @@
-"""The mean height of the surface over its troughs."""
+"""The mean height of the surface above its troughs."""
 
 import math
 
@@ -8,7 +8,7 @@ from seafoam.scene.models import ParametricWave, Scene
 
 
 def wave_level(wave: ParametricWave) -> float:
-    """Mean of A((sin θ + 1)/2)^K over a period, m: A Γ(K + ½)/(√π Γ(K + 1))."""
+    """Return the mean of A((sin θ + 1)/2)^K over a period, m: A Γ(K + ½)/(√π Γ(K + 1))."""
     return (
         wave.amplitude
         / math.sqrt(math.pi)
@@ -17,7 +17,7 @@ def wave_level(wave: ParametricWave) -> float:
 
 
 def mean_level(scene: Scene) -> float:
-    """Mean height of waves, rings at rest and open sea over y = 0, m; without a shore."""
+    """Return the mean height of waves, rings at rest and open sea above y = 0, m; without a shore."""
     level = sum(wave_level(wave) for wave in scene.waves) + calm_level(scene)
     if scene.sea is not None and scene.sea.wind > 0.0:
         level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])

@@ -1,8 +1,8 @@
-"""How high and how steep the rings of a scene can be together: bounds that hold anywhere and at any time.
+"""Bounds of the joint height and slope of all rings of a scene, valid at any place and time.
 
-A ring reaches a place only with its front, so there its amplitude is never above that of the age at which the front
-arrives: a bound that falls with the distance from its centre. The greatest sum over the plane of such falling bounds
-lies among the centres and is closed in by halving squares, the most promising first (branch and bound).
+A ring reaches a place with its front, so its amplitude there is never above that of the age at which the front
+arrives: a bound that falls with the distance from its centre. The maximum over the plane of the sum of these bounds
+lies among the centres and is found by branch and bound on squares, the most promising first.
 """
 
 import heapq
@@ -21,7 +21,7 @@ SOFT = 0.25
 FRONT = 1.0
 """Width of a ring's front, and of its tail's end, in wavelengths."""
 STEEPER = math.hypot(1.0, 1.5 / (2.0 * math.pi * FRONT))
-"""The slope of wave and front together over the wave's own, at most."""
+"""Upper bound of the slope of wave and front together, relative to the wave's own."""
 
 _CLOSE = 0.02
 _SQUARES = 3000
@@ -29,7 +29,7 @@ _SQUARES = 3000
 
 @dataclass(frozen=True)
 class Train:
-    """A ring's numbers: k (rad/m), ω (rad/s), front's speed c (m/s), wavelength over this floor (m), life (s)."""
+    """Properties of a ring: k (rad/m), ω (rad/s), front speed c (m/s), wavelength at this depth (m), lifetime (s)."""
 
     ring: Ring
     k: float
@@ -49,24 +49,24 @@ class Train:
 
     @property
     def tail(self) -> float:
-        """What lies behind the front, m; as good as endless where the ring names no crests."""
+        """Length of the wave train behind the front, m; practically infinite if the ring gives no number of crests."""
         return 1e9 if self.ring.crests is None else self.ring.crests * self.length
 
     @property
     def reach(self) -> float:
-        """Nothing of it ever shows farther from the centre, m: r where ρ(r) is what the front runs in a life."""
+        """Maximum radius of the ring, m: r where ρ(r) is the distance that its front travels in a lifetime."""
         rho = self.speed * self.ring.life
         return math.sqrt(rho * (rho + 2.0 * self.soft))
 
     def amplitude_at(self, distance: float) -> float:
-        """No crest is higher at this distance from the centre, m."""
+        """Return an upper bound of the crests' height at this distance from the centre, m."""
         rho = distance * distance / (math.sqrt(distance * distance + self.soft * self.soft) + self.soft)
         return max(self.ring.amplitude * math.exp(-self.ring.decay * rho / self.speed) - self.ring.dead, 0.0)
 
 
 @lru_cache(maxsize=64)
 def trains(scene: Scene) -> tuple[Train, ...]:
-    """The scene's rings with their numbers; over a floor they keep their frequency and shorten."""
+    """Return the scene's rings with their properties; at finite depth they keep their frequency and shorten."""
     found = []
     for ring in scene.rings:
         deep = 2.0 * math.pi / ring.wavelength
@@ -76,22 +76,22 @@ def trains(scene: Scene) -> tuple[Train, ...]:
 
 @lru_cache(maxsize=64)
 def calm_level(scene: Scene) -> float:
-    """Height of still water over y = 0, m: no trough of all rings together is deeper. Rounded up."""
+    """Return the height of still water above y = 0, m: an upper bound of the joint depth of all troughs. Rounded up."""
     return _rounded_up(_greatest(trains(scene), lambda train: 1.0))
 
 
 @lru_cache(maxsize=64)
 def ring_slope(scene: Scene) -> float:
-    """No slope of all rings together is steeper. Rounded up."""
+    """Return an upper bound of the slope of all rings together. Rounded up."""
     return _rounded_up(_greatest(trains(scene), lambda train: STEEPER * train.k))
 
 
 @lru_cache(maxsize=64)
 def ring_curvature(scene: Scene) -> float:
-    """No second derivative of all rings together is greater, 1/m. Rounded up.
+    """Return an upper bound of the second derivative of all rings together, 1/m. Rounded up.
 
-    Along the way out: |η″| ≤ A(k² + 2k·1.5/W + 6/W²), W = 2π/k the width of the front; ρ″ ≤ 1/a and across the way out
-    ρ′/r ≤ 1/a add slope/a each.
+    Radially: |η″| ≤ A(k² + 2k·1.5/W + 6/W²), W = 2π/k the width of the front; ρ″ ≤ 1/a and tangentially ρ′/r ≤ 1/a add
+    slope/a each.
     """
     turn = 2.0 * math.pi * FRONT
 
@@ -108,7 +108,7 @@ def _rounded_up(value: float) -> float:
 
 
 def _greatest(rings: tuple[Train, ...], weight: Callable[[Train], float]) -> float:
-    """Σ weight·amplitude is never above this, anywhere, at any time."""
+    """Return an upper bound of Σ weight·amplitude at any place and time."""
     shown = [(train, weight(train)) for train in rings if train.ring.life > 0.0]
     if not shown:
         return 0.0
@@ -116,7 +116,7 @@ def _greatest(rings: tuple[Train, ...], weight: Callable[[Train], float]) -> flo
 
 
 def _over_time(shown: list[tuple[Train, float]]) -> float:
-    """The greatest sum of amplitudes wherever they are: just after some birth, for each only sinks from its own."""
+    """Return the maximum sum of amplitudes regardless of place: just after some birth, since each amplitude decays."""
     always = sum(w * (t.ring.amplitude - t.ring.dead) for t, w in shown if t.ring.every is not None)
     once = [(t.ring, w) for t, w in shown if t.ring.every is None]
     most = 0.0
@@ -130,7 +130,7 @@ def _over_time(shown: list[tuple[Train, float]]) -> float:
 
 
 def _over_the_plane(shown: list[tuple[Train, float]]) -> float:
-    """The greatest sum of what each ring can be at a place, over all places, closed in to 2 %, from above."""
+    """Return the maximum over all places of the sum of the rings' bounds, from above, to within 2 %."""
     places = [train.ring.place for train, _ in shown]
     x, z = (0.5 * (min(p[i] for p in places) + max(p[i] for p in places)) for i in (0, 1))
     half = 0.5 * max(max(p[i] for p in places) - min(p[i] for p in places) for i in (0, 1))

@@ -1,4 +1,4 @@
-"""The ripples that a ``Chop`` stands for: two cascades of sines with whole wavenumbers on incommensurate tiles."""
+"""Wind ripples: two cascades of sines with integer wavenumbers on incommensurate tiles."""
 
 import math
 from dataclasses import dataclass
@@ -9,12 +9,12 @@ from seafoam.ocean.hash import chance
 from seafoam.scene.models import Chop
 
 TILES = (18.9, 4.1)
-"""Sides of the two tiles, m: without a common measure, so that ripples never repeat."""
+"""Sides of the two tiles, m; incommensurable, so that ripples never repeat."""
 REPEATING_TILES = (9.3, 3.1)
-"""Sides of the two tiles of ripples that repeat, as the light under them must to be drawn as a tile."""
+"""Sides of the two tiles of ripples that repeat, which caustics on a tile require, m."""
 WAVES_PER_TILE = 14
 BANDS = 2
-"""Ripples of a tile are split by wavenumber into so many bands of equal count; a band is filtered as one."""
+"""Number of wavenumber bands of a tile, of equal count; a band is filtered as one."""
 SURFACE_TENSION = 7.4e-5
 """Surface tension over density of water, m³/s²."""
 
@@ -23,7 +23,7 @@ _RANGES = ((1.1, 6.5), (0.16, 1.05))
 
 @dataclass(frozen=True)
 class Ripple:
-    """θ = ωt − k·x + phase; slope is the amplitude of the slope along k."""
+    """A ripple θ = ωt − k·x + phase; slope is the amplitude of the slope along k."""
 
     kx: float
     kz: float
@@ -44,7 +44,7 @@ def tiles(repeats: bool) -> tuple[float, float]:
 
 @lru_cache(maxsize=64)
 def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]:
-    """The ripples of each cascade, by rising wavenumber. Their slopes' mean square adds up to ``chop.slope``²."""
+    """Return the ripples of each cascade by rising wavenumber. Their mean square slopes add up to ``chop.slope``²."""
     cascades = []
     weights = []
     for cascade, tile in enumerate(tiles(repeats)):

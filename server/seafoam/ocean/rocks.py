@@ -10,7 +10,7 @@ from seafoam.ocean.seabed import floor_grid
 from seafoam.scene.shore import Shore
 
 ROCKS = 1024
-"""Places on the rocks that drops start from."""
+"""Number of places on rocks at which drops start."""
 
 _TEXELS = 256
 

@@ -10,7 +10,7 @@ from seafoam.scene.shore import STEPS, Floats, Shore, _picture
 
 
 def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
-    """The quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
+    """Return the quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
     taps = []
     for place, count in ((z, grey.shape[0]), (x, grey.shape[1])):
         at = place * count - 0.5
@@ -26,10 +26,10 @@ def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
 
 
 def floor_grid(shore: Shore, texels: int) -> Floats:
-    """(texels, texels, 2): height of floor or land over y = 0 (m) and a tint in [0, 1]; row z, column x, texel centres.
+    """Return (texels, texels, 2): height of floor or land above y = 0 (m), and a tint in [0, 1]; row z, column x.
 
-    Sums, products, quotients and square roots alone (and one sine and cosine), rounded to 1/1024: the same bytes
-    everywhere.
+    Values are at texel centres. Only sums, products, quotients and square roots (and one sine and cosine), rounded to
+    1/1024: the same bytes on every machine.
     """
     return _floor_grid(shore.ground, texels)
 
@@ -75,7 +75,7 @@ def _floor_grid(ground: str, texels: int) -> Floats:
 
 
 def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
-    """The floor made level where the square ends, with its tint; rounded, read-only."""
+    """Return the floor, levelled toward the edges of the square, with its tint; rounded, read-only."""
     half = 0.5 * shore.size
     # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
     ends = _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
@@ -89,7 +89,7 @@ def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
 
 
 def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
-    """Distance to the plain coast, m: positive at sea."""
+    """Return the distance to the plain coastline, m: positive at sea."""
     c, s = math.cos(shore.heading), math.sin(shore.heading)
     r = np.sqrt(x * x + z * z)
     match shore.kind:
@@ -123,7 +123,7 @@ def _smoothstep(low: float, high: float, x: Floats) -> Floats:
 
 
 def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
-    """Value noise in [0, 1] with a cell of 1, twice smooth."""
+    """Value noise in [0, 1] with cells of size 1, with continuous second derivatives."""
     i, j = np.floor(x), np.floor(z)
     u, v = x - i, z - j
     u = u * u * u * (u * (6.0 * u - 15.0) + 10.0)
@@ -136,7 +136,7 @@ def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
 
 
 def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
-    """Octaves of value noise, the largest ``cell`` m wide; in [0, 1], about ½ in the mean."""
+    """Octaves of value noise, the largest with cells of ``cell`` m; in [0, 1], mean about ½."""
     total, weight, sum_of_weights = np.zeros_like(x), 1.0, 0.0
     for octave in range(octaves):
         # Each octave is turned against the last (3-4-5), so that no lattice shows.

@@ -20,13 +20,13 @@ Floats = NDArray[np.float64]
 
 
 def peak_frequency(wind: float, fetch: float) -> float:
-    """Angular frequency of the spectrum's peak, rad/s; wind in m/s above 0, fetch in m."""
+    """Return the peak angular frequency of the spectrum, rad/s; wind in m/s above 0, fetch in m."""
     growing = 22.0 * math.pow(GRAVITY * GRAVITY / (wind * fetch), 1.0 / 3.0)
     return max(growing, 0.855 * GRAVITY / wind)
 
 
 def frequency_spectrum(omega: Floats, wind: float, fetch: float) -> Floats:
-    """JONSWAP S(ω) in deep water, m²·s/rad, at ω > 0 rad/s; 0 without wind."""
+    """Return JONSWAP S(ω) in deep water, m²·s/rad, at ω > 0 rad/s; 0 without wind."""
     if wind <= 0.0:
         return np.zeros_like(omega)
     peak = peak_frequency(wind, fetch)
@@ -41,7 +41,7 @@ def frequency_spectrum(omega: Floats, wind: float, fetch: float) -> Floats:
 
 
 def dispersion(k: Floats, depth: float | None) -> tuple[Floats, Floats, Floats]:
-    """ω (rad/s), dω/dk (m/s) and the depth factor of the spectrum, at k > 0 rad/m; depth in m, absent: deep."""
+    """Return ω (rad/s), dω/dk (m/s) and the depth factor of the spectrum, at k > 0 rad/m; depth in m, absent: deep."""
     if depth is None:
         omega = np.sqrt(GRAVITY * k)
         return omega, 0.5 * omega / k, np.ones_like(k)
@@ -53,7 +53,7 @@ def dispersion(k: Floats, depth: float | None) -> tuple[Floats, Floats, Floats]:
 
 
 def spreading(angle: Floats, exponent: float, against: float) -> Floats:
-    """Share of the energy a radian, at an angle to the wind, rad; waves against the wind weighted by ``against``."""
+    """Return the energy fraction per radian at an angle to the wind (rad); ``against`` weights waves against it."""
 
     def shape(angles: Floats) -> Floats:
         weight = np.where(np.cos(angles) < 0.0, against, 1.0)
@@ -66,7 +66,7 @@ def spreading(angle: Floats, exponent: float, against: float) -> Floats:
 
 
 def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floats:
-    """Ψ(k), m⁴: its integral over the plane of wavevectors (rad/m, not 0) is the mean square height."""
+    """Return Ψ(k), m⁴: its integral over the plane of wavevectors (rad/m, not 0) is the mean square height."""
     k = np.hypot(kx, kz)
     omega, group, shallow = dispersion(k, depth)
     angle = np.arctan2(kz, kx) - sea.wind_direction
@@ -76,7 +76,7 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
 
 
 def _shallow(omega: Floats, depth: float | None) -> Floats:
-    """The depth factor by frequency."""
+    """Return the depth factor by frequency."""
     if depth is None:
         return np.ones_like(omega)
     k = np.geomspace(1e-7, 1e3, 20001)

@@ -1,4 +1,4 @@
-"""The drift that waves give to what floats on them (Stokes 1847). docs/formulae.md, section 14."""
+"""Stokes drift: the mean drift of floating matter caused by waves (Stokes 1847). docs/formulae.md, section 14."""
 
 import math
 
@@ -11,11 +11,11 @@ from seafoam.scene.living import FoamLife
 from seafoam.scene.models import ParametricWave, Scene, Sea
 
 SHALLOW = 0.5
-"""Least k·depth in the factor of finite depth: nearer to 0 the theory of small waves has no end."""
+"""Minimum of k·depth in the finite-depth factor: linear theory diverges toward 0."""
 
 
 def steady_drift(scene: Scene) -> tuple[float, float]:
-    """Current and waves' drift together, (x, z) m/s; what carries foam where no vortex is."""
+    """Return the sum of current and Stokes drift, (x, z) m/s, which carries foam where there is no vortex."""
     drift = scene.drift
     if drift is None:
         return 0.0, 0.0
@@ -24,7 +24,7 @@ def steady_drift(scene: Scene) -> tuple[float, float]:
 
 
 def waves_drift(scene: Scene) -> tuple[float, float]:
-    """Drift of the waves and of the open sea at the surface, (x, z) m/s."""
+    """Return the Stokes drift of parametric waves and open sea at the surface, (x, z) m/s."""
     x, z = 0.0, 0.0
     for wave in scene.waves:
         k = wavenumber(2.0 * math.pi / wave.wavelength, scene.water.depth)
@@ -39,12 +39,12 @@ def waves_drift(scene: Scene) -> tuple[float, float]:
 
 
 def foam_life(scene: Scene) -> FoamLife | None:
-    """What becomes of the scene's foam; None where it lies still, as in all looks but the filtered."""
+    """Return the scene's foam life; None if the foam does not move, as in all looks but the filtered one."""
     return scene.foam.life if scene.foam is not None and scene.foam.look == "filtered" else None
 
 
 def foam_drift(scene: Scene) -> tuple[float, float]:
-    """How foam drifts, (x, z) m/s, in whole micrometres: with the waves and with the wind; not at all off a coast."""
+    """Return the drift of foam by waves and wind, (x, z) m/s, rounded to 1 µm/s; 0 with a shore."""
     life = foam_life(scene)
     if life is None or scene.shore is not None:
         return 0.0, 0.0
@@ -55,7 +55,7 @@ def foam_drift(scene: Scene) -> tuple[float, float]:
 
 
 def orbit(wave: ParametricWave, depth: float | None) -> float:
-    """How far a wave carries the water of the surface to and fro along its heading, m: a coth(kh), first harmonic."""
+    """Return the horizontal orbital amplitude of a wave at the surface, m: a coth(kh), first harmonic."""
     a = first_harmonic(wave.amplitude, wave.exponent)
     if depth is None:
         return a
@@ -70,7 +70,7 @@ def first_harmonic(amplitude: float, exponent: float) -> float:
 
 
 def sea_drift(sea: Sea, depth: float | None) -> float:
-    """2∫ ω k S(ω) dω of the sea's spectrum, with the wind, m/s; waves no shorter than the shortest that is drawn."""
+    """Return the Stokes drift 2∫ ω k S(ω) dω of the sea along the wind, m/s, down to the shortest drawn wave."""
     k = np.geomspace(1e-4, 2.0 * math.pi / SHORTEST, 4096)
     omega, group, shallow = dispersion(k, depth)
     energy = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
@@ -83,7 +83,7 @@ def sea_drift(sea: Sea, depth: float | None) -> float:
 
 
 def _shallow(k: float, depth: float | None) -> float:
-    """cosh(2kd)/(2 sinh²(kd)): what a floor makes of the drift at the surface; 1 in deep water."""
+    """cosh(2kd)/(2 sinh²(kd)): finite-depth factor of the drift at the surface; 1 in deep water."""
     if depth is None or k * depth > 20.0:
         return 1.0
     sinh = math.sinh(max(k * depth, SHALLOW))

@@ -6,20 +6,20 @@ from dataclasses import dataclass
 from seafoam.scene.boats import Boat
 
 LEAST_SPEED = 0.5
-"""Slower boats leave no wake, m/s."""
+"""Speed below which a boat leaves no wake, m/s."""
 
 _GRAVITY = 9.81
 
 NEAR = 2.0
-"""Beyond so many lengths from a boat's middle little is left of the window at its bow."""
+"""Distance from a boat's middle, in lengths, beyond which the window at its bow is negligible."""
 
 _OPENING = 2800.0
-"""Second derivative of a wake's window near the bow, in its level over its boat's length squared."""
+"""Second derivative of a wake's window near the bow, in units of its level over the boat's length squared."""
 
 
 @dataclass(frozen=True)
 class Wake:
-    """A wake's numbers. Of two systems of waves the crests across are half as high as the spreading ones."""
+    """Properties of a wake. The transverse waves are half as high as the divergent ones."""
 
     boat: Boat
 
@@ -29,32 +29,32 @@ class Wake:
 
     @property
     def k(self) -> float:
-        """Wavenumber of the waves across, which run as fast as the boat: g/v², rad/m."""
+        """Wavenumber of the transverse waves, whose phase speed is the boat's: g/v², rad/m."""
         return _GRAVITY / max(self.boat.speed, LEAST_SPEED) ** 2
 
     @property
     def wavelength(self) -> float:
-        """m"""
+        """Wavelength of the transverse waves, m."""
         return 2.0 * math.pi / self.k
 
     @property
     def shortest(self) -> float:
-        """Waves of 1/e: a hull makes none that are much shorter than it is wide; rad/m."""
+        """Wavenumber at which amplitudes fall to 1/e: a hull makes no waves much shorter than its beam; rad/m."""
         return 2.0 * math.pi / (0.18 * self.boat.length)
 
     @property
     def length(self) -> float:
-        """No wake is left so far behind the bow, on the course, m."""
+        """Length of the wake behind the bow along the course, m."""
         return min(12.0 * self.wavelength + 4.0 * self.boat.length, 5.0 * self.boat.radius)
 
     @property
     def level(self) -> float:
-        """No crest is higher and no trough deeper, m."""
+        """Upper bound of the height and depth of the waves, m."""
         return 1.5 * self.boat.wake if self.shows else 0.0
 
     @property
     def steepest(self) -> float:
-        """No slope is steeper: a·k of both systems, and what their windows add."""
+        """Upper bound of the slope: a·k of both systems, and the slope of their windows."""
         if not self.shows:
             return 0.0
         # k exp(-(k/c)^2) is greatest at k = c/sqrt 2; no wave is longer than those across.
@@ -67,11 +67,11 @@ class Wake:
 
     @property
     def curvature(self) -> tuple[float, float]:
-        """No second derivative is greater, 1/m, within :data:`NEAR` lengths of the boat, and elsewhere.
+        """Upper bounds of the second derivative, 1/m, within :data:`NEAR` lengths of the boat and elsewhere.
 
-        a·k² of both systems, and the window at the bow, where the wake opens: it is as narrow there as the way behind
-        the bow, so its share grows with 1/length² and falls with the square of that way. Its factor is measured over
-        boats of every speed, radius and height, with a tenth to spare.
+        a·k² of both systems, and the window at the bow, where the wake opens: its width there is proportional to the
+        distance from the bow, so its contribution grows with 1/length² and falls with the square of the distance. The
+        factor is measured over boats of every speed, radius and height, plus a tenth.
         """
         if not self.shows:
             return 0.0, 0.0
@@ -81,24 +81,23 @@ class Wake:
         return (waves + window) / 0.75**2, (waves + window / NEAR**2) / 0.75**2
 
     def grain(self, texel: float) -> float:
-        """How far a map of ``texel`` m, read bilinearly, stands over what its slopes and its curvature say, m.
+        """Upper bound of the excess of a bilinear map of ``texel`` m over what its slope and curvature say, m.
 
-        The unit is the second derivative of its shortest waves times texel²; the factor is measured, with a tenth to
-        spare.
+        In units of the second derivative of its shortest waves times texel²; the factor is measured, plus a tenth.
         """
         return 0.013 * self.level * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
 
 
 def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:
-    """Every boat's wake, shown or not."""
+    """Return every boat's wake, visible or not."""
     return tuple(Wake(boat) for boat in boats)
 
 
 def wake_level(boats: tuple[Boat, ...]) -> float:
-    """Height of still water over y = 0 where boats pass, m: no trough of their wakes together is deeper."""
+    """Return the height of still water above y = 0 where boats pass, m: a bound of the depth of all wakes' troughs."""
     return float(f"{sum(wake.level for wake in wakes(boats)):.7g}")
 
 
 def wake_slope(boats: tuple[Boat, ...]) -> float:
-    """No slope of all wakes together is steeper."""
+    """Return an upper bound of the slope of all wakes together."""
     return float(f"{sum(wake.steepest for wake in wakes(boats)):.7g}")

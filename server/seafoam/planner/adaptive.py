@@ -1,8 +1,8 @@
-"""More samples where a pixel needs them: passes that choose pixels, draw their samples, and put the frame together.
+"""Adaptive sampling: passes that select pixels, draw their additional samples, and assemble the frame.
 
-docs/formulae.md, section 1, has the estimate and the limits. Chosen pixels are counted and listed in passes of their
-own, so that their samples lie side by side in a target twice as wide and high as the picture, and nothing else is drawn
-again.
+docs/formulae.md, section 1, has the error estimate and the limits. Selected pixels are counted and listed in passes of
+their own, so that their samples are adjacent in a target twice as wide and high as the picture, and nothing else is
+drawn again.
 """
 
 from collections.abc import Iterable, Mapping
@@ -17,19 +17,19 @@ from seafoam.planner.glsl import assemble
 from seafoam.quality import Quality
 
 PLACE = "lib/place.glsl"
-"""The file that says which sample of the picture a fragment is."""
+"""The file that maps a fragment to its sample of the picture."""
 SPREAD = ("lib/numbers.glsl", "lib/camera.glsl", PLACE, "adaptive/spread_pass.glsl")
-"""The fragment shader of points that were drawn over the whole picture, read as ``u_points``."""
+"""The fragment shader that reads points which were drawn over the whole picture, as ``u_points``."""
 
 RATIO = 3.5
-"""Contrast from which on a pixel gets 16 samples, over that from which on it gets 4. Of a squared error 4 samples leave
-a quarter and 16 a sixteenth: a sample gains as much in either step where the squared error is 12 times as large."""
+"""Ratio of the contrast thresholds for 16 and for 4 samples. 4 samples leave a quarter of the squared error and 16 a
+sixteenth: a sample gains as much in either step where the squared error is 12 times as large."""
 GREATEST = 1.5
-"""Contrast that hardly a pixel has: the greatest limit that is tried at first."""
+"""Contrast that hardly any pixel exceeds: the greatest threshold tried in the first round."""
 ROUNDS = 3
-"""Rounds of four limits each: the first reach :data:`GREATEST`, the next ones lie between two of them."""
+"""Rounds of four thresholds each: the first reach :data:`GREATEST`, the next are between two of the last round."""
 PARTS = 32
-"""Parts along each side of the picture in which samples are counted."""
+"""Number of parts along each side of the picture in which samples are counted."""
 
 _KIND = "adaptive/kind.glsl"
 _BITS = "adaptive/bits.glsl"
@@ -42,7 +42,7 @@ _LISTS = {"u_chosen_cells": "chosen cells", "u_chosen_groups": "chosen groups", 
 
 @dataclass(frozen=True)
 class Seen:
-    """A pass of the picture, as chosen pixels draw it again: ``model``, but with these pieces of a fragment shader.
+    """A pass of the picture as drawn again for selected pixels: ``model`` with these pieces of a fragment shader.
 
     ``depth``: of what it draws, in clip space.
     """
@@ -54,7 +54,7 @@ class Seen:
 
 @dataclass
 class Spent:
-    """What more samples add to a plan."""
+    """What adaptive sampling adds to a plan."""
 
     consts: dict[str, Const]
     programs: dict[str, Program] = field(default_factory=dict)
@@ -72,7 +72,7 @@ class Spent:
         rows: bool = False,
         uniforms: Mapping[str, Uniform] | None = None,
     ) -> None:
-        """A pass over the whole target, or over the ``rows`` that chosen pixels fill; its files name its program."""
+        """Return a pass over the whole target, or over the ``rows`` of selected pixels; its files name its program."""
         program = ", ".join(files)
         if program not in self.programs:
             self.programs[program] = self.program(_ROWS if rows else (_FULL,), files)
@@ -90,7 +90,7 @@ class Spent:
         )
 
     def program(self, vertex: tuple[str, ...], fragment: Iterable[Piece], depth: float = 0.0) -> Program:
-        """A program with the constants of the choice."""
+        """Return a program with the constants of the selection."""
         return Program(
             vertex=assemble(vertex, {**self.consts, "FULLSCREEN_DEPTH": depth}),
             fragment=assemble(fragment, self.consts),
@@ -105,9 +105,9 @@ def spend(
     after: tuple[Seen, ...],
     consts: Mapping[str, Const],
 ) -> Spent:
-    """Passes that read the target ``frame``, of a value a pixel, and draw the finished frame into ``linear``.
+    """Return passes that read the target ``frame``, one value per pixel, and draw the finished frame into ``linear``.
 
-    ``scene``: surface and sky, in their order; ``after``: what is laid over them.
+    ``scene``: surface and sky, in drawing order; ``after``: passes blended over them.
     """
     kinds = quality.chosen_samples
     spent = Spent(
@@ -141,7 +141,7 @@ def spend(
 
 
 def _choose(spent: Spent, frame: str) -> None:
-    """Contrast, the limit that the budget allows, and which pixels are over it: bits, and counts of those before."""
+    """Contrast, the threshold that the budget allows, and which pixels exceed it: bits, and running counts."""
     parts, one = FixedSize(width=PARTS, height=PARTS), FixedSize(width=1, height=1)
     cells, groups = ViewportSize(part=4), ViewportSize(part=4, narrow=16)
     rows = ViewportSize(part=4, narrow=1 << 14)
@@ -170,7 +170,7 @@ def _choose(spent: Spent, frame: str) -> None:
 
 
 def _draw(spent: Spent, count: int, layers: tuple[tuple[tuple[Seen, ...], str], ...], *, first: bool) -> None:
-    """The list of the pixels that are given ``count`` samples, and these samples. ``first``: into cleared targets."""
+    """The list of the pixels that get ``count`` samples, and these samples. ``first``: into cleared targets."""
     side = 2 if count == 4 else 4
     pixels = f"pixels of {count}"
     spent.targets[pixels] = Target(size=ViewportSize(part=side // 2), format="RGBA32F")

@@ -1,4 +1,4 @@
-"""What the effects of a scene give to its plan, joined."""
+"""The contributions of a scene's effects to its plan."""
 
 from collections.abc import Sequence
 
@@ -11,17 +11,17 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 NEGLIGIBLE = 0.5 / 255.0
-"""Half a level of exposed linear light: what can change a pixel by less is left out."""
+"""Half a level of exposed linear light: an effect that changes every pixel by less is left out."""
 
 START_TILE = 4
-"""Pixels along a side of the tiles for whose rays one start is found."""
+"""Side of the tiles whose rays share a start distance, pixels."""
 
 LOWEST = -100.0
-"""Where there is no floor an eye may dive so deep, m: there is nothing more to see."""
+"""Maximum depth of the camera without a floor, m: there is nothing more to see."""
 
 
 class AssemblyError(RuntimeError):
-    """The effects contradict each other or their GLSL: a mistake in Seafoam, never in a scene."""
+    """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
 
 
 class Collection:
@@ -44,12 +44,12 @@ class Collection:
         self.grain = 0.0
         self.steepest = 0.0
         self.bounds = [0.0, 0.0, 0.0]
-        """Height, slope and curvature at most of what does not measure its own."""
+        """Upper bounds of height, slope and curvature of what does not measure its own."""
         self.bottom = LOWEST
         self.march = 1
         self.bound_fields: set[str] = set()
         self.readers: dict[str, str] = {}
-        """Sampler -> the effect that brings it."""
+        """Sampler -> the effect that adds it."""
         for effect in effects:
             contribution = effect.contribute(scene, quality)
             if contribution is None:
@@ -94,7 +94,7 @@ class Collection:
             mine.update(theirs)  # type: ignore[arg-type]
 
     def add_starts(self, side: int) -> None:
-        """The pass that finds, for tiles of the picture, where their rays may begin to look for water and land.
+        """Return the pass that finds, for tiles of the picture, the start distances of their rays to water and land.
 
         ``side``: samples along each side of a pixel.
         """

@@ -1,4 +1,4 @@
-"""GLSL that stands in slots that nothing fills."""
+"""GLSL of slots that nothing fills."""
 
 from seafoam.effects.effect import Inline, constant_function
 

@@ -1,4 +1,4 @@
-"""The frame's own programs, targets and passes: surface, land, sky, what lies over them, samples and tone."""
+"""The frame's own programs, targets and passes: surface, land, sky, overlays, samples and tone mapping."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -29,10 +29,10 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 START_SHARE = 0.25
-"""Of its tile's height: a shorter step ends the search for a start."""
+"""Step, in heights of a tile, below which the search for a start distance ends."""
 
 LOW_EYE = "surface, low eye"
-"""The program of the surface for eyes that crests may cover."""
+"""The program of the surface for cameras that can be below crests."""
 
 _MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl",))
 _MARCH_START = SlotFile(
@@ -97,7 +97,7 @@ class FrameBuilder:
         return [*before, *search, *scenery, *overlay, *resolve, *more_samples, tone]
 
     def _chosen(self) -> list[SlotFile]:
-        """What fills the slots of the surface's shader."""
+        """The files in the slots of the surface's shader."""
         find = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
         # Where there is land, a pass before the surface's finds which of them a ray meets.
         of_land = (LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
@@ -106,7 +106,7 @@ class FrameBuilder:
         return [*files, _MARCH] if find == "march" else files
 
     def _marched(self) -> list[SlotFile]:
-        """The same for passes and for eyes that crests may cover: without a mesh they march to the surface."""
+        """The same for passes and for cameras that can be below crests: without a mesh they march to the surface."""
         return [
             *self.collection.slots,
             SlotFile("find", f"surface/{'plane' if self.level else 'march'}.glsl"),
@@ -184,7 +184,7 @@ class FrameBuilder:
         return [one for spec in self.collection.passes if spec.stage == stage for one in self._passes_of(spec)]
 
     def _passes_of(self, spec: PassSpec) -> list[Pass]:
-        """The pass of a spec, or one for each kind of eye where they differ."""
+        """The pass of a spec, or one for each range of camera heights if they differ."""
         shared = any(isinstance(part, SlotRef) for part in (*spec.vertex, *spec.fragment))
         one = Pass(
             name=spec.name,
@@ -207,7 +207,7 @@ class FrameBuilder:
         return Pass(name=name, when="frame", program=program, target=target, mesh=Fullscreen(), inputs=inputs)
 
     def _overlay(self) -> list[Pass]:
-        """Passes over surface and sky, and the one that lays their light over them."""
+        """Passes over surface and sky, and the one that blends them."""
         after = self._effect_passes("after")
         if not after:
             return []
@@ -229,7 +229,7 @@ class FrameBuilder:
 
     @property
     def _surfaces(self) -> list[tuple[Eye, str, Mesh]]:
-        """For which eyes the surface is drawn, by which program, over which mesh."""
+        """Camera heights, program and mesh of the passes that draw the surface."""
         cells = self.quality.surface.cells
         own: Mesh = Grid(rows=cells, columns=cells) if self.mesh else Fullscreen()
         return [("over", "surface", own), ("under", LOW_EYE, Fullscreen())] if self.below else [("any", "surface", own)]
@@ -247,7 +247,7 @@ class FrameBuilder:
         )
 
     def _search(self) -> list[Pass]:
-        """Passes that find which of water and land a ray meets first."""
+        """Passes that find whether a ray meets water or land first."""
         if not self.shore:
             return []
         self.targets["met"] = Target(size=ViewportSize(scale=self.side), format="RGBA32F")
@@ -297,7 +297,7 @@ class FrameBuilder:
         return [self._fullscreen("mean of the samples", "resolve", self.linear, {"u_samples": "samples"})]
 
     def _more_samples(self, scenery: Sequence[Pass]) -> list[Pass]:
-        """Passes that give more samples to the pixels that need them."""
+        """Passes of adaptive sampling."""
         # Without light a sample costs less than its choice.
         if not self.quality.chosen_samples or self.scene.light is None:
             return []

@@ -1,4 +1,4 @@
-"""GLSL assembly: files and joining functions, in order, under one prologue with the compile-time numbers."""
+"""GLSL assembly: files and joining functions, in order, after one prologue with the compile-time numbers."""
 
 import hashlib
 import re
@@ -30,12 +30,12 @@ Consts = Mapping[str, Const]
 
 @cache
 def read_file(path: str) -> str:
-    """Text of a file of ``shaders/``. Raises ``FileNotFoundError``."""
+    """Return the source of a file of ``shaders/``. Raises ``FileNotFoundError``."""
     return (data_dir("shaders") / path).read_text(encoding="utf-8")
 
 
 def const_line(name: str, value: Const) -> str:
-    """A GLSL constant; floats with the 9 digits that float32 needs."""
+    """Return a GLSL constant; floats have the 9 digits that float32 needs."""
     if isinstance(value, tuple):
         kind = f"int[{len(value)}]"
         return f"const {kind} {name} = {kind}({', '.join(map(str, value))});\n"

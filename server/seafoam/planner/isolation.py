@@ -23,23 +23,23 @@ Path = tuple[str, ...]
 
 @dataclass(frozen=True)
 class Switch:
-    """An effect switched on in a scene, and everything but that as it was."""
+    """An effect added to a scene, all else unchanged."""
 
     effect: str
     on: Scene
     off: Scene
     fields: tuple[str, ...]
-    """JSON pointers of what differs."""
+    """JSON pointers of the fields that differ."""
     needs: tuple[str, ...]
-    """Of what both have beside the scene itself, since the effect needs it."""
+    """JSON pointers of fields that both scenes have in addition to the original, because the effect needs them."""
     given: bool
-    """Whether the scene itself runs the effect: then it is ``on``, and ``off`` was found."""
+    """Whether the original scene runs the effect: it is then ``on``, and ``off`` was derived."""
     others: tuple[str, ...]
-    """Effects that come and go with it, since they hang on it or stand in its place."""
+    """Effects that are added or removed with it, because they depend on it or replace it."""
 
 
 def running(scene: Scene, quality: Quality) -> frozenset[str]:
-    """The effects that a plan of the scene would run. Raises ``PlanError`` as planning does."""
+    """Return the effects that a plan of the scene would run. Raises ``PlanError`` as planning does."""
     return frozenset(effect.name for effect in EFFECTS if _shows(effect, scene, quality))
 
 
@@ -49,7 +49,7 @@ def _shows(effect: Effect, scene: Scene, quality: Quality) -> bool:
 
 
 def switch(effect: Effect, scene: Scene, quality: Quality) -> Switch | None:
-    """The effect's switch in a scene; None where the fields of no preset and no hard case switch it on there."""
+    """Return the effect's switch in a scene; None if no field of any preset or hard case adds it there."""
     usual = running(scene, quality)
     if effect.name in usual:
         return _removed(effect, scene, quality, usual)
@@ -73,7 +73,7 @@ def _rank(found: Switch) -> tuple[int, int]:
 
 
 def _added(effect: Effect, base: Json, donor: Json, quality: Quality) -> Switch | None:
-    """The base with as few of the donor's parts as run the effect, against the same without the one that counts."""
+    """Return the base with the fewest parts of the donor that run the effect, and that without the decisive part."""
     kept = list(_differences(base, donor))
     if not _runs(effect, _merged(base, donor, kept), quality):
         return None
@@ -98,7 +98,7 @@ def _added(effect: Effect, base: Json, donor: Json, quality: Quality) -> Switch 
 
 
 def _removed(effect: Effect, scene: Scene, quality: Quality, usual: frozenset[str]) -> Switch | None:
-    """The scene with one field emptied so that the effect is gone, and as few others as can be."""
+    """Return the scene with one field emptied so that the effect is gone, and as few others as possible."""
     base = _json(scene)
     best: tuple[int, Scene, Path, frozenset[str]] | None = None
     for path, value in _emptied(base):
@@ -117,7 +117,7 @@ def _removed(effect: Effect, scene: Scene, quality: Quality, usual: frozenset[st
 
 
 def _emptied(document: Json) -> Iterator[tuple[Path, Any]]:
-    """Every part with what stands for its absence: null, an empty list, 0, or the least angle."""
+    """Return every part with the value that stands for its absence: null, an empty list, 0, or the least angle."""
     for name, value in document.items():
         if name == "camera":
             continue
@@ -141,7 +141,7 @@ def _differences(base: Json, donor: Json) -> Iterator[Path]:
 
 
 def _merged(base: Json, donor: Json, paths: Sequence[Path]) -> Json:
-    """The base with the donor's parts; lists are joined where both have items."""
+    """Return the base with the donor's parts; lists are concatenated if both have items."""
     result = base
     for path in paths:
         mine, theirs = _at(base, path), _at(donor, path)

@@ -12,7 +12,7 @@ from seafoam.planner.collect import AssemblyError
 from seafoam.textures import texture
 
 MOST_SAMPLERS = 16
-"""Textures that one fragment shader may read: no WebGL2 promises more (MAX_TEXTURE_IMAGE_UNITS)."""
+"""Maximum number of textures of a fragment shader that WebGL2 guarantees (MAX_TEXTURE_IMAGE_UNITS)."""
 
 
 def camera_uniforms(top: float, steepest: float, grain: float, bounds: Sequence[float]) -> dict[str, Uniform]:
@@ -59,7 +59,7 @@ def with_inputs(of: Pass, programs: Mapping[str, Program], uniforms: Mapping[str
             raise AssemblyError(f"pass {of.name}: uniform {name} has no rule")
     missing = samplers - of.inputs.keys()
     if missing:
-        raise AssemblyError(f"pass {of.name}: nothing to read for {sorted(missing)}")
+        raise AssemblyError(f"pass {of.name}: no source for {sorted(missing)}")
     return of.model_copy(update={"inputs": {name: source for name, source in of.inputs.items() if name in samplers}})
 
 
@@ -72,7 +72,7 @@ def declared_in(uniforms: Mapping[str, Uniform], programs: Mapping[str, Program]
 
 
 def live_fields(uniforms: Mapping[str, Uniform]) -> set[str]:
-    """JSON pointers of the scene fields that stand in constants: they may change without a new plan."""
+    """Return the JSON pointers of scene fields that are constants: they can change without a new plan."""
     return {
         rule.field
         for uniform in uniforms.values()
@@ -82,9 +82,9 @@ def live_fields(uniforms: Mapping[str, Uniform]) -> set[str]:
 
 
 def refuse_too_many_samplers(program: Program, readers: Mapping[str, str]) -> None:
-    """Raises :class:`PlanError` where a shader reads more than :data:`MOST_SAMPLERS` textures.
+    """Raise :class:`PlanError` if a shader reads more than :data:`MOST_SAMPLERS` textures.
 
-    ``readers``: sampler -> the effect that brings it.
+    ``readers``: sampler -> the effect that adds it.
     """
     samplers = [name for name, sampler in declared_uniforms(program.fragment).items() if sampler]
     if len(samplers) > MOST_SAMPLERS:
@@ -98,7 +98,7 @@ def refuse_too_many_samplers(program: Program, readers: Mapping[str, str]) -> No
 
 
 def refuse_integers(of: Pass, targets: Mapping[str, Target]) -> None:
-    """Raises :class:`AssemblyError` where a pass clears, blends or filters integers: GL leaves that open."""
+    """Raise :class:`AssemblyError` if a pass clears, blends or filters integers, which GL leaves undefined."""
     target = targets.get(of.target)
     if target is None or target.format != "RG32UI":
         return

@@ -1,4 +1,4 @@
-"""The planner: a scene and a quality become a frame plan, here and nowhere else."""
+"""The planner: compiles a scene and a quality into a frame plan."""
 
 from functools import lru_cache
 
@@ -23,13 +23,13 @@ from seafoam.scene.models import Scene
 
 @lru_cache(maxsize=256)
 def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
-    """The frame plan of a scene at a quality.
+    """Return the frame plan of a scene at a quality.
 
-    ``economy``: leave out what can change no pixel by more than :data:`seafoam.planner.collect.NEGLIGIBLE`, and say of
-    passes where they can be seen; without it everything that the scene names is drawn from everywhere, which is how
-    both are tested. Pure: the same arguments give the same bytes. Raises :class:`seafoam.effects.effect.PlanError`
-    where the scene asks for what does not exist, such as an unknown mask, or for more effects together than one shader
-    can read the textures of.
+    ``economy``: leave out effects that change no pixel by more than :data:`seafoam.planner.collect.NEGLIGIBLE`, and
+    declare where passes can be visible; otherwise everything that the scene names is drawn from everywhere, so that
+    tests can compare both. Pure: the same arguments give the same bytes. Raises
+    :class:`seafoam.effects.effect.PlanError` if the scene names something that does not exist, such as an unknown mask,
+    or more effects together than one shader can read the textures of.
     """
     scene = _with_steepest_waves(scene, quality.waves)
     collection = Collection(EFFECTS, scene, quality, economy=economy)
@@ -64,7 +64,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
 
 
 def _with_steepest_waves(scene: Scene, count: int) -> Scene:
-    """The scene with its ``count`` steepest waves, in their own order."""
+    """Return the scene with its ``count`` steepest waves, in their own order."""
     if len(scene.waves) <= count:
         return scene
     order = sorted(range(len(scene.waves)), key=lambda i: -scene.waves[i].amplitude / scene.waves[i].wavelength)

@@ -1,8 +1,8 @@
-"""Which passes are drawn once, and what their pixels hang on.
+"""Finds the passes that are drawn once, and what determines their pixels.
 
-A pass is static where no rule of time, camera or picture size reaches it or anything that it reads. Only targets that
-nothing else draws into are kept: all passes into them must be static, the first must leave nothing of what they held,
-and no other pass may read them before the last.
+A pass is static if neither it nor its inputs depend on time, camera or picture size. Only targets that nothing else
+draws into are kept: all passes into them must be static, the first must replace their whole content, and no other pass
+may read them before the last.
 """
 
 import hashlib
@@ -91,7 +91,7 @@ def _static_targets(passes: Sequence[Pass], steady: Sequence[bool], targets: Map
 
 
 def _covers(one: Pass) -> bool:
-    """Whether nothing is left of what the target held."""
+    """Whether a pass replaces the whole content of its target."""
     return one.state.clear or (isinstance(one.mesh, Fullscreen) and one.state.blend == "none" and not one.state.depth)
 
 

@@ -23,10 +23,10 @@ class Join:
     arguments: str
     how: Literal["sum", "max", "product"] = "sum"
     limit: str = ""
-    """GLSL expression that the joined value may not exceed."""
+    """GLSL expression of the maximum of the joined value."""
 
     def glsl(self, prefixes: Sequence[str]) -> str:
-        """The function's text; no file at all gives zero."""
+        """Return the function's source; without any file it returns zero."""
         calls = [f"{prefix}_{self.suffix}({self.arguments})" for prefix in prefixes]
         if not calls:
             value = f"{self.returns}(0.0)"
@@ -62,7 +62,7 @@ WAVES = Slot(
         Join("vec4", "waves_shading", "vec2 p, Footprint fp", "shading", "p, fp"),
     ),
 )
-"""Height and gradient of the surface; the second function with what is smaller than the footprint taken out."""
+"""Height and gradient of the surface; the second function without waves smaller than the footprint."""
 
 OPEN_WAVES = Slot(
     "waves",
@@ -72,37 +72,38 @@ OPEN_WAVES = Slot(
     ),
 )
 SHORE = Slot("shore")
-"""Where there is a shore, it joins the open sea's waves with its own."""
+"""With a shore, it combines the open sea's waves with its own."""
 
 DETAIL = Slot("detail", joins=(Join("vec3", "detail", "vec2 p, Footprint fp", "detail", "p, fp"),))
-"""Slopes that have no height: gradient, and the mean square slope taken out."""
+"""Slopes without height: gradient, and the mean square slope removed by the footprint."""
 
 MARCHED = Slot("marched")
-"""What marches share; filled where something marches to the surface."""
+"""Shared functions of ray marching; filled if any pass marches to the surface."""
 NOW = Slot("now", default="surface/now_declared.glsl", under="marched")
-"""Bounds of the surface as it is now, for a march's steps."""
+"""Bounds of the present surface, for the steps of ray marching."""
 SHORT = Slot("short", default=defaults.NO_SHORT_WAVES, under="marched")
-"""Waves that a march tells apart from those they ride on: ``SHORT_WAVES`` says whether there are any."""
+"""Short waves that ray marching bounds separately: ``SHORT_WAVES`` says whether there are any."""
 BEYOND = Slot("beyond", default=defaults.NO_BEYOND, under="marched")
-"""From where on a ray meets less steep waves."""
+"""Distance along a ray from which the waves are less steep."""
 FIND = Slot("find")
-"""How the ray finds the surface; filled by the quality."""
+"""Intersection of the ray with the surface; selected by the quality."""
 SHORT_BOUNDS = Slot("short bounds", default=defaults.NO_SHORT_BOUNDS)
-"""Height over y = 0 (m), slope and second derivative (1/m) of the short waves at most."""
+"""Upper bounds of height over y = 0 (m), slope and second derivative (1/m) of the short waves."""
 MARCH_SLOTS = (MARCHED, NOW, SHORT, BEYOND)
 
 BOUNDS = Slot(
     "bounds",
     joins=(Join("vec3", "surface_bounds", "vec3 ray, float aside, float from", "bounds", "ray, aside, from"),),
 )
-"""The most that the surface's height over y = 0 (m), slope and second derivative (1/m) can be where a ray goes on from
-``from`` times itself, and all rays up to ``aside`` metres a unit beside it. Height and slope hold wherever it goes."""
+"""Upper bounds of the surface's height over y = 0 (m), slope and second derivative (1/m) along a ray from ``from``
+times its vector on, and along all rays up to ``aside`` metres a unit beside it. Height and slope hold for the whole
+ray."""
 
 START = Slot(
     "start",
     joins=(Join("vec3", "starts", "vec3 ray, vec3 side, vec3 top", "start", "ray, side, top"),),
 )
-"""How far the rays between ray ± side ± top are free: r of water, g of land; each file fills a component."""
+"""Free distance of the rays between ray ± side ± top: r of water, g of land; each file fills a component."""
 
 SATURATION_MAX = Slot(
     "saturation",
@@ -121,20 +122,20 @@ SATURATION_PRODUCT = Slot(
 """Foam saturation, in [0, 4]."""
 
 CARRY = Slot("carry", under="carry", joins=(Join("vec2", "carry", "vec2 p", "carry", "p"),))
-"""The way from a place to where the water that is there rests, m; called after that place was shaded."""
+"""Vector from a place to the rest position of the water there, m; called after that place was shaded."""
 OPEN_CARRY = Slot("carry", under="carry", joins=(Join("vec2", "open_carry", "vec2 p", "carry", "p"),))
 SHORE_CARRY = Slot("shore carry", under="carry")
-"""Where there is a shore, it joins the open sea's orbits with its own."""
+"""With a shore, it combines the open sea's orbits with its own."""
 LOOK = Slot("look", default=defaults.NO_FOAM)
 """Foam amount from saturation."""
 OVER = Slot("over", default="foam/over.glsl")
-"""How foam meets water."""
+"""Composition of foam and water."""
 ALBEDO = Slot("albedo", default=defaults.NO_ALBEDO, under="shade")
 LAYERED = Slot("layered")
 MOON = Slot("moon", default=defaults.NO_MOON, under="layered")
 CLOUDS = Slot("clouds", default=defaults.NO_CLOUDS, under="layered")
 SKY = Slot("sky", default=defaults.BLACK_SKY)
-"""Light of the sky; a layered one is joined from air, moonlight and clouds."""
+"""Light of the sky; a layered sky is combined from air, moonlight and clouds."""
 MOON_DISC = Slot("moon disc", default=defaults.NO_MOON_DISC, under="layered")
 STARS = Slot("stars", default=defaults.NO_STARS, under="layered")
 SKY_MAIN = Slot("sky main", default="light/sky/main.glsl")
@@ -145,50 +146,50 @@ PLUME = Slot("plume", default=defaults.NO_BUBBLES, under="shade")
 """Bubbles in the water under foam."""
 GLITTER = Slot("glitter", default=defaults.NO_GLITTER, under="shade")
 REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
-"""What the water mirrors."""
+"""Light reflected by the water."""
 SHADE = Slot("shade", default="light/shade/flat.glsl")
 RELIEF = Slot("relief", default=defaults.NO_RELIEF)
-"""Called before water and foam are lit: what foam takes from the sun beside it."""
+"""Called before water and foam are lit: fraction of the sun that foam beside the place blocks."""
 CAUSTICS = Slot("caustics", default="water/seafloor/even.glsl", under="bed")
-"""How the sun's light lies on a level floor."""
+"""Distribution of the sun's light on a level floor."""
 BED = Slot("bed")
-"""A level floor as it is lit, where the eye over the surface tells its places apart."""
+"""Light of a level floor, if single points of it are visible from above the surface."""
 CEILING = Slot("ceiling")
-"""How a ray from under the surface finds it; filled as FIND is."""
+"""Intersection of a ray from below with the surface; filled like FIND."""
 REACH = Slot("reach", default=defaults.NO_FLOOR_BELOW, under="below")
 UNDER_BED = Slot("under bed", default=defaults.NO_FLOOR_LIGHT, under="below")
-"""The floor as an eye under the surface sees it: how far it is, and its light."""
+"""The floor as seen from below the surface: its distance and its light."""
 THROUGH = Slot("through", default=defaults.NO_FLOOR)
-"""Called before the water is shaded: what is seen through it."""
+"""Called before the water is shaded: what is visible through it."""
 LAND = Slot("land", default=defaults.NO_LAND)
-"""What stands before the water."""
+"""Objects in front of the water."""
 LAND_FOAM = Slot("land foam", default=defaults.NO_FOAM_ON_LAND, under="land color")
 """Foam on the land."""
 LAND_COLOR = Slot("land color")
-"""What it looks like; none where no land is."""
+"""Colour of the land; none without land."""
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
-"""What an eye under the surface sees; it calls the main function of an eye over it ``seen_from_above``."""
+"""Main function for a camera below the surface; for one above it calls ``seen_from_above``."""
 UNDER_SLOTS = (CEILING, REACH, UNDER_BED, BELOW)
-"""Slots of the shader for eyes that crests may cover, beyond those of the surface's own."""
+"""Additional slots of the shader for cameras that can be below crests."""
 TONE = Slot("tone", default="output/tone/clamp.glsl")
 
 
 SKY_SLOTS = (LAYERED, MOON, CLOUDS, SKY)
-"""What ``sky_light`` is made of, in the order of the text."""
+"""Components of ``sky_light``, in source order."""
 SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
-"""The slots of the sky's fragment shader, in the order of the text."""
+"""Slots of the sky's fragment shader, in source order."""
 
 
 def _foam_slots(combine: Literal["max", "product"], shore: bool) -> tuple[Slot, ...]:
-    """What foam is made of, in the order of the text."""
+    """Slots of foam, in source order."""
     saturation = SATURATION_MAX if combine == "max" else SATURATION_PRODUCT
     carry = (OPEN_CARRY, SHORE_CARRY) if shore else (CARRY,)
     return (saturation, *carry, LOOK, OVER, ALBEDO)
 
 
 def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tuple[Slot, ...]:
-    """The slots of the surface's fragment shader, in the order of the text."""
+    """Slots of the surface's fragment shader, in source order."""
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
     lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, RELIEF, CAUSTICS, BED)
     foam = _foam_slots(combine, shore)
@@ -197,9 +198,9 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
 
 
 def land_slots(combine: Literal["max", "product"], foam: bool) -> tuple[Slot, ...]:
-    """The slots of the fragment shader that draws land where rays meet it, in the order of the text.
+    """Slots of the fragment shader that draws land, in source order.
 
-    ``foam``: whether any lies on it.
+    ``foam``: whether there is foam on it.
     """
     lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
     own = _foam_slots(combine, True) if foam else (OVER, ALBEDO)

@@ -1,4 +1,4 @@
-"""Pictures as bytes: PNG and WebP for the eye, NPY for measurements."""
+"""Encodes frames: PNG and WebP for display, NPY for measurements."""
 
 import io
 import struct
@@ -23,16 +23,16 @@ PNG_COMPRESS_LEVEL = 2
 _SUB = 1
 """The PNG filter of every row: each byte less the same channel of the pixel to its left."""
 WEBP_EFFORT = 10
-"""Pillow's ``quality``, which is effort, not loss, where WebP is lossless; 0..100."""
+"""Pillow's ``quality`` for lossless WebP, which is effort and not loss; 0..100."""
 
 
 def needs_linear(format: FrameFormat) -> bool:
-    """Whether a format holds the linear frame (float32) rather than the finished picture (uint8)."""
+    """Whether a format contains the linear frame (float32) instead of the displayed picture (uint8)."""
     return format == "npy"
 
 
 def encode(pixels: NDArray[Any], format: FrameFormat) -> bytes:
-    """Encode a frame, rows from the top.
+    """Encode a frame, top row first.
 
     pixels: (height, width, 4); uint8 for ``png`` and ``webp``, float32 for ``npy``.
 
@@ -42,7 +42,7 @@ def encode(pixels: NDArray[Any], format: FrameFormat) -> bytes:
     """
     expected = np.dtype(np.float32 if needs_linear(format) else np.uint8)
     if pixels.ndim != 3 or pixels.shape[2] != 4 or pixels.dtype != expected:
-        raise ValueError(f"{format} needs (height, width, 4) of {expected}, not {pixels.shape} of {pixels.dtype}")
+        raise ValueError(f"{format} requires (height, width, 4) of {expected}, not {pixels.shape} of {pixels.dtype}")
     buffer = io.BytesIO()
     if format == "npy":
         np.save(buffer, pixels.astype("<f4", copy=False), allow_pickle=False)
@@ -55,7 +55,7 @@ def encode(pixels: NDArray[Any], format: FrameFormat) -> bytes:
 
 
 def _png(pixels: NDArray[Any]) -> bytes:
-    """RGB of (height, width, 4) uint8 as PNG (ISO 15948): one filter for all rows, one IDAT chunk, nothing optional."""
+    """Encode RGB of (height, width, 4) uint8 as PNG (ISO 15948): one row filter, one IDAT chunk, nothing optional."""
     height, width, _ = pixels.shape
     rows = np.empty((height, 1 + 3 * width), np.uint8)
     rows[:, 0] = _SUB

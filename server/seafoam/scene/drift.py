@@ -1,11 +1,11 @@
-"""Drift: what carries foam over a square of water: a current, the waves' own drift, and vortices."""
+"""Drift: the flow that carries foam over a square of water: a current, Stokes drift, and vortices."""
 
 from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
 VORTICES_MOST = 12
-"""A scene holds no more vortices."""
+"""Maximum number of vortices in a scene."""
 
 _Place = Annotated[float, Field(ge=-1e7, le=1e7)]
 _Speed = Annotated[float, Field(ge=-20.0, le=20.0)]
@@ -16,22 +16,32 @@ class _Part(BaseModel):
 
 
 class Vortex(_Part):
-    """Water that turns around a place that stays: fastest at its radius, still at its centre and past six radii."""
+    """A stationary vortex: fastest at its radius, at rest at its centre and beyond six radii."""
 
     place: tuple[_Place, _Place] = Field(default=(0.0, -30.0), description="Centre (x, z), m")
-    radius: float = Field(default=2.0, ge=0.05, le=500.0, description="Where it turns fastest, m from its centre")
+    radius: float = Field(
+        default=2.0, ge=0.05, le=500.0, description="Distance from the centre at which the flow is fastest, m"
+    )
     speed: float = Field(
-        default=1.0, ge=-20.0, le=20.0, description="There, m/s; positive turns from +x toward +z, negative back"
+        default=1.0,
+        ge=-20.0,
+        le=20.0,
+        description="Maximum speed, m/s; positive turns from +x toward +z, negative the other way",
     )
 
 
 class Drift(_Part):
     """A steady flow over a square, which carries the foam of a ``drift`` saturation."""
 
-    place: tuple[_Place, _Place] = Field(default=(0.0, -30.0), description="Middle of the square (x, z), m")
-    size: float = Field(default=60.0, ge=1.0, le=5000.0, description="Side of the square, m; no such foam beyond it")
-    current: tuple[_Speed, _Speed] = Field(default=(0.3, 0.0), description="Current toward (x, z), m/s")
-    waves: float = Field(
-        default=1.0, ge=0.0, le=4.0, description="How much of the waves' own drift carries foam (Stokes 1847)"
+    place: tuple[_Place, _Place] = Field(default=(0.0, -30.0), description="Centre of the square (x, z), m")
+    size: float = Field(
+        default=60.0, ge=1.0, le=5000.0, description="Side of the square, m; drifting foam exists only inside it"
     )
-    vortices: tuple[Vortex, ...] = Field(default=(), max_length=VORTICES_MOST, description="Eddies that stay in place")
+    current: tuple[_Speed, _Speed] = Field(default=(0.3, 0.0), description="Velocity of the current (x, z), m/s")
+    waves: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=4.0,
+        description="Factor on the Stokes drift of the waves; 0: waves do not carry foam (Stokes 1847)",
+    )
+    vortices: tuple[Vortex, ...] = Field(default=(), max_length=VORTICES_MOST, description="Stationary vortices")

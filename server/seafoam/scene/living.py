@@ -1,13 +1,13 @@
-"""Foam that lives: carried by its water, gathered by the wind, and of another mask when it is old."""
+"""Foam transport and ageing: waves and wind move the foam, and its mask changes with its age."""
 
 from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
 MASKS_MOST = 2
-"""Masks of older foam that a scene holds at most."""
+"""Maximum number of masks of older foam in a scene."""
 MASK_NAME = r"^[a-z]+(-[0-9.]+)?$|^[a-z]+:[0-9.]+:[0-9]+:[0-9]+(:[0-9.]+:[0-9.]+)?$"
-"""Of the catalogue, or what it is made from."""
+"""Name in the catalogue, or the parameters of a custom mask."""
 
 _Mask = Annotated[
     str, Field(max_length=40, pattern=MASK_NAME, json_schema_extra={"choices_from": "/api/masks"}, title="Mask")
@@ -15,29 +15,37 @@ _Mask = Annotated[
 
 
 class FoamLife(BaseModel):
-    """What becomes of foam after it is born; the filtered look alone shows it."""
+    """Transport and ageing of foam; applies to the filtered look only."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     carried: bool = Field(
-        default=True, description="Foam lies on the water that it rests on: waves carry it to and fro and stretch it"
+        default=True,
+        description="Waves carry the foam to and fro with the water and stretch it; false: it stays in place",
     )
     masks: tuple[_Mask, ...] = Field(
         default=("lacetorn", "streak"),
         max_length=MASKS_MOST,
-        description="Masks of older foam, the oldest last; as large as the foam's own",
+        description="Masks for ageing foam, the oldest last; each must be as large as the foam's own mask",
     )
     wind_direction: float = Field(
         default=0.0,
         ge=-6.2832,
         le=6.2832,
-        description="Heading of the wind, rad from +x toward +z: of its drift and of the windrows",
+        description="Direction toward which the wind blows, rad from +x toward +z; sets the wind drift and "
+        "the windrows",
         json_schema_extra={"unit": "rad"},
     )
     wind_drift: float = Field(
-        default=0.0, ge=0.0, le=2.0, description="Drift of the surface with the wind, m/s: 1 to 3 % of the wind's speed"
+        default=0.0,
+        ge=0.0,
+        le=2.0,
+        description="Drift speed of the surface with the wind, m/s; in nature 1 to 3 % of the wind speed",
     )
     windrows: float = Field(
-        default=0.0, ge=0.0, le=1.0, description="How much of the foam gathers in rows along the wind (Langmuir 1938)"
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Strength with which foam gathers in windrows, rows along the wind (Langmuir 1938); 0: even",
     )
-    windrow_spacing: float = Field(default=12.0, ge=0.5, le=500.0, description="From row to row, about, m")
+    windrow_spacing: float = Field(default=12.0, ge=0.5, le=500.0, description="Mean spacing of the windrows, m")

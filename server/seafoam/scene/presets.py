@@ -1,4 +1,4 @@
-"""The presets: named scenes with the words that introduce them."""
+"""Presets: named scenes with title and summary."""
 
 import json
 from functools import lru_cache
@@ -11,20 +11,20 @@ from seafoam.scene.models import Part, Scene
 
 _DIRECTORY = Path(__file__).parent / "presets"
 
-Group = Literal["Seas", "Light and life", "Shores", "Lakes and rivers", "Foam of the paper"]
-"""What a preset stands under in the menu, in the menu's order."""
+Group = Literal["Seas", "Light and objects", "Shores", "Lakes and rivers", "Figures of the paper"]
+"""Headings of the menu under which presets are listed, in menu order."""
 
 
 class Preset(Part):
-    """A scene worth looking at, and when and how large."""
+    """A named scene with a recommended time and size."""
 
     name: str
-    group: Group = Field(description="What it stands under in the menu")
-    order: int = Field(description="Place in its group")
+    group: Group = Field(description="Heading of the menu under which the preset is listed")
+    order: int = Field(description="Position within its group")
     title: str
     summary: str
-    size: tuple[int, int] = Field(description="Width and height it was made for, pixels")
-    time: float = Field(default=0.0, description="A time at which it looks its best, s")
+    size: tuple[int, int] = Field(description="Recommended width and height, pixels")
+    time: float = Field(default=0.0, description="Recommended time, s")
     scene: Scene
 
 
@@ -42,10 +42,10 @@ def _place(preset: Preset) -> tuple[int, int]:
 
 
 def preset_names() -> tuple[str, ...]:
-    """Names of all presets, in the order of the menu."""
+    """Return the names of all presets, in menu order."""
     return tuple(_presets())
 
 
 def load_preset(name: str) -> Preset:
-    """A preset by name. Raises ``KeyError`` if there is none."""
+    """Return a preset by name. Raises ``KeyError`` if there is none."""
     return _presets()[name]

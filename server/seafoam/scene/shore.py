@@ -1,4 +1,4 @@
-"""A shore: sea floor and land over a square, and the surf that runs up on it. docs/formulae.md, section 8."""
+"""A shore: sea floor and land over a square, and surf. docs/formulae.md, section 8."""
 
 import base64
 import binascii
@@ -20,7 +20,7 @@ _Share = Annotated[float, Field(ge=0.0, le=1.0)]
 _Rgb = tuple[_Share, _Share, _Share]
 
 STEPS = 1024
-"""Heights are whole multiples of 1/1024 m, so that the last bits of a root hide."""
+"""Heights are multiples of 1/1024 m, which hides differences in the last bits of square roots."""
 
 
 class _Part(BaseModel):
@@ -30,86 +30,110 @@ class _Part(BaseModel):
 class Surf(_Part):
     """Shore waves: skewed trochoids x = s − b sin(2π frac(s)^γ), y = a cos(2π frac(s)^γ) (Outerra 2011)."""
 
-    height: float = Field(default=1.0, ge=0.0, le=6.0, description="Height of a wave where it breaks, m; 0: no surf")
-    period: float = Field(default=7.0, ge=2.0, le=20.0, description="Time from crest to crest, s")
+    height: float = Field(default=1.0, ge=0.0, le=6.0, description="Height of the breakers, m; 0: no surf")
+    period: float = Field(default=7.0, ge=2.0, le=20.0, description="Wave period, s")
     skew: float = Field(
-        default=0.5, ge=0.0, le=1.0, description="γ where a wave breaks: 1 is upright, less leans to the shore"
+        default=0.5,
+        ge=0.0,
+        le=1.0,
+        description="γ: asymmetry of the profile at breaking; 1 is symmetric, smaller values lean toward the shore",
     )
-    sharpness: float = Field(default=0.05, ge=0.0, le=0.15, description="b: how far a crest gathers, in wavelengths")
+    sharpness: float = Field(
+        default=0.05,
+        ge=0.0,
+        le=0.15,
+        description="b: horizontal displacement at the crests, in wavelengths; larger values sharpen them",
+    )
     variation: float = Field(
-        default=0.7, ge=0.0, le=1.0, description="How far the slowly changing mask lowers waves: 0 breaks all alike"
+        default=0.7,
+        ge=0.0,
+        le=1.0,
+        description="Strength of the slow variation of the wave height along the coast; 0: all waves break alike",
     )
     heading: float = Field(
         default=0.0,
         ge=-6.2832,
         le=6.2832,
-        description="Heading of the swell, rad from +x toward +z",
+        description="Direction of travel of the swell, rad from +x toward +z",
         json_schema_extra={"unit": "rad"},
     )
     exposure: float = Field(
-        default=0.0, ge=0.0, le=1.0, description="How calm coasts are that the swell does not meet: 0 as rough, 1 calm"
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Reduction of the surf on coasts that face away from the swell: 0 none, 1 no surf there",
     )
 
 
 class Shore(_Part):
-    """Sea floor and land: a height field over a square; beyond it the floor goes on level."""
+    """Sea floor and land: a height field over a square; beyond it the floor is level."""
 
     kind: Literal["beach", "island", "islands", "lagoon", "image"] = Field(
         default="beach",
-        description="beach: a coast right through the square; island; islands: several; lagoon: a ring with an "
-        "opening; image: a picture of your own",
+        description="Shape of the coast. beach: a straight coast across the square; island; islands: several; "
+        "lagoon: a ring with an opening; image: heights from `image`",
     )
-    place: tuple[_Place, _Place] = Field(default=(0.0, 0.0), description="Middle of the square (x, z), m")
+    place: tuple[_Place, _Place] = Field(default=(0.0, 0.0), description="Centre of the square (x, z), m")
     size: float = Field(default=500.0, ge=40.0, le=10000.0, description="Side of the square, m")
     heading: float = Field(
         default=0.0,
         ge=-6.2832,
         le=6.2832,
-        description="Toward the land of a beach, the opening of a lagoon; rad from +x toward +z",
+        description="Direction of a beach's land, or of a lagoon's opening, rad from +x toward +z",
         json_schema_extra={"unit": "rad"},
     )
-    radius: float = Field(default=60.0, ge=1.0, le=4000.0, description="Of an island or of a lagoon's ring, m")
-    depth: float = Field(default=12.0, ge=0.5, le=1000.0, description="Depth of the level floor around, m")
+    radius: float = Field(default=60.0, ge=1.0, le=4000.0, description="Radius of an island or of a lagoon's ring, m")
+    depth: float = Field(default=12.0, ge=0.5, le=1000.0, description="Depth of the level floor offshore, m")
     inner_depth: float = Field(default=3.0, ge=0.2, le=100.0, description="Depth inside a lagoon, m")
-    height: float = Field(default=6.0, ge=0.0, le=300.0, description="About how high the land rises, m")
-    slope: float = Field(default=0.06, ge=0.01, le=1.0, description="Slope of the floor at the water's edge")
+    height: float = Field(default=6.0, ge=0.0, le=300.0, description="Approximate height of the land, m")
+    slope: float = Field(default=0.06, ge=0.01, le=1.0, description="Slope of the floor at the waterline")
     roughness: float = Field(
-        default=0.5, ge=0.0, le=1.0, description="How far bays and capes stray from the plain shape"
+        default=0.5, ge=0.0, le=1.0, description="Irregularity of the coastline: bays and capes; 0: the plain shape"
     )
-    level: float = Field(default=0.0, ge=-1000.0, le=100.0, description="Lifts floor and land; below 0: high water, m")
-    seed: int = Field(default=1, ge=0, le=65535, description="Which shore of its kind")
+    level: float = Field(
+        default=0.0,
+        ge=-1000.0,
+        le=100.0,
+        description="Vertical offset of floor and land, m; negative values raise the water",
+    )
+    seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the coastline and the terrain")
     image: str | None = Field(
         default=None,
         max_length=8192,
-        description="For kind image, a PNG in base64, 2 to 128 pixels a side: black is the deep floor, white the "
-        "height of the land; its top is toward −z",
+        description="Height map for kind 'image': a base64 PNG, 2 to 128 pixels a side; black is the offshore "
+        "depth, white the height of the land; the top row is toward −z",
     )
     smoothing: float = Field(
-        default=6.0, ge=0.0, le=60.0, description="Standard deviation of the Gaussian that smooths distances, m"
+        default=6.0,
+        ge=0.0,
+        le=60.0,
+        description="Standard deviation of the Gaussian that smooths the distance to the shore, m",
     )
-    sand: _Rgb = Field(default=(0.66, 0.56, 0.40), description="Reflectance of dry sand")
-    rock: _Rgb = Field(default=(0.27, 0.24, 0.21), description="Reflectance of rock, where it is steep")
-    plants: _Rgb = Field(default=(0.06, 0.10, 0.035), description="Reflectance of what grows")
-    plants_from: float = Field(default=2.0, ge=0.0, le=400.0, description="Height from which something grows, m")
-    reef: float = Field(default=0.5, ge=0.0, le=1.0, description="Share of dark patches on the floor: reef and weed")
+    sand: _Rgb = Field(default=(0.66, 0.56, 0.40), description="Albedo of dry sand, linear RGB")
+    rock: _Rgb = Field(default=(0.27, 0.24, 0.21), description="Albedo of rock, on steep ground, linear RGB")
+    plants: _Rgb = Field(default=(0.06, 0.10, 0.035), description="Albedo of vegetation, linear RGB")
+    plants_from: float = Field(default=2.0, ge=0.0, le=400.0, description="Height above which vegetation grows, m")
+    reef: float = Field(
+        default=0.5, ge=0.0, le=1.0, description="Fraction of the shallow floor covered by dark reef and seaweed"
+    )
     surf: Surf = Field(default_factory=Surf)
 
     @model_validator(mode="after")
     def _pictured(self) -> "Shore":
         if (self.kind == "image") != (self.image is not None):
-            raise ValueError("image: a shore of kind image needs one, and no other kind takes one")
+            raise ValueError("image: required for kind 'image', and allowed for no other kind")
         if self.image is not None:
             _picture(self.image)
         return self
 
     @property
     def deep(self) -> float:
-        """Depth of the level floor below y = 0, m; at least 0.1, so that what divides by it may."""
+        """Depth of the level floor below y = 0, m; at least 0.1, so that divisions by it are safe."""
         return max(self.depth - self.level, 0.1)
 
     @property
     def ground(self) -> str:
-        """All that the height field hangs on, as text: what is equal here has the same floor."""
+        """Everything that determines the height field, as text; equal texts have the same floor."""
         values = [str(getattr(self, name)) for name in _GROUND]
         if self.image is not None:
             # The alphabet of base64 that addresses take.
@@ -118,7 +142,7 @@ class Shore(_Part):
 
     @staticmethod
     def of_ground(text: str) -> "Shore":
-        """A shore with the ground that :attr:`ground` tells of. Raises ``ValueError`` where no shore has it."""
+        """Return a shore with the ground described by :attr:`ground`. Raises ``ValueError`` if the text is invalid."""
         values = text.split(",")
         names = _GROUND if len(values) == len(_GROUND) else (*_GROUND, "image")
         if len(values) != len(names):
@@ -146,19 +170,19 @@ _GROUND = (
 
 @lru_cache(maxsize=16)
 def _picture(encoded: str) -> Floats:
-    """Grey of a PNG in base64, (rows, columns) in [0, 1]. Raises ``ValueError`` that says what is wrong with it."""
+    """Return the grey values of a base64 PNG, (rows, columns) in [0, 1]. Raises ``ValueError`` with the reason."""
     try:
         raw = base64.b64decode(encoded, validate=True)
     except binascii.Error:
-        raise ValueError("image: not base64") from None
+        raise ValueError("image: not valid base64") from None
     try:
         with Image.open(io.BytesIO(raw), formats=("PNG",)) as picture:
             if not (2 <= picture.width <= 128 and 2 <= picture.height <= 128):
-                raise ValueError(f"image: {picture.width} × {picture.height} pixels, not 2 to 128 a side")
+                raise ValueError(f"image: {picture.width} × {picture.height} pixels; each side must be 2 to 128")
             deep = picture.mode.startswith("I")
             grey = np.asarray(picture if deep else picture.convert("L"), np.float64) / (65535.0 if deep else 255.0)
     except (OSError, SyntaxError) as error:
-        raise ValueError("image: not a PNG that can be read") from error
+        raise ValueError("image: not a readable PNG") from error
     result: Floats = np.clip(grey, 0.0, 1.0)
     result.setflags(write=False)
     return result

@@ -1,4 +1,4 @@
-"""A sky worth mirroring: time of day, haze over the horizon, clouds, moon and stars. docs/formulae.md, section 9."""
+"""Sky: time of day, haze, clouds, moon and stars. docs/formulae.md, section 9."""
 
 import math
 from typing import Annotated
@@ -8,7 +8,7 @@ from pydantic.config import JsonDict
 
 _RAD: JsonDict = {"unit": "rad"}
 TILT = math.radians(23.44)
-"""Of the earth's axis."""
+"""Axial tilt of the earth, rad."""
 
 Direction = tuple[float, float, float]
 
@@ -18,96 +18,111 @@ class _Part(BaseModel):
 
 
 class Day(_Part):
-    """A time of day at a place on earth, which says where the sun stands."""
+    """Time of day and place on earth, which determine the sun's position."""
 
-    hour: float = Field(default=12.0, ge=0.0, le=24.0, description="Solar time, hours; at 12 the sun stands highest")
+    hour: float = Field(default=12.0, ge=0.0, le=24.0, description="Solar time, h; the sun is highest at 12")
     date: float = Field(default=172.0, ge=1.0, le=366.0, description="Day of the year; 172 is 21 June")
     latitude: float = Field(
-        default=0.8, ge=-1.5708, le=1.5708, description="North of the equator, rad", json_schema_extra=_RAD
+        default=0.8, ge=-1.5708, le=1.5708, description="Latitude, rad; positive is north", json_schema_extra=_RAD
     )
     north: float = Field(
         default=-1.5708,
         ge=-6.2832,
         le=6.2832,
-        description="Where north is, rad from +x toward +z",
+        description="Azimuth of north, rad from +x toward +z",
         json_schema_extra=_RAD,
     )
 
 
 class Clouds(_Part):
-    """A layer of clouds, thin as paper: gradient noise that drifts with the wind and changes as it goes."""
+    """A thin layer of clouds: gradient noise that drifts with the wind and changes shape."""
 
-    cover: Annotated[float, Field(ge=0.0, le=1.0, description="Share of the sky that clouds cover")] = 0.4
-    thickness: float = Field(default=6.0, ge=0.0, le=50.0, description="Optical depth of the densest cloud")
+    cover: Annotated[float, Field(ge=0.0, le=1.0, description="Fraction of the sky covered by clouds")] = 0.4
+    thickness: float = Field(
+        default=6.0,
+        ge=0.0,
+        le=50.0,
+        description="Optical depth of the densest cloud; larger values darken the clouds and hide the sun",
+    )
     softness: float = Field(
-        default=1.0, ge=0.05, le=3.0, description="From the edge of a cloud to its densest, in standard deviations"
+        default=1.0,
+        ge=0.05,
+        le=3.0,
+        description="Width of the clouds' edges, in standard deviations of the noise; larger values are softer",
     )
     size: float = Field(default=2500.0, ge=50.0, le=50000.0, description="Size of the largest clouds, m")
-    height: float = Field(default=1800.0, ge=200.0, le=15000.0, description="Height of the layer, m")
-    wind: float = Field(default=8.0, ge=0.0, le=100.0, description="Speed at which clouds drift, m/s")
+    height: float = Field(default=1800.0, ge=200.0, le=15000.0, description="Altitude of the cloud layer, m")
+    wind: float = Field(default=8.0, ge=0.0, le=100.0, description="Drift speed of the clouds, m/s")
     wind_direction: float = Field(
         default=0.0,
         ge=-6.2832,
         le=6.2832,
-        description="Heading of the wind up there, rad from +x toward +z",
+        description="Direction toward which the clouds drift, rad from +x toward +z",
         json_schema_extra=_RAD,
     )
-    change: float = Field(default=400.0, ge=10.0, le=1e6, description="Time in which a cloud becomes another, s")
-    seed: int = Field(default=1, ge=0, le=65535, description="Which clouds of their kind")
+    change: float = Field(default=400.0, ge=10.0, le=1e6, description="Time scale on which a cloud changes shape, s")
+    seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the clouds")
 
 
 class Moon(_Part):
-    """A moon; how much of it is lit follows from where the sun is. It lights the water once the sun is well down."""
+    """A moon; its phase follows from the sun's position. It lights the water when the sun is well below the horizon."""
 
     azimuth: float = Field(
         default=-1.2,
         ge=-6.2832,
         le=6.2832,
-        description="Where the moon stands, rad from +x toward +z",
+        description="Azimuth of the moon, rad from +x toward +z",
         json_schema_extra=_RAD,
     )
     elevation: float = Field(
         default=0.35,
         ge=-1.5708,
         le=1.5708,
-        description="Height of the moon over the horizon, rad",
+        description="Elevation of the moon above the horizon, rad",
         json_schema_extra=_RAD,
     )
     brightness: float = Field(
-        default=1.0, ge=0.0, le=10.0, description="1: a full moon gives 1 % of the sun's light (really 1/400 000)"
+        default=1.0,
+        ge=0.0,
+        le=10.0,
+        description="Brightness of the moonlight; at 1 a full moon gives 1 % of the sun's light (in reality 1/400 000)",
     )
-    size: float = Field(default=1.0, ge=0.5, le=20.0, description="Diameter, in real ones (0.52°)")
+    size: float = Field(
+        default=1.0, ge=0.5, le=20.0, description="Angular diameter, relative to the real moon's (0.52°)"
+    )
 
 
 class Sky(_Part):
-    """A sky that light reaches through more air near the horizon; absent: the plain clear sky."""
+    """A sky with longer light paths near the horizon; absent: a plain clear sky."""
 
     haze: float = Field(default=0.5, ge=0.0, le=20.0, description="Optical depth of the haze along the horizon")
     stars: float = Field(default=0.0, ge=0.0, le=10.0, description="Brightness of the stars at night; 0: none")
-    clouds: Clouds | None = Field(default=None, description="Absent: none")
-    moon: Moon | None = Field(default=None, description="Absent: none")
+    clouds: Clouds | None = Field(default=None, description="Cloud layer; absent: none")
+    moon: Moon | None = Field(default=None, description="Moon; absent: none")
 
 
 class Gusts(_Part):
-    """Gusts run over the water: patches of rougher and of smoother ripples."""
+    """Gusts: moving patches of rougher and smoother ripples."""
 
-    strength: float = Field(default=0.6, ge=0.0, le=1.0, description="How far ripples rise and fall from their mean")
+    strength: float = Field(
+        default=0.6, ge=0.0, le=1.0, description="Relative variation of the ripples' slope about its mean"
+    )
     size: float = Field(default=25.0, ge=0.5, le=5000.0, description="Size of the largest patches, m")
-    speed: float = Field(default=3.0, ge=0.0, le=60.0, description="How fast they run with the wind, m/s")
-    change: float = Field(default=12.0, ge=0.5, le=1e5, description="Time in which a patch becomes another, s")
-    seed: int = Field(default=1, ge=0, le=65535, description="Which gusts of their kind")
+    speed: float = Field(default=3.0, ge=0.0, le=60.0, description="Speed at which the patches move with the wind, m/s")
+    change: float = Field(default=12.0, ge=0.5, le=1e5, description="Time scale on which a patch changes shape, s")
+    seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the gusts")
 
 
 def direction(azimuth: float, elevation: float) -> Direction:
-    """Unit vector toward azimuth and elevation, rad."""
+    """Return the unit vector toward azimuth and elevation, rad."""
     level = math.cos(elevation)
     return level * math.cos(azimuth), math.sin(elevation), level * math.sin(azimuth)
 
 
 def sun_angles(day: Day) -> tuple[float, float]:
-    """Azimuth and elevation of the sun, rad (declination after Cooper 1969).
+    """Return azimuth and elevation of the sun, rad (declination after Cooper 1969).
 
-    Where it stands overhead its azimuth is south or north, whichever the sum of roundings says.
+    At the zenith its azimuth is south or north, depending on rounding.
     """
     declination = TILT * math.sin(2.0 * math.pi * (284.0 + day.date) / 365.0)
     turn = math.pi * (day.hour - 12.0) / 12.0

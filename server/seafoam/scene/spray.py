@@ -1,13 +1,13 @@
-"""Spray: drops that the water throws up, and the rocks that surf breaks on. docs/formulae.md, section 13."""
+"""Spray: drops thrown up by waves, and rocks on which surf breaks. docs/formulae.md, section 13."""
 
 from pydantic import BaseModel, ConfigDict, Field
 
 DROPS = 16384
-"""Drops of the whole spray; a quality that draws fewer makes each larger."""
+"""Number of drops; a quality that draws fewer draws each larger."""
 
 
 class Spray(BaseModel):
-    """Drops thrown up where waves rise fast or, where there is a shore, where surf breaks on rocks."""
+    """Drops thrown up where waves rise fast, or, with a shore, where surf breaks on rocks."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -15,29 +15,41 @@ class Spray(BaseModel):
         default=1.5,
         ge=0.0,
         le=20.0,
-        description="Water that rises slower throws no drops, and surf whose drops would start slower neither, m/s",
+        description="Minimum speed that throws drops, m/s: of the rising water on waves, of the drops "
+        "themselves on rocks",
     )
     speed: float = Field(
         default=3.0,
         ge=0.1,
         le=10.0,
-        description="How fast drops start: in speeds at which the water rises; on rocks in √(gH), H the surf's height",
+        description="Initial speed of the drops: on waves relative to the speed of the rising water, on rocks "
+        "to √(gH), H the height of the surf",
     )
-    steep: float = Field(default=0.3, ge=0.0, le=2.0, description="Slope of the ground from which a coast is rock")
-    size: float = Field(default=0.04, ge=0.002, le=0.3, description="Radius of a drop, a clot of many, m")
-    mist: float = Field(default=0.3, ge=0.0, le=1.0, description="Share of the drops that are puffs of mist")
+    steep: float = Field(
+        default=0.3, ge=0.0, le=2.0, description="Slope of the ground above which a coast is rock and throws spray"
+    )
+    size: float = Field(
+        default=0.04, ge=0.002, le=0.3, description="Radius of a drop, m; each stands for a cluster of many"
+    )
+    mist: float = Field(default=0.3, ge=0.0, le=1.0, description="Fraction of the drops that are puffs of mist")
     drag: float = Field(
-        default=0.8, ge=0.05, le=10.0, description="Time in which the air takes a drop's speed to 1/e of the wind's, s"
+        default=0.8,
+        ge=0.05,
+        le=10.0,
+        description="Time constant of air drag: a drop's velocity relative to the wind falls to 1/e, s",
     )
-    life: float = Field(default=2.5, ge=0.2, le=8.0, description="Time after which nothing of a drop is left, s")
-    wind: float = Field(default=3.0, ge=0.0, le=40.0, description="Wind that carries drops along, m/s")
+    life: float = Field(default=2.5, ge=0.2, le=8.0, description="Lifetime of a drop, s")
+    wind: float = Field(default=3.0, ge=0.0, le=40.0, description="Speed of the wind that carries the drops, m/s")
     wind_direction: float = Field(
         default=0.0,
         ge=-6.2832,
         le=6.2832,
-        description="Heading of the wind, rad from +x toward +z",
+        description="Direction toward which the wind blows, rad from +x toward +z",
         json_schema_extra={"unit": "rad"},
     )
     reach: float = Field(
-        default=60.0, ge=5.0, le=1000.0, description="How far from the eye waves throw up drops, m; rocks do anywhere"
+        default=60.0,
+        ge=5.0,
+        le=1000.0,
+        description="Maximum distance from the camera at which waves throw drops, m; rocks throw them at any distance",
     )

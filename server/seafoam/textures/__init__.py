@@ -1,4 +1,4 @@
-"""Texture data that plans name: the same bytes for every executor, made from the name alone."""
+"""Texture data that plans refer to: the same bytes for every executor, generated from the name."""
 
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_integral_name

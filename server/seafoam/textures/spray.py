@@ -1,4 +1,4 @@
-"""Where spray starts from on a shore's rocks. docs/formulae.md, section 13."""
+"""Start positions of spray on a shore's rocks. docs/formulae.md, section 13."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Textures by name. A name says all that is needed to make the bytes, so any process can."""
+"""Textures by name. The name contains everything needed to generate the bytes, so any process can."""
 
 import gzip
 import hashlib
@@ -32,7 +32,7 @@ class UnknownTextureError(KeyError):
 
 @dataclass(frozen=True)
 class TextureData:
-    """Levels from the largest, rows from v = 0, tightly packed little-endian, one after the other."""
+    """Mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian."""
 
     name: str
     data: bytes
@@ -44,7 +44,7 @@ class TextureData:
 
     @cached_property
     def gzipped(self) -> bytes | None:
-        """The data as gzip has it, where that takes three quarters or less: atlases hold each texel four times."""
+        """The data compressed by gzip, if that saves at least a quarter: atlases contain each texel four times."""
         packed = gzip.compress(self.data, GZIP_LEVEL, mtime=0)
         return packed if 4 * len(packed) <= 3 * len(self.data) else None
 
@@ -118,7 +118,7 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
 
 
 def _entries(name: str, tables: NDArray[np.float64]) -> TextureData:
-    """Tables (rows, n), each entry with the next: a fetch gets both."""
+    """Return tables (rows, n) with each entry followed by the next, so that one fetch reads both."""
     return _pack(name, "RG32F", [np.stack((tables[:, :-1], tables[:, 1:]), axis=-1)])
 
 

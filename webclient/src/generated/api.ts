@@ -13,7 +13,7 @@ export interface paths {
         };
         /**
          * List Presets
-         * @description All presets, in the order of the menu.
+         * @description List all presets, in menu order.
          */
         get: operations["list_presets_api_presets_get"];
         put?: never;
@@ -33,7 +33,7 @@ export interface paths {
         };
         /**
          * Get Preset
-         * @description One preset with its full scene: a starting point for POST /api/frames and /api/plans.
+         * @description Get a preset with its scene, which can be changed and posted to /api/frames and /api/plans.
          */
         get: operations["get_preset_api_presets__preset__get"];
         put?: never;
@@ -53,7 +53,7 @@ export interface paths {
         };
         /**
          * Get Quality
-         * @description The tiers of quality with the value of every knob, and what each knob may be.
+         * @description Get the quality tiers with the value of every setting, and the allowed values of each setting.
          */
         get: operations["get_quality_api_quality_get"];
         put?: never;
@@ -73,7 +73,7 @@ export interface paths {
         };
         /**
          * Get Plan
-         * @description The frame plan of a preset.
+         * @description Get the frame plan of a preset.
          */
         get: operations["get_plan_api_plans__preset__get"];
         put?: never;
@@ -95,7 +95,7 @@ export interface paths {
         put?: never;
         /**
          * Make Plan
-         * @description The frame plan of a scene sent as JSON.
+         * @description Compile a scene sent as JSON into a frame plan.
          */
         post: operations["make_plan_api_plans_post"];
         delete?: never;
@@ -113,7 +113,7 @@ export interface paths {
         };
         /**
          * Get Frame
-         * @description A frame of a preset. Whatever is not given is the preset's own.
+         * @description Render a frame of a preset. Parameters that are absent take the preset's values.
          */
         get: operations["get_frame_api_frames__preset___format__get"];
         put?: never;
@@ -135,7 +135,7 @@ export interface paths {
         put?: never;
         /**
          * Render Frame
-         * @description A frame of a scene sent as JSON.
+         * @description Render a frame of a scene sent as JSON.
          */
         post: operations["render_frame_api_frames_post"];
         delete?: never;
@@ -153,7 +153,7 @@ export interface paths {
         };
         /**
          * Get Accuracy Csv
-         * @description The measured cost of accuracy of a preset, as a table.
+         * @description Get the measured cost of accuracy of a preset as CSV.
          */
         get: operations["get_accuracy_csv_api_accuracy__preset__csv_get"];
         put?: never;
@@ -173,7 +173,7 @@ export interface paths {
         };
         /**
          * Get Accuracy Plot
-         * @description The measured cost of accuracy of a preset, as a plot.
+         * @description Get the measured cost of accuracy of a preset as a plot.
          */
         get: operations["get_accuracy_plot_api_accuracy__preset__png_get"];
         put?: never;
@@ -193,7 +193,7 @@ export interface paths {
         };
         /**
          * Get Truth
-         * @description The converged float64 picture that errors are against. Needs no renderer.
+         * @description Get the converged float64 picture against which errors are measured. Requires no renderer.
          */
         get: operations["get_truth_api_accuracy__preset__truth_npy_get"];
         put?: never;
@@ -213,7 +213,9 @@ export interface paths {
         };
         /**
          * Get Points
-         * @description What is measured of a preset, at once: every tier, and tier standard with one knob changed.
+         * @description List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
+         *
+         *     Responds at once, without measuring.
          */
         get: operations["get_points_api_accuracy__preset__points_get"];
         put?: never;
@@ -233,9 +235,9 @@ export interface paths {
         };
         /**
          * Get Accuracy
-         * @description The measured cost of accuracy of a preset: times, errors, the front, and what each knob is worth.
+         * @description Get the measured cost of accuracy of a preset: times, errors, Pareto front, and the effect of each setting.
          *
-         *     The first request starts the measurement, which takes some minutes; until it is done the answer is 202.
+         *     The first request starts the measurement, which takes several minutes; until it is done, the status is 202.
          */
         get: operations["get_accuracy_api_accuracy__preset__get"];
         put?: never;
@@ -255,7 +257,7 @@ export interface paths {
         };
         /**
          * List Masks
-         * @description The shipped masks.
+         * @description List the shipped masks.
          */
         get: operations["list_masks_api_masks_get"];
         put?: never;
@@ -275,7 +277,7 @@ export interface paths {
         };
         /**
          * Get Custom Mask
-         * @description A mask made on request: what it is. Its data is below this path with the same parameters.
+         * @description Generate a custom mask and get its description. Its data is below this path, with the same parameters.
          */
         get: operations["get_custom_mask_api_masks_custom_get"];
         put?: never;
@@ -295,7 +297,7 @@ export interface paths {
         };
         /**
          * Get Custom Data
-         * @description The data of a mask made on request.
+         * @description Get the data of a custom mask.
          */
         get: operations["get_custom_data_api_masks_custom_data__format__get"];
         put?: never;
@@ -315,7 +317,7 @@ export interface paths {
         };
         /**
          * Get Custom Data8
-         * @description A mask made on request, in 8 bits.
+         * @description Get a custom mask in 8 bits.
          */
         get: operations["get_custom_data8_api_masks_custom_data8_png_get"];
         put?: never;
@@ -335,7 +337,7 @@ export interface paths {
         };
         /**
          * Get Custom Sidecar
-         * @description What accompanies the data of a mask made on request.
+         * @description Get the metadata of a custom mask.
          */
         get: operations["get_custom_sidecar_api_masks_custom_sidecar_get"];
         put?: never;
@@ -355,7 +357,7 @@ export interface paths {
         };
         /**
          * Get Custom Spectrum
-         * @description The measured spectrum of a mask made on request.
+         * @description Get the measured spectrum of a custom mask.
          */
         get: operations["get_custom_spectrum_api_masks_custom_spectrum_get"];
         put?: never;
@@ -375,7 +377,7 @@ export interface paths {
         };
         /**
          * Get Custom Shapes
-         * @description The measured shapes of the foam of a mask made on request.
+         * @description Get the measured foam shapes of a custom mask.
          */
         get: operations["get_custom_shapes_api_masks_custom_shapes_get"];
         put?: never;
@@ -395,7 +397,7 @@ export interface paths {
         };
         /**
          * Get Custom Plot
-         * @description The measured spectrum of a mask made on request, as a plot.
+         * @description Get the measured spectrum of a custom mask as a plot.
          */
         get: operations["get_custom_plot_api_masks_custom_spectrum_png_get"];
         put?: never;
@@ -415,7 +417,7 @@ export interface paths {
         };
         /**
          * Get Mask
-         * @description A shipped mask: size, family, sigma, seed, hash, how it was made.
+         * @description Get the description of a shipped mask: size, family, sigma, seed, hash and construction.
          */
         get: operations["get_mask_api_masks__mask__get"];
         put?: never;
@@ -435,7 +437,7 @@ export interface paths {
         };
         /**
          * Get Data
-         * @description The data of a shipped mask.
+         * @description Get the data of a shipped mask.
          */
         get: operations["get_data_api_masks__mask__data__format__get"];
         put?: never;
@@ -455,7 +457,7 @@ export interface paths {
         };
         /**
          * Get Data8
-         * @description A shipped mask, in 8 bits.
+         * @description Get a shipped mask in 8 bits.
          */
         get: operations["get_data8_api_masks__mask__data8_png_get"];
         put?: never;
@@ -475,7 +477,7 @@ export interface paths {
         };
         /**
          * Get Sidecar
-         * @description What accompanies the data of a shipped mask.
+         * @description Get the metadata of a shipped mask.
          */
         get: operations["get_sidecar_api_masks__mask__sidecar_get"];
         put?: never;
@@ -495,7 +497,7 @@ export interface paths {
         };
         /**
          * Get Spectrum
-         * @description The measured spectrum of a shipped mask.
+         * @description Get the measured spectrum of a shipped mask.
          */
         get: operations["get_spectrum_api_masks__mask__spectrum_get"];
         put?: never;
@@ -515,7 +517,7 @@ export interface paths {
         };
         /**
          * Get Shapes
-         * @description The measured shapes of the foam of a shipped mask.
+         * @description Get the measured foam shapes of a shipped mask.
          */
         get: operations["get_shapes_api_masks__mask__shapes_get"];
         put?: never;
@@ -535,7 +537,7 @@ export interface paths {
         };
         /**
          * Get Plot
-         * @description The measured spectrum of a shipped mask, as a plot.
+         * @description Get the measured spectrum of a shipped mask as a plot.
          */
         get: operations["get_plot_api_masks__mask__spectrum_png_get"];
         put?: never;
@@ -555,7 +557,7 @@ export interface paths {
         };
         /**
          * Get Texture
-         * @description The bytes of a texture. Format and size stand in the plan.
+         * @description Get the bytes of a texture. The plan gives its format and size.
          */
         get: operations["get_texture_api_textures__name__get"];
         put?: never;
@@ -575,7 +577,7 @@ export interface paths {
         };
         /**
          * Get Health
-         * @description Whether the web process is alive.
+         * @description Check whether the web process responds.
          */
         get: operations["get_health_healthz_get"];
         put?: never;
@@ -595,7 +597,7 @@ export interface paths {
         };
         /**
          * Get Readiness
-         * @description Whether frames can be rendered, and by what. Plans, masks and the page need no renderer.
+         * @description Check whether frames can be rendered, and by which renderer. Plans, masks and the page need none.
          */
         get: operations["get_readiness_readyz_get"];
         put?: never;
@@ -615,7 +617,7 @@ export interface paths {
         };
         /**
          * Get Metrics
-         * @description Counters and durations for Prometheus.
+         * @description Get counters and durations for Prometheus.
          */
         get: operations["get_metrics_metrics_get"];
         put?: never;
@@ -632,7 +634,7 @@ export interface components {
     schemas: {
         /**
          * Alive
-         * @description The web process answers.
+         * @description The web process responds.
          */
         Alive: {
             /**
@@ -644,7 +646,7 @@ export interface components {
         };
         /**
          * Ball
-         * @description All that a pass can show, at any time: nothing of it is further than ``radius`` from ``centre`` (x, y, z); m.
+         * @description A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m.
          */
         Ball: {
             /** Centre */
@@ -658,7 +660,7 @@ export interface components {
         };
         /**
          * Boat
-         * @description A boat that floats on the waves and runs round a circle.
+         * @description A boat that floats on the waves and follows a circular course.
          */
         Boat: {
             /**
@@ -670,13 +672,13 @@ export interface components {
             kind: "sail" | "motor";
             /**
              * Length
-             * @description Length over all, m; everything scales with it
+             * @description Overall length, m; all other dimensions scale with it
              * @default 9
              */
             length: number;
             /**
              * Centre
-             * @description Centre (x, z) of its course, m
+             * @description Centre (x, z) of the circular course, m
              * @default [
              *       0,
              *       -40
@@ -688,56 +690,56 @@ export interface components {
             ];
             /**
              * Radius
-             * @description Radius of its course, m
+             * @description Radius of the course, m; at least 1.5 lengths
              * @default 60
              */
             radius: number;
             /**
              * Bearing
-             * @description Where on its course it is at time 0, rad from +x toward +z
+             * @description Position on the course at time 0, as an angle about its centre, rad from +x toward +z
              * @default 0
              */
             bearing: number;
             /**
              * Turn
-             * @description To which side it turns
+             * @description Side to which the boat turns
              * @default starboard
              * @enum {string}
              */
             turn: "starboard" | "port";
             /**
              * Speed
-             * @description Speed, m/s; 0: at anchor, its bow along its course
+             * @description Speed, m/s; 0: at anchor, the bow along the course
              * @default 3
              */
             speed: number;
             /**
              * Heel
-             * @description How far it leans to starboard besides what the waves do, rad
+             * @description Heel to starboard, in addition to that caused by the waves, rad
              * @default 0
              */
             heel: number;
             /**
              * Boom
-             * @description How far its boom is out to starboard, rad
+             * @description Angle of the boom from the centreline to starboard, rad
              * @default 0.35
              */
             boom: number;
             /**
              * Smoothing
-             * @description It feels the mean height over a disc of this radius round each hull point, m; 0: the point's own
+             * @description Radius of the disc over which the wave height at each hull point is averaged, m; larger values steady the boat; 0: no averaging
              * @default 1
              */
             smoothing: number;
             /**
              * Wake
-             * @description Height of the waves at its bow, m; 0: no wake
+             * @description Amplitude of the waves at the bow, m; 0: no wake
              * @default 0.12
              */
             wake: number;
             /**
              * Hull
-             * @description Reflectance of the hull
+             * @description Albedo of the hull, linear RGB
              * @default [
              *       0.045,
              *       0.09,
@@ -751,7 +753,7 @@ export interface components {
             ];
             /**
              * Sails
-             * @description Reflectance of sails or wheelhouse
+             * @description Albedo of the sails or of the wheelhouse, linear RGB
              * @default [
              *       0.83,
              *       0.81,
@@ -771,7 +773,7 @@ export interface components {
         Camera: {
             /**
              * Position
-             * @description Eye, m; y is counted from the troughs
+             * @description Position of the camera, m; y is measured from the troughs
              * @default [
              *       0,
              *       6,
@@ -785,19 +787,19 @@ export interface components {
             ];
             /**
              * Yaw
-             * @description Heading, rad from −z toward +x
+             * @description Yaw, rad from −z toward +x
              * @default 0
              */
             yaw: number;
             /**
              * Pitch
-             * @description Elevation of the view, rad
+             * @description Pitch, rad; positive looks up
              * @default -0.15
              */
             pitch: number;
             /**
              * Roll
-             * @description Turn about the view, rad
+             * @description Roll about the view axis, rad
              * @default 0
              */
             roll: number;
@@ -810,7 +812,7 @@ export interface components {
         };
         /**
          * CameraRule
-         * @description The camera, seen from the eye's own (x, z): position enters as height alone.
+         * @description The camera, relative to its own (x, z): of the position, only the height enters.
          *
          *     view_projection: mat4, column-major; ``top`` (m) is the highest point of the surface and sets the near plane.
          *     eye_height: float. ray_x, ray_y, ray_z: vec3 with ray = ray_z + X·ray_x + Y·ray_y for X, Y in clip space [−1, 1].
@@ -834,9 +836,9 @@ export interface components {
         };
         /**
          * Causes
-         * @description By how many levels of RMSE the error falls when the knobs of one cause alone are as in tier reference.
+         * @description Reduction of the RMSE, in levels, when only the settings of one cause are as in tier reference.
          *
-         *     Negative: it grows, since that cause hid another. ``rest``: what remains when all three are.
+         *     Negative: the error grows, because that cause masked another. ``rest``: error that remains when all three are.
          */
         Causes: {
             /** Geometry */
@@ -850,70 +852,70 @@ export interface components {
         };
         /**
          * Caustics
-         * @description Sunlight that the ripples focus on a level floor.
+         * @description Caustics: sunlight that the ripples focus on a level floor.
          *
-         *     With it the ripples repeat: every 9.3 m instead of never, and so does their light.
+         *     With caustics, ripples and caustics repeat every 9.3 m; without, ripples never repeat.
          */
         Caustics: {
             /**
              * Dispersion
-             * @description Spread of the index between red and blue, in that of water (0.0075); 0: all colours alike
+             * @description Difference of the refractive index between red and blue, relative to that of water (0.0075); 0: no colour fringes
              * @default 1
              */
             dispersion: number;
         };
         /**
          * Chop
-         * @description Wind ripples, too small for the mesh: they tilt the surface and leave its height alone.
+         * @description Wind ripples: they tilt the surface normal but do not change the surface height.
          */
         Chop: {
             /**
              * Wind Direction
-             * @description Heading of the wind, rad from +x toward +z
+             * @description Direction toward which the wind blows, rad from +x toward +z
              * @default 0
              */
             wind_direction: number;
             /**
              * Slope
-             * @description Root mean square slope of all ripples
+             * @description Root mean square slope of the ripples
              * @default 0.12
              */
             slope: number;
             /**
              * Spread
-             * @description Standard deviation of their headings, rad
+             * @description Standard deviation of the ripples' directions, rad
              * @default 1
              */
             spread: number;
             /**
              * Seed
-             * @description Which ripples of their kind
+             * @description Random seed of the ripples
              * @default 1
              */
             seed: number;
-            /** @description Patches of rougher ripples; absent: all alike */
+            /** @description Moving patches of rougher and smoother ripples; absent: uniform ripples */
             gusts?: components["schemas"]["Gusts"] | null;
         };
         /**
          * Clouds
-         * @description A layer of clouds, thin as paper: gradient noise that drifts with the wind and changes as it goes.
+         * @description A thin layer of clouds: gradient noise that drifts with the wind and changes shape.
          */
         Clouds: {
             /**
              * Cover
-             * @description Share of the sky that clouds cover
+             * @description Fraction of the sky covered by clouds
              * @default 0.4
              */
             cover: number;
             /**
              * Thickness
-             * @description Optical depth of the densest cloud
+             * @description Optical depth of the densest cloud; larger values darken the clouds and hide the sun
              * @default 6
              */
             thickness: number;
             /**
              * Softness
-             * @description From the edge of a cloud to its densest, in standard deviations
+             * @description Width of the clouds' edges, in standard deviations of the noise; larger values are softer
              * @default 1
              */
             softness: number;
@@ -925,38 +927,38 @@ export interface components {
             size: number;
             /**
              * Height
-             * @description Height of the layer, m
+             * @description Altitude of the cloud layer, m
              * @default 1800
              */
             height: number;
             /**
              * Wind
-             * @description Speed at which clouds drift, m/s
+             * @description Drift speed of the clouds, m/s
              * @default 8
              */
             wind: number;
             /**
              * Wind Direction
-             * @description Heading of the wind up there, rad from +x toward +z
+             * @description Direction toward which the clouds drift, rad from +x toward +z
              * @default 0
              */
             wind_direction: number;
             /**
              * Change
-             * @description Time in which a cloud becomes another, s
+             * @description Time scale on which a cloud changes shape, s
              * @default 400
              */
             change: number;
             /**
              * Seed
-             * @description Which clouds of their kind
+             * @description Random seed of the clouds
              * @default 1
              */
             seed: number;
         };
         /**
          * Constant
-         * @description Numbers as they stand. ``field``: the JSON pointer of the scene field they are, if they are one.
+         * @description Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one.
          */
         Constant: {
             /**
@@ -971,12 +973,12 @@ export interface components {
         };
         /**
          * Day
-         * @description A time of day at a place on earth, which says where the sun stands.
+         * @description Time of day and place on earth, which determine the sun's position.
          */
         Day: {
             /**
              * Hour
-             * @description Solar time, hours; at 12 the sun stands highest
+             * @description Solar time, h; the sun is highest at 12
              * @default 12
              */
             hour: number;
@@ -988,13 +990,13 @@ export interface components {
             date: number;
             /**
              * Latitude
-             * @description North of the equator, rad
+             * @description Latitude, rad; positive is north
              * @default 0.8
              */
             latitude: number;
             /**
              * North
-             * @description Where north is, rad from +x toward +z
+             * @description Azimuth of north, rad from +x toward +z
              * @default -1.5708
              */
             north: number;
@@ -1006,7 +1008,7 @@ export interface components {
         Drift: {
             /**
              * Place
-             * @description Middle of the square (x, z), m
+             * @description Centre of the square (x, z), m
              * @default [
              *       0,
              *       -30
@@ -1018,13 +1020,13 @@ export interface components {
             ];
             /**
              * Size
-             * @description Side of the square, m; no such foam beyond it
+             * @description Side of the square, m; drifting foam exists only inside it
              * @default 60
              */
             size: number;
             /**
              * Current
-             * @description Current toward (x, z), m/s
+             * @description Velocity of the current (x, z), m/s
              * @default [
              *       0.3,
              *       0
@@ -1036,20 +1038,20 @@ export interface components {
             ];
             /**
              * Waves
-             * @description How much of the waves' own drift carries foam (Stokes 1847)
+             * @description Factor on the Stokes drift of the waves; 0: waves do not carry foam (Stokes 1847)
              * @default 1
              */
             waves: number;
             /**
              * Vortices
-             * @description Eddies that stay in place
+             * @description Stationary vortices
              * @default []
              */
             vortices: components["schemas"]["Vortex"][];
         };
         /**
          * DriftSaturation
-         * @description Patches of foam that come up everywhere on the scene's ``drift`` square, are carried by its flow, and go.
+         * @description Patches of foam that appear on the scene's ``drift`` square, are carried by its flow, and disappear.
          */
         DriftSaturation: {
             /**
@@ -1059,38 +1061,38 @@ export interface components {
             source: "drift";
             /**
              * Amount
-             * @description Saturation of a patch at the middle of its life
+             * @description Saturation of a patch halfway through its life
              * @default 1
              */
             amount: number;
             /**
              * Patch
-             * @description Size of a patch when it comes up, m
+             * @description Size of a patch when it appears, m
              * @default 2.5
              */
             patch: number;
             /**
              * Coverage
-             * @description Share of the water that patches of one age cover
+             * @description Fraction of the water covered by the patches of one generation
              * @default 0.3
              */
             coverage: number;
             /**
              * Life
-             * @description From coming up to going, s
+             * @description Lifetime of a patch, s
              * @default 24
              */
             life: number;
             /**
              * Seed
-             * @description Which patches of their kind
+             * @description Random seed of the patches
              * @default 1
              */
             seed: number;
         };
         /**
          * EffectNote
-         * @description Why an effect runs, or why it does not.
+         * @description An effect, and why it runs or does not.
          */
         EffectNote: {
             /** Name */
@@ -1104,23 +1106,23 @@ export interface components {
             files: string[];
             /**
              * Bound
-             * @description Of a skipped effect: the most it could change in a pixel, display white = 1
+             * @description For a skipped effect: upper bound of its change to any pixel, display white = 1
              */
             bound?: number | null;
         };
         /**
          * Errors
-         * @description Against the truth.
+         * @description Errors against the float64 picture.
          */
         Errors: {
             /**
              * Rmse
-             * @description Of linear RGB clipped at display white, in levels: white = 255
+             * @description Root mean square error of linear RGB, clipped at display white, in levels (white = 255)
              */
             rmse: number;
             /**
              * Max
-             * @description Greatest difference of a channel, the same levels
+             * @description Maximum error of any channel, in the same levels
              */
             max: number;
             /**
@@ -1135,18 +1137,18 @@ export interface components {
             coverage: number;
             /**
              * Flipped
-             * @description Share of pixels that have foam (coverage over 0.5) in one picture alone
+             * @description Fraction of pixels that have foam (coverage above 0.5) in only one of the two pictures
              */
             flipped: number;
             /**
              * Popping
-             * @description Share of living foam that is lost from one frame to the next, 1/60 s later, in the worst pair of the rounds; null without foam. The sea loses some itself: compare with the tier reference
+             * @description Popping: fraction of the existing foam that disappears within 1/60 s, in the worst pair of frames; null without foam. Compare with tier reference: some foam of the sea disappears in truth
              */
             popping: number | null;
         };
         /**
          * FixedSize
-         * @description A size in pixels.
+         * @description A fixed size in pixels.
          */
         FixedSize: {
             /**
@@ -1161,7 +1163,7 @@ export interface components {
         };
         /**
          * Foam
-         * @description Foam: saturation, thresholded by a halftone mask.
+         * @description Foam: a saturation, thresholded by a halftone mask.
          */
         Foam: {
             /**
@@ -1181,39 +1183,39 @@ export interface components {
             saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"] | components["schemas"]["DriftSaturation"] | components["schemas"]["WakeSaturation"])[];
             /**
              * Combine
-             * @description How several saturations join
+             * @description How the saturations of several sources are combined: maximum or product
              * @default max
              * @enum {string}
              */
             combine: "max" | "product";
             /**
              * Look
-             * @description textured: a texture faded by f (figure 7a); halftone: eq. 1; fading: eq. 2; halftone_textured: eq. 3; listing: the published code; filtered: the area-correct threshold
+             * @description How saturation becomes foam. textured: a texture faded by f (figure 7a); halftone: eq. 1; fading: eq. 2; halftone_textured: eq. 3; listing: the paper's published code; filtered: antialiased threshold with exact area coverage
              * @default filtered
              * @enum {string}
              */
             look: "textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered";
             /**
              * Mask
-             * @description A mask of the catalogue, or family:sigma:size:seed; lace: also :aspect:age
+             * @description Name of a mask in the catalogue, or family:sigma:size:seed, for lace also :aspect:age
              * @default vac-24
              */
             mask: string;
             /**
              * Mask Tile
-             * @description Side of one tile of the mask, m
+             * @description Side of one tile of the mask, m; smaller gives finer bubbles
              * @default 12
              */
             mask_tile: number;
             /**
              * Mask Angle
-             * @description Turn of the mask about +y, rad
+             * @description Rotation of the mask about +y, rad
              * @default 0
              */
             mask_angle: number;
             /**
              * Cells
-             * @description Turn and shift the mask anew in each hexagonal cell of a tile's size, so that it never repeats; foam that lives is carried whole and has none
+             * @description Rotate and shift the mask at random in hexagonal cells of one tile's size, so that it does not visibly repeat; has no effect with `life`
              * @default false
              */
             cells: boolean;
@@ -1225,56 +1227,56 @@ export interface components {
             texture_tile: number;
             /**
              * Texture Second
-             * @description Side of one tile of a second copy of the foam texture, u and v swapped, m; the mean of both never repeats where the sides have no common measure (2.7 and 3.14); absent: one copy
+             * @description Side of one tile of a second copy of the foam texture, with u and v swapped, m. The mean of both does not repeat if the two sides are incommensurable (2.7 and 3.14); absent: one copy
              */
             texture_second?: number | null;
             /**
              * Texture
-             * @description How much the foam texture thins the filtered look
+             * @description Weight of the foam texture in the filtered look; 0: none
              * @default 0
              */
             texture: number;
             /**
              * Fade
-             * @description Width of the filtered look's ramp: bubbles fade over it before they pop
+             * @description Width of the threshold ramp of the filtered look: bubbles fade over it before they disappear; 0: a hard threshold
              * @default 0
              */
             fade: number;
             /**
              * Octaves
-             * @description Times that the filtered look thresholds by the mask, each time turned and five times finer, as far as a pixel shows it: foam keeps detail near the eye
+             * @description Number of octaves of the mask in the filtered look, each rotated and five times finer than the last; more keep detail near the camera
              * @default 1
              */
             octaves: number;
-            /** @description What becomes of foam in the filtered look: carried, gathered, older; absent: it lies still */
+            /** @description How foam of the filtered look moves and ages: carried by waves, gathered by wind, worn by age; absent: it does none of these */
             life?: components["schemas"]["FoamLife"] | null;
             /**
              * Thickness
-             * @description Height of foam over the water, m: its edges toward the sun are brighter, and it shades the water
+             * @description Height of foam above the water, m; brightens edges that face the sun and shades the water beside them; 0: flat
              * @default 0
              */
             thickness: number;
             /**
              * Albedo
-             * @description Share of light that foam scatters back
+             * @description Albedo of foam: fraction of light that it scatters back
              * @default 0.9
              */
             albedo: number;
         };
         /**
          * FoamLife
-         * @description What becomes of foam after it is born; the filtered look alone shows it.
+         * @description Transport and ageing of foam; applies to the filtered look only.
          */
         FoamLife: {
             /**
              * Carried
-             * @description Foam lies on the water that it rests on: waves carry it to and fro and stretch it
+             * @description Waves carry the foam to and fro with the water and stretch it; false: it stays in place
              * @default true
              */
             carried: boolean;
             /**
              * Masks
-             * @description Masks of older foam, the oldest last; as large as the foam's own
+             * @description Masks for ageing foam, the oldest last; each must be as large as the foam's own mask
              * @default [
              *       "lacetorn",
              *       "streak"
@@ -1283,32 +1285,32 @@ export interface components {
             masks: string[];
             /**
              * Wind Direction
-             * @description Heading of the wind, rad from +x toward +z: of its drift and of the windrows
+             * @description Direction toward which the wind blows, rad from +x toward +z; sets the wind drift and the windrows
              * @default 0
              */
             wind_direction: number;
             /**
              * Wind Drift
-             * @description Drift of the surface with the wind, m/s: 1 to 3 % of the wind's speed
+             * @description Drift speed of the surface with the wind, m/s; in nature 1 to 3 % of the wind speed
              * @default 0
              */
             wind_drift: number;
             /**
              * Windrows
-             * @description How much of the foam gathers in rows along the wind (Langmuir 1938)
+             * @description Strength with which foam gathers in windrows, rows along the wind (Langmuir 1938); 0: even
              * @default 0
              */
             windrows: number;
             /**
              * Windrow Spacing
-             * @description From row to row, about, m
+             * @description Mean spacing of the windrows, m
              * @default 12
              */
             windrow_spacing: number;
         };
         /**
          * FoldSaturation
-         * @description Foam where the sea folds: where the Jacobian of its horizontal displacement falls, and some seconds after.
+         * @description Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after.
          */
         FoldSaturation: {
             /**
@@ -1318,32 +1320,32 @@ export interface components {
             source: "fold";
             /**
              * Coverage
-             * @description Mean foam over the whitecaps that the wind raises (Monahan and O'Muircheartaigh 1980)
+             * @description Mean foam coverage, relative to the whitecap coverage for this wind (Monahan and O'Muircheartaigh 1980)
              * @default 1
              */
             coverage: number;
             /**
              * Softness
-             * @description From no foam to full, in standard deviations of the Jacobian
+             * @description Width of the ramp from no foam to full foam, in standard deviations of the Jacobian
              * @default 1.2
              */
             softness: number;
             /**
              * Decay
-             * @description Foam is down to 1/e after so long, s
+             * @description Decay time of the foam, to 1/e, s
              * @default 3
              */
             decay: number;
             /**
              * Lasting
-             * @description Foam of the larger waves stays for 11 s instead of 3: trails behind breakers; as much in all
+             * @description Keep foam of the longer waves for 11 s instead of 3 s, which leaves trails behind breakers; the mean coverage stays the same
              * @default false
              */
             lasting: boolean;
         };
         /**
          * FramePlan
-         * @description A compiled scene. Same scene and quality, same bytes.
+         * @description A compiled scene. The same scene and quality give the same bytes.
          */
         FramePlan: {
             /**
@@ -1371,7 +1373,7 @@ export interface components {
             passes: components["schemas"]["Pass"][];
             /**
              * Kept
-             * @description Targets of setup passes that other passes read -> SHA-256 of all that their pixels hang on: programs, numbers, textures, meshes, states and formats, those of what is read included. Plans with the same may share the target, as long as no live field moves. All other targets of setup passes are only on the way
+             * @description Targets of setup passes that other passes read -> SHA-256 of everything that determines their pixels: programs, numbers, textures, meshes, states and formats, including those of their inputs. Plans with the same hash can share the target as long as no live field changes. All other targets of setup passes are intermediate
              */
             kept: {
                 [key: string]: string;
@@ -1382,37 +1384,37 @@ export interface components {
             };
             /**
              * Linear
-             * @description The target that holds the finished linear frame: exposed RGB, A = foam coverage
+             * @description Target that holds the finished linear frame: exposed RGB, A = foam coverage
              */
             linear: string;
             /**
              * Samples
-             * @description Samples a pixel
+             * @description Samples per pixel
              */
             samples: number;
             /**
              * Top
-             * @description The highest that a crest can reach, m: an eye as high is over the water
+             * @description Upper bound of the crests' height, m: a camera at or above it is above the water
              */
             top: number;
             /**
              * Bottom
-             * @description The lowest from where an eye sees more than ground, m
+             * @description Lowest camera height from which more than ground is visible, m
              */
             bottom: number;
             /**
              * Live
-             * @description JSON pointers of scene fields that may change without a new plan
+             * @description JSON pointers of scene fields that can change without a new plan
              */
             live: string[];
         };
         /**
          * FrameRequest
-         * @description A frame of a scene.
+         * @description A frame to render: scene, quality, time, size and camera.
          */
         FrameRequest: {
             /**
-             * @description What the sea is
+             * @description The scene: waves, foam, water, light and camera
              * @example {
              *       "foam": {},
              *       "waves": [
@@ -1425,13 +1427,13 @@ export interface components {
             scene: components["schemas"]["Scene"];
             /**
              * Quality
-             * @description A tier, every knob that differs from standard, or auto: the most exact that is predicted to be drawn within budget_ms
+             * @description A tier, the settings that differ from tier standard, or auto: the most exact quality predicted to render within budget_ms
              * @default standard
              */
             quality: ("draft" | "standard" | "high" | "reference" | "auto") | components["schemas"]["Quality"];
             /**
              * Budget Ms
-             * @description With quality auto: milliseconds that drawing may take, reading back and encoding left out
+             * @description With quality auto: maximum frame time, ms, without readback and encoding
              * @example 8
              */
             budget_ms?: number | null;
@@ -1463,12 +1465,12 @@ export interface components {
              * @enum {string}
              */
             format: "png" | "webp" | "npy";
-            /** @description Absent: the scene's own */
+            /** @description Camera; absent: the scene's */
             camera?: components["schemas"]["Camera"] | null;
         };
         /**
          * FrontSaturation
-         * @description Foam born at the front of a crest and fading behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
+         * @description Foam that appears at the front of a crest and fades behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
          *
          *     With several waves θ is the phase of their sum (its analytic signal), so one wave gives the paper's formula.
          */
@@ -1480,20 +1482,20 @@ export interface components {
             source: "front";
             /**
              * Constants
-             * @description text: δ = π/2, 2π, e, as in the paper's text; listing: δ = 1.07, 6.28, 2.718, as in its code
+             * @description Constants of the formula. text: δ = π/2, 2π, e, from the paper's text; listing: δ = 1.07, 6.28, 2.718, from its code
              * @default text
              * @enum {string}
              */
             constants: "text" | "listing";
             /**
              * Intensity
-             * @description C: the larger, the less foam; the paper uses 4
+             * @description C: divisor of the saturation; larger values give less foam; the paper uses 4
              * @default 4
              */
             intensity: number;
             /**
              * Group
-             * @description Crests foam where the waves add up: none below the first, full above the second share of the greatest possible sum; (0, 0) foams everywhere, as in the paper
+             * @description Thresholds of the wave envelope, as fractions of the greatest possible sum of the waves: no foam below the first, full foam above the second; (0, 0): foam on every crest, as in the paper
              * @default [
              *       0,
              *       0
@@ -1505,13 +1507,13 @@ export interface components {
             ];
             /**
              * Decay
-             * @description Foam stays on the water that a front has passed and is down to 1/e after so long, s; absent: it fades over the wave behind the front, as in the paper
+             * @description Decay time of the foam that a passing front leaves on the water, to 1/e, s; absent: foam fades over the wave behind the front, as in the paper
              */
             decay?: number | null;
         };
         /**
          * Fullscreen
-         * @description One triangle that covers the target; attribute-free, from gl_VertexID.
+         * @description A triangle that covers the target; without attributes, from gl_VertexID.
          */
         Fullscreen: {
             /**
@@ -1522,7 +1524,7 @@ export interface components {
         };
         /**
          * Grid
-         * @description rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) runs over [0, 1]², columns first.
+         * @description rows × columns cells, two triangles each; attribute ``a_grid`` (vec2) covers [0, 1]², columns first.
          */
         Grid: {
             /**
@@ -1537,12 +1539,12 @@ export interface components {
         };
         /**
          * Gusts
-         * @description Gusts run over the water: patches of rougher and of smoother ripples.
+         * @description Gusts: moving patches of rougher and smoother ripples.
          */
         Gusts: {
             /**
              * Strength
-             * @description How far ripples rise and fall from their mean
+             * @description Relative variation of the ripples' slope about its mean
              * @default 0.6
              */
             strength: number;
@@ -1554,26 +1556,26 @@ export interface components {
             size: number;
             /**
              * Speed
-             * @description How fast they run with the wind, m/s
+             * @description Speed at which the patches move with the wind, m/s
              * @default 3
              */
             speed: number;
             /**
              * Change
-             * @description Time in which a patch becomes another, s
+             * @description Time scale on which a patch changes shape, s
              * @default 12
              */
             change: number;
             /**
              * Seed
-             * @description Which gusts of their kind
+             * @description Random seed of the gusts
              * @default 1
              */
             seed: number;
         };
         /**
          * HeightSaturation
-         * @description Foam by height: f = (H − H0)/(Hmax − H0) (Kryachko 2005).
+         * @description Foam by wave height: f = (H − H0)/(Hmax − H0) (Kryachko 2005).
          */
         HeightSaturation: {
             /**
@@ -1583,22 +1585,22 @@ export interface components {
             source: "height";
             /**
              * Base
-             * @description H0: height above the troughs where foam starts, m
+             * @description H0: height above the troughs at which foam starts, m
              * @default 0.3
              */
             base: number;
             /**
              * Full
-             * @description Hmax: height where foam is full, m
+             * @description Hmax: height above the troughs at which the saturation is 1, m
              * @default 0.9
              */
             full: number;
         };
         /**
          * Held
-         * @description offset + rate·t + k·origin, held in [low, high], in float64: an age, or the way from a place to the eye.
+         * @description offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
          *
-         *     Exact to the rounding of the sum: t − birth and eye − place keep every digit that float64 has of them.
+         *     Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
          */
         Held: {
             /**
@@ -1631,7 +1633,7 @@ export interface components {
         };
         /**
          * KnobChoice
-         * @description A value of one knob; all others are as in tier standard.
+         * @description A value of one setting; all others are as in tier standard.
          */
         KnobChoice: {
             /** Owner */
@@ -1650,12 +1652,12 @@ export interface components {
         };
         /**
          * KnobInfo
-         * @description A knob: what it is and which values of it are measured.
+         * @description A quality setting and its measured values.
          */
         KnobInfo: {
             /**
              * Owner
-             * @description The effect that declares it, or 'frame'
+             * @description Effect that declares the setting, or 'frame'
              */
             owner: string;
             /**
@@ -1667,84 +1669,84 @@ export interface components {
             title: string;
             /**
              * Cause
-             * @description The kind of error that it works on
+             * @description Kind of error that the setting affects
              * @enum {string}
              */
             cause: "geometry" | "filtering" | "precision";
             /**
              * Steps
-             * @description Values that are measured, from cheap to exact
+             * @description Measured values, fastest first
              */
             steps: (boolean | number | string)[];
         };
         /**
          * Light
-         * @description Sun, sky and haze. Absent: no light at all, foam white on black as the paper's equations have it.
+         * @description Sun, sky and haze. Absent: unlit, white foam on black, as in the paper's equations.
          */
         Light: {
             /**
              * Sun Azimuth
-             * @description Where the sun stands, rad from +x toward +z
+             * @description Azimuth of the sun, rad from +x toward +z
              * @default 0
              */
             sun_azimuth: number;
             /**
              * Sun Elevation
-             * @description Height of the sun over the horizon, rad
+             * @description Elevation of the sun above the horizon, rad
              * @default 0.6
              */
             sun_elevation: number;
             /**
              * Turbidity
-             * @description Haze of the air: 1 pure air, 2 clear, 10 hazy
+             * @description Turbidity of the air: 1 pure, 2 clear, 10 hazy
              * @default 2.5
              */
             turbidity: number;
             /**
              * Visibility
-             * @description Distance at which contrast has fallen to 2 %, m
+             * @description Visibility: distance at which contrast has fallen to 2 %, m
              * @default 20000
              */
             visibility: number;
             /**
              * Exposure
-             * @description Exposure, stops
+             * @description Exposure, stops; +1 doubles the brightness
              * @default 0
              */
             exposure: number;
-            /** @description Time of day, which moves the sun; absent: it stands as said above */
+            /** @description Time of day and place, which set the sun's position; absent: sun_azimuth and sun_elevation do */
             day?: components["schemas"]["Day"] | null;
-            /** @description Haze, clouds, moon and stars; absent: a plain clear sky */
+            /** @description Haze, clouds, moon and stars; absent: a clear sky */
             sky?: components["schemas"]["Sky"] | null;
             /**
              * Reflection
-             * @description What the water mirrors. sky: the sky alone; cubemap: sky and land as seen from right under the eye; planar: sky and boats
+             * @description What the water reflects. sky: the sky only; cubemap: sky and land, seen from directly below the camera; planar: sky and boats
              * @default sky
              * @enum {string}
              */
             reflection: "sky" | "cubemap" | "planar";
             /**
              * Specular
-             * @description The sun on the water. glint: facets with the slopes that the picture cannot show (Beckmann); blinn_phong: the lake shader's highlight, its half vector pushed aside by the ripples
+             * @description Model of the sun's reflection. glint: Beckmann distribution of the slopes that are too small to resolve; blinn_phong: Blinn-Phong highlight whose half vector is perturbed by the ripples
              * @default glint
              * @enum {string}
              */
             specular: "glint" | "blinn_phong";
             /**
              * Specular Power
-             * @description Exponent of blinn_phong; the greater, the smaller the highlight
+             * @description Exponent of blinn_phong; larger values give a smaller highlight
              * @default 364
              */
             specular_power: number;
             /**
              * Specular Perturb
-             * @description How far blinn_phong's half vector follows the normal's tilt
+             * @description Perturbation of blinn_phong's half vector by the tilt of the normal
              * @default 0.4
              */
             specular_perturb: number;
-            /** @description Sparks in the sun's reflection; absent: none */
+            /** @description Sparkles in the sun's reflection; absent: none */
             sparkles?: components["schemas"]["Sparkles"] | null;
-            /** @description Sunlight focused by the ripples on the floor; absent: evenly lit */
+            /** @description Caustics: sunlight that the ripples focus on the floor; absent: a uniformly lit floor */
             caustics?: components["schemas"]["Caustics"] | null;
         };
         /**
@@ -1767,7 +1769,7 @@ export interface components {
         };
         /**
          * Machine
-         * @description Where times were taken.
+         * @description The machine on which times were measured.
          */
         Machine: {
             /** Vendor */
@@ -1782,13 +1784,13 @@ export interface components {
             cores: number;
             /**
              * Threads
-             * @description Threads that a software renderer may use
+             * @description Number of threads of a software renderer
              */
             threads: number;
         };
         /**
          * MaskInfo
-         * @description What a mask is and how it was made.
+         * @description A mask's description and construction parameters.
          */
         MaskInfo: {
             /** Name */
@@ -1805,12 +1807,12 @@ export interface components {
             parameters: components["schemas"]["MaskParameters"];
             /**
              * Generator
-             * @description Version of the construction rules
+             * @description Version of the construction algorithm
              */
             generator: string;
             /**
              * Sha256
-             * @description Of the ranks as little-endian uint32, row by row
+             * @description SHA-256 of the ranks as little-endian uint32, in row-major order
              */
             sha256: string;
             /** Value Rule */
@@ -1820,12 +1822,12 @@ export interface components {
         };
         /**
          * MaskParameters
-         * @description What determines a mask.
+         * @description Parameters that determine a mask.
          */
         MaskParameters: {
             /**
              * Sigma
-             * @description The family's length, texels
+             * @description Characteristic length of the family, texels
              */
             sigma: number;
             /**
@@ -1837,17 +1839,17 @@ export interface components {
             seed: number;
             /**
              * Aspect
-             * @description Of lace: length of cells along x over width; null for the others
+             * @description Aspect ratio of the cells along x; null except for lace
              */
             aspect: number | null;
             /**
              * Age
-             * @description Of lace: 0, young foam, to 1, old and torn; null for the others
+             * @description Age of the foam, 0 (young) to 1 (old and torn); null except for lace
              */
             age: number | null;
             /**
              * Method
-             * @description How vac was ordered; null for the others
+             * @description Ordering method of vac; null for other families
              */
             method: ("exact" | "batched") | null;
         };
@@ -1864,7 +1866,7 @@ export interface components {
         MeasuredPoint: {
             /**
              * Id
-             * @description Name of the tier, or the knob and its value
+             * @description Name of the tier, or the changed setting and its value
              * @example standard
              * @example samples=4
              */
@@ -1877,51 +1879,51 @@ export interface components {
             quality: components["schemas"]["Quality"];
             /**
              * Plan
-             * @description SHA-256 of its plan
+             * @description SHA-256 of the frame plan
              */
             plan: string;
             /**
              * On Front
-             * @description Nothing measured is both faster and more exact
+             * @description True if no measured point is both faster and more exact
              */
             on_front: boolean;
             /**
              * Beaten By
-             * @description Points that are at most as far from the truth, and faster by a tenth and more in three quarters of the rounds; the most exact first
+             * @description Points with no greater error that are faster by at least a tenth in three quarters of the rounds; the most exact first
              */
             beaten_by: string[];
             time: components["schemas"]["TimeSpread"];
             model: components["schemas"]["TimeModel"];
             error: components["schemas"]["Errors"];
-            /** @description Of tiers; null where one knob alone is changed */
+            /** @description Error by cause, for tiers; null where a single setting is changed */
             causes: components["schemas"]["Causes"] | null;
         };
         /**
          * Moon
-         * @description A moon; how much of it is lit follows from where the sun is. It lights the water once the sun is well down.
+         * @description A moon; its phase follows from the sun's position. It lights the water when the sun is well below the horizon.
          */
         Moon: {
             /**
              * Azimuth
-             * @description Where the moon stands, rad from +x toward +z
+             * @description Azimuth of the moon, rad from +x toward +z
              * @default -1.2
              */
             azimuth: number;
             /**
              * Elevation
-             * @description Height of the moon over the horizon, rad
+             * @description Elevation of the moon above the horizon, rad
              * @default 0.35
              */
             elevation: number;
             /**
              * Brightness
-             * @description 1: a full moon gives 1 % of the sun's light (really 1/400 000)
+             * @description Brightness of the moonlight; at 1 a full moon gives 1 % of the sun's light (in reality 1/400 000)
              * @default 1
              */
             brightness: number;
             /**
              * Size
-             * @description Diameter, in real ones (0.52°)
+             * @description Angular diameter, relative to the real moon's (0.52°)
              * @default 1
              */
             size: number;
@@ -1945,31 +1947,31 @@ export interface components {
             amplitude: number;
             /**
              * Wavelength
-             * @description λ: crest to crest in deep water, m
+             * @description λ: wavelength in deep water, m
              * @default 12
              */
             wavelength: number;
             /**
              * Direction
-             * @description Heading of travel, rad from +x toward +z
+             * @description Direction of travel, rad from +x toward +z
              * @default 0
              */
             direction: number;
             /**
              * Exponent
-             * @description K: 1 is a sine, more sharpens the crest
+             * @description K: exponent of the profile; 1 is a sine, larger values sharpen the crests
              * @default 2
              */
             exponent: number;
             /**
              * Phase
-             * @description θ at the origin at time 0, rad
+             * @description Phase θ at the origin at time 0, rad
              * @default 0
              */
             phase: number;
             /**
              * Speed
-             * @description s: phase speed, m/s; absent: √(gλ/2π), deep water
+             * @description s: phase speed, m/s; absent: √(gλ/2π), the speed in deep water
              */
             speed?: number | null;
         };
@@ -1982,20 +1984,20 @@ export interface components {
             name: string;
             /**
              * When
-             * @description setup: no rule of time, camera or picture size reaches the pass or what it reads: drawn when its target is first needed, and again only where a live field among its numbers, or among those of what it reads, moves; frame: in every frame that needs its target. All passes into one target are of one kind
+             * @description When the pass is drawn. setup: neither time, camera nor picture size affects the pass or what it reads; it is drawn when its target is first needed, and again only if a live field among its uniforms, or those of what it reads, changes. frame: in every frame that needs its target. All passes into one target have the same value
              * @enum {string}
              */
             when: "setup" | "frame";
             /**
              * Eye
-             * @description over: drawn for eyes at the plan's top or higher; under: for all lower ones, and right for any
+             * @description Camera height for which the pass is drawn. over: at the plan's top or higher; under: below it, and correct at any height
              * @default any
              * @enum {string}
              */
             eye: "any" | "over" | "under";
             /**
              * View
-             * @description Where it can show something. rising, falling: only where a ray of the picture does, or the eye is lower than the plan's top; balls: only where one of them is in the picture
+             * @description Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; balls: only if one of these bounding spheres is in the picture
              * @default any
              */
             view: ("any" | "rising" | "falling") | components["schemas"]["Ball"][];
@@ -2003,21 +2005,21 @@ export interface components {
             program: string;
             /**
              * Target
-             * @description A target of the plan, or 'screen': the RGBA8 picture itself
+             * @description Name of a target of the plan, or 'screen': the RGBA8 picture itself
              */
             target: string;
             /** Mesh */
             mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__framegraph__passes__Points"];
             /**
              * Inputs
-             * @description Sampler name -> what it reads
+             * @description Sampler name -> source of its data
              */
             inputs?: {
                 [key: string]: components["schemas"]["TextureInput"] | components["schemas"]["TargetInput"];
             };
             /**
              * Uniforms
-             * @description Uniforms of this pass alone; they win over the plan's
+             * @description Uniforms of this pass only; they override the plan's
              */
             uniforms?: {
                 [key: string]: components["schemas"]["Uniform"];
@@ -2033,7 +2035,7 @@ export interface components {
         };
         /**
          * PassIndex
-         * @description Position of the pass in the plan, from 0.
+         * @description Index of the pass in the plan, from 0.
          */
         PassIndex: {
             /**
@@ -2044,7 +2046,7 @@ export interface components {
         };
         /**
          * Phase
-         * @description offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the eye's (x, z), m.
+         * @description offset + rate·t + k·origin, reduced to [−π, π] in float64; rad. origin: the camera's (x, z), m.
          */
         Phase: {
             /**
@@ -2064,11 +2066,11 @@ export interface components {
         };
         /**
          * PlanRequest
-         * @description A scene to plan.
+         * @description A scene and a quality to compile into a frame plan.
          */
         PlanRequest: {
             /**
-             * @description What the sea is
+             * @description The scene: waves, foam, water, light and camera
              * @example {
              *       "foam": {},
              *       "waves": [
@@ -2081,19 +2083,19 @@ export interface components {
             scene: components["schemas"]["Scene"];
             /**
              * Quality
-             * @description A tier, or every knob that differs from standard
+             * @description A tier, or the settings that differ from tier standard
              * @default standard
              */
             quality: ("draft" | "standard" | "high" | "reference") | components["schemas"]["Quality"];
         };
         /**
          * Point
-         * @description A quality that is measured: a tier, or standard with one knob changed.
+         * @description A measured quality: a tier, or tier standard with one setting changed.
          */
         Point: {
             /**
              * Id
-             * @description Name of the tier, or the knob and its value
+             * @description Name of the tier, or the changed setting and its value
              * @example standard
              * @example samples=4
              */
@@ -2106,30 +2108,30 @@ export interface components {
             quality: components["schemas"]["Quality"];
             /**
              * Plan
-             * @description SHA-256 of its plan
+             * @description SHA-256 of the frame plan
              */
             plan: string;
         };
         /**
          * PresetDetail
-         * @description A preset.
+         * @description A preset with its scene.
          */
         PresetDetail: {
             /** Name */
             name: string;
             /**
              * Group
-             * @description What it stands under in the menu
+             * @description Heading of the menu under which the preset is listed
              * @enum {string}
              */
-            group: "Seas" | "Light and life" | "Shores" | "Lakes and rivers" | "Foam of the paper";
+            group: "Seas" | "Light and objects" | "Shores" | "Lakes and rivers" | "Figures of the paper";
             /** Title */
             title: string;
             /** Summary */
             summary: string;
             /**
              * Size
-             * @description Width and height it was made for, pixels
+             * @description Recommended width and height, pixels
              */
             size: [
                 number,
@@ -2137,36 +2139,36 @@ export interface components {
             ];
             /**
              * Time
-             * @description A time at which it looks its best, s
+             * @description Recommended time, s
              */
             time: number;
             /**
              * Effects
-             * @description The effects that it runs
+             * @description Names of the effects in use
              */
             effects: string[];
             scene: components["schemas"]["Scene"];
         };
         /**
          * PresetSummary
-         * @description A preset, without its scene.
+         * @description A preset without its scene.
          */
         PresetSummary: {
             /** Name */
             name: string;
             /**
              * Group
-             * @description What it stands under in the menu
+             * @description Heading of the menu under which the preset is listed
              * @enum {string}
              */
-            group: "Seas" | "Light and life" | "Shores" | "Lakes and rivers" | "Foam of the paper";
+            group: "Seas" | "Light and objects" | "Shores" | "Lakes and rivers" | "Figures of the paper";
             /** Title */
             title: string;
             /** Summary */
             summary: string;
             /**
              * Size
-             * @description Width and height it was made for, pixels
+             * @description Recommended width and height, pixels
              */
             size: [
                 number,
@@ -2174,12 +2176,12 @@ export interface components {
             ];
             /**
              * Time
-             * @description A time at which it looks its best, s
+             * @description Recommended time, s
              */
             time: number;
             /**
              * Effects
-             * @description The effects that it runs
+             * @description Names of the effects in use
              */
             effects: string[];
         };
@@ -2193,7 +2195,7 @@ export interface components {
         };
         /**
          * Quality
-         * @description Everything that trades time against error.
+         * @description Settings that trade time against error.
          */
         Quality: {
             /**
@@ -2209,290 +2211,290 @@ export interface components {
             surface: components["schemas"]["SurfaceQuality"];
             /**
              * Waves
-             * @description Waves kept, the steepest first
+             * @description Maximum number of parametric waves, the steepest first
              * @default 16
              */
             waves: number;
             /**
              * Mask
-             * @description Format of the mask's thresholds, where a look reads single texels
+             * @description Storage format of the mask's thresholds, for looks that read single texels
              * @default u16
              * @enum {string}
              */
             mask: "u8" | "half" | "u16";
             /**
              * Foam Taps
-             * @description Texels of the mask that the filtered look averages where it is minified: 2 by 2 or 4 by 4
+             * @description Mask texels that the filtered look averages under minification: 4 (2 × 2) or 16 (4 × 4); fewer is faster and noisier
              * @default 16
              * @enum {integer}
              */
             foam_taps: 4 | 16;
             /**
              * Foam Octaves
-             * @description Octaves of the mask at most: how fine foam is near the eye
+             * @description Maximum number of octaves of the foam mask; more show finer foam near the camera
              * @default 4
              * @enum {integer}
              */
             foam_octaves: 1 | 2 | 3 | 4;
             /**
              * Foam Relief
-             * @description Foam of a thickness shades what lies beside it
+             * @description Shade the water and the foam edges around foam that has a thickness
              * @default false
              */
             foam_relief: boolean;
             /**
              * Chop
-             * @description Ripples from a tile drawn each frame, or summed per pixel
+             * @description Wind ripples. tile: read from a tile that is drawn each frame; exact: summed for each sample
              * @default tile
              * @enum {string}
              */
             chop: "tile" | "exact";
             /**
              * Chop Size
-             * @description Texels along a side of the ripple tile
+             * @description Side of the ripple tile, texels
              * @default 256
              */
             chop_size: number;
             /**
              * Rings
-             * @description Rings from a map drawn each frame, or summed per pixel
+             * @description Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample
              * @default map
              * @enum {string}
              */
             rings: "map" | "exact";
             /**
              * Rings Size
-             * @description Texels along a side of the map of rings
+             * @description Side of the displacement map of the rings, texels
              * @default 1024
              */
             rings_size: number;
             /**
              * Sea Size
-             * @description Texels along a side of a tile of open sea
+             * @description Side of each tile of the open sea, texels
              * @default 256
              * @enum {integer}
              */
             sea_size: 64 | 128 | 256 | 512;
             /**
              * Sea Tiles
-             * @description Tiles of an FFT sea, the largest first
+             * @description Number of tiles of an FFT sea, the largest first; fewer leave out the shortest waves
              * @default 4
              * @enum {integer}
              */
             sea_tiles: 2 | 3 | 4;
             /**
              * Sea Digits
-             * @description Floats of the tiles of open sea
+             * @description Floating-point format of the tiles of the open sea: 16-bit (half) or 32-bit (float)
              * @default half
              * @enum {string}
              */
             sea_digits: "half" | "float";
             /**
              * Age Steps
-             * @description Earlier times at which the sea's folds are looked for
+             * @description Number of earlier times at which the folds of the sea are evaluated, for foam left by past breakers
              * @default 8
              * @enum {integer}
              */
             age_steps: 0 | 4 | 8;
             /**
              * Age Step
-             * @description Seconds between them
+             * @description Interval between these times, s
              * @default 0.35
              */
             age_step: number;
             /**
              * Shore Map
-             * @description Texels along a side of the map of distances to the shore
+             * @description Side of the map of distances to the shore, texels
              * @default 256
              * @enum {integer}
              */
             shore_map: 64 | 128 | 256 | 512;
             /**
              * Shore Floor
-             * @description Texels along a side of the height field of floor and land
+             * @description Side of the height field of sea floor and land, texels
              * @default 256
              * @enum {integer}
              */
             shore_floor: 64 | 128 | 256 | 512;
             /**
              * Shore Profile
-             * @description Nodes of a row of the table of shore-wave profiles
+             * @description Nodes per row of the table of shore wave profiles
              * @default 128
              * @enum {integer}
              */
             shore_profile: 32 | 64 | 128 | 256;
             /**
              * Cloud Octaves
-             * @description Octaves of the clouds' noise
+             * @description Octaves of the cloud noise; more show finer clouds
              * @default 6
              */
             cloud_octaves: number;
             /**
              * Cube
-             * @description What stands around the water, from a cube map or found for each sample
+             * @description Reflected surroundings. map: read from a cube map; exact: traced for each sample
              * @default map
              * @enum {string}
              */
             cube: "map" | "exact";
             /**
              * Cube Size
-             * @description Texels along a side of a face of the cube map
+             * @description Side of each face of the cube map, texels
              * @default 256
              * @enum {integer}
              */
             cube_size: 32 | 64 | 128 | 256 | 512 | 1024;
             /**
              * Refraction Steps
-             * @description Steps after which the refracted ray is taken to meet a shore's floor
+             * @description Iterations of the intersection of the refracted ray with a shore's floor
              * @default 2
              * @enum {integer}
              */
             refraction_steps: 1 | 2 | 4 | 8 | 16;
             /**
              * Drift
-             * @description Drifting foam from a map that each texel finds by going back along the flow, from a map that points are moved over (gaps, piles and sticking: for comparison), or gone back for at each sample
+             * @description Advection of drifting foam. backward: a map whose texels trace the flow back in time; forward: a map in which cells of foam are moved along the flow (leaves gaps and piles, for comparison); exact: traced back for each sample
              * @default backward
              * @enum {string}
              */
             drift: "backward" | "forward" | "exact";
             /**
              * Drift Size
-             * @description Texels along a side of the maps of drift
+             * @description Side of the drift maps, texels
              * @default 256
              * @enum {integer}
              */
             drift_size: 64 | 128 | 256 | 512 | 1024;
             /**
              * Drift Window
-             * @description How far back foam is followed, s; older foam is not drawn
+             * @description Maximum age of drifting foam, s; older foam is not drawn
              * @default 120
              */
             drift_window: number;
             /**
              * Drift Step
-             * @description Longest step along the flow, s
+             * @description Maximum time step of the integration along the flow, s
              * @default 1
              */
             drift_step: number;
             /**
              * Sparkle Cells
-             * @description Cells that a sample asks for sparkles: its own, or all that may reach it
+             * @description Sparkle cells evaluated per sample: 1 (its own) or 4 (all that can reach it)
              * @default 4
              * @enum {integer}
              */
             sparkle_cells: 1 | 4;
             /**
              * Spray Count
-             * @description Drops of the spray; fewer are larger, and cover as much
+             * @description Number of spray drops; fewer drops are drawn larger, so that they cover the same area
              * @default 8192
              * @enum {integer}
              */
             spray_count: 2048 | 4096 | 8192 | 16384;
             /**
              * Caustics
-             * @description Caustics from a refracted grid's cells (photons where deep water spreads them far), or from photons counted where they land
+             * @description Caustics. grid: area ratios of a refracted grid (photons where deep water spreads the light far); photons: photons counted where they land
              * @default grid
              * @enum {string}
              */
             caustics: "grid" | "photons";
             /**
              * Caustics Size
-             * @description Texels along a side of the caustic map
+             * @description Side of the caustic map, texels
              * @default 512
              * @enum {integer}
              */
             caustics_size: 128 | 256 | 512 | 1024;
             /**
              * Caustics Cells
-             * @description Cells along a side of the refracted grid
+             * @description Cells along each side of the refracted grid
              * @default 256
              * @enum {integer}
              */
             caustics_cells: 64 | 128 | 256 | 512;
             /**
              * Caustics Photons
-             * @description Photons along a side of the tile
+             * @description Photons along each side of the caustic tile
              * @default 512
              * @enum {integer}
              */
             caustics_photons: 128 | 256 | 512 | 1024;
             /**
              * Wake
-             * @description Wakes from a map drawn each frame, or worked out per pixel
+             * @description Wakes. map: read from a displacement map; exact: evaluated for each sample
              * @default map
              * @enum {string}
              */
             wake: "map" | "exact";
             /**
              * Wake Size
-             * @description Texels along a map of a wake
+             * @description Side of each wake map, texels
              * @default 512
              * @enum {integer}
              */
             wake_size: 128 | 256 | 512 | 1024;
             /**
              * Reflection
-             * @description Boats mirrored from a planar mirror drawn each frame, or by rays from the water
+             * @description Reflection of boats. map: from a planar mirror that is drawn each frame; traced: by rays from the water
              * @default map
              * @enum {string}
              */
             reflection: "map" | "traced";
             /**
              * Reflection Size
-             * @description Texels along a side of the planar mirror
+             * @description Side of the planar mirror, texels
              * @default 256
              */
             reflection_size: number;
             /**
              * Slope Places
-             * @description Places whose slopes make blurred slope foam: five, or one whose footprint is as wide as the blur
+             * @description Points at which the slope for blurred slope foam is read: 5, or 1 with a footprint as wide as the blur
              * @default 1
              * @enum {integer}
              */
             slope_places: 1 | 5;
             /**
              * Boat Readings
-             * @description Heights read round each hull point of a boat
+             * @description Wave heights read around each hull point of a boat
              * @default 7
              * @enum {integer}
              */
             boat_readings: 1 | 7;
             /**
              * Boat Samples
-             * @description Rays through each sample where boats are: their edges against water and sky
+             * @description Rays per sample where boats are, to antialias their edges against water and sky
              * @default 4
              * @enum {integer}
              */
             boat_samples: 1 | 4 | 9;
             /**
              * Samples
-             * @description Samples a pixel, on a square grid
+             * @description Samples per pixel, on a square grid
              * @default 1
              * @enum {integer}
              */
             samples: 1 | 4 | 9 | 16 | 25 | 36 | 49 | 64;
             /**
              * Samples Max
-             * @description Greatest number of samples that a pixel is given where it stands out from those round it; no more than `samples`: every pixel has as many
+             * @description Maximum number of samples for a pixel that stands out from its neighbours (adaptive sampling); a value not above `samples` turns it off
              * @default 1
              * @enum {integer}
              */
             samples_max: 1 | 4 | 16;
             /**
              * Samples Budget
-             * @description Further samples that these take at most, in the mean of the pixels under the horizon
+             * @description Maximum number of additional adaptive samples per pixel, averaged over the pixels below the horizon
              * @default 2
              */
             samples_budget: number;
             /**
              * Samples Threshold
-             * @description Contrast from which on a pixel is given more samples, white on black = 1; more contrast where the budget would not do
+             * @description Contrast with its neighbours above which a pixel gets more samples; white on black is 1. Raised automatically where the budget would be exceeded
              * @default 0.004
              */
             samples_threshold: number;
             /**
              * Target
-             * @description Float format of the linear frame
+             * @description Floating-point format of the linear frame
              * @default RGBA16F
              * @enum {string}
              */
@@ -2500,26 +2502,26 @@ export interface components {
         };
         /**
          * QualityTiers
-         * @description What quality may be.
+         * @description Quality tiers and settings.
          */
         QualityTiers: {
             /**
              * Tiers
-             * @description The named tiers, from the fastest
+             * @description Settings of each named tier, fastest first
              */
             tiers: {
                 [key: string]: components["schemas"]["Quality"];
             };
             /**
              * Knobs
-             * @description JSON schema of the single knobs: ranges, units and defaults
+             * @description JSON schema of the quality settings, with ranges and defaults
              */
             knobs: {
                 [key: string]: unknown;
             };
             /**
              * Measured
-             * @description What each knob is, who owns it, and the steps that are measured
+             * @description Title, owner and measured values of each setting
              */
             measured: components["schemas"]["KnobInfo"][];
         };
@@ -2537,33 +2539,33 @@ export interface components {
             renderer: components["schemas"]["RendererInfo"];
             /**
              * Last Drawn
-             * @description Seconds since a canary or frame was last drawn
+             * @description Time since the last rendered frame or test frame, s
              */
             last_drawn: number;
             /**
              * Workers
-             * @description Render processes
+             * @description Number of render workers
              */
             workers: number;
             /**
              * Active
-             * @description Of them at work
+             * @description Number of busy render workers
              */
             active: number;
             /**
              * Waiting
-             * @description Frames that wait
+             * @description Number of frames in the queue
              */
             waiting: number;
             /**
              * Queue
-             * @description Frames that may wait
+             * @description Capacity of the queue, frames
              */
             queue: number;
         };
         /**
          * RendererInfo
-         * @description The GL in use.
+         * @description The OpenGL implementation in use.
          */
         RendererInfo: {
             /**
@@ -2601,42 +2603,42 @@ export interface components {
             ];
             /**
              * Birth
-             * @description When it starts, s; no ring before
+             * @description Time at which the ring starts, s
              * @default 0
              */
             birth: number;
             /**
              * Every
-             * @description It starts again after so long, s, at least its life, at most 5.55/b; absent: once
+             * @description Interval at which the ring is repeated, s; at least its lifetime, at most 5.55/b; absent: it happens once
              */
             every?: number | null;
             /**
              * Amplitude
-             * @description I0: height of a crest at birth, m
+             * @description I0: initial amplitude of the crests, m
              * @default 0.2
              */
             amplitude: number;
             /**
              * Decay
-             * @description b: how fast it dies away, 1/s
+             * @description b: decay rate of the amplitude, 1/s
              * @default 0.3
              */
             decay: number;
             /**
              * Wavelength
-             * @description λ: crest to crest in deep water, m
+             * @description λ: wavelength in deep water, m
              * @default 3
              */
             wavelength: number;
             /**
              * Crests
-             * @description Waves behind the front before it is calm; absent: to the centre
+             * @description Number of waves behind the front, after which the water is calm; absent: waves to the centre
              */
             crests?: number | null;
         };
         /**
          * Running
-         * @description A measurement that is not finished.
+         * @description A measurement in progress.
          */
         Running: {
             /**
@@ -2646,23 +2648,23 @@ export interface components {
             status: "queued" | "running";
             /**
              * Stage
-             * @description What is being done
+             * @description Current stage
              */
             stage: string;
             /**
              * Progress
-             * @description Share of the work that is done, 0 to 1
+             * @description Progress, 0 to 1
              */
             progress: number;
             /**
              * Eta S
-             * @description Seconds that remain, estimated
+             * @description Estimated remaining time, s
              */
             eta_s?: number | null;
         };
         /**
          * Scene
-         * @description What the sea is.
+         * @description A scene: water, foam, shore, objects, light and camera.
          */
         Scene: {
             /**
@@ -2672,20 +2674,20 @@ export interface components {
             waves: components["schemas"]["ParametricWave"][];
             /**
              * Rings
-             * @description Rings of stones, drops and blasts
+             * @description Circular waves from stones, drops and blasts
              * @default []
              */
             rings: components["schemas"]["Ring"][];
-            /** @description Open sea from a wind; absent: none */
+            /** @description Wind-driven open sea; absent: none */
             sea?: components["schemas"]["Sea"] | null;
-            /** @description Absent: no foam */
+            /** @description Foam; absent: none */
             foam?: components["schemas"]["Foam"] | null;
             water?: components["schemas"]["Water"];
             /** @description Sea floor, land and surf; absent: open sea */
             shore?: components["schemas"]["Shore"] | null;
-            /** @description What carries the foam of a drift saturation; absent: nothing */
+            /** @description Flow that carries the foam of a drift saturation; absent: no flow */
             drift?: components["schemas"]["Drift"] | null;
-            /** @description Drops that the water throws up; absent: none */
+            /** @description Drops thrown up by waves and surf; absent: none */
             spray?: components["schemas"]["Spray"] | null;
             /**
              * Boats
@@ -2693,68 +2695,68 @@ export interface components {
              * @default []
              */
             boats: components["schemas"]["Boat"][];
-            /** @description null: unlit, foam white on black */
+            /** @description Sun, sky and haze; null: unlit, white foam on black */
             light?: components["schemas"]["Light"] | null;
             camera?: components["schemas"]["Camera"];
         };
         /**
          * Sea
-         * @description Open sea that a wind raises: a JONSWAP spectrum (Hasselmann et al. 1973) drawn on tiles.
+         * @description Wind-driven open sea: a JONSWAP spectrum (Hasselmann et al. 1973) on tiles.
          */
         Sea: {
             /**
              * Model
-             * @description gerstner: dozens of waves on two tiles; fft: every wavevector of four tiles (Tessendorf 2001)
+             * @description gerstner: dozens of waves on two tiles; fft: the whole spectrum on four tiles (Tessendorf 2001)
              * @default fft
              * @enum {string}
              */
             model: "gerstner" | "fft";
             /**
              * Wind
-             * @description Wind speed 10 m above the sea, m/s
+             * @description U: wind speed 10 m above the sea, m/s; sets wave height and peak period
              * @default 10
              */
             wind: number;
             /**
              * Fetch
-             * @description Way over which the wind has raised the sea, m
+             * @description Fetch: distance over which the wind blows across the sea, m; longer gives higher and longer waves
              * @default 200000
              */
             fetch: number;
             /**
              * Wind Direction
-             * @description Heading of the wind, rad from +x toward +z
+             * @description Direction toward which the wind blows, rad from +x toward +z
              * @default 0
              */
             wind_direction: number;
             /**
              * Spread
-             * @description s: energy goes with cos^2s of half the angle to the wind
+             * @description s: exponent of the directional spreading cos^2s(θ/2), θ the angle to the wind; larger values align the waves
              * @default 6
              */
             spread: number;
             /**
              * Against
-             * @description Share left of the waves against the wind; 0 for rivers
+             * @description Factor on the energy of waves that travel against the wind; 0 removes them, as in rivers
              * @default 0.3
              */
             against: number;
             /**
              * Choppiness
-             * @description λ: how far water moves along as it rises; 0 sines, 1 the trochoids of deep water
+             * @description λ: horizontal displacement of the water, as a fraction of that of trochoids in deep water; 0 gives rounded crests, 1 sharp ones
              * @default 0.9
              */
             choppiness: number;
             /**
              * Seed
-             * @description Which sea of its kind
+             * @description Random seed of the wave amplitudes and phases
              * @default 1
              */
             seed: number;
         };
         /**
          * Shader
-         * @description Assembled GLSL ES 3.00. ``sha256`` is of the UTF-8 text.
+         * @description Assembled GLSL ES 3.00 source. ``sha256``: of the UTF-8 text.
          */
         Shader: {
             /** Text */
@@ -2766,19 +2768,19 @@ export interface components {
         };
         /**
          * Shore
-         * @description Sea floor and land: a height field over a square; beyond it the floor goes on level.
+         * @description Sea floor and land: a height field over a square; beyond it the floor is level.
          */
         Shore: {
             /**
              * Kind
-             * @description beach: a coast right through the square; island; islands: several; lagoon: a ring with an opening; image: a picture of your own
+             * @description Shape of the coast. beach: a straight coast across the square; island; islands: several; lagoon: a ring with an opening; image: heights from `image`
              * @default beach
              * @enum {string}
              */
             kind: "beach" | "island" | "islands" | "lagoon" | "image";
             /**
              * Place
-             * @description Middle of the square (x, z), m
+             * @description Centre of the square (x, z), m
              * @default [
              *       0,
              *       0
@@ -2796,19 +2798,19 @@ export interface components {
             size: number;
             /**
              * Heading
-             * @description Toward the land of a beach, the opening of a lagoon; rad from +x toward +z
+             * @description Direction of a beach's land, or of a lagoon's opening, rad from +x toward +z
              * @default 0
              */
             heading: number;
             /**
              * Radius
-             * @description Of an island or of a lagoon's ring, m
+             * @description Radius of an island or of a lagoon's ring, m
              * @default 60
              */
             radius: number;
             /**
              * Depth
-             * @description Depth of the level floor around, m
+             * @description Depth of the level floor offshore, m
              * @default 12
              */
             depth: number;
@@ -2820,48 +2822,48 @@ export interface components {
             inner_depth: number;
             /**
              * Height
-             * @description About how high the land rises, m
+             * @description Approximate height of the land, m
              * @default 6
              */
             height: number;
             /**
              * Slope
-             * @description Slope of the floor at the water's edge
+             * @description Slope of the floor at the waterline
              * @default 0.06
              */
             slope: number;
             /**
              * Roughness
-             * @description How far bays and capes stray from the plain shape
+             * @description Irregularity of the coastline: bays and capes; 0: the plain shape
              * @default 0.5
              */
             roughness: number;
             /**
              * Level
-             * @description Lifts floor and land; below 0: high water, m
+             * @description Vertical offset of floor and land, m; negative values raise the water
              * @default 0
              */
             level: number;
             /**
              * Seed
-             * @description Which shore of its kind
+             * @description Random seed of the coastline and the terrain
              * @default 1
              */
             seed: number;
             /**
              * Image
-             * @description For kind image, a PNG in base64, 2 to 128 pixels a side: black is the deep floor, white the height of the land; its top is toward −z
+             * @description Height map for kind 'image': a base64 PNG, 2 to 128 pixels a side; black is the offshore depth, white the height of the land; the top row is toward −z
              */
             image?: string | null;
             /**
              * Smoothing
-             * @description Standard deviation of the Gaussian that smooths distances, m
+             * @description Standard deviation of the Gaussian that smooths the distance to the shore, m
              * @default 6
              */
             smoothing: number;
             /**
              * Sand
-             * @description Reflectance of dry sand
+             * @description Albedo of dry sand, linear RGB
              * @default [
              *       0.66,
              *       0.56,
@@ -2875,7 +2877,7 @@ export interface components {
             ];
             /**
              * Rock
-             * @description Reflectance of rock, where it is steep
+             * @description Albedo of rock, on steep ground, linear RGB
              * @default [
              *       0.27,
              *       0.24,
@@ -2889,7 +2891,7 @@ export interface components {
             ];
             /**
              * Plants
-             * @description Reflectance of what grows
+             * @description Albedo of vegetation, linear RGB
              * @default [
              *       0.06,
              *       0.1,
@@ -2903,13 +2905,13 @@ export interface components {
             ];
             /**
              * Plants From
-             * @description Height from which something grows, m
+             * @description Height above which vegetation grows, m
              * @default 2
              */
             plants_from: number;
             /**
              * Reef
-             * @description Share of dark patches on the floor: reef and weed
+             * @description Fraction of the shallow floor covered by dark reef and seaweed
              * @default 0.5
              */
             reef: number;
@@ -2917,7 +2919,7 @@ export interface components {
         };
         /**
          * Sky
-         * @description A sky that light reaches through more air near the horizon; absent: the plain clear sky.
+         * @description A sky with longer light paths near the horizon; absent: a plain clear sky.
          */
         Sky: {
             /**
@@ -2932,14 +2934,14 @@ export interface components {
              * @default 0
              */
             stars: number;
-            /** @description Absent: none */
+            /** @description Cloud layer; absent: none */
             clouds?: components["schemas"]["Clouds"] | null;
-            /** @description Absent: none */
+            /** @description Moon; absent: none */
             moon?: components["schemas"]["Moon"] | null;
         };
         /**
          * SlopeSaturation
-         * @description Foam where the water is steep: f = gain (1 − n.y − base), n the waves' normal (GPU ocean, 2007: base 0).
+         * @description Foam on steep water: f = gain (1 − n.y − base), n the normal of the waves (GPU ocean, 2007: base 0).
          */
         SlopeSaturation: {
             /**
@@ -2949,26 +2951,26 @@ export interface components {
             source: "slope";
             /**
              * Gain
-             * @description f over 1 − n.y − base; the larger, the more foam
+             * @description Saturation per unit of 1 − n.y − base; larger values give more foam
              * @default 6
              */
             gain: number;
             /**
              * Base
-             * @description 1 − n.y where foam starts: 0.03 at 14°, 0.13 at 30°
+             * @description Value of 1 − n.y at which foam starts: 0.03 at a tilt of 14°, 0.13 at 30°
              * @default 0
              */
             base: number;
             /**
              * Blur
-             * @description 1 − n.y is the mean of a place and four so far around it, m
+             * @description Distance of the four neighbours with which 1 − n.y is averaged, m; 0: no blur
              * @default 0
              */
             blur: number;
         };
         /**
          * SourceFile
-         * @description A file of the assembled text, and the line (from 1) where it starts.
+         * @description A file of the assembled source, and the line (from 1) at which it starts.
          */
         SourceFile: {
             /** Path */
@@ -2978,103 +2980,103 @@ export interface components {
         };
         /**
          * Sparkles
-         * @description Small sparks in the sun's reflection (GPU ocean, 2007); their mean light is that of the smooth glint.
+         * @description Sparkles in the sun's reflection (GPU ocean, 2007); their mean radiance is that of the smooth glint.
          */
         Sparkles: {
             /**
              * Size
-             * @description Angle that a sparkle takes up, whatever the picture's size, rad
+             * @description Angular diameter of a sparkle, independent of the picture's size, rad
              * @default 0.0016
              */
             size: number;
             /**
              * Rate
-             * @description Sparkles a second in a square degree of glint that is as bright as white paper in the sun; the fewer, the brighter each
+             * @description Births of sparkles per second and square degree, where the glint is as bright as white paper in the sun; fewer sparkles are brighter, so that the mean stays
              * @default 1
              */
             rate: number;
             /**
              * Life
-             * @description How long a sparkle lasts, s
+             * @description Lifetime of a sparkle, s
              * @default 0.3
              */
             life: number;
             /**
              * Share
-             * @description Share of the glint that sparkles; the rest is smooth
+             * @description Fraction of the glint that is drawn as sparkles; the rest is smooth
              * @default 0.9
              */
             share: number;
         };
         /**
          * Spray
-         * @description Drops thrown up where waves rise fast or, where there is a shore, where surf breaks on rocks.
+         * @description Drops thrown up where waves rise fast, or, with a shore, where surf breaks on rocks.
          */
         Spray: {
             /**
              * Threshold
-             * @description Water that rises slower throws no drops, and surf whose drops would start slower neither, m/s
+             * @description Minimum speed that throws drops, m/s: of the rising water on waves, of the drops themselves on rocks
              * @default 1.5
              */
             threshold: number;
             /**
              * Speed
-             * @description How fast drops start: in speeds at which the water rises; on rocks in √(gH), H the surf's height
+             * @description Initial speed of the drops: on waves relative to the speed of the rising water, on rocks to √(gH), H the height of the surf
              * @default 3
              */
             speed: number;
             /**
              * Steep
-             * @description Slope of the ground from which a coast is rock
+             * @description Slope of the ground above which a coast is rock and throws spray
              * @default 0.3
              */
             steep: number;
             /**
              * Size
-             * @description Radius of a drop, a clot of many, m
+             * @description Radius of a drop, m; each stands for a cluster of many
              * @default 0.04
              */
             size: number;
             /**
              * Mist
-             * @description Share of the drops that are puffs of mist
+             * @description Fraction of the drops that are puffs of mist
              * @default 0.3
              */
             mist: number;
             /**
              * Drag
-             * @description Time in which the air takes a drop's speed to 1/e of the wind's, s
+             * @description Time constant of air drag: a drop's velocity relative to the wind falls to 1/e, s
              * @default 0.8
              */
             drag: number;
             /**
              * Life
-             * @description Time after which nothing of a drop is left, s
+             * @description Lifetime of a drop, s
              * @default 2.5
              */
             life: number;
             /**
              * Wind
-             * @description Wind that carries drops along, m/s
+             * @description Speed of the wind that carries the drops, m/s
              * @default 3
              */
             wind: number;
             /**
              * Wind Direction
-             * @description Heading of the wind, rad from +x toward +z
+             * @description Direction toward which the wind blows, rad from +x toward +z
              * @default 0
              */
             wind_direction: number;
             /**
              * Reach
-             * @description How far from the eye waves throw up drops, m; rocks do anywhere
+             * @description Maximum distance from the camera at which waves throw drops, m; rocks throw them at any distance
              * @default 60
              */
             reach: number;
         };
         /**
          * State
-         * @description Fixed-function state of a pass; everything else is off.
+         * @description Fixed-function state of a pass; everything else is disabled.
          */
         State: {
             /**
@@ -3090,7 +3092,7 @@ export interface components {
             clear: boolean;
             /**
              * Blend
-             * @description none: replace what the target holds; add: add to it; over: lie over it, alpha premultiplied. Never into 32-bit floats, which WebGL2 need not blend
+             * @description Blending. none: replace the target's content; add: add to it; over: blend over it, with premultiplied alpha. Never used with 32-bit float targets, whose blending WebGL2 does not guarantee
              * @default none
              * @enum {string}
              */
@@ -3098,7 +3100,7 @@ export interface components {
         };
         /**
          * Step
-         * @description From one value of a knob to the next more exact one, all other knobs as in tier standard.
+         * @description Step from one value of a setting to the next more exact one, all other settings as in tier standard.
          */
         Step: {
             /** Owner */
@@ -3122,22 +3124,22 @@ export interface components {
             point_to: string;
             /**
              * Added Ms
-             * @description Median of the differences by round
+             * @description Median of the differences per round
              */
             added_ms: number;
             /**
              * Time Factor
-             * @description Median of the ratios by round
+             * @description Median of the ratios per round
              */
             time_factor: number;
             /**
              * Time Measurable
-             * @description The quartiles of these ratios lie on one side of 1
+             * @description True if both quartiles of the ratios lie on the same side of 1
              */
             time_measurable: boolean;
             /**
              * Error Removed
-             * @description RMSE, levels; negative: more error
+             * @description Reduction of the RMSE, levels; negative: the error grows
              */
             error_removed: number;
             /**
@@ -3147,7 +3149,7 @@ export interface components {
             error_factor: number;
             /**
              * Error Per Ms
-             * @description error_removed / added_ms; null where that means nothing
+             * @description error_removed / added_ms; null where it is undefined
              */
             error_per_ms: number | null;
             /** Sentence */
@@ -3160,50 +3162,50 @@ export interface components {
         Surf: {
             /**
              * Height
-             * @description Height of a wave where it breaks, m; 0: no surf
+             * @description Height of the breakers, m; 0: no surf
              * @default 1
              */
             height: number;
             /**
              * Period
-             * @description Time from crest to crest, s
+             * @description Wave period, s
              * @default 7
              */
             period: number;
             /**
              * Skew
-             * @description γ where a wave breaks: 1 is upright, less leans to the shore
+             * @description γ: asymmetry of the profile at breaking; 1 is symmetric, smaller values lean toward the shore
              * @default 0.5
              */
             skew: number;
             /**
              * Sharpness
-             * @description b: how far a crest gathers, in wavelengths
+             * @description b: horizontal displacement at the crests, in wavelengths; larger values sharpen them
              * @default 0.05
              */
             sharpness: number;
             /**
              * Variation
-             * @description How far the slowly changing mask lowers waves: 0 breaks all alike
+             * @description Strength of the slow variation of the wave height along the coast; 0: all waves break alike
              * @default 0.7
              */
             variation: number;
             /**
              * Heading
-             * @description Heading of the swell, rad from +x toward +z
+             * @description Direction of travel of the swell, rad from +x toward +z
              * @default 0
              */
             heading: number;
             /**
              * Exposure
-             * @description How calm coasts are that the swell does not meet: 0 as rough, 1 calm
+             * @description Reduction of the surf on coasts that face away from the swell: 0 none, 1 no surf there
              * @default 0
              */
             exposure: number;
         };
         /**
          * SurfSaturation
-         * @description Foam of the surf: born where a shore wave breaks, left behind it, draining down the beach.
+         * @description Foam of the surf: it appears at breaking fronts, remains behind them, and drains down the beach.
          */
         SurfSaturation: {
             /**
@@ -3213,68 +3215,68 @@ export interface components {
             source: "surf";
             /**
              * Amount
-             * @description Saturation on a breaking front
+             * @description Saturation at a breaking front
              * @default 1
              */
             amount: number;
             /**
              * Life
-             * @description Time to 1/e behind the front, in periods
+             * @description Decay time behind the front, to 1/e, in wave periods
              * @default 0.35
              */
             life: number;
             /**
              * Veil
-             * @description Saturation that stays in the surf between waves
+             * @description Saturation that remains in the surf zone between waves
              * @default 0.1
              */
             veil: number;
             /**
              * Line
-             * @description Saturation that the swash leaves on the sand, and where it turned
+             * @description Saturation that the swash leaves on the sand, strongest along the line of maximum run-up
              * @default 0
              */
             line: number;
         };
         /**
          * SurfaceQuality
-         * @description How the eye's ray finds the surface.
+         * @description Settings of the intersection of view rays with the surface.
          */
         SurfaceQuality: {
             /**
              * Method
-             * @description march: steps along the ray that cannot pass the surface; mesh: a grid and Newton steps
+             * @description How the view ray is intersected with the surface. march: conservative ray marching, which cannot step over a crest; mesh: a polar grid, then Newton steps
              * @default march
              * @enum {string}
              */
             method: "mesh" | "march";
             /**
              * Steps
-             * @description Greatest number of steps of a march
+             * @description Maximum number of ray-marching steps
              * @default 192
              */
             steps: number;
             /**
              * Tolerance
-             * @description A march ends this near the surface, in heights of a sample
+             * @description Distance from the surface at which ray marching stops, as a fraction of the height of one sample's footprint; smaller is more exact and slower
              * @default 0.05
              */
             tolerance: number;
             /**
              * Cells
-             * @description Cells of the mesh along each side
+             * @description Cells along each side of the mesh
              * @default 192
              */
             cells: number;
             /**
              * Refine
-             * @description Newton steps a pixel after the mesh or the march
+             * @description Newton steps per sample after the mesh or the ray march
              * @default 0
              */
             refine: number;
             /**
              * Filter
-             * @description Turn waves smaller than a pixel into roughness
+             * @description Convert waves smaller than the sampling footprint into roughness; false: they alias
              * @default true
              */
             filter: boolean;
@@ -3297,14 +3299,14 @@ export interface components {
             status: "measured";
             /**
              * Preset
-             * @description Null: a scene of its own
+             * @description Name of the preset; null: a custom scene
              */
             preset: string | null;
             /** Scene Sha256 */
             scene_sha256: string;
             /**
              * Width
-             * @description Of the pictures that errors are taken from, pixels
+             * @description Size of the compared pictures, pixels
              */
             width: number;
             /** Height */
@@ -3323,32 +3325,32 @@ export interface components {
             };
             /**
              * Measured At
-             * @description ISO 8601, UTC
+             * @description Date and time of the measurement, ISO 8601, UTC
              */
             measured_at: string;
             /**
              * Seconds
-             * @description How long the sweep took, truth not counted
+             * @description Duration of the sweep without the float64 reference, s
              */
             seconds: number;
             /** Points */
             points: components["schemas"]["MeasuredPoint"][];
             /**
              * Front
-             * @description Points that nothing beats in both time and RMSE, from the fastest
+             * @description Pareto front: IDs of points that no other point beats in both time and RMSE, fastest first
              */
             front: string[];
             /** Steps */
             steps: components["schemas"]["Step"][];
             /**
              * Sentences
-             * @description What the front says in words
+             * @description Summary of the front in words
              */
             sentences: string[];
         };
         /**
          * Target
-         * @description A picture that passes draw into and later passes read.
+         * @description A render target: passes draw into it, and later passes read it.
          */
         Target: {
             /** Size */
@@ -3378,7 +3380,7 @@ export interface components {
         };
         /**
          * TargetInput
-         * @description A sampler reads what an earlier pass drew into a target of the plan.
+         * @description A sampler that reads a target of the plan, drawn by an earlier pass.
          */
         TargetInput: {
             /** Target */
@@ -3386,17 +3388,17 @@ export interface components {
         };
         /**
          * Texture
-         * @description Texture data: levels from the largest, rows from v = 0, tightly packed little-endian, one after the other.
+         * @description Texture data: mip levels, largest first, concatenated; rows from v = 0, tightly packed, little-endian.
          */
         Texture: {
             /**
              * Url
-             * @description Where the bytes are, below the server's address
+             * @description Path of the bytes, relative to the server's address
              */
             url: string;
             /**
              * Sha256
-             * @description Of the bytes
+             * @description SHA-256 of the bytes
              */
             sha256: string;
             /**
@@ -3423,7 +3425,7 @@ export interface components {
         };
         /**
          * TextureInput
-         * @description A sampler reads a texture of the plan.
+         * @description A sampler that reads a texture of the plan.
          */
         TextureInput: {
             /** Texture */
@@ -3441,9 +3443,9 @@ export interface components {
         };
         /**
          * TimeSpread
-         * @description What a frame of the subject's own size takes, from the first call until it is finished, reading it back left out.
+         * @description Time of a frame at the subject's own size, from the first call until it is finished, without readback.
          *
-         *     Told from frames of two sizes in each round, by the line through them.
+         *     Predicted by a line through the times of two frame sizes in each round.
          */
         TimeSpread: {
             /** Median Ms */
@@ -3460,38 +3462,38 @@ export interface components {
             high_ms: number;
             /**
              * Rounds Ms
-             * @description Every round; rounds of different points were drawn together
+             * @description Times of the single rounds; one round renders all points in turn
              */
             rounds_ms: number[];
         };
         /**
          * Timing
-         * @description How times were taken.
+         * @description Conditions of the timing.
          */
         Timing: {
             /**
              * Timer
-             * @description wall: around a frame and its finish; gpu: timer queries
+             * @description wall: wall clock around a frame until it is finished; gpu: GPU timer queries
              * @enum {string}
              */
             timer: "wall" | "gpu";
             /**
              * Width
-             * @description Of the larger frames that are timed, pixels; slow points are timed by the compared pictures
+             * @description Size of the larger timed frames, pixels; slow points are timed at the size of the compared pictures
              */
             width: number;
             /** Height */
             height: number;
             /**
              * Small Width
-             * @description Of the smaller ones, for the fixed part of the model
+             * @description Size of the smaller timed frames, for the constant part of the time model
              */
             small_width: number;
             /** Small Height */
             small_height: number;
             /**
              * Own Width
-             * @description Of the frames that times are told for: the subject's own
+             * @description Frame size for which times are reported: the preset's own
              */
             own_width: number;
             /** Own Height */
@@ -3501,12 +3503,12 @@ export interface components {
         };
         /**
          * TruthInfo
-         * @description The converged float64 picture that errors are against.
+         * @description The converged float64 picture against which errors are measured.
          */
         TruthInfo: {
             /**
              * Url
-             * @description float32 (height, width, 4): linear RGB, foam coverage; rows from the top
+             * @description float32 (height, width, 4): linear RGB and foam coverage; top row first
              */
             url: string | null;
             /** Width */
@@ -3520,13 +3522,13 @@ export interface components {
             time: number;
             /**
              * Samples
-             * @description Samples a pixel
+             * @description Samples per pixel
              */
             samples: number;
         };
         /**
          * Uniform
-         * @description One uniform or uniform array. The values of ``rules``, one after the other, fill type × count exactly.
+         * @description A uniform or uniform array. The values of ``rules``, concatenated, fill type × count exactly.
          */
         Uniform: {
             /**
@@ -3544,7 +3546,7 @@ export interface components {
         };
         /**
          * Viewport
-         * @description Width and height of the pass's target or of the picture, pixels, ``times`` over.
+         * @description Width and height of the pass's target or of the picture, pixels, multiplied by ``times``.
          */
         Viewport: {
             /**
@@ -3566,7 +3568,7 @@ export interface components {
         };
         /**
          * ViewportSize
-         * @description As large as the picture, times ``scale`` and over ``part`` along each side, over ``narrow`` more along the width,
+         * @description The picture's size times ``scale``, divided by ``part`` along each side and by ``narrow`` also along the width,
          *     rounded up.
          */
         ViewportSize: {
@@ -3593,7 +3595,7 @@ export interface components {
         };
         /**
          * Vortex
-         * @description Water that turns around a place that stays: fastest at its radius, still at its centre and past six radii.
+         * @description A stationary vortex: fastest at its radius, at rest at its centre and beyond six radii.
          */
         Vortex: {
             /**
@@ -3610,20 +3612,20 @@ export interface components {
             ];
             /**
              * Radius
-             * @description Where it turns fastest, m from its centre
+             * @description Distance from the centre at which the flow is fastest, m
              * @default 2
              */
             radius: number;
             /**
              * Speed
-             * @description There, m/s; positive turns from +x toward +z, negative back
+             * @description Maximum speed, m/s; positive turns from +x toward +z, negative the other way
              * @default 1
              */
             speed: number;
         };
         /**
          * WakeSaturation
-         * @description Foam of boats: the churned band that each leaves behind it, and what its bow throws aside.
+         * @description Foam of boats: the turbulent band behind each boat, and the foam of its bow wave.
          */
         WakeSaturation: {
             /**
@@ -3633,31 +3635,31 @@ export interface components {
             source: "wake";
             /**
              * Amount
-             * @description Saturation right behind the boat
+             * @description Saturation directly behind the boat
              * @default 1
              */
             amount: number;
             /**
              * Life
-             * @description Time to 1/e behind it, s
+             * @description Decay time behind the boat, to 1/e, s
              * @default 8
              */
             life: number;
             /**
              * Bow
-             * @description Saturation of the bow's wave, at hull speed
+             * @description Saturation of the bow wave at hull speed
              * @default 1
              */
             bow: number;
         };
         /**
          * Water
-         * @description The body of the water, and the ripples on it.
+         * @description Optical properties of the water, its floor, and its ripples.
          */
         Water: {
             /**
              * Absorption Length
-             * @description Distance to 1/e for red, green, blue, m (Outerra: 7, 30, 70)
+             * @description Distance after which absorption leaves 1/e of red, green and blue light, m (Outerra: 7, 30, 70)
              * @default [
              *       7,
              *       30,
@@ -3671,18 +3673,18 @@ export interface components {
             ];
             /**
              * Scattering
-             * @description Scattering coefficient, 1/m (Outerra: 0.005)
+             * @description Scattering coefficient, 1/m (Outerra: 0.005); larger values give brighter, murkier water
              * @default 0.005
              */
             scattering: number;
             /**
              * Depth
-             * @description Depth of the floor under the troughs, m; absent: deep water
+             * @description Depth of the floor below the troughs, m; absent: deep water
              */
             depth?: number | null;
             /**
              * Floor Albedo
-             * @description Reflectance of the floor
+             * @description Albedo of the floor, linear RGB
              * @default [
              *       0.62,
              *       0.54,
@@ -3696,36 +3698,36 @@ export interface components {
             ];
             /**
              * Floor Tile
-             * @description Side of the tiles that the floor is laid with, m; absent: bare
+             * @description Side of the square tiles on the floor, m; absent: no tiles
              */
             floor_tile?: number | null;
             /**
              * View Below
-             * @description What an eye under the surface sees: Snell's window, total reflection, floor and water
+             * @description Draw the view from below the surface: Snell's window, total reflection, floor and water
              * @default true
              */
             view_below: boolean;
             /**
              * Translucency
-             * @description How strongly a thin crest lets the sun through
+             * @description Strength of the sunlight that shines through thin crests
              * @default 0.25
              */
             translucency: number;
             /**
              * Aeration
-             * @description Scattering coefficient of the bubbles in the water under foam, 1/m; 0: the water stays clear
+             * @description Scattering coefficient of the air bubbles below foam, 1/m; makes the water there milky; 0: clear
              * @default 0
              */
             aeration: number;
             /**
              * Plume Depth
-             * @description How deep bubbles reach where the saturation is 1, m; less foam, the shallower
+             * @description Depth of the bubble plume where the saturation is 1, m; shallower in proportion to the saturation
              * @default 1.5
              */
             plume_depth: number;
             /**
              * Roughness
-             * @description Root mean square slope of what is smaller than a ripple
+             * @description Root mean square slope of the surface detail below ripple scale; larger values widen the sun's glint
              * @default 0.05
              */
             roughness: number;
@@ -3760,7 +3762,7 @@ export interface components {
         };
         /**
          * Points
-         * @description What is measured, before it is.
+         * @description The points of a sweep, before it is measured.
          */
         seafoam__accuracy__model__Points: {
             /** Preset */
@@ -3771,7 +3773,7 @@ export interface components {
         };
         /**
          * Points
-         * @description ``count`` points without attributes; gl_VertexID tells which, and gl_PointSize gives the side in pixels.
+         * @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels.
          */
         seafoam__framegraph__passes__Points: {
             /**
@@ -3784,7 +3786,7 @@ export interface components {
         };
         /**
          * FieldProblem
-         * @description What is wrong with one member or parameter.
+         * @description An error in one body member or parameter.
          */
         FieldProblem: {
             /**
@@ -3801,12 +3803,12 @@ export interface components {
             parameter: string | null;
             /**
              * Detail
-             * @description What is wrong with it
+             * @description Description of the error
              */
             detail: string;
             /**
              * Allowed
-             * @description What is allowed: minimum and maximum (inclusive), enum, members, pattern or type
+             * @description Allowed values: minimum and maximum (inclusive), enum, members, pattern or type
              * @default null
              * @example {
              *       "maximum": 4096,
@@ -3819,44 +3821,44 @@ export interface components {
         };
         /**
          * Problem
-         * @description An error, after RFC 9457.
+         * @description An error, as defined by RFC 9457.
          */
         Problem: {
             /**
              * Type
-             * @description Names the kind of problem
+             * @description URN of the problem type
              * @example urn:seafoam:problem:bad-request
              */
             type: string;
             /**
              * Title
-             * @description The kind of problem in words
+             * @description Short description of the problem type
              */
             title: string;
             /**
              * Status
-             * @description The HTTP status
+             * @description HTTP status code
              */
             status: number;
             /**
              * Detail
-             * @description What went wrong this time
+             * @description Description of this occurrence of the problem
              */
             detail: string;
             /**
              * Instance
-             * @description The path that was asked for
+             * @description Path of the request
              */
             instance: string;
             /**
              * Errors
-             * @description Where the request is wrong
+             * @description Errors of single fields and parameters
              * @default null
              */
             errors: components["schemas"]["FieldProblem"][] | null;
             /**
              * Remedy
-             * @description What the operator can do about it
+             * @description How the operator of the server can fix it
              * @default null
              */
             remedy: string | null;
@@ -3983,7 +3985,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4001,7 +4003,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4017,7 +4019,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
             };
             cookie?: never;
@@ -4042,7 +4044,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4051,7 +4053,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4069,7 +4071,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4107,7 +4109,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4130,28 +4132,28 @@ export interface operations {
     get_plan_api_plans__preset__get: {
         parameters: {
             query?: {
-                /** @description Look of the foam instead of the preset's */
+                /** @description Foam look; absent: the preset's */
                 look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
-                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed[:aspect:age] */
+                /** @description Foam mask, one of /api/masks or family:sigma:size:seed[:aspect:age]; absent: the preset's */
                 mask?: string | null;
-                /** @description Tier of quality; POST takes single knobs */
+                /** @description Quality tier; single settings require POST */
                 quality?: "draft" | "standard" | "high" | "reference";
             };
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description The plan; the same scene and quality give the same bytes */
+            /** @description The frame plan; the same scene and quality give the same bytes */
             200: {
                 headers: {
-                    /** @description The plan's SHA-256, quoted */
+                    /** @description Quoted SHA-256 of the plan */
                     ETag?: string;
-                    /** @description The plan's SHA-256 */
+                    /** @description SHA-256 of the plan */
                     "Seafoam-Plan"?: string;
                     [name: string]: unknown;
                 };
@@ -4159,7 +4161,7 @@ export interface operations {
                     "application/json": components["schemas"]["FramePlan"];
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -4175,7 +4177,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4184,7 +4186,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4202,7 +4204,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4226,12 +4228,12 @@ export interface operations {
             };
         };
         responses: {
-            /** @description The plan; the same scene and quality give the same bytes */
+            /** @description The frame plan; the same scene and quality give the same bytes */
             200: {
                 headers: {
-                    /** @description The plan's SHA-256, quoted */
+                    /** @description Quoted SHA-256 of the plan */
                     ETag?: string;
-                    /** @description The plan's SHA-256 */
+                    /** @description SHA-256 of the plan */
                     "Seafoam-Plan"?: string;
                     [name: string]: unknown;
                 };
@@ -4257,7 +4259,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The body must be JSON */
+            /** @description The request body must be JSON */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -4266,7 +4268,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4284,7 +4286,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4298,38 +4300,38 @@ export interface operations {
     get_frame_api_frames__preset___format__get: {
         parameters: {
             query?: {
-                /** @description Look of the foam instead of the preset's */
+                /** @description Foam look; absent: the preset's */
                 look?: ("textured" | "halftone" | "fading" | "halftone_textured" | "listing" | "filtered") | null;
-                /** @description Mask of the foam instead of the preset's: one of /api/masks, or family:sigma:size:seed[:aspect:age] */
+                /** @description Foam mask, one of /api/masks or family:sigma:size:seed[:aspect:age]; absent: the preset's */
                 mask?: string | null;
-                /** @description Tier of quality, or auto: the most exact that is predicted to be drawn within budget_ms; POST takes single knobs */
+                /** @description Quality tier, or auto: the most exact quality predicted to render within budget_ms; single settings require POST */
                 quality?: "draft" | "standard" | "high" | "reference" | "auto";
-                /** @description With quality auto: milliseconds that drawing may take, reading back and encoding left out */
+                /** @description With quality auto: maximum frame time, ms, without readback and encoding */
                 budget_ms?: number | null;
-                /** @description Time, s; absent: the preset's own */
+                /** @description Time, s; absent: the preset's */
                 time?: number | null;
-                /** @description Width, pixels; absent: the preset's own */
+                /** @description Width, pixels; absent: the preset's */
                 width?: number | null;
-                /** @description Height, pixels; absent: the preset's own */
+                /** @description Height, pixels; absent: the preset's */
                 height?: number | null;
-                /** @description Eye, m along +x; absent, like the rest of the camera: the preset's own */
+                /** @description Camera position along +x, m; absent: the preset's, as for all camera parameters */
                 x?: number | null;
-                /** @description Eye, m above the troughs */
+                /** @description Camera height above the troughs, m */
                 y?: number | null;
-                /** @description Eye, m along +z */
+                /** @description Camera position along +z, m */
                 z?: number | null;
-                /** @description Heading, rad from −z toward +x */
+                /** @description Yaw, rad from −z toward +x */
                 yaw?: number | null;
-                /** @description Elevation of the view, rad */
+                /** @description Pitch, rad; positive looks up */
                 pitch?: number | null;
-                /** @description Turn about the view, rad */
+                /** @description Roll about the view axis, rad */
                 roll?: number | null;
                 /** @description Vertical field of view, rad */
                 fov?: number | null;
             };
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
                 /** @description png, webp (lossless), or npy (linear float32) */
                 format: "png" | "webp" | "npy";
@@ -4338,20 +4340,20 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The frame: an sRGB picture, or linear float32 (height, width, 4) whose last is foam coverage */
+            /** @description The frame: an sRGB image, or a linear float32 array (height, width, 4) with foam coverage in the last channel */
             200: {
                 headers: {
-                    /** @description Of all that the bytes depend on, the renderer included */
+                    /** @description Entity tag of the response bytes; it depends on the renderer too */
                     ETag?: string;
-                    /** @description Milliseconds by stage: queue, plan, render, read, encode */
+                    /** @description Time per stage, ms: queue, plan, render, read, encode */
                     "Server-Timing"?: string;
-                    /** @description SHA-256 of the plan that was run */
+                    /** @description SHA-256 of the frame plan */
                     "Seafoam-Plan"?: string;
-                    /** @description GL renderer that ran it */
+                    /** @description Name of the GL renderer */
                     "Seafoam-Renderer"?: string;
-                    /** @description With quality auto: the point of the sweep that was chosen */
+                    /** @description With quality auto: ID of the measured quality that was chosen */
                     "Seafoam-Quality"?: string;
-                    /** @description Predicted time, error, and what it was chosen from */
+                    /** @description With quality auto: predicted time, error and number of candidates */
                     "Seafoam-Quality-Why"?: string;
                     [name: string]: unknown;
                 };
@@ -4361,7 +4363,7 @@ export interface operations {
                     "application/x-npy": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -4377,7 +4379,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4386,7 +4388,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4404,7 +4406,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4413,7 +4415,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame was not finished in time */
+            /** @description The request timed out */
             504: {
                 headers: {
                     [name: string]: unknown;
@@ -4437,20 +4439,20 @@ export interface operations {
             };
         };
         responses: {
-            /** @description The frame: an sRGB picture, or linear float32 (height, width, 4) whose last is foam coverage */
+            /** @description The frame: an sRGB image, or a linear float32 array (height, width, 4) with foam coverage in the last channel */
             200: {
                 headers: {
-                    /** @description Of all that the bytes depend on, the renderer included */
+                    /** @description Entity tag of the response bytes; it depends on the renderer too */
                     ETag?: string;
-                    /** @description Milliseconds by stage: queue, plan, render, read, encode */
+                    /** @description Time per stage, ms: queue, plan, render, read, encode */
                     "Server-Timing"?: string;
-                    /** @description SHA-256 of the plan that was run */
+                    /** @description SHA-256 of the frame plan */
                     "Seafoam-Plan"?: string;
-                    /** @description GL renderer that ran it */
+                    /** @description Name of the GL renderer */
                     "Seafoam-Renderer"?: string;
-                    /** @description With quality auto: the point of the sweep that was chosen */
+                    /** @description With quality auto: ID of the measured quality that was chosen */
                     "Seafoam-Quality"?: string;
-                    /** @description Predicted time, error, and what it was chosen from */
+                    /** @description With quality auto: predicted time, error and number of candidates */
                     "Seafoam-Quality-Why"?: string;
                     [name: string]: unknown;
                 };
@@ -4478,7 +4480,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The body must be JSON */
+            /** @description The request body must be JSON */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -4487,7 +4489,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4505,7 +4507,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4514,7 +4516,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame was not finished in time */
+            /** @description The request timed out */
             504: {
                 headers: {
                     [name: string]: unknown;
@@ -4530,14 +4532,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description A line a point, times in milliseconds */
+            /** @description CSV with one row per point; times in milliseconds */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -4546,10 +4548,10 @@ export interface operations {
                     "text/csv": string;
                 };
             };
-            /** @description Being measured, which the first request starts */
+            /** @description The measurement is running; the first request starts it */
             202: {
                 headers: {
-                    /** @description Seconds after which to ask again */
+                    /** @description Delay before the next request, s */
                     "Retry-After"?: string;
                     [name: string]: unknown;
                 };
@@ -4557,7 +4559,7 @@ export interface operations {
                     "application/json": components["schemas"]["Running"];
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -4573,7 +4575,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4582,7 +4584,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4600,7 +4602,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4609,7 +4611,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame was not finished in time */
+            /** @description The request timed out */
             504: {
                 headers: {
                     [name: string]: unknown;
@@ -4625,14 +4627,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description Time against error, with the front */
+            /** @description Plot of time against error, with the Pareto front */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -4641,10 +4643,10 @@ export interface operations {
                     "image/png": string;
                 };
             };
-            /** @description Being measured, which the first request starts */
+            /** @description The measurement is running; the first request starts it */
             202: {
                 headers: {
-                    /** @description Seconds after which to ask again */
+                    /** @description Delay before the next request, s */
                     "Retry-After"?: string;
                     [name: string]: unknown;
                 };
@@ -4652,7 +4654,7 @@ export interface operations {
                     "application/json": components["schemas"]["Running"];
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -4668,7 +4670,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4677,7 +4679,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4695,7 +4697,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4704,7 +4706,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame was not finished in time */
+            /** @description The request timed out */
             504: {
                 headers: {
                     [name: string]: unknown;
@@ -4720,14 +4722,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description float32 (height, width, 4): linear RGB, foam coverage; rows from the top */
+            /** @description float32 (height, width, 4): linear RGB and foam coverage; top row first */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -4736,10 +4738,10 @@ export interface operations {
                     "application/x-npy": string;
                 };
             };
-            /** @description Being measured, which the first request starts */
+            /** @description The measurement is running; the first request starts it */
             202: {
                 headers: {
-                    /** @description Seconds after which to ask again */
+                    /** @description Delay before the next request, s */
                     "Retry-After"?: string;
                     [name: string]: unknown;
                 };
@@ -4747,7 +4749,7 @@ export interface operations {
                     "application/json": components["schemas"]["Running"];
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -4763,7 +4765,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4772,7 +4774,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4790,7 +4792,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4806,7 +4808,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
             };
             cookie?: never;
@@ -4831,7 +4833,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4840,7 +4842,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4858,7 +4860,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4874,7 +4876,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a preset, see /api/presets */
+                /** @description Name of a preset; /api/presets lists them */
                 preset: string;
             };
             cookie?: never;
@@ -4890,10 +4892,10 @@ export interface operations {
                     "application/json": components["schemas"]["Sweep"];
                 };
             };
-            /** @description Being measured, which the first request starts */
+            /** @description The measurement is running; the first request starts it */
             202: {
                 headers: {
-                    /** @description Seconds after which to ask again */
+                    /** @description Delay before the next request, s */
                     "Retry-After"?: string;
                     [name: string]: unknown;
                 };
@@ -4901,7 +4903,7 @@ export interface operations {
                     "application/json": components["schemas"]["Running"];
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -4917,7 +4919,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4926,7 +4928,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4944,7 +4946,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -4953,7 +4955,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The frame was not finished in time */
+            /** @description The request timed out */
             504: {
                 headers: {
                     [name: string]: unknown;
@@ -4991,7 +4993,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5014,17 +5016,17 @@ export interface operations {
     get_custom_mask_api_masks_custom_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                /** @description Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam */
                 family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                /** @description Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. Absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or the maximum for size */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
                 /** @description Random seed */
                 seed?: number;
-                /** @description Of lace: length of cells along x over width */
+                /** @description Aspect ratio of the cells along x (lace only) */
                 aspect?: number;
-                /** @description Of lace: 0, young foam, to 1, old and torn */
+                /** @description Age of the foam, 0 (young) to 1 (old and torn) (lace only) */
                 age?: number;
             };
             header?: never;
@@ -5051,7 +5053,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5069,7 +5071,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5083,17 +5085,17 @@ export interface operations {
     get_custom_data_api_masks_custom_data__format__get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                /** @description Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam */
                 family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                /** @description Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. Absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or the maximum for size */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
                 /** @description Random seed */
                 seed?: number;
-                /** @description Of lace: length of cells along x over width */
+                /** @description Aspect ratio of the cells along x (lace only) */
                 aspect?: number;
-                /** @description Of lace: 0, young foam, to 1, old and torn */
+                /** @description Age of the foam, 0 (young) to 1 (old and torn) (lace only) */
                 age?: number;
             };
             header?: never;
@@ -5105,7 +5107,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The mask's ranks */
+            /** @description Mask data */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5117,7 +5119,7 @@ export interface operations {
                     "image/vnd-ms.dds": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5133,7 +5135,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5151,7 +5153,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5165,17 +5167,17 @@ export interface operations {
     get_custom_data8_api_masks_custom_data8_png_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                /** @description Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam */
                 family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                /** @description Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. Absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or the maximum for size */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
                 /** @description Random seed */
                 seed?: number;
-                /** @description Of lace: length of cells along x over width */
+                /** @description Aspect ratio of the cells along x (lace only) */
                 aspect?: number;
-                /** @description Of lace: 0, young foam, to 1, old and torn */
+                /** @description Age of the foam, 0 (young) to 1 (old and torn) (lace only) */
                 age?: number;
             };
             header?: never;
@@ -5184,7 +5186,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description 8-bit greyscale PNG of floor(rank 256/N), for quick use */
+            /** @description 8-bit greyscale PNG of floor(rank 256/N) */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5193,7 +5195,7 @@ export interface operations {
                     "image/png": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5209,7 +5211,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5227,7 +5229,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5241,17 +5243,17 @@ export interface operations {
     get_custom_sidecar_api_masks_custom_sidecar_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                /** @description Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam */
                 family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                /** @description Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. Absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or the maximum for size */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
                 /** @description Random seed */
                 seed?: number;
-                /** @description Of lace: length of cells along x over width */
+                /** @description Aspect ratio of the cells along x (lace only) */
                 aspect?: number;
-                /** @description Of lace: 0, young foam, to 1, old and torn */
+                /** @description Age of the foam, 0 (young) to 1 (old and torn) (lace only) */
                 age?: number;
             };
             header?: never;
@@ -5260,7 +5262,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description How the mask was made, its hash, filtering tables and spectrum */
+            /** @description Metadata: construction parameters, hash, filtering tables and spectrum */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5269,7 +5271,7 @@ export interface operations {
                     "application/json": unknown;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5285,7 +5287,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5303,7 +5305,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5317,17 +5319,17 @@ export interface operations {
     get_custom_spectrum_api_masks_custom_spectrum_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                /** @description Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam */
                 family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                /** @description Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. Absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or the maximum for size */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
                 /** @description Random seed */
                 seed?: number;
-                /** @description Of lace: length of cells along x over width */
+                /** @description Aspect ratio of the cells along x (lace only) */
                 aspect?: number;
-                /** @description Of lace: 0, young foam, to 1, old and torn */
+                /** @description Age of the foam, 0 (young) to 1 (old and torn) (lace only) */
                 age?: number;
             };
             header?: never;
@@ -5336,7 +5338,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description RAPS and anisotropy by grey level */
+            /** @description Radially averaged power spectrum and anisotropy by grey level */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5345,7 +5347,7 @@ export interface operations {
                     "application/json": unknown;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5361,7 +5363,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5379,7 +5381,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5393,17 +5395,17 @@ export interface operations {
     get_custom_shapes_api_masks_custom_shapes_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                /** @description Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam */
                 family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                /** @description Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. Absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or the maximum for size */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
                 /** @description Random seed */
                 seed?: number;
-                /** @description Of lace: length of cells along x over width */
+                /** @description Aspect ratio of the cells along x (lace only) */
                 aspect?: number;
-                /** @description Of lace: 0, young foam, to 1, old and torn */
+                /** @description Age of the foam, 0 (young) to 1 (old and torn) (lace only) */
                 age?: number;
             };
             header?: never;
@@ -5412,7 +5414,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Pieces, holes and chords of the foam by saturation; lengths in texels */
+            /** @description Connected components, holes and chord lengths of the foam by saturation; lengths in texels */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5421,7 +5423,7 @@ export interface operations {
                     "application/json": unknown;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5437,7 +5439,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5455,7 +5457,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5469,17 +5471,17 @@ export interface operations {
     get_custom_plot_api_masks_custom_spectrum_png_get: {
         parameters: {
             query: {
-                /** @description vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace */
+                /** @description Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; lace: cell walls of a foam */
                 family: "vac" | "blur" | "clump" | "bubble" | "mix" | "lace";
-                /** @description The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or what size allows */
+                /** @description Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. Absent: vac 24, blur 6, clump 1.5, bubble 4, mix 4, lace 10, or the maximum for size */
                 sigma?: number | null;
                 /** @description Side of the tile, texels */
                 size?: components["schemas"]["MaskSize"];
                 /** @description Random seed */
                 seed?: number;
-                /** @description Of lace: length of cells along x over width */
+                /** @description Aspect ratio of the cells along x (lace only) */
                 aspect?: number;
-                /** @description Of lace: 0, young foam, to 1, old and torn */
+                /** @description Age of the foam, 0 (young) to 1 (old and torn) (lace only) */
                 age?: number;
             };
             header?: never;
@@ -5488,7 +5490,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description RAPS and anisotropy, plotted */
+            /** @description Plot of the radially averaged power spectrum and the anisotropy */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5497,7 +5499,7 @@ export interface operations {
                     "image/png": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5513,7 +5515,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5531,7 +5533,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5547,7 +5549,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a mask, see /api/masks */
+                /** @description Name of a mask; /api/masks lists them */
                 mask: string;
             };
             cookie?: never;
@@ -5572,7 +5574,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -5581,7 +5583,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5599,7 +5601,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5615,7 +5617,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a mask, see /api/masks */
+                /** @description Name of a mask; /api/masks lists them */
                 mask: string;
                 /** @description png: 16-bit greyscale of floor(rank 65536/N); npy: float32 thresholds (rank + 0.5)/N; u16: raw little-endian floor(rank 65536/N); dds: R16_UNORM with a DX10 header */
                 format: "png" | "npy" | "u16" | "dds";
@@ -5624,7 +5626,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The mask's ranks */
+            /** @description Mask data */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5636,7 +5638,7 @@ export interface operations {
                     "image/vnd-ms.dds": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5652,7 +5654,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -5661,7 +5663,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5679,7 +5681,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5695,14 +5697,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a mask, see /api/masks */
+                /** @description Name of a mask; /api/masks lists them */
                 mask: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description 8-bit greyscale PNG of floor(rank 256/N), for quick use */
+            /** @description 8-bit greyscale PNG of floor(rank 256/N) */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5711,7 +5713,7 @@ export interface operations {
                     "image/png": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5727,7 +5729,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -5736,7 +5738,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5754,7 +5756,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5770,14 +5772,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a mask, see /api/masks */
+                /** @description Name of a mask; /api/masks lists them */
                 mask: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description How the mask was made, its hash, filtering tables and spectrum */
+            /** @description Metadata: construction parameters, hash, filtering tables and spectrum */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5786,7 +5788,7 @@ export interface operations {
                     "application/json": unknown;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5802,7 +5804,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -5811,7 +5813,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5829,7 +5831,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5845,14 +5847,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a mask, see /api/masks */
+                /** @description Name of a mask; /api/masks lists them */
                 mask: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description RAPS and anisotropy by grey level */
+            /** @description Radially averaged power spectrum and anisotropy by grey level */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5861,7 +5863,7 @@ export interface operations {
                     "application/json": unknown;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5877,7 +5879,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -5886,7 +5888,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5904,7 +5906,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5920,14 +5922,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a mask, see /api/masks */
+                /** @description Name of a mask; /api/masks lists them */
                 mask: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description Pieces, holes and chords of the foam by saturation; lengths in texels */
+            /** @description Connected components, holes and chord lengths of the foam by saturation; lengths in texels */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -5936,7 +5938,7 @@ export interface operations {
                     "application/json": unknown;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -5952,7 +5954,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -5961,7 +5963,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -5979,7 +5981,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -5995,14 +5997,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of a mask, see /api/masks */
+                /** @description Name of a mask; /api/masks lists them */
                 mask: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description RAPS and anisotropy, plotted */
+            /** @description Plot of the radially averaged power spectrum and the anisotropy */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -6011,7 +6013,7 @@ export interface operations {
                     "image/png": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -6027,7 +6029,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -6036,7 +6038,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -6054,7 +6056,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -6068,22 +6070,22 @@ export interface operations {
     get_texture_api_textures__name__get: {
         parameters: {
             query?: {
-                /** @description The plan's hash of the bytes: with it the answer may be kept for ever; other bytes are refused */
+                /** @description SHA-256 of the bytes, from the plan; makes the response cacheable without limit. Bytes with another hash are refused */
                 sha256?: string | null;
             };
             header?: never;
             path: {
-                /** @description Name of a texture, from a plan */
+                /** @description Name of a texture in a plan */
                 name: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description All levels from the largest, rows from v = 0, tightly packed, little-endian */
+            /** @description All mip levels, largest first; rows from v = 0, tightly packed, little-endian */
             200: {
                 headers: {
-                    /** @description SHA-256 of the bytes, quoted */
+                    /** @description Quoted SHA-256 of the bytes */
                     ETag?: string;
                     [name: string]: unknown;
                 };
@@ -6091,7 +6093,7 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description The client's copy (If-None-Match) is current */
+            /** @description Not modified: the copy named by If-None-Match is current */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -6107,7 +6109,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description There is no such thing */
+            /** @description Not found */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -6116,7 +6118,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -6134,7 +6136,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -6163,7 +6165,7 @@ export interface operations {
                     "application/json": components["schemas"]["Alive"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -6192,7 +6194,7 @@ export interface operations {
                     "application/json": components["schemas"]["Ready"];
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -6201,7 +6203,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description The server is busy; The cost of accuracy is being measured; Too many frames are waiting; There is no renderer */
+            /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -6230,7 +6232,7 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description The request asks for what is not allowed; The frame is larger than is rendered; The mask takes longer than is allowed on request */
+            /** @description Invalid request; The frame exceeds the size limit; The mask would take too long to generate */
             422: {
                 headers: {
                     [name: string]: unknown;

@@ -23,13 +23,17 @@ from seafoam.api.routers.presets import PresetName, find_preset
 router = APIRouter(prefix="/api", tags=["accuracy"])
 
 LONGEST_WAIT = 15
-"""Seconds after which to ask again, however long a measurement still takes."""
+"""Maximum delay between requests for a running measurement, s."""
 FULL_WAIT = 30
 
-_RETRY = {"Retry-After": {"description": "Seconds after which to ask again", "schema": {"type": "string"}}}
+_RETRY = {"Retry-After": {"description": "Delay before the next request, s", "schema": {"type": "string"}}}
 _RUNNING: dict[int | str, dict[str, Any]] = {
-    202: {"model": Running, "description": "Being measured, which the first request starts", "headers": _RETRY},
-    304: {"description": "The client's copy (If-None-Match) is current"},
+    202: {
+        "model": Running,
+        "description": "The measurement is running; the first request starts it",
+        "headers": _RETRY,
+    },
+    304: {"description": "Not modified: the copy named by If-None-Match is current"},
 }
 
 
@@ -39,7 +43,7 @@ def _answers(description: str, media: str) -> dict[int | str, dict[str, Any]]:
 
 
 async def measured(context: Context, subject: Subject) -> Sweep | Running:
-    """The sweep of a subject, or how far it is. Raises what there is to raise where there is no renderer."""
+    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available."""
     await context.pool.wait_until_settled()
     try:
         return await context.plans.run(context.station.sweep, subject)
@@ -48,7 +52,7 @@ async def measured(context: Context, subject: Subject) -> Sweep | Running:
 
 
 def retry_seconds(running: Running) -> int:
-    """When to ask again."""
+    """Return the delay before the next request, s."""
     return max(1, min(LONGEST_WAIT, math.ceil(running.eta_s or 2.0)))
 
 
@@ -71,7 +75,7 @@ def _kept(request: Request, content: bytes, media: str, *identity: Any) -> Respo
 async def _shown(
     preset: str, request: Request, context: Context, render: Callable[[Sweep], bytes], media: str
 ) -> Response:
-    """The sweep of a preset in one of its forms, or how far it is."""
+    """Return the sweep of a preset in one of its formats, or its progress."""
     found = await measured(context, _subject(preset))
     if isinstance(found, Running):
         return _wait(found)
@@ -103,7 +107,7 @@ def _csv(sweep: Sweep) -> bytes:
 
 @router.get(
     "/accuracy/{preset}.csv",
-    responses=_answers("A line a point, times in milliseconds", "text/csv")
+    responses=_answers("CSV with one row per point; times in milliseconds", "text/csv")
     | _RUNNING
     | problem_responses(404, 422, 500, 503, 504),
     response_class=Response,
@@ -111,13 +115,13 @@ def _csv(sweep: Sweep) -> bytes:
 async def get_accuracy_csv(
     preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The measured cost of accuracy of a preset, as a table."""
+    """Get the measured cost of accuracy of a preset as CSV."""
     return await _shown(preset, request, context, _csv, "text/csv")
 
 
 @router.get(
     "/accuracy/{preset}.png",
-    responses=_answers("Time against error, with the front", "image/png")
+    responses=_answers("Plot of time against error, with the Pareto front", "image/png")
     | _RUNNING
     | problem_responses(404, 422, 500, 503, 504),
     response_class=Response,
@@ -125,13 +129,13 @@ async def get_accuracy_csv(
 async def get_accuracy_plot(
     preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The measured cost of accuracy of a preset, as a plot."""
+    """Get the measured cost of accuracy of a preset as a plot."""
     return await _shown(preset, request, context, _plot, "image/png")
 
 
 @router.get(
     "/accuracy/{preset}/truth.npy",
-    responses=_answers("float32 (height, width, 4): linear RGB, foam coverage; rows from the top", "application/x-npy")
+    responses=_answers("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
     | _RUNNING
     | problem_responses(404, 422, 500, 503),
     response_class=Response,
@@ -139,7 +143,7 @@ async def get_accuracy_plot(
 async def get_truth(
     preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The converged float64 picture that errors are against. Needs no renderer."""
+    """Get the converged float64 picture against which errors are measured. Requires no renderer."""
     subject = _subject(preset)
     try:
         found = await context.plans.run(context.station.truth, subject)
@@ -154,7 +158,10 @@ async def get_truth(
 
 @router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 503))
 async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> Points:
-    """What is measured of a preset, at once: every tier, and tier standard with one knob changed."""
+    """List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
+
+    Responds at once, without measuring.
+    """
     subject = _subject(preset)
     points = await context.plans.run(points_of, subject.scene)
     return Points(preset=preset, truth=truth_info(subject, context.station.settings), points=points)
@@ -170,8 +177,8 @@ async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], cont
 async def get_accuracy(
     preset: PresetName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The measured cost of accuracy of a preset: times, errors, the front, and what each knob is worth.
+    """Get the measured cost of accuracy of a preset: times, errors, Pareto front, and the effect of each setting.
 
-    The first request starts the measurement, which takes some minutes; until it is done the answer is 202.
+    The first request starts the measurement, which takes several minutes; until it is done, the status is 202.
     """
     return await _shown(preset, request, context, _json, "application/json")

@@ -1,4 +1,4 @@
-"""``/api/frames``: pictures of the sea, rendered by the pool."""
+"""``/api/frames``: frames, rendered by the pool."""
 
 import asyncio
 from typing import Annotated, Any
@@ -22,30 +22,36 @@ router = APIRouter(prefix="/api", tags=["frames"])
 
 STAGES = ("queue", "plan", "render", "read", "encode")
 CLIENT_CLOSED_REQUEST = 499
-"""nginx's status for a client that left; only the log and the metrics see it."""
+"""nginx's status for a client that disconnected; it appears only in the log and the metrics."""
 
 _TEXT = {"type": "string"}
 _RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
-        "description": "The frame: an sRGB picture, or linear float32 (height, width, 4) whose last is foam coverage",
+        "description": "The frame: an sRGB image, or a linear float32 array (height, width, 4) with foam "
+        "coverage in the last channel",
         "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
         "headers": {
-            "ETag": {"description": "Of all that the bytes depend on, the renderer included", "schema": _TEXT},
-            "Server-Timing": {"description": f"Milliseconds by stage: {', '.join(STAGES)}", "schema": _TEXT},
-            "Seafoam-Plan": {"description": "SHA-256 of the plan that was run", "schema": _TEXT},
-            "Seafoam-Renderer": {"description": "GL renderer that ran it", "schema": _TEXT},
+            "ETag": {
+                "description": "Entity tag of the response bytes; it depends on the renderer too",
+                "schema": _TEXT,
+            },
+            "Server-Timing": {"description": f"Time per stage, ms: {', '.join(STAGES)}", "schema": _TEXT},
+            "Seafoam-Plan": {"description": "SHA-256 of the frame plan", "schema": _TEXT},
+            "Seafoam-Renderer": {"description": "Name of the GL renderer", "schema": _TEXT},
             "Seafoam-Quality": {
-                "description": "With quality auto: the point of the sweep that was chosen",
+                "description": "With quality auto: ID of the measured quality that was chosen",
                 "schema": _TEXT,
             },
             "Seafoam-Quality-Why": {
-                "description": "Predicted time, error, and what it was chosen from",
+                "description": "With quality auto: predicted time, error and number of candidates",
                 "schema": _TEXT,
             },
         },
     }
 }
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
+    304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
 
 
 @router.get(
@@ -60,7 +66,7 @@ async def get_frame(
     request: Request,
     context: InContext,
 ) -> Response:
-    """A frame of a preset. Whatever is not given is the preset's own."""
+    """Render a frame of a preset. Parameters that are absent take the preset's values."""
     found = find_preset(preset)
     width = found.size[0] if asked.width is None else asked.width
     height = found.size[1] if asked.height is None else asked.height
@@ -81,7 +87,7 @@ async def get_frame(
 
 @router.post("/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 503, 504), response_class=Response)
 async def render_frame(asked: strictly(FrameRequest), request: Request, context: InContext) -> Response:  # type: ignore[valid-type]
-    """A frame of a scene sent as JSON."""
+    """Render a frame of a scene sent as JSON."""
     body: FrameRequest = asked
     given = Asked(body.quality, body.budget_ms, body.width, body.height, parameter=False)
     if body.quality == "auto":
@@ -97,7 +103,7 @@ async def render_frame(asked: strictly(FrameRequest), request: Request, context:
 
 
 async def _identity(job: FrameJob, compiled: CompiledPlan, context: Context) -> tuple[str, dict[str, str]]:
-    """Entity tag and headers of a frame, before it is rendered."""
+    """Return entity tag and headers of a frame, before it is rendered."""
     await context.pool.wait_until_settled()
     info = context.pool.info
     camera = job.camera.model_dump(mode="json")
@@ -119,7 +125,7 @@ async def _rendered(job: FrameJob, tag: str, headers: dict[str, str], request: R
 
 
 async def _unless_gone(request: Request, context: Context, job: FrameJob) -> Frame | None:
-    """The frame, or None once nobody waits for it: a client that left gives its place in the queue back."""
+    """Return the frame, or None if the client disconnected: the frame then leaves the queue."""
     rendering = asyncio.ensure_future(context.pool.render(job))
     leaving = asyncio.ensure_future(_client_gone(request))
     try:

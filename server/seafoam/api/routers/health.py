@@ -1,4 +1,4 @@
-"""``/healthz``, ``/readyz`` and ``/metrics``: answered by the web process, never behind the render queue."""
+"""``/healthz``, ``/readyz`` and ``/metrics``: answered by the web process, without the render queue."""
 
 import time
 from typing import Annotated, Literal
@@ -18,13 +18,13 @@ router = APIRouter(tags=["health"])
 
 
 class Alive(BaseModel):
-    """The web process answers."""
+    """The web process responds."""
 
     status: Literal["alive"] = "alive"
 
 
 class RendererInfo(BaseModel):
-    """The GL in use."""
+    """The OpenGL implementation in use."""
 
     vendor: str = Field(examples=["Mesa"])
     renderer: str = Field(examples=["llvmpipe (LLVM 15.0.6, 256 bits)"])
@@ -36,23 +36,23 @@ class Ready(BaseModel):
 
     status: Literal["ready"] = "ready"
     renderer: RendererInfo
-    last_drawn: float = Field(description="Seconds since a canary or frame was last drawn")
-    workers: int = Field(description="Render processes")
-    active: int = Field(description="Of them at work")
-    waiting: int = Field(description="Frames that wait")
-    queue: int = Field(description="Frames that may wait")
+    last_drawn: float = Field(description="Time since the last rendered frame or test frame, s")
+    workers: int = Field(description="Number of render workers")
+    active: int = Field(description="Number of busy render workers")
+    waiting: int = Field(description="Number of frames in the queue")
+    queue: int = Field(description="Capacity of the queue, frames")
 
 
 @router.get("/healthz", responses=problem_responses(422))
 async def get_health(_: Annotated[Parameters, Query()], response: Response) -> Alive:
-    """Whether the web process is alive."""
+    """Check whether the web process responds."""
     response.headers["Cache-Control"] = NO_STORE
     return Alive()
 
 
 @router.get("/readyz", response_model=Ready, responses=problem_responses(422, 503))
 async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -> Response:
-    """Whether frames can be rendered, and by what. Plans, masks and the page need no renderer."""
+    """Check whether frames can be rendered, and by which renderer. Plans, masks and the page need none."""
     pool = context.pool
     if pool.state == "starting":
         raise BusyError("the renderer is starting", retry_after=1)
@@ -76,7 +76,7 @@ async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -
     | {200: {"description": "Prometheus' text format", "content": {"text/plain": {"schema": {"type": "string"}}}}},
 )
 async def get_metrics(_: Annotated[Parameters, Query()], context: InContext) -> Response:
-    """Counters and durations for Prometheus."""
+    """Get counters and durations for Prometheus."""
     return Response(
         context.metrics.exposition(), headers={"Cache-Control": NO_STORE, "Content-Type": CONTENT_TYPE_LATEST}
     )

@@ -1,4 +1,4 @@
-"""``/api/masks``: the halftone masks, shipped and made on request, in every format, with their spectra."""
+"""``/api/masks``: shipped and custom halftone masks, in every format, with their spectra."""
 
 import json
 from collections.abc import Callable
@@ -39,7 +39,7 @@ from seafoam.masks.torus import Ranks
 
 router = APIRouter(prefix="/api", tags=["masks"])
 
-MaskName = Annotated[str, Path(description="Name of a mask, see /api/masks", examples=["vac-24"], max_length=40)]
+MaskName = Annotated[str, Path(description="Name of a mask; /api/masks lists them", examples=["vac-24"], max_length=40)]
 MaskFormat = Literal["png", "npy", "u16", "dds"]
 MaskFormatPath = Annotated[
     MaskFormat,
@@ -56,7 +56,7 @@ ENCODERS: dict[MaskFormat, tuple[str, Callable[[Ranks], bytes]]] = {
     "dds": ("image/vnd-ms.dds", to_dds),
 }
 SIGMA_STEPS = 200
-"""Into which a range of sigma is cut to find what is quick enough."""
+"""Number of steps of sigma that are tried to find those that are fast enough."""
 
 
 class MaskSize(IntEnum):
@@ -70,56 +70,65 @@ class MaskSize(IntEnum):
 
 
 class CustomMask(Parameters):
-    """A mask made on request. The same arguments give the same mask."""
+    """Parameters of a custom mask. The same parameters give the same mask."""
 
     family: Family = Field(
-        description="vac: void and cluster; blur: filtered white noise; clump; bubble; mix; lace", examples=["vac"]
+        description="Construction of the mask. vac: void-and-cluster; blur: low-pass filtered white noise; "
+        "clump: band-pass filtered noise; bubble: shrinking discs; mix: clusters of bubbles; "
+        "lace: cell walls of a foam",
+        examples=["vac"],
     )
     sigma: float | None = Field(
         default=None,
         ge=SIGMA_MIN,
         le=SIGMA_MAX,
-        description="The family's length, texels, at most an eighth of size (bubble and mix: at least 2, lace: 4); "
-        f"absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or what size allows",
+        description="Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. "
+        f"Absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or the maximum for size",
         examples=[3.0],
     )
     size: MaskSize = Field(default=MaskSize.S256, description="Side of the tile, texels", examples=[128])
     seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Random seed", examples=[2011])
     aspect: float = Field(
-        default=1.0, ge=1.0, le=ASPECT_MAX, description="Of lace: length of cells along x over width", examples=[1.0]
+        default=1.0, ge=1.0, le=ASPECT_MAX, description="Aspect ratio of the cells along x (lace only)", examples=[1.0]
     )
     age: float = Field(
-        default=0.0, ge=0.0, le=1.0, description="Of lace: 0, young foam, to 1, old and torn", examples=[0.0]
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Age of the foam, 0 (young) to 1 (old and torn) (lace only)",
+        examples=[0.0],
     )
 
 
 class MaskParameters(BaseModel):
-    """What determines a mask."""
+    """Parameters that determine a mask."""
 
-    sigma: float = Field(description="The family's length, texels")
+    sigma: float = Field(description="Characteristic length of the family, texels")
     size: int = Field(description="Side of the tile, texels")
     seed: int
-    aspect: float | None = Field(description="Of lace: length of cells along x over width; null for the others")
-    age: float | None = Field(description="Of lace: 0, young foam, to 1, old and torn; null for the others")
-    method: Method | None = Field(description="How vac was ordered; null for the others")
+    aspect: float | None = Field(description="Aspect ratio of the cells along x; null except for lace")
+    age: float | None = Field(description="Age of the foam, 0 (young) to 1 (old and torn); null except for lace")
+    method: Method | None = Field(description="Ordering method of vac; null for other families")
 
 
 class MaskInfo(BaseModel):
-    """What a mask is and how it was made."""
+    """A mask's description and construction parameters."""
 
     name: str
     title: str
     summary: str
     family: Family
     parameters: MaskParameters
-    generator: str = Field(description="Version of the construction rules")
-    sha256: str = Field(description="Of the ranks as little-endian uint32, row by row")
+    generator: str = Field(description="Version of the construction algorithm")
+    sha256: str = Field(description="SHA-256 of the ranks as little-endian uint32, in row-major order")
     value_rule: str
     license: str
 
 
 _BYTES = {"schema": {"type": "string", "format": "binary"}}
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
+    304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
 
 
 def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dict[str, Any]]:
@@ -128,36 +137,41 @@ def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dic
     return found | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
 
 
-_DATA = ("The mask's ranks", *(media for media, _ in ENCODERS.values()))
-_DATA8 = ("8-bit greyscale PNG of floor(rank 256/N), for quick use", "image/png")
-_SIDECAR = ("How the mask was made, its hash, filtering tables and spectrum", "application/json")
-_SPECTRUM = ("RAPS and anisotropy by grey level", "application/json")
-_SHAPES = ("Pieces, holes and chords of the foam by saturation; lengths in texels", "application/json")
-_PLOT = ("RAPS and anisotropy, plotted", "image/png")
+_DATA = ("Mask data", *(media for media, _ in ENCODERS.values()))
+_DATA8 = ("8-bit greyscale PNG of floor(rank 256/N)", "image/png")
+_SIDECAR = ("Metadata: construction parameters, hash, filtering tables and spectrum", "application/json")
+_SPECTRUM = ("Radially averaged power spectrum and anisotropy by grey level", "application/json")
+_SHAPES = (
+    "Connected components, holes and chord lengths of the foam by saturation; lengths in texels",
+    "application/json",
+)
+_PLOT = ("Plot of the radially averaged power spectrum and the anisotropy", "image/png")
 
 
 def _shipped(name: str) -> Mask:
     try:
         return load_mask(name)
     except UnknownMaskError:
-        raise NotFoundError(f"there is no mask {name!r}", "mask", tuple(load_catalogue())) from None
+        raise NotFoundError(f"mask {name!r} was not found", "mask", tuple(load_catalogue())) from None
 
 
 def check_custom(asked: CustomMask) -> None:
-    """Refuse what the family cannot be made with, or not quickly enough, naming the range that can.
+    """Reject parameters that the family does not allow or that take too long, with the allowed range.
 
     Raises :class:`BadRequestError`.
     """
     least, greatest = sigma_range(asked.family, asked.size)
     if asked.sigma is not None and not least <= asked.sigma <= greatest:
-        detail = f"sigma: {asked.family} at size {asked.size:d} takes {least:g} to {greatest:g} texels"
+        detail = f"sigma: must be {least:g} to {greatest:g} texels for family {asked.family} at size {asked.size:d}"
         raise BadRequestError(
             FieldProblem(parameter="sigma", detail=detail, allowed={"minimum": least, "maximum": greatest})
         )
     if asked.family != "lace":
         refused = [
             FieldProblem(
-                parameter=name, detail=f"{name}: only lace takes one, not {asked.family}", allowed={"enum": [unset]}
+                parameter=name,
+                detail=f"{name}: allowed only for family lace, not {asked.family}",
+                allowed={"enum": [unset]},
             )
             for name, unset in (("aspect", 1.0), ("age", 0.0))
             if getattr(asked, name) != unset
@@ -171,10 +185,10 @@ def check_custom(asked: CustomMask) -> None:
             sigma for sigma in steps if estimated_seconds(asked.family, sigma, int(asked.size)) <= ON_REQUEST_SECONDS
         ]
         allowed = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
-        within = f"sigma {quick[0]:g} to {quick[-1]:g}" if quick else "a smaller size"
+        within = f"allowed here: sigma {quick[0]:g} to {quick[-1]:g}" if quick else "use a smaller size"
         detail = (
-            f"sigma: this mask takes about {seconds:.0f} s to make; on request at most {ON_REQUEST_SECONDS:g} s, "
-            f"which at size {asked.size:d} allows {within}"
+            f"sigma: this mask would take about {seconds:.0f} s to generate at size {asked.size:d}; the limit is "
+            f"{ON_REQUEST_SECONDS:g} s; {within}"
         )
         raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
 
@@ -220,7 +234,7 @@ async def _answer(
     context: Context,
     file: str = "",
 ) -> Response:
-    """A mask as bytes; 304 before they are made."""
+    """Return a mask as bytes, or 304 before they are encoded."""
     mask = await context.masks.run(source)
     headers = {"Cache-Control": REVALIDATE}
     if file:
@@ -234,7 +248,7 @@ async def _answer(
 
 @router.get("/masks", response_model=list[MaskInfo], responses=problem_responses(422))
 async def list_masks(_: Annotated[Parameters, Query()]) -> list[dict[str, Any]]:
-    """The shipped masks."""
+    """List the shipped masks."""
     entries: list[MaskEntry] = list(load_catalogue().values())
     return [entry.to_json() for entry in entries]
 
@@ -245,7 +259,7 @@ async def list_masks(_: Annotated[Parameters, Query()]) -> list[dict[str, Any]]:
     response_class=Response,
 )
 async def get_custom_mask(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """A mask made on request: what it is. Its data is below this path with the same parameters."""
+    """Generate a custom mask and get its description. Its data is below this path, with the same parameters."""
     return await _answer(lambda: _custom(asked), _info, "application/json", request, context)
 
 
@@ -253,38 +267,38 @@ async def get_custom_mask(asked: Annotated[CustomMask, Query()], request: Reques
 async def get_custom_data(
     format: MaskFormatPath, asked: Annotated[CustomMask, Query()], request: Request, context: InContext
 ) -> Response:
-    """The data of a mask made on request."""
+    """Get the data of a custom mask."""
     media, encoder = ENCODERS[format]
     return await _answer(lambda: _custom(asked), _ranks_as(encoder), media, request, context, f".{format}")
 
 
 @router.get("/masks/custom/data8.png", responses=_answers(*_DATA8, custom=True), response_class=Response)
 async def get_custom_data8(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """A mask made on request, in 8 bits."""
+    """Get a custom mask in 8 bits."""
     return await _answer(lambda: _custom(asked), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
 
 
 @router.get("/masks/custom/sidecar", responses=_answers(*_SIDECAR, custom=True), response_class=Response)
 async def get_custom_sidecar(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """What accompanies the data of a mask made on request."""
+    """Get the metadata of a custom mask."""
     return await _answer(lambda: _custom(asked), _sidecar, "application/json", request, context, ".json")
 
 
 @router.get("/masks/custom/spectrum", responses=_answers(*_SPECTRUM, custom=True), response_class=Response)
 async def get_custom_spectrum(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """The measured spectrum of a mask made on request."""
+    """Get the measured spectrum of a custom mask."""
     return await _answer(lambda: _custom(asked), _spectrum, "application/json", request, context)
 
 
 @router.get("/masks/custom/shapes", responses=_answers(*_SHAPES, custom=True), response_class=Response)
 async def get_custom_shapes(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """The measured shapes of the foam of a mask made on request."""
+    """Get the measured foam shapes of a custom mask."""
     return await _answer(lambda: _custom(asked), _shapes, "application/json", request, context)
 
 
 @router.get("/masks/custom/spectrum.png", responses=_answers(*_PLOT, custom=True), response_class=Response)
 async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
-    """The measured spectrum of a mask made on request, as a plot."""
+    """Get the measured spectrum of a custom mask as a plot."""
     return await _answer(lambda: _custom(asked), _plot, "image/png", request, context, "-spectrum.png")
 
 
@@ -292,7 +306,7 @@ async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Reques
     "/masks/{mask}", responses=problem_responses(404, 422, 503) | {200: {"model": MaskInfo}}, response_class=Response
 )
 async def get_mask(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
-    """A shipped mask: size, family, sigma, seed, hash, how it was made."""
+    """Get the description of a shipped mask: size, family, sigma, seed, hash and construction."""
     return await _answer(lambda: _shipped(mask), _info, "application/json", request, context)
 
 
@@ -304,7 +318,7 @@ async def get_data(
     request: Request,
     context: InContext,
 ) -> Response:
-    """The data of a shipped mask."""
+    """Get the data of a shipped mask."""
     media, encoder = ENCODERS[format]
     return await _answer(lambda: _shipped(mask), _ranks_as(encoder), media, request, context, f".{format}")
 
@@ -313,7 +327,7 @@ async def get_data(
 async def get_data8(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """A shipped mask, in 8 bits."""
+    """Get a shipped mask in 8 bits."""
     return await _answer(lambda: _shipped(mask), _ranks_as(to_png8), "image/png", request, context, "-8bit.png")
 
 
@@ -321,7 +335,7 @@ async def get_data8(
 async def get_sidecar(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """What accompanies the data of a shipped mask."""
+    """Get the metadata of a shipped mask."""
     return await _answer(lambda: _shipped(mask), _sidecar, "application/json", request, context, ".json")
 
 
@@ -329,7 +343,7 @@ async def get_sidecar(
 async def get_spectrum(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The measured spectrum of a shipped mask."""
+    """Get the measured spectrum of a shipped mask."""
     return await _answer(lambda: _shipped(mask), _spectrum, "application/json", request, context)
 
 
@@ -337,11 +351,11 @@ async def get_spectrum(
 async def get_shapes(
     mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The measured shapes of the foam of a shipped mask."""
+    """Get the measured foam shapes of a shipped mask."""
     return await _answer(lambda: _shipped(mask), _shapes, "application/json", request, context)
 
 
 @router.get("/masks/{mask}/spectrum.png", responses=_answers(*_PLOT, custom=False), response_class=Response)
 async def get_plot(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
-    """The measured spectrum of a shipped mask, as a plot."""
+    """Get the measured spectrum of a shipped mask as a plot."""
     return await _answer(lambda: _shipped(mask), _plot, "image/png", request, context, "-spectrum.png")

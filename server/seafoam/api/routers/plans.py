@@ -1,4 +1,4 @@
-"""``/api/plans``: compiled scenes, for an executor to run."""
+"""``/api/plans``: frame plans, compiled scenes for an executor to run."""
 
 from typing import Annotated, Any
 
@@ -17,17 +17,19 @@ from seafoam.quality import TIERS
 router = APIRouter(prefix="/api", tags=["plans"])
 
 _HEADERS = {
-    "ETag": {"description": "The plan's SHA-256, quoted", "schema": {"type": "string"}},
-    "Seafoam-Plan": {"description": "The plan's SHA-256", "schema": {"type": "string"}},
+    "ETag": {"description": "Quoted SHA-256 of the plan", "schema": {"type": "string"}},
+    "Seafoam-Plan": {"description": "SHA-256 of the plan", "schema": {"type": "string"}},
 }
 _RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
         "model": FramePlan,
-        "description": "The plan; the same scene and quality give the same bytes",
+        "description": "The frame plan; the same scene and quality give the same bytes",
         "headers": _HEADERS,
     }
 }
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The client's copy (If-None-Match) is current"}}
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
+    304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
 
 
 @router.get(
@@ -38,7 +40,7 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "The clie
 async def get_plan(
     preset: PresetName, asked: Annotated[PlanParameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """The frame plan of a preset."""
+    """Get the frame plan of a preset."""
     scene = asked.apply(find_preset(preset).scene)
     compiled = await context.plans.run(
         compile_scene, scene, TIERS[asked.quality], scene_at=None, parameters=asked.changed
@@ -49,7 +51,7 @@ async def get_plan(
 
 @router.post("/plans", responses=_RESPONSES | problem_responses(413, 415, 422, 503), response_class=Response)
 async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Response:  # type: ignore[valid-type]
-    """The frame plan of a scene sent as JSON."""
+    """Compile a scene sent as JSON into a frame plan."""
     body: PlanRequest = asked
     compiled = await context.plans.run(compile_scene, body.scene, knobs_of(body.quality), scene_at="/scene")
     return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})

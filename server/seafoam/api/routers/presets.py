@@ -1,4 +1,4 @@
-"""``/api/presets``: the named scenes. ``/api/quality``: the tiers and knobs to compute them with."""
+"""``/api/presets``: the named scenes. ``/api/quality``: quality tiers and settings."""
 
 from functools import cache
 from typing import Annotated, Any
@@ -19,46 +19,48 @@ from seafoam.scene.presets import Group, Preset, load_preset, preset_names
 
 router = APIRouter(prefix="/api", tags=["presets"])
 
-PresetName = Annotated[str, Path(description="Name of a preset, see /api/presets", examples=["default"], max_length=80)]
+PresetName = Annotated[
+    str, Path(description="Name of a preset; /api/presets lists them", examples=["default"], max_length=80)
+]
 
 
 class PresetSummary(BaseModel):
-    """A preset, without its scene."""
+    """A preset without its scene."""
 
     name: str
-    group: Group = Field(description="What it stands under in the menu")
+    group: Group = Field(description="Heading of the menu under which the preset is listed")
     title: str
     summary: str
-    size: tuple[int, int] = Field(description="Width and height it was made for, pixels")
-    time: float = Field(description="A time at which it looks its best, s")
-    effects: list[str] = Field(description="The effects that it runs")
+    size: tuple[int, int] = Field(description="Recommended width and height, pixels")
+    time: float = Field(description="Recommended time, s")
+    effects: list[str] = Field(description="Names of the effects in use")
 
 
 class PresetDetail(PresetSummary):
-    """A preset."""
+    """A preset with its scene."""
 
     scene: Scene
 
 
 class QualityTiers(BaseModel):
-    """What quality may be."""
+    """Quality tiers and settings."""
 
-    tiers: dict[Tier, Quality] = Field(description="The named tiers, from the fastest")
-    knobs: dict[str, Any] = Field(description="JSON schema of the single knobs: ranges, units and defaults")
-    measured: list[KnobInfo] = Field(description="What each knob is, who owns it, and the steps that are measured")
+    tiers: dict[Tier, Quality] = Field(description="Settings of each named tier, fastest first")
+    knobs: dict[str, Any] = Field(description="JSON schema of the quality settings, with ranges and defaults")
+    measured: list[KnobInfo] = Field(description="Title, owner and measured values of each setting")
 
 
 def find_preset(name: str) -> Preset:
-    """A preset by name; raises :class:`NotFoundError` with the names there are."""
+    """Return a preset by name. Raises :class:`NotFoundError` with the available names."""
     try:
         return load_preset(name)
     except KeyError:
-        raise NotFoundError(f"there is no preset {name!r}", "preset", preset_names()) from None
+        raise NotFoundError(f"preset {name!r} was not found", "preset", preset_names()) from None
 
 
 @cache
 def _summary(name: str) -> PresetSummary:
-    """A preset as the list shows it. Its effects take a plan, which is why it is kept. Raises ``KeyError``."""
+    """Return a preset's list entry, cached, because its effects require a plan. Raises ``KeyError``."""
     preset = load_preset(name)
     compiled = compile_scene(preset.scene, TIERS["standard"], scene_at="")
     effects = [effect.name for effect in compiled.plan.effects]
@@ -66,20 +68,20 @@ def _summary(name: str) -> PresetSummary:
 
 
 async def warm(plans: Workshop) -> None:
-    """Plan every preset once, so that no visitor waits for the list; one at a time, so that none waits for this."""
+    """Plan every preset once, so that the first list request is fast; one at a time, so as not to delay others."""
     for name in preset_names():
         await plans.run(_summary, name)
 
 
 @router.get("/presets", responses=problem_responses(422, 503))
 async def list_presets(_: Annotated[Parameters, Query()], context: InContext) -> list[PresetSummary]:
-    """All presets, in the order of the menu."""
+    """List all presets, in menu order."""
     return await context.plans.run(lambda: [_summary(name) for name in preset_names()])
 
 
 @router.get("/presets/{preset}", responses=problem_responses(404, 422, 503))
 async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> PresetDetail:
-    """One preset with its full scene: a starting point for POST /api/frames and /api/plans."""
+    """Get a preset with its scene, which can be changed and posted to /api/frames and /api/plans."""
     found = find_preset(preset)
     summary = await context.plans.run(_summary, preset)
     return PresetDetail(**summary.model_dump(), scene=found.scene)
@@ -87,7 +89,7 @@ async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], cont
 
 @router.get("/quality", responses=problem_responses(422))
 async def get_quality(_: Annotated[Parameters, Query()]) -> QualityTiers:
-    """The tiers of quality with the value of every knob, and what each knob may be."""
+    """Get the quality tiers with the value of every setting, and the allowed values of each setting."""
     measured = [
         KnobInfo(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, steps=knob.steps)
         for owner, knob in every_knob()

@@ -1,4 +1,4 @@
-"""``/api/textures``: the bytes of the textures that plans name."""
+"""``/api/textures``: bytes of the textures that plans refer to."""
 
 from typing import Annotated, Any
 
@@ -16,41 +16,42 @@ router = APIRouter(prefix="/api", tags=["textures"])
 
 
 class TextureParameters(Parameters):
-    """Which bytes are meant."""
+    """Parameters of a texture."""
 
     sha256: str | None = Field(
         default=None,
         pattern="^[0-9a-f]{64}$",
-        description="The plan's hash of the bytes: with it the answer may be kept for ever; other bytes are refused",
+        description="SHA-256 of the bytes, from the plan; makes the response cacheable without limit. Bytes "
+        "with another hash are refused",
     )
 
 
 _RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
-        "description": "All levels from the largest, rows from v = 0, tightly packed, little-endian",
+        "description": "All mip levels, largest first; rows from v = 0, tightly packed, little-endian",
         "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
-        "headers": {"ETag": {"description": "SHA-256 of the bytes, quoted", "schema": {"type": "string"}}},
+        "headers": {"ETag": {"description": "Quoted SHA-256 of the bytes", "schema": {"type": "string"}}},
     },
-    304: {"description": "The client's copy (If-None-Match) is current"},
+    304: {"description": "Not modified: the copy named by If-None-Match is current"},
 }
 
 
 @router.get("/textures/{name:path}", responses=_RESPONSES | problem_responses(404, 422, 503), response_class=Response)
 async def get_texture(
     name: Annotated[
-        str, Path(description="Name of a texture, from a plan", examples=["mask/vac-24/ranks"], max_length=9000)
+        str, Path(description="Name of a texture in a plan", examples=["mask/vac-24/ranks"], max_length=9000)
     ],
     asked: Annotated[TextureParameters, Query()],
     request: Request,
     context: InContext,
 ) -> Response:
-    """The bytes of a texture. Format and size stand in the plan."""
+    """Get the bytes of a texture. The plan gives its format and size."""
     try:
         found = await context.masks.run(texture, name)
     except (KeyError, ValueError):
-        raise NotFoundError(f"there is no texture {name!r}", "name") from None
+        raise NotFoundError(f"texture {name!r} was not found", "name") from None
     if asked.sha256 not in (None, found.sha256):
-        detail = f"sha256: {name!r} has the hash {found.sha256}: the plan is of another version"
+        detail = f"sha256: texture {name!r} has the hash {found.sha256}; the plan is from another version"
         raise BadRequestError(FieldProblem(parameter="sha256", detail=detail, allowed={"enum": [found.sha256]}))
     headers = {"Cache-Control": IMMUTABLE if asked.sha256 else REVALIDATE, "Vary": "Accept-Encoding"}
     tag = f'"{found.sha256}"'

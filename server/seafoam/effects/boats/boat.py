@@ -207,8 +207,8 @@ EFFECT = Effect(
     contribute,
     always_visible="a boat stands over the water and before it",
     knobs=(
-        Knob("/boat_samples", "rays a sample where boats are", (1, 4, 9), "filtering"),
-        Knob("/boat_readings", "heights read round each hull point", (1, 7), "geometry"),
+        Knob("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
+        Knob("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
     ),
     hard_cases=(
         HardCase(

@@ -121,7 +121,7 @@ EFFECT = Effect(
     ),
     knobs=(
         Knob("/wake", "wakes", ("map", "exact"), "geometry"),
-        Knob("/wake_size", "texels along the map of a wake", (128, 256, 512, 1024), "geometry"),
+        Knob("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
     ),
     hard_cases=(
         HardCase(

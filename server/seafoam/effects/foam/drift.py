@@ -354,8 +354,9 @@ def _fastest(drift: Drift, source: DriftSaturation) -> float:
         if abs(turning(vortex)) * source.life > MOST_TURN:
             raise PlanError(
                 f"/drift/vortices/{i}/speed",
-                f"turns {abs(turning(vortex)) * source.life / (2.0 * math.pi):.3g} times in the life of a patch; "
-                f"at most {MOST_TURN / (2.0 * math.pi):.3g}: make it slower or wider, or the life shorter",
+                f"turns {abs(turning(vortex)) * source.life / (2.0 * math.pi):.3g} times in the lifetime of a patch; "
+                f"at most {MOST_TURN / (2.0 * math.pi):.3g} are allowed: reduce its speed or the lifetime, or increase "
+                "its radius",
             )
     return max((abs(turning(vortex)) for vortex in drift.vortices), default=0.0)
 
@@ -387,9 +388,9 @@ EFFECT = Effect(
     ),
     knobs=(
         Knob("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
-        Knob("/drift_size", "texels of the maps of drift", (64, 128, 256, 512), "geometry"),
-        Knob("/drift_window", "seconds that foam is followed back", (6.0, 12.0, 24.0, 120.0), "geometry"),
-        Knob("/drift_step", "longest step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"),
+        Knob("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
+        Knob("/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"),
+        Knob("/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"),
     ),
     hard_cases=(
         HardCase(

@@ -123,7 +123,7 @@ def _ages(
             inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
             uniforms={**loop_uniforms(), **uniforms},
         )
-        others, folds = transform("earlier folds", "age_a", "age_b", size)
+        others, folds = transform("earlier times of folds", "age_a", "age_b", size)
         passes = (first, *others)
     displaced = displaced_target(scene, quality)
     over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
@@ -240,8 +240,8 @@ EFFECT = Effect(
         Scene(sea=Sea(choppiness=0.0), foam=Foam(saturation=(FoldSaturation(), HeightSaturation()), look="halftone")),
     ),
     knobs=(
-        Knob("/age_steps", "earlier folds", (0, 4, 8), "geometry"),
-        Knob("/age_step", "seconds between folds", (0.17, 0.35, 0.7), "geometry"),
+        Knob("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
+        Knob("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
     ),
     hard_cases=(
         HardCase(

@@ -51,7 +51,7 @@ def _mask(name: str, pointer: str) -> Mask:
     try:
         return mask_by_name(name)
     except KeyError:
-        raise PlanError(pointer, f"no mask is called {name!r}; GET /api/masks lists them") from None
+        raise PlanError(pointer, f"mask {name!r} was not found; GET /api/masks lists the masks") from None
     except ValueError as error:
         raise PlanError(pointer, str(error)) from None
 
@@ -259,8 +259,8 @@ EFFECT = Effect(
     ),
     knobs=(
         Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
-        Knob("/foam_taps", "texels of the mask that a small footprint averages", (4, 16), "filtering"),
-        Knob("/foam_octaves", "octaves of the mask at most", (1, 2, 3, 4), "filtering"),
+        Knob("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
+        Knob("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
     ),
     hard_cases=(
         HardCase(

@@ -51,7 +51,7 @@ EFFECT = Effect(
             ),
         ),
     ),
-    knobs=(Knob("/foam_relief", "shades of foam", (False, True), "geometry"),),
+    knobs=(Knob("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
     hard_cases=(
         HardCase(
             name="foam under a low sun",

@@ -59,7 +59,7 @@ EFFECT = Effect(
             foam=Foam(saturation=(HeightSaturation(base=-0.2, full=1.0), SlopeSaturation(blur=1.0)), look="filtered"),
         ),
     ),
-    knobs=(Knob("/slope_places", "places at which blurred slopes are read", (1, 5), "filtering"),),
+    knobs=(Knob("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
     hard_cases=(
         HardCase(
             name="foam on walls",

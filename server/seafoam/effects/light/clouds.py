@@ -73,7 +73,7 @@ EFFECT = Effect(
     "clouds",
     contribute,
     invisible=(Scene(light=Light(sky=_THIN)), Scene(light=Light(sky=Sky(clouds=Clouds(cover=0.0))))),
-    knobs=(Knob("/cloud_octaves", "octaves of the clouds' noise", (2, 3, 4, 5, 6), "geometry"),),
+    knobs=(Knob("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),),
     hard_cases=(
         HardCase(
             name="clouds anywhere, at any time",

@@ -70,7 +70,7 @@ EFFECT = Effect(
         Scene(light=Light(sun_elevation=-0.1, sparkles=Sparkles())),
         Scene(light=Light(sun_elevation=-math.pi / 2, sparkles=Sparkles(rate=0.1, life=0.02), specular="blinn_phong")),
     ),
-    knobs=(Knob("/sparkle_cells", "cells that a sample asks for sparkles", (1, 4), "geometry"),),
+    knobs=(Knob("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),),
     hard_cases=(
         HardCase(
             name="sparkles at any time",

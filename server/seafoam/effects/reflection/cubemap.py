@@ -103,7 +103,7 @@ EFFECT = Effect(
     contribute,
     invisible=(Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),),
     knobs=(
-        Knob("/cube", "surroundings", ("map", "exact"), "geometry"),
+        Knob("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
         Knob("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
     ),
     hard_cases=(

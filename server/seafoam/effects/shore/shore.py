@@ -427,7 +427,7 @@ EFFECT = Effect(
         Knob("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
         Knob("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
         Knob("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
-        Knob("/shore_profile", "nodes of the trochoid table", (32, 64, 128, 256), "geometry"),
+        Knob("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
     ),
     hard_cases=(
         _case(

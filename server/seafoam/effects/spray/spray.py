@@ -164,7 +164,7 @@ EFFECT = Effect(
         Scene(shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0), spray=Spray()),
         Scene(shore=_ROCK.model_copy(update={"surf": Surf(height=0.0)}), spray=Spray(), light=None),
     ),
-    knobs=(Knob("/spray_count", "drops of the spray", (2048, 4096, 8192, 16384), "geometry"),),
+    knobs=(Knob("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),),
     hard_cases=(
         HardCase(
             name="spray under the camera",

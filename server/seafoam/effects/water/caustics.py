@@ -287,7 +287,7 @@ EFFECT = Effect(
         Knob("/caustics", "caustics", ("grid", "photons"), "geometry"),
         Knob("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
         Knob("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
-        Knob("/caustics_photons", "photons along a side", (128, 256, 512, 1024), "geometry"),
+        Knob("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
     ),
     hard_cases=(
         _case(

@@ -154,7 +154,7 @@ EFFECT = Effect(
         Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
         Scene(waves=(ParametricWave(),), light=None),
     ),
-    knobs=(Knob("/waves", "waves kept", (2, 4, 8, 16), "geometry"),),
+    knobs=(Knob("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
     hard_cases=(
         HardCase(
             name="a cusp in every trough, K 0.1",

@@ -201,7 +201,7 @@ EFFECT = Effect(
     ),
     knobs=(
         Knob("/rings", "rings", ("map", "exact"), "geometry"),
-        Knob("/rings_size", "texels of the map of rings", (256, 512, 1024, 2048), "geometry"),
+        Knob("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
     ),
     hard_cases=(
         HardCase(

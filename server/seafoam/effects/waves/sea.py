@@ -297,9 +297,9 @@ EFFECT = Effect(
     contribute,
     invisible=(Scene(sea=Sea(wind=0.0)), Scene(sea=Sea(), light=None)),
     knobs=(
-        Knob("/sea_size", "texels of a tile of sea", (64, 128, 256, 512), "geometry"),
-        Knob("/sea_tiles", "tiles of sea", (2, 3, 4), "geometry"),
-        Knob("/sea_digits", "digits of the sea's tiles", ("half", "float"), "precision"),
+        Knob("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
+        Knob("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
+        Knob("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
     ),
     hard_cases=(
         HardCase(

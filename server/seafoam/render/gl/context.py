@@ -1,4 +1,4 @@
-"""The one GL context of a process: found, checked, and set to the state that OpenGL ES starts in."""
+"""The GL context of a process: created, checked, and set to the initial state of OpenGL ES."""
 
 from ctypes.util import find_library
 from typing import Any
@@ -7,21 +7,21 @@ import moderngl
 
 _ES3 = "GL_ARB_ES3_compatibility"
 _REMEDY = (
-    "install Mesa's software renderer (Debian, Ubuntu: apt-get install libegl1 libgl1 libgl1-mesa-dri), or run where a "
-    "GPU driver offers EGL"
+    "install Mesa's software renderer (Debian, Ubuntu: apt-get install libegl1 libgl1 "
+    "libgl1-mesa-dri), or use a GPU driver with EGL"
 )
 
 
 class NoRendererError(RuntimeError):
-    """There is no usable OpenGL here. The text says what was tried and what to install."""
+    """OpenGL is not usable on this machine. The text says what was tried and what to install."""
 
 
 def create_context(device_index: int | None = None) -> moderngl.Context:
-    """A headless EGL context that compiles ``#version 300 es``.
+    """Create a headless EGL context that compiles ``#version 300 es``.
 
-    ``device_index``: which EGL device, ``None`` for the driver's own choice. Raises :class:`NoRendererError`.
-    Desktop GL compiles ES 3.00 text through GL_ARB_ES3_compatibility (core since 4.3), so the same bytes run here and
-    in WebGL2.
+    ``device_index``: EGL device, ``None`` for the driver's default. Raises :class:`NoRendererError`.
+    Desktop GL compiles ES 3.00 source through GL_ARB_ES3_compatibility (core since 4.3), so the same source runs here
+    and in WebGL2.
     """
     settings: dict[str, Any] = {
         "backend": "egl",

@@ -1,7 +1,7 @@
-"""The moderngl executor: draws frame plans in the one GL context of its process.
+"""The moderngl executor: draws frame plans in the GL context of its process.
 
-Rules that hold it together: one context a process, one thread for life (GL calls from another thread give no error
-and zeros), every object released by hand (moderngl's collected release fails on objects that were released before).
+Constraints: one context per process, used by one thread only (GL calls from another thread give no error and return
+zeros), and every object is released explicitly (moderngl's garbage-collected release fails on released objects).
 """
 
 import threading
@@ -57,11 +57,11 @@ _PROGRAMS_KEPT = 96
 _TEXTURES_KEPT = 48
 _TARGETS_KEPT = 48
 _STATIC_BYTES = 64 << 20
-"""Of targets that setup passes drew, for this plan and earlier ones."""
+"""Limit of the targets that setup passes drew, for this plan and earlier ones."""
 
 
 class ShaderError(RuntimeError):
-    """A program of a plan does not compile here."""
+    """A program of a plan does not compile on this GL."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class Rendered:
 
 
 class _Cache:
-    """GL objects by key, the least lately used released first; ``weigh``: how much of ``size`` each takes."""
+    """GL objects by key, evicted least recently used first; ``weigh``: how much of ``size`` each takes."""
 
     def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
         self._size = size
@@ -89,7 +89,7 @@ class _Cache:
         return key in self._items
 
     def get(self, key: Any, make: Callable[[], Any] | None = None) -> Any:
-        """What is there, made if there is nothing; raises ``KeyError`` where nothing can be made."""
+        """Return the object of a key, created if missing; raises ``KeyError`` if it cannot be created."""
         if make is not None and key not in self._items:
             self._items[key] = make()
         self._items.move_to_end(key)
@@ -99,7 +99,7 @@ class _Cache:
         self._items[key] = item
 
     def trim(self) -> None:
-        """Release what is over the limit; called between frames, when nothing is in use."""
+        """Release objects over the limit; called between frames, when nothing is in use."""
         held = sum(map(self._weigh, self._items.values()))
         while held > self._size:
             item = self._items.popitem(last=False)[1]
@@ -117,7 +117,7 @@ class _Cache:
 
 
 class _Linked:
-    """A linked program and its vertex arrays, which live and die with it: GL reuses the numbers of what is released."""
+    """A linked program and its vertex arrays, with the same lifetime: GL reuses the names of released objects."""
 
     def __init__(self, context: moderngl.Context, program: moderngl.Program) -> None:
         self._context = context
@@ -134,7 +134,7 @@ class _Linked:
             self._array(None).render(moderngl.TRIANGLES, vertices=3)
 
     def _array(self, mesh: Grid | None) -> moderngl.VertexArray:
-        """The vertex array that feeds ``mesh``; None: no attribute at all."""
+        """Return the vertex array that feeds ``mesh``; None: no attributes."""
         if mesh not in self._arrays:
             self._arrays[mesh] = self._make(mesh)
         found: moderngl.VertexArray = self._arrays[mesh][0]
@@ -156,7 +156,7 @@ class _Linked:
 
 
 class Executor:
-    """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` where there is none."""
+    """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` if there is none."""
 
     def __init__(self, device_index: int | None = None) -> None:
         self._thread = threading.get_ident()
@@ -188,8 +188,8 @@ class Executor:
     ) -> Rendered:
         """Draw a frame of ``plan`` at ``time`` (s, up to ±1e9) from ``camera``, ``width`` × ``height`` pixels.
 
-        Raises :class:`ShaderError` where a program does not compile, ``RuntimeError`` after any GL error or from any
-        thread but the one that made the executor.
+        Raises :class:`ShaderError` if a program does not compile, ``RuntimeError`` after any GL error or if called from
+        a thread other than the one that created the executor.
         """
         self._own_thread()
         start = clock.perf_counter()
@@ -226,7 +226,7 @@ class Executor:
             # What it spoilt must not be kept.
             self._resting.use()
             self._static.clear()
-            raise RuntimeError(f"{error} while drawing")
+            raise RuntimeError(f"OpenGL error while drawing: {error}")
         self._resting.use()
         for cache in self._caches():
             cache.trim()
@@ -240,7 +240,7 @@ class Executor:
         self._programs.trim()
 
     def forget(self) -> None:
-        """Release all that is kept for later frames: programs, textures and targets."""
+        """Release everything cached for later frames: programs, textures and targets."""
         self._own_thread()
         self._resting.use()
         for cache in self._caches():
@@ -260,9 +260,10 @@ class Executor:
             raise RuntimeError("a GL context belongs to the thread that made it; elsewhere it draws nothing, silently")
 
     def _set_up(self, plan: FramePlan, drawn: Iterable[int], camera: Camera) -> dict[str, tuple[Any, ...]]:
-        """The kept targets that passes of ``drawn`` read, with what setup passes leave in them.
+        """Return the kept targets that passes of ``drawn`` read, with the content that setup passes draw.
 
-        Those are drawn that no frame of this plan or of one like it has left; nothing of the frame reaches them.
+        Targets that no earlier frame of this plan, or of one with the same hash, has left are drawn; they do not depend
+        on the frame.
         """
         setup = {index: plan.passes[index] for index in drawn if plan.passes[index].when == "setup"}
         wanted = {name for index in drawn if index not in setup for name in reads(plan.passes[index])}
@@ -351,7 +352,7 @@ class Executor:
         def make() -> moderngl.Texture:
             data = texture(model.url.removeprefix("/api/textures/"))
             if data.sha256 != model.sha256:
-                raise RuntimeError(f"texture {name} is not the one the plan was made for")
+                raise RuntimeError(f"texture {name} differs from the one named by the plan")
             components, dtype = TEXTURE_FORMATS[model.format]
             made = self._context.texture((model.width, model.height), components, dtype=dtype, alignment=1)
             if model.levels > 1:
@@ -377,7 +378,7 @@ class Executor:
         return found
 
     def _made(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
-        """A target for a picture of ``width`` × ``height`` pixels, which those of fixed size do not ask for."""
+        """Return a target for a picture of ``width`` × ``height`` pixels, which those of fixed size ignore."""
         made = self._framebuffer(_size(target, width, height), target.format, depth=target.depth)
         made[1].filter = _FILTERS[target.filter]
         made[1].repeat_x = made[1].repeat_y = target.wrap == "repeat"
@@ -385,7 +386,7 @@ class Executor:
 
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
         if max(size) > self.max_side:
-            raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's {self.max_side} pixels a side")
+            raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's limit of {self.max_side} pixels per side")
         components, dtype = _TARGET_FORMATS[kind]
         color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]
@@ -417,7 +418,7 @@ def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:
 
 
 def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
-    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles a cell."""
+    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles per cell."""
     u = np.arange(columns + 1, dtype=np.float64) / columns
     v = np.arange(rows + 1, dtype=np.float64) / rows
     vertices = np.stack(np.meshgrid(u, v, indexing="xy"), axis=-1).reshape(-1, 2).astype(np.float32)

@@ -1,17 +1,17 @@
-"""Rendering apart from the web server: worker processes that each own one GL context.
+"""Rendering outside the web server: worker processes that each own one GL context.
 
 A GL call holds Python's lock until the picture is read, a context belongs to one thread for life, and a driver that
-hangs or crashes takes its process along. So the parent never touches GL: spawned workers do, and they are killed and
-replaced when a frame outlasts its deadline.
+hangs or crashes takes its process with it. So the parent never calls GL: spawned workers do, and they are killed and
+replaced when a frame exceeds its deadline.
 
 Errors::
 
     RenderError
-    ├── FrameTooLargeError        asked for more than the limits allow
-    ├── QueueFullError            as many frames wait as may
-    ├── DeadlineError             not finished in time, waiting included
+    ├── FrameTooLargeError        the frame exceeds the size limits
+    ├── QueueFullError            the render queue is full
+    ├── DeadlineError             timeout, waiting included
     ├── RendererUnavailableError  no usable GL, with the remedy
-    └── RenderFailedError         the worker raised, or died twice
+    └── RenderFailedError         the worker raised an error, or crashed twice
 """
 
 import asyncio
@@ -44,15 +44,15 @@ from seafoam.scene.models import Camera, Scene
 log = logging.getLogger(__name__)
 
 CANARY_SIDE = 16
-"""Side of the picture that a new worker draws to show that it can, pixels."""
+"""Side of the test picture that a new worker draws, pixels."""
 START_SECONDS = 60.0
-"""Within which a worker has drawn its canary, or the renderer counts as unusable."""
+"""Timeout of a worker's test picture, s; then the renderer is unavailable."""
 STUCK_SECONDS = 10.0
-"""After its deadline; a worker that Pebble has not killed by then costs the whole pool."""
+"""Grace period after its deadline, s; if Pebble has not killed a worker by then, the whole pool is replaced."""
 MEASURE_SECONDS = 120.0
-"""Within which a measurement is finished, waiting included: one draws a point of a sweep once or twice."""
+"""Timeout of a measurement, waiting included, s: one draws a point of a sweep once or twice."""
 EARLIEST_RETRY = 1
-"""Seconds, the least to wait before asking again when the queue is full."""
+"""Minimum delay before a retry when the queue is full, s."""
 
 State = Literal["starting", "ready", "unavailable", "stopped"]
 
@@ -60,11 +60,11 @@ T = TypeVar("T")
 
 
 class RenderError(Exception):
-    """Base of what keeps a frame from being rendered."""
+    """Base class of errors that prevent a frame from being rendered."""
 
 
 class FrameTooLargeError(RenderError):
-    """Asked for more than the limits allow. ``field`` names what to lower; its bounds are inclusive."""
+    """The frame exceeds the size limits. ``field``: what to lower; its bounds are inclusive."""
 
     def __init__(self, field: Literal["width", "height", "quality"], detail: str, least: int, greatest: int) -> None:
         super().__init__(detail)
@@ -74,38 +74,38 @@ class FrameTooLargeError(RenderError):
 
 
 class QueueFullError(RenderError):
-    """As many frames wait as may; ask again after ``retry_after`` seconds."""
+    """The render queue is full; retry after ``retry_after`` seconds."""
 
     def __init__(self, waiting: int, retry_after: int) -> None:
-        super().__init__(f"{waiting} frames are waiting already, as many as may wait")
+        super().__init__(f"the render queue is full: {waiting} frames are waiting")
         self.retry_after = retry_after
 
 
 class DeadlineError(RenderError):
-    """A frame was not finished in time, waiting included."""
+    """A frame was not finished before its deadline, waiting included."""
 
 
 class RendererUnavailableError(RenderError):
-    """No usable GL. The text says how to get one."""
+    """No usable GL. The text gives the remedy."""
 
 
 class RenderFailedError(RenderError):
-    """A worker raised, or died while rendering."""
+    """A worker raised an error or crashed while rendering."""
 
 
 @dataclass(frozen=True, slots=True)
 class FrameLimits:
-    """The largest frame that is rendered. Checked before anything is allocated."""
+    """Size limits of a frame. Checked before anything is allocated."""
 
     side: int = 4096
     """Width and height, pixels."""
     sampled_side: int = 8192
-    """Width and height times samples along them: what every supported GL can draw into."""
+    """Width and height times samples along them: limited by the render targets of every supported GL."""
     samples: int = 8_400_000
-    """Width × height × samples a pixel."""
+    """Width × height × samples per pixel."""
 
     def allows(self, width: int, height: int, samples: int) -> bool:
-        """Whether :meth:`check` lets a frame pass."""
+        """Whether :meth:`check` accepts a frame."""
         try:
             self.check(width, height, samples)
         except FrameTooLargeError:
@@ -113,21 +113,21 @@ class FrameLimits:
         return True
 
     def check(self, width: int, height: int, samples: int) -> None:
-        """Raise :class:`FrameTooLargeError` naming the field to lower; ``samples``: drawn for a pixel."""
+        """Raise :class:`FrameTooLargeError` naming the field to lower; ``samples``: per pixel."""
         along = math.isqrt(samples)
         side = min(self.side, self.sampled_side // along)
         sides: tuple[tuple[Literal["width", "height"], int], ...] = (("width", width), ("height", height))
         for field, value in sides:
             if not 1 <= value <= side:
-                why = "" if side == self.side else f" at {samples} samples a pixel"
+                why = "" if side == self.side else f" at {samples} samples per pixel"
                 raise FrameTooLargeError(field, f"{field} must be 1 to {side} pixels{why}, not {value}", 1, side)
         asked = width * height * samples
         if asked > self.samples:
             most = max(1, self.samples // (width * samples))
             raise FrameTooLargeError(
                 "height",
-                f"{width} × {height} pixels of {samples} samples are {asked:,} samples; at most {self.samples:,} are "
-                f"rendered: lower width, height or the samples of quality",
+                f"{width} × {height} pixels with {samples} samples each are {asked:,} samples; the limit "
+                f"is {self.samples:,}: lower width, height or the quality's samples",
                 1,
                 most,
             )
@@ -135,7 +135,7 @@ class FrameLimits:
 
 @dataclass(frozen=True, slots=True)
 class FrameJob:
-    """One frame to render: all that its bytes depend on."""
+    """One frame to render: everything that its bytes depend on."""
 
     scene: Scene
     quality: Quality
@@ -151,7 +151,7 @@ class FrameJob:
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """An encoded frame and where its time went: seconds by ``queue``, ``plan``, ``render``, ``read``, ``encode``."""
+    """An encoded frame and its times: seconds by ``queue``, ``plan``, ``render``, ``read``, ``encode``."""
 
     content: bytes
     timings: Mapping[str, float]
@@ -159,7 +159,7 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """One drawing of a measurement. ``keep``: whether its pixels come back."""
+    """One drawing of a measurement. ``keep``: return its pixels."""
 
     width: int
     height: int
@@ -169,7 +169,7 @@ class Draw:
 
 @dataclass(frozen=True, slots=True)
 class MeasureJob:
-    """A frame to draw several times over, to be timed rather than seen."""
+    """A frame to draw several times, to measure its time."""
 
     scene: Scene
     quality: Quality
@@ -181,18 +181,18 @@ class MeasureJob:
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """What one drawing took, from the first call until it was finished, and its pixels where they were wanted."""
+    """Time of one drawing, from the first call until it was finished, and its pixels if requested."""
 
     seconds: float
     pixels: NDArray[Any] | None
 
 
 class Rendered(Protocol):
-    """What a renderer returns."""
+    """Result of a renderer."""
 
     @property
     def pixels(self) -> NDArray[Any]:
-        """(height, width, 4), rows from the top; uint8 or, linear, float32."""
+        """(height, width, 4), top row first; uint8 or, linear, float32."""
 
     @property
     def timings(self) -> Mapping[str, float]:
@@ -249,7 +249,7 @@ def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
 
 
 def measure(renderer: Renderer, job: MeasureJob) -> tuple[Drawn, ...]:
-    """Plan a frame and draw it as often as the job says, in this process. Raises what :func:`render_frame` raises."""
+    """Plan a frame and draw it as often as the job requires, in this process. Raises as :func:`render_frame` does."""
     plan = make_plan(job.scene, job.quality)
     drawn = []
     for draw in job.draws:
@@ -261,9 +261,9 @@ def measure(renderer: Renderer, job: MeasureJob) -> tuple[Drawn, ...]:
 
 
 def draw_canary(renderer: Renderer) -> None:
-    """Draw a small open sea and see that it is a picture; raises :class:`NoRendererError` if it is blank.
+    """Draw a small open sea and check the picture; raises :class:`NoRendererError` if it is blank.
 
-    Drivers fail without an error: a lost context reads as zeros.
+    Drivers can fail without an error: a lost context reads as zeros.
     """
     scene = Scene()
     rendered = renderer.render(
@@ -275,41 +275,41 @@ def draw_canary(renderer: Renderer) -> None:
         output="rgba8",
     )
     if np.ptp(rendered.pixels[..., :3]) == 0:
-        raise NoRendererError(f"{renderer.info['renderer']} draws blank pictures: update or reinstall its driver")
+        raise NoRendererError(f"{renderer.info['renderer']} draws blank frames; update or reinstall its driver")
 
 
 @dataclass(frozen=True, slots=True)
 class _Unavailable:
-    """Answer of a worker without a renderer."""
+    """Response of a worker without a renderer."""
 
     remedy: str
 
 
 @dataclass(frozen=True, slots=True)
 class _Failed:
-    """Answer of a worker that raised; exceptions themselves do not all survive pickling."""
+    """Response of a worker that raised an error; not all exceptions can be pickled."""
 
     traceback: str
 
 
 @dataclass(frozen=True, slots=True)
 class _Expired:
-    """Answer to a job that reached its worker after its deadline."""
+    """Response to a job that reached its worker after its deadline."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Answer(Generic[T]):
-    """What a worker sends back, and which worker it was."""
+    """Response of a worker, and which worker sent it."""
 
     worker: int
     value: T | _Unavailable | _Failed | _Expired
 
 
-_renderer: Renderer | _Unavailable = _Unavailable("this process has not been set up as a render worker")
+_renderer: Renderer | _Unavailable = _Unavailable("this process is not a render worker")
 
 
 def _start_worker(factory: Callable[[], Renderer], threads: int) -> None:
-    """Set a worker up, on its main thread. Never raises: an initializer that fails breaks Pebble's pool for good."""
+    """Initialise a worker, on its main thread. Never raises: that would break Pebble's pool permanently."""
     global _renderer
     os.environ.setdefault("LP_NUM_THREADS", str(threads))
     try:
@@ -323,7 +323,7 @@ def _start_worker(factory: Callable[[], Renderer], threads: int) -> None:
 
 
 def _work_canary() -> _Answer[dict[str, str]]:
-    """Draw the canary again and report the renderer."""
+    """Draw the test picture again and report the renderer."""
     if isinstance(_renderer, _Unavailable):
         return _Answer(os.getpid(), _renderer)
     try:
@@ -336,7 +336,7 @@ def _work_canary() -> _Answer[dict[str, str]]:
 
 
 def _work_frame(job: FrameJob, expires: float) -> _Answer[Frame]:
-    """Render one frame, unless nobody waits for it any more. expires: of ``time.time()``."""
+    """Render one frame, unless it has expired. expires: of ``time.time()``."""
     if isinstance(_renderer, _Unavailable):
         return _Answer(os.getpid(), _renderer)
     if time.time() >= expires:
@@ -348,7 +348,7 @@ def _work_frame(job: FrameJob, expires: float) -> _Answer[Frame]:
 
 
 def _work_measure(job: MeasureJob, expires: float) -> _Answer[tuple[Drawn, ...]]:
-    """Measure, unless nobody waits for it any more. expires: of ``time.time()``."""
+    """Measure, unless the job has expired. expires: of ``time.time()``."""
     if isinstance(_renderer, _Unavailable):
         return _Answer(os.getpid(), _renderer)
     if time.time() >= expires:
@@ -363,11 +363,11 @@ class RenderPool:
     """Worker processes behind a bounded queue, for one event loop.
 
     workers: processes, each with a GL context; at least 1.
-    queue: frames that may wait for a worker; absent: twice the workers.
-    deadline: seconds that a frame may take, waiting included.
+    queue: capacity of the queue, frames; absent: twice the number of workers.
+    deadline: timeout of a frame, waiting included, s.
     recycle: frames after which a worker is replaced, because GL stacks leak; 0: never.
-    check_seconds: how often an idle pool draws its canary, and a pool without GL looks for one again.
-    factory: makes the renderer, in the worker; must be importable there.
+    check_seconds: interval at which an idle pool draws its test picture, and a pool without GL looks for one again.
+    factory: creates the renderer, in the worker; must be importable there.
     """
 
     def __init__(
@@ -387,16 +387,16 @@ class RenderPool:
         self.info: dict[str, str] = {}
         """Vendor, renderer and version of the GL in use; empty until ready."""
         self.remedy = ""
-        """Why there is no renderer and what to do, where the state is ``unavailable``."""
+        """Why there is no renderer and the remedy, if the state is ``unavailable``."""
         self.succeeded_at = -math.inf
-        """When a canary or frame was last drawn, of ``time.time()``."""
+        """Time of the last test picture or frame, of ``time.time()``."""
         self.waiting = 0
         self.active = 0
         self.restarts: Counter[Literal["deadline", "crash", "recycled"]] = Counter()
         self._recycle = recycle
         self._check_seconds = check_seconds
         self.threads = max(1, (os.cpu_count() or 1) // workers)
-        """That a software renderer may use in each worker."""
+        """Number of threads that a software renderer can use in each worker."""
         self._initargs = (factory, self.threads)
         self._jobs_of_worker: Counter[int] = Counter()
         self._recent_seconds = 1.0
@@ -414,7 +414,7 @@ class RenderPool:
         self._keep(self._watch())
 
     async def stop(self) -> None:
-        """Kill the workers and wait until they are gone."""
+        """Kill the workers and wait until they have ended."""
         self.state = "stopped"
         for task in list(self._tasks):
             task.cancel()
@@ -427,8 +427,8 @@ class RenderPool:
         """Render one frame in a worker.
 
         Raises :class:`QueueFullError`, :class:`DeadlineError`, :class:`RendererUnavailableError` or
-        :class:`RenderFailedError`. Cancelling the call while it waits gives its place in the queue back; a frame
-        that is being rendered is finished, because stopping it would cost the worker.
+        :class:`RenderFailedError`. If the call is cancelled while it waits, it leaves the queue; a frame
+        that is being rendered is finished, because stopping it would kill the worker.
         """
         began = time.time()
         expires = began + self.deadline
@@ -439,7 +439,7 @@ class RenderPool:
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
 
     async def measure(self, job: MeasureJob) -> tuple[Drawn, ...]:
-        """Measure in a worker, in turn with the frames, whose queue it takes no place of.
+        """Measure in a worker, in turn with the frames, without taking a place in their queue.
 
         Raises what :meth:`render` raises, except for a full queue.
         """
@@ -449,17 +449,17 @@ class RenderPool:
         return await self._run(_work_measure, (job, expires), expires)
 
     async def wait_until_settled(self) -> None:
-        """Wait until it is known whether there is a renderer; raises what :meth:`render` raises if there is none."""
+        """Wait until the state of the renderer is known; raises what :meth:`render` raises if there is none."""
         with contextlib.suppress(TimeoutError):
             async with asyncio.timeout(self.deadline):
                 await self._settled.wait()
         if self.state == "starting":
-            raise DeadlineError(f"the renderer did not start within {self.deadline:g} s")
+            raise DeadlineError(f"timeout: the renderer did not start within {self.deadline:g} s")
         if self.state != "ready":
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
 
     async def _admit(self, expires: float) -> None:
-        """Wait in the queue for a free worker, and take it."""
+        """Wait in the queue for a free worker, and reserve it."""
         if self.state in ("unavailable", "stopped"):
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
         if self.waiting >= self.queue and (self.state == "starting" or self._slots.locked()):
@@ -477,10 +477,10 @@ class RenderPool:
             async with asyncio.timeout(max(0.0, expires - time.time())):
                 await self._slots.acquire()
         except TimeoutError:
-            raise DeadlineError(f"no worker was free within {self.deadline:g} s") from None
+            raise DeadlineError(f"timeout: no render worker was free within {self.deadline:g} s") from None
 
     async def _run(self, work: Callable[..., _Answer[T]], args: tuple[Any, ...], expires: float) -> T:
-        """Run work in the worker that was taken; it is given back when it is free again."""
+        """Run work in the reserved worker, which is released when it is idle again."""
         try:
             answer = await self._attempt(work, args, expires)
         except (ProcessExpired, BrokenProcessPool, CancelledFuture) as error:
@@ -490,7 +490,7 @@ class RenderPool:
             try:
                 answer = await self._attempt(work, args, expires)
             except (ProcessExpired, BrokenProcessPool, CancelledFuture) as again:
-                raise RenderFailedError("the worker that rendered died, twice") from again
+                raise RenderFailedError("the render worker crashed twice") from again
         return self._accept(answer)
 
     async def _attempt(self, work: Callable[..., _Answer[T]], args: tuple[Any, ...], expires: float) -> _Answer[T]:
@@ -515,7 +515,7 @@ class RenderPool:
             if future.running() or future.done():
                 self.restarts["deadline"] += 1
             self._keep(self._replace_if_stuck(future))
-            raise DeadlineError(f"the frame was not finished within {self.deadline:g} s") from None
+            raise DeadlineError(f"timeout: the frame was not finished within {self.deadline:g} s") from None
         except (ProcessExpired, BrokenProcessPool, CancelledFuture):
             self.restarts["crash"] += 1
             raise
@@ -531,9 +531,9 @@ class RenderPool:
             raise RendererUnavailableError(value.remedy)
         if isinstance(value, _Failed):
             log.error("A frame failed:\n%s", value.traceback)
-            raise RenderFailedError("the renderer raised an error, which the server's log has")
+            raise RenderFailedError("the renderer failed; the server log has the details")
         if isinstance(value, _Expired):
-            raise DeadlineError(f"the frame was not started within {self.deadline:g} s")
+            raise DeadlineError(f"timeout: the frame was not started within {self.deadline:g} s")
         self.succeeded_at = time.time()
         return value
 
@@ -569,11 +569,11 @@ class RenderPool:
     async def _replace_if_stuck(self, future: Future[_Answer[T]]) -> None:
         await asyncio.sleep(STUCK_SECONDS)
         if not future.done():
-            log.error("A render worker cannot be stopped: replacing all of them")
+            log.error("A render worker could not be stopped; all of them are replaced")
             self._drop_processes()
 
     async def _watch(self) -> None:
-        """Draw a canary at the start, and again whenever nothing was drawn for a while."""
+        """Draw a test picture at the start, and again whenever nothing was drawn for a while."""
         while True:
             if self.state != "ready" or (
                 time.time() - self.succeeded_at >= self._check_seconds and not self._slots.locked()
@@ -597,7 +597,7 @@ class RenderPool:
         self._drop_processes()
 
     def _keep(self, work: Any) -> None:
-        """Run a coroutine as a task that is not collected before it ends."""
+        """Run a coroutine as a task that is not garbage-collected before it ends."""
         task: asyncio.Task[None] = asyncio.ensure_future(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
