@@ -1,22 +1,22 @@
 /** Opens the page. */
 import "./style.css";
 import { Api, ApiError } from "./api";
-import { App } from "./app/app";
+import { start } from "./app/startup";
 import { CapabilityError } from "./gl/capabilities";
 import { byId } from "./ui/dom";
-import { Curtain } from "./ui/curtain";
+import { LoadingScreen } from "./ui/loading";
 
-const curtain = new Curtain(byId("curtain"));
+const loadingScreen = new LoadingScreen(byId("loading"));
 
 try {
-  await App.open(new Api(), curtain);
+  await start(new Api(), loadingScreen);
 } catch (error) {
   if (error instanceof CapabilityError) {
-    curtain.fail("This sea needs a little more", `${error.message} A recent Chrome, Edge, Firefox or Safari on most computers and phones can draw it.`, null);
+    loadingScreen.fail("Graphics feature missing", `${error.message} Use a current version of Chrome, Edge, Firefox or Safari.`, null);
   } else if (error instanceof ApiError) {
-    curtain.fail("The server is away", `${error.message} Once it is back, the sea is too.`, "Try again");
+    loadingScreen.fail(error.status === 0 ? "Server not reachable" : "Server error", error.message, "Reload page");
   } else {
-    curtain.fail("Something went wrong", error instanceof Error ? error.message : String(error), "Try again");
+    loadingScreen.fail("Unexpected error", error instanceof Error ? error.message : String(error), "Reload page");
     throw error;
   }
 }

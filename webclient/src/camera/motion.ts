@@ -2,25 +2,25 @@
 import { basis, type CameraState, type Vec3 } from "./state";
 
 /** Short of straight up and down, where a drag sideways would only spin the picture. */
-const STEEPEST = 1.5;
-const FARTHEST = 1e5;
+const MAX_PITCH = 1.5;
+const MAX_HEIGHT = 1e5;
 const FOV = [0.1, 2.0] as const;
 
 const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
 /** Yaw in [−π, π], so that no number of turns leaves the range that the server accepts. */
-function turn(yaw: number): number {
+function wrapAngle(yaw: number): number {
   return yaw - 2 * Math.PI * Math.round(yaw / (2 * Math.PI));
 }
 
 /** Keeps the eye above the water and within what a scene may hold. */
-function place([x, y, z]: Vec3, lowest: number): Vec3 {
-  return [clamp(x, -1e7, 1e7), clamp(y, lowest, FARTHEST), clamp(z, -1e7, 1e7)];
+function clampPosition([x, y, z]: Vec3, lowest: number): Vec3 {
+  return [clamp(x, -1e7, 1e7), clamp(y, lowest, MAX_HEIGHT), clamp(z, -1e7, 1e7)];
 }
 
 /** Turns the head. */
 export function look(camera: CameraState, yaw: number, pitch: number): CameraState {
-  return { ...camera, yaw: turn(camera.yaw + yaw), pitch: clamp(camera.pitch + pitch, -STEEPEST, STEEPEST) };
+  return { ...camera, yaw: wrapAngle(camera.yaw + yaw), pitch: clamp(camera.pitch + pitch, -MAX_PITCH, MAX_PITCH) };
 }
 
 /** Moves along the view, sideways, and up. */
@@ -29,7 +29,7 @@ export function move(camera: CameraState, right: number, up: number, forward: nu
   const position = camera.position.map(
     (c, i) => c + (axes.right[i] ?? 0) * right + (axes.forward[i] ?? 0) * forward + (i === 1 ? up : 0),
   ) as unknown as Vec3;
-  return { ...camera, position: place(position, lowest) };
+  return { ...camera, position: clampPosition(position, lowest) };
 }
 
 export interface Pivot {
@@ -49,12 +49,12 @@ export function pivot(camera: CameraState): Pivot {
 /** Turns about a point that stays where it is in the picture. */
 export function orbit(camera: CameraState, about: Pivot, yaw: number, pitch: number, lowest: number): CameraState {
   // The steepest rise that keeps the eye out of the water.
-  const highest = Math.asin(clamp((about.point[1] - lowest) / about.distance, -1, 1));
-  const wanted = clamp(camera.pitch + pitch, -STEEPEST, STEEPEST);
-  const turned = { ...camera, yaw: turn(camera.yaw + yaw), pitch: Math.min(wanted, Math.max(highest, camera.pitch)) };
-  const { forward } = basis(turned);
+  const maxPitch = Math.asin(clamp((about.point[1] - lowest) / about.distance, -1, 1));
+  const targetPitch = clamp(camera.pitch + pitch, -MAX_PITCH, MAX_PITCH);
+  const rotated = { ...camera, yaw: wrapAngle(camera.yaw + yaw), pitch: Math.min(targetPitch, Math.max(maxPitch, camera.pitch)) };
+  const { forward } = basis(rotated);
   const position = about.point.map((c, i) => c - (forward[i] ?? 0) * about.distance) as unknown as Vec3;
-  return { ...turned, position: place(position, lowest) };
+  return { ...rotated, position: clampPosition(position, lowest) };
 }
 
 /** Goes toward what is in the middle of the picture; factor 0.5 halves the distance. */
@@ -64,6 +64,6 @@ export function zoom(camera: CameraState, factor: number, lowest: number): Camer
 }
 
 /** Widens or narrows the view. */
-export function widen(camera: CameraState, factor: number): CameraState {
+export function scaleFov(camera: CameraState, factor: number): CameraState {
   return { ...camera, fov: clamp(camera.fov * factor, FOV[0], FOV[1]) };
 }

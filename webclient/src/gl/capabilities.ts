@@ -2,7 +2,7 @@
 import type { FramePlan } from "../generated/api";
 
 /** Every extension that the client uses. */
-const WANTED = [
+const EXTENSIONS = [
   "EXT_color_buffer_float",
   "EXT_color_buffer_half_float",
   "EXT_float_blend",
@@ -13,7 +13,7 @@ const WANTED = [
   "WEBGL_debug_renderer_info",
 ] as const;
 
-export type ExtensionName = (typeof WANTED)[number];
+export type ExtensionName = (typeof EXTENSIONS)[number];
 
 export interface Capabilities {
   extensions: ReadonlySet<ExtensionName>;
@@ -32,7 +32,7 @@ export class CapabilityError extends Error {
 
 /** Turns on what is there. `hidden`: extensions to act without, for tests. */
 export function detect(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>): Capabilities {
-  const extensions = new Set(WANTED.filter((name) => !hidden.has(name) && gl.getExtension(name) !== null));
+  const extensions = new Set(EXTENSIONS.filter((name) => !hidden.has(name) && gl.getExtension(name) !== null));
   const info = extensions.has("WEBGL_debug_renderer_info") ? gl.getExtension("WEBGL_debug_renderer_info") : null;
   const renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   if (!extensions.has("EXT_color_buffer_float") && !extensions.has("EXT_color_buffer_half_float")) {
@@ -46,7 +46,7 @@ export function detect(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>):
 }
 
 /** Refuses a plan that the machine cannot draw, before anything is compiled. */
-export function requireFor(plan: FramePlan, { extensions }: Capabilities): void {
+export function requireSupport(plan: FramePlan, { extensions }: Capabilities): void {
   const needs = new Map<ExtensionName, string>();
   for (const target of Object.values(plan.targets)) {
     if (target.format === "RGBA32F") {

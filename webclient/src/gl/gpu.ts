@@ -3,17 +3,17 @@ import { type Capabilities, CapabilityError, detect } from "./capabilities";
 import type { Mesh } from "./mesh";
 import { Pool } from "./pool";
 import { deleteProgram, type Program } from "./program";
-import { deleteTarget, type StillTarget } from "./target";
+import { deleteTarget, type CachedTarget } from "./target";
 
 /** Unused resources that stay on the GPU. */
-const SPARE = { programs: 32, textures: 12, meshes: 4, stills: 4 };
+const SPARE = { programs: 32, textures: 12, meshes: 4, cachedTargets: 4 };
 
 export class Gpu {
   readonly programs: Pool<Program>;
   readonly textures: Pool<Promise<WebGLTexture>>;
   readonly meshes: Pool<Mesh>;
   /** What setup passes leave in their targets, by what it hangs on. */
-  readonly stills: Pool<StillTarget>;
+  readonly cachedTargets: Pool<CachedTarget>;
 
   /** After a lost context is restored, a new one is made on the same `gl`: nothing of the old survives. */
   constructor(
@@ -23,12 +23,12 @@ export class Gpu {
     this.programs = new Pool((program) => deleteProgram(gl, program), SPARE.programs);
     const deleteTexture = (texture: Promise<WebGLTexture>) =>
       void texture.then(
-        (made) => gl.deleteTexture(made),
+        (texture) => gl.deleteTexture(texture),
         () => undefined,
       );
     this.textures = new Pool(deleteTexture, SPARE.textures);
     this.meshes = new Pool((mesh) => mesh.dispose(), SPARE.meshes);
-    this.stills = new Pool((target) => deleteTarget(gl, target), SPARE.stills);
+    this.cachedTargets = new Pool((target) => deleteTarget(gl, target), SPARE.cachedTargets);
   }
 }
 

@@ -3,9 +3,9 @@ import type { Program as ProgramSource, Shader } from "../generated/api";
 import type { Capabilities } from "./capabilities";
 
 /** Time between questions to the driver, ms. */
-const POLL = 4;
+const POLL_INTERVAL = 4;
 /** A driver that has not said for so long that it is done is asked outright: some never say it while another page draws, ms. */
-const PATIENCE = 3000;
+const LINK_TIMEOUT = 3000;
 
 export interface ActiveUniform {
   location: WebGLUniformLocation;
@@ -58,9 +58,9 @@ function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: C
 export async function whenReady(gl: WebGL2RenderingContext, program: Program, capabilities: Capabilities): Promise<void> {
   // The compiler starts when the commands reach it.
   gl.flush();
-  const late = performance.now() + PATIENCE;
-  while (!isReady(gl, program, capabilities) && !gl.isContextLost() && performance.now() < late) {
-    await new Promise((resolve) => setTimeout(resolve, POLL));
+  const deadline = performance.now() + LINK_TIMEOUT;
+  while (!isReady(gl, program, capabilities) && !gl.isContextLost() && performance.now() < deadline) {
+    await new Promise((resolve) => setTimeout(resolve, POLL_INTERVAL));
   }
 }
 
@@ -69,12 +69,12 @@ export function finishProgram(gl: WebGL2RenderingContext, program: Program, name
   if (program.uniforms.size > 0 || gl.isContextLost()) return;
   if (gl.getProgramParameter(program.handle, gl.LINK_STATUS) !== true) {
     const log = (shader: WebGLShader, stage: Shader) => annotate(gl.getShaderInfoLog(shader) ?? "", stage);
-    const said = [
+    const messages = [
       log(program.vertex, program.source.vertex),
       log(program.fragment, program.source.fragment),
       gl.getProgramInfoLog(program.handle) ?? "",
     ];
-    throw new ShaderError(`program ${name}: ${said.map((s) => s.trim()).filter(Boolean).join("\n")}`);
+    throw new ShaderError(`program ${name}: ${messages.map((s) => s.trim()).filter(Boolean).join("\n")}`);
   }
   const uniforms = new Map<string, ActiveUniform>();
   const count = gl.getProgramParameter(program.handle, gl.ACTIVE_UNIFORMS) as number;

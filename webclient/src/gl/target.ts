@@ -13,7 +13,7 @@ export interface Target {
 }
 
 /** A target that setup passes draw once, for every plan that asks for the same. */
-export interface StillTarget extends Target {
+export interface CachedTarget extends Target {
   drawn: boolean;
 }
 
@@ -26,12 +26,12 @@ export function targetSize(spec: TargetSpec, width: number, height: number): [nu
 }
 
 export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {
-  const most = Math.min(
+  const limit = Math.min(
     gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
     gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
   );
-  if (width > most || height > most) {
-    throw new RangeError(`a target of ${width} × ${height} pixels is larger than this driver's limit of ${most}`);
+  if (width > limit || height > limit) {
+    throw new RangeError(`a target of ${width} × ${height} pixels is larger than this driver's limit of ${limit}`);
   }
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);

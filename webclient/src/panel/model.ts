@@ -1,14 +1,14 @@
 /** From a JSON Schema to the controls of a panel. Nothing here knows what a scene holds. */
 import { child, equal, get, isObject, type Json, type JsonObject } from "../scene/json";
 
-interface Labelled {
+interface LabelledField {
   pointer: string;
   label: string;
   /** What the field means, in the schema's words. */
   hint: string;
 }
 
-export interface NumberControl extends Labelled {
+export interface NumberControl extends LabelledField {
   kind: "number";
   min: number | null;
   max: number | null;
@@ -19,37 +19,37 @@ export interface NumberControl extends Labelled {
   logarithmic: boolean;
 }
 
-export interface ChoiceControl extends Labelled {
+export interface ChoiceControl extends LabelledField {
   kind: "choice";
   options: readonly string[];
 }
 
 /** A choice whose names the server lists under `url`. */
-export interface NameControl extends Labelled {
+export interface NameControl extends LabelledField {
   kind: "name";
   url: string;
 }
 
-export interface ToggleControl extends Labelled {
+export interface ToggleControl extends LabelledField {
   kind: "toggle";
 }
 
-export interface TextControl extends Labelled {
+export interface TextControl extends LabelledField {
   kind: "text";
 }
 
 /** A tuple of shares of red, green and blue. */
-export interface ColourControl extends Labelled {
+export interface ColourControl extends LabelledField {
   kind: "colour";
 }
 
-export interface GroupControl extends Labelled {
+export interface GroupControl extends LabelledField {
   kind: "group";
   children: readonly Control[];
 }
 
 /** A field that may be null: `inner` is its control while it is not, `initial` what it becomes when switched on. */
-export interface OptionalControl extends Labelled {
+export interface OptionalControl extends LabelledField {
   kind: "optional";
   inner: Control | null;
   initial: Json;
@@ -62,13 +62,13 @@ export interface Variant {
   initial: Json;
 }
 
-export interface ListControl extends Labelled {
+export interface ListControl extends LabelledField {
   kind: "list";
   items: readonly { control: Control; variant: string | null }[];
   variants: readonly Variant[];
   discriminator: string | null;
-  least: number;
-  most: number;
+  minItems: number;
+  maxItems: number;
 }
 
 export type Control =
@@ -89,48 +89,48 @@ const RADIANS = "rad";
 export function controlOf(root: JsonObject, schema: JsonObject, value: Json | undefined, pointer: string, name: string): Control | null {
   const outer = schema;
   const inner = resolve(root, schema);
-  const labelled: Labelled = {
+  const labelledField: LabelledField = {
     pointer,
     label: labelOf(name),
     hint: text(outer["description"]) ?? (outer["$ref"] ? "" : (text(inner["description"]) ?? "")),
   };
-  const nullable = withoutNull(root, inner);
+  const nullable = nullableMember(root, inner);
   if (nullable) {
     const extras = { ...nullable, ...(inner["unit"] === undefined ? {} : { unit: inner["unit"] }) };
     const present = value !== null && value !== undefined;
     const control = present ? controlOf(root, extras, value, pointer, name) : null;
-    return { ...labelled, kind: "optional", inner: control, initial: initialValue(root, nullable) };
+    return { ...labelledField, kind: "optional", inner: control, initial: initialValue(root, nullable) };
   }
   if ("const" in inner) return null;
   const variants = variantsOf(root, inner);
   if (variants) {
-    const chosen = variants.find(({ schema: s, tag }) => tag !== null && matches(root, s, value, inner)) ?? variants[0];
-    return chosen ? controlOf(root, chosen.schema, value, pointer, name) : null;
+    const variant = variants.find(({ schema: s, tag }) => tag !== null && matches(root, s, value, inner)) ?? variants[0];
+    return variant ? controlOf(root, variant.schema, value, pointer, name) : null;
   }
   const options = inner["enum"];
-  if (Array.isArray(options)) return choice(labelled, options);
+  if (Array.isArray(options)) return choice(labelledField, options);
   switch (inner["type"]) {
     case "number":
     case "integer":
-      return number(labelled, inner);
+      return number(labelledField, inner);
     case "boolean":
-      return { ...labelled, kind: "toggle" };
+      return { ...labelledField, kind: "toggle" };
     case "string": {
       const url = text(inner["choices_from"]);
-      return url === undefined ? { ...labelled, kind: "text" } : { ...labelled, kind: "name", url };
+      return url === undefined ? { ...labelledField, kind: "text" } : { ...labelledField, kind: "name", url };
     }
     case "array":
-      return array(root, inner, value, labelled);
+      return array(root, inner, value, labelledField);
     case "object": {
       const properties = isObject(inner["properties"]) ? inner["properties"] : {};
-      const held = isObject(value) ? value : {};
+      const fields = isObject(value) ? value : {};
       const children = Object.entries(properties).flatMap(([key, property]) => {
         if (!isObject(property)) return [];
-        const field = held[key] ?? (key in held ? null : initialValue(root, property));
+        const field = fields[key] ?? (key in fields ? null : initialValue(root, property));
         const control = controlOf(root, property, field, child(pointer, key), key);
         return control ? [control] : [];
       });
-      return { ...labelled, kind: "group", children };
+      return { ...labelledField, kind: "group", children };
     }
     default:
       return null;
@@ -144,7 +144,7 @@ export function initialValue(root: JsonObject, schema: JsonObject): Json {
     if (from["default"] !== undefined) return from["default"];
   }
   if (inner["const"] !== undefined) return inner["const"];
-  const nullable = withoutNull(root, inner);
+  const nullable = nullableMember(root, inner);
   if (nullable) return null;
   const variants = variantsOf(root, inner);
   if (variants?.[0]) return initialValue(root, variants[0].schema);
@@ -168,24 +168,24 @@ export function initialValue(root: JsonObject, schema: JsonObject): Json {
       return "";
     case "number":
     case "integer":
-      return middle(bound(inner, "minimum"), bound(inner, "maximum"));
+      return midpoint(bound(inner, "minimum"), bound(inner, "maximum"));
     default:
       return null;
   }
 }
 
 /** Every choice below a control, at any depth: what two pictures can be compared by. */
-export function choices(control: Control): (ChoiceControl | NameControl)[] {
+export function choiceControls(control: Control): (ChoiceControl | NameControl)[] {
   switch (control.kind) {
     case "choice":
     case "name":
       return [control];
     case "group":
-      return control.children.flatMap(choices);
+      return control.children.flatMap(choiceControls);
     case "optional":
-      return control.inner ? choices(control.inner) : [];
+      return control.inner ? choiceControls(control.inner) : [];
     case "list":
-      return control.items.flatMap((item) => choices(item.control));
+      return control.items.flatMap((item) => choiceControls(item.control));
     default:
       return [];
   }
@@ -221,7 +221,7 @@ function singleReference(schema: JsonObject): string | undefined {
 }
 
 /** Of "this or null", this. */
-function withoutNull(root: JsonObject, schema: JsonObject): JsonObject | null {
+function nullableMember(root: JsonObject, schema: JsonObject): JsonObject | null {
   const any = schema["anyOf"];
   if (!Array.isArray(any)) return null;
   const members = any.filter(isObject);
@@ -229,13 +229,13 @@ function withoutNull(root: JsonObject, schema: JsonObject): JsonObject | null {
   return rest.length === 1 && rest.length < members.length ? (rest[0] ?? null) : null;
 }
 
-interface Tagged {
+interface TaggedSchema {
   tag: string | null;
   schema: JsonObject;
 }
 
 /** The members of a union, with the value that tells each apart. */
-function variantsOf(root: JsonObject, schema: JsonObject): Tagged[] | null {
+function variantsOf(root: JsonObject, schema: JsonObject): TaggedSchema[] | null {
   const union = schema["oneOf"] ?? schema["anyOf"];
   if (!Array.isArray(union)) return null;
   const key = discriminatorOf(root, schema);
@@ -263,7 +263,7 @@ function matches(root: JsonObject, member: JsonObject, value: Json | undefined, 
   return key !== null && isObject(value) && value[key] === tagOf(root, member, key);
 }
 
-function array(root: JsonObject, schema: JsonObject, value: Json | undefined, labelled: Labelled): Control | null {
+function array(root: JsonObject, schema: JsonObject, value: Json | undefined, labelled: LabelledField): Control | null {
   const prefix = schema["prefixItems"];
   if (Array.isArray(prefix)) {
     const members = prefix.filter(isObject).map((item) => resolve(root, item));
@@ -286,8 +286,8 @@ function array(root: JsonObject, schema: JsonObject, value: Json | undefined, la
     ...labelled,
     kind: "list",
     discriminator,
-    least: bound(schema, "minItems") ?? 0,
-    most: bound(schema, "maxItems") ?? Infinity,
+    minItems: bound(schema, "minItems") ?? 0,
+    maxItems: bound(schema, "maxItems") ?? Infinity,
     variants: tagged.map(({ schema: member, tag }) => ({
       name: tag ?? (discriminator === null ? null : tagOf(root, member, discriminator)) ?? "item",
       hint: text(resolve(root, member)["description"]) ?? "",
@@ -301,7 +301,7 @@ function array(root: JsonObject, schema: JsonObject, value: Json | undefined, la
   };
 }
 
-function number(labelled: Labelled, schema: JsonObject): NumberControl {
+function number(labelled: LabelledField, schema: JsonObject): NumberControl {
   const min = bound(schema, "minimum") ?? bound(schema, "exclusiveMinimum");
   const max = bound(schema, "maximum") ?? bound(schema, "exclusiveMaximum");
   const angle = schema["unit"] === RADIANS;
@@ -313,7 +313,7 @@ function number(labelled: Labelled, schema: JsonObject): NumberControl {
   return { ...labelled, kind: "number", min, max, step, angle, logarithmic };
 }
 
-function choice(labelled: Labelled, options: Json[]): ChoiceControl | null {
+function choice(labelled: LabelledField, options: Json[]): ChoiceControl | null {
   const names = options.filter((option) => typeof option === "string");
   return names.length > 1 && names.length === options.length ? { ...labelled, kind: "choice", options: names } : null;
 }
@@ -323,7 +323,7 @@ function bound(schema: JsonObject, key: string): number | null {
   return typeof value === "number" ? value : null;
 }
 
-function middle(min: number | null, max: number | null): number {
+function midpoint(min: number | null, max: number | null): number {
   return min !== null && max !== null ? (min + max) / 2 : (min ?? max ?? 0);
 }
 

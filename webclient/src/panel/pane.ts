@@ -5,7 +5,7 @@ import type { Choice } from "../api";
 import { child, get, type Json, steps } from "../scene/json";
 import { element } from "../ui/dom";
 import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls } from "./model";
-import { format, shown, stored } from "./values";
+import { format, toDisplayed, fromDisplayed } from "./values";
 
 export interface PaneEvents {
   change(pointer: string, value: Json): void;
@@ -116,15 +116,15 @@ export class ScenePane {
     const held = { value: 0 };
     const refresh: Refresh = (now) => {
       const value = get(now, control.pointer);
-      if (typeof value === "number") held.value = shown(control, value);
+      if (typeof value === "number") held.value = toDisplayed(control, value);
     };
     refresh(scene);
     this.refreshers.push(refresh);
     const { min, max } = control;
-    const span = min !== null && max !== null ? shown(control, max - min) : 100;
+    const span = min !== null && max !== null ? toDisplayed(control, max - min) : 100;
     // With bounds Tweakpane makes a linear slider; a logarithmic one takes its place.
     const bounds =
-      min === null || max === null || control.logarithmic ? {} : { min: shown(control, min), max: shown(control, max) };
+      min === null || max === null || control.logarithmic ? {} : { min: toDisplayed(control, min), max: toDisplayed(control, max) };
     const binding = parent.addBinding(held, "value", {
       label: control.label,
       ...bounds,
@@ -135,7 +135,7 @@ export class ScenePane {
       this.refreshers.push(addLogSlider(binding, held, min, max));
     }
     describe(binding, control.label, control.hint);
-    binding.on("change", ({ value }) => this.changed(control.pointer, stored(control, value)));
+    binding.on("change", ({ value }) => this.changed(control.pointer, fromDisplayed(control, value)));
   }
 
   private addColour(parent: FolderApi, control: Control, scene: Json): void {
@@ -186,11 +186,11 @@ export class ScenePane {
       }
       if (item.kind === "group") for (const inner of item.children) this.add(inside, inner, scene);
       else this.add(inside, item, scene);
-      if (control.items.length > control.least) {
+      if (control.items.length > control.minItems) {
         inside.addButton({ title: "Remove" }).on("click", () => this.changed(control.pointer, current().filter((_, k) => k !== i)));
       }
     });
-    if (control.items.length >= control.most) return;
+    if (control.items.length >= control.maxItems) return;
     for (const { name, initial, hint } of control.variants) {
       const button = folder.addButton({ title: `Add ${labelOf(name)}` });
       button.element.title = hint;

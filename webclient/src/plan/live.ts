@@ -4,14 +4,14 @@ import { diff, get, type Json } from "../scene/json";
 import type { Rule } from "./rules";
 
 /** Pointer of the camera in a scene. Every plan serves every camera, so the camera never asks for a new one. */
-export const CAMERA = "/camera";
+export const CAMERA_POINTER = "/camera";
 
-const within = (pointer: string, field: string) => pointer === field || pointer.startsWith(`${field}/`);
+const isWithin = (pointer: string, field: string) => pointer === field || pointer.startsWith(`${field}/`);
 
 /** Whether a plan made for one scene also draws another. */
-export function serves(plan: FramePlan, planned: Json, wanted: Json): boolean {
+export function planCovers(plan: FramePlan, planned: Json, wanted: Json): boolean {
   return diff(planned, wanted).every(([pointer]) =>
-    [CAMERA, ...plan.live].some((field) => within(pointer, field)),
+    [CAMERA_POINTER, ...plan.live].some((field) => isWithin(pointer, field)),
   );
 }
 
