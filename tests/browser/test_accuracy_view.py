@@ -160,7 +160,8 @@ def test_a_mark_runs_its_quality(measured: Visit) -> None:
     for step in reversed(knob["pointer"].split("/")[1:]):
         wanted = {step: wanted}
     assert quality(measured) == wanted
-    expect(measured.page.locator("#accuracy .selected")).to_contain_text(re.compile(r"Compared with standard: .*(time|error)"))
+    told = re.compile(r"Compared with standard: .*(time|error)")
+    expect(measured.page.locator("#accuracy .selected")).to_contain_text(told)
     measured.settle()
     measured.page.wait_for_function(
         "() => location.hash.includes('quality=%22') || location.hash.includes('quality={')"
@@ -210,9 +211,7 @@ def test_the_picture_beside_its_error(measured: Visit) -> None:
     panel = measured.page.locator("#accuracy")
     heat = {}
     for tier in ("draft", "reference"):
-        panel.locator(f"details:has-text('All qualities') tr[data-id={tier}] button").evaluate(
-            "(b) => b.click()"
-        )
+        panel.locator(f"details:has-text('All qualities') tr[data-id={tier}] button").evaluate("(b) => b.click()")
         assert quality(measured) == tier
         heat[tier] = canvas(measured, ".right")
     width, height = SIZE
@@ -239,7 +238,8 @@ def test_a_budget_picks_the_best_that_fits(measured: Visit) -> None:
     picked = panel.locator(".budget-message")
     budget.fill("1000000")
     budget.press("Enter")
-    expect(picked).to_contain_text(f"least error of {len(points())} qualities within the budget ({len(points())} measured)")
+    count = len(points())
+    expect(picked).to_contain_text(f"least error of {count} qualities within the budget ({count} measured)")
     best = min(
         marks(measured).all(),
         key=lambda mark: float((mark.get_attribute("aria-label") or "").split("error ")[1].split(",")[0]),
@@ -248,7 +248,7 @@ def test_a_budget_picks_the_best_that_fits(measured: Visit) -> None:
     budget.fill("0.01")
     panel.get_by_role("button", name="Select quality").click()
     expect(picked).to_contain_text("none is within the budget")
-    expect(picked).to_contain_text(f"fastest of {len(points())}")
+    expect(picked).to_contain_text(f"fastest of {count}")
     expect(picked).to_contain_text(f"{LARGE[0]} × {LARGE[1]}")
 
 

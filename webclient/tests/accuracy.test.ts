@@ -60,15 +60,15 @@ const picture = (...pixels: number[]): Picture => ({ width: pixels.length / 4, h
 
 describe("an error", () => {
   it("is counted in levels of linear light", () => {
-    const found = errorsOf(picture(0.5, 0.5, 0.5, 1, 0, 0, 0, 0), picture(0.5, 0.5, 0.25, 0.5, 0, 0, 0, 0));
-    expect(found.rmse).toBeCloseTo(255 * Math.sqrt(0.0625 / 6), 5);
-    expect(found.max).toBeCloseTo(255 / 4, 5);
-    expect(found.coverage).toBeCloseTo(Math.sqrt(0.25 / 2), 5);
+    const errors = errorsOf(picture(0.5, 0.5, 0.5, 1, 0, 0, 0, 0), picture(0.5, 0.5, 0.25, 0.5, 0, 0, 0, 0));
+    expect(errors.rmse).toBeCloseTo(255 * Math.sqrt(0.0625 / 6), 5);
+    expect(errors.max).toBeCloseTo(255 / 4, 5);
+    expect(errors.coverage).toBeCloseTo(Math.sqrt(0.25 / 2), 5);
   });
 
   it("is nothing beyond display white, under black, and where there is no number", () => {
-    const found = errorsOf(picture(3, -1, NaN, 0), picture(100, 0, 0, 0));
-    expect(found).toEqual({ rmse: 0, max: 0, coverage: 0 });
+    const errors = errorsOf(picture(3, -1, NaN, 0), picture(100, 0, 0, 0));
+    expect(errors).toEqual({ rmse: 0, max: 0, coverage: 0 });
   });
 
   it("has a map whose root mean square is the whole's", () => {
@@ -193,7 +193,7 @@ describe("a point", () => {
 
   it("has the benefit of its setting, the greatest first", () => {
     const timed = (horizontal: Point, rounds: number[], error: number) => ({ id: horizontal.id, point: horizontal, time: median(rounds), error, rounds });
-    const found = benefits(timed(standard, [10, 10, 10, 10], 4), [
+    const list = benefits(timed(standard, [10, 10, 10, 10], 4), [
       timed(standard, [10, 10, 10, 10], 4),
       timed(point("dear", {}, { pointer: "/a/b", value: 3 }), [30, 30, 30, 30], 2),
       timed(point("vain", {}, { pointer: "/a/c", value: 5 }), [12, 12, 12, 12], 5),
@@ -201,7 +201,7 @@ describe("a point", () => {
       timed(point("noise", {}, { pointer: "/a/b", value: 0 }), [9, 11, 9, 11], 6),
       timed(point("same", {}, { pointer: "/a/b", value: 2 }), [9, 11, 9, 11], 4),
     ]);
-    expect(found.map(({ id, from, to, perMs }) => [id, from, to, perMs])).toEqual([
+    expect(list.map(({ id, from, to, perMs }) => [id, from, to, perMs])).toEqual([
       ["noise", "0", "1", null],
       ["cheap", "y", "x", 1],
       ["dear", "1", "3", 0.1],

@@ -13,7 +13,7 @@ const costs = costsOf(tierCosts);
 
 /** The load of a machine slower by a factor than the one that measured the costs. */
 function loadOf(tier: string, scale: number, slowdown: number, budget = CPU_BUDGET, overhead = 5, tiers = tierCosts): RenderLoad {
-  const { fixed, pixels } = tiers.find((each) => each.tier === tier) as (typeof tierCosts)[number];
+  const { fixed, pixels } = tiers.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
   return { budget, scale, overhead, megapixels: 1, renderTime: slowdown * (fixed + pixels * scale ** 2) };
 }
 
@@ -27,7 +27,7 @@ describe("automatic quality", () => {
 
   it("predicts the greatest scale within budget for every tier", () => {
     for (const { tier, scale } of tierChoices(tierCosts, scales, "fast", loadOf("fast", 0.4, 2))) {
-      const { fixed, pixels } = tierCosts.find((each) => each.tier === tier) as (typeof tierCosts)[number];
+      const { fixed, pixels } = tierCosts.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
       expect(5 + 2 * (fixed + pixels * scale ** 2)).toBeLessThanOrEqual(budgetAt(CPU_BUDGET, scale));
       expect(5 + 2 * (fixed + pixels * (scale + 0.05) ** 2)).toBeGreaterThan(budgetAt(CPU_BUDGET, scale + 0.05));
     }
@@ -40,7 +40,7 @@ describe("automatic quality", () => {
   });
 
   it("leaves a tier that exceeds the budget at every scale, and selects the fastest where all do", () => {
-    const tiers = tierCosts.map((each) => (each.tier === "exact" ? { ...each, fixed: 400, errors: [2, 3, 4] } : { ...each, fixed: 10 }));
+    const tiers = tierCosts.map((cost) => (cost.tier === "exact" ? { ...cost, fixed: 400, errors: [2, 3, 4] } : { ...cost, fixed: 10 }));
     const slow = costsOf(tiers);
     const now = (tier: string, slower: number) => loadOf(tier, 0.1, slower, CPU_BUDGET, 5, tiers);
     expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 1))?.tier).toBe("fast");
@@ -51,7 +51,7 @@ describe("automatic quality", () => {
   });
 
   it("keeps the tier where another gains little and where no costs are known", () => {
-    const close = costsOf(tierCosts.map((each) => ({ ...each, errors: [10, 10, 10] })));
+    const close = costsOf(tierCosts.map((cost) => ({ ...cost, errors: [10, 10, 10] })));
     expect(new AutoQuality().next(close, "sea", "fast", loadOf("fast", 1, 0.02))).toBeNull();
     expect(new AutoQuality().next(costs, "pond", "fast", loadOf("fast", 1, 0.02))).toBeNull();
     expect(new AutoQuality().next(costs, "sea", '{"samples":4}', loadOf("fast", 1, 0.02))).toBeNull();
@@ -67,16 +67,16 @@ describe("automatic quality", () => {
 });
 
 describe("fronts.json", () => {
-  const made = JSON.parse(readFileSync(new URL("../public/fronts.json", import.meta.url), "utf8")) as TierCosts;
+  const costs = JSON.parse(readFileSync(new URL("../public/fronts.json", import.meta.url), "utf8")) as TierCosts;
 
   it("has valid costs for every preset", () => {
-    expect([...made.scales].sort((a, b) => b - a)).toEqual(made.scales);
-    for (const [name, tiers] of Object.entries(made.presets)) {
+    expect([...costs.scales].sort((a, b) => b - a)).toEqual(costs.scales);
+    for (const [name, tiers] of Object.entries(costs.presets)) {
       expect(tiers.length, name).toBeGreaterThan(1);
       for (const { fixed, pixels, errors } of tiers) {
         expect(fixed, name).toBeGreaterThanOrEqual(0);
         expect(pixels, name).toBeGreaterThan(0);
-        expect(errors.length, name).toBe(made.scales.length);
+        expect(errors.length, name).toBe(costs.scales.length);
         expect(Math.min(...errors), name).toBeGreaterThan(0);
       }
     }

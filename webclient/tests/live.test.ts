@@ -52,8 +52,8 @@ describe("a live rule", () => {
 
   it("takes the scene's numbers", () => {
     expect(liveRule(rule, withValue(scene, "/water/absorption_length/0", 9))).toMatchObject({ value: [9, 30, 70] });
-    const one = { ...rule, value: [0], field: "/light/exposure" };
-    expect(liveRule(one, withValue(scene, "/light/exposure", -1))).toMatchObject({ value: [-1] });
+    const exposure = { ...rule, value: [0], field: "/light/exposure" };
+    expect(liveRule(exposure, withValue(scene, "/light/exposure", -1))).toMatchObject({ value: [-1] });
   });
 
   it("keeps the plan's where the scene has no such numbers", () => {

@@ -36,7 +36,7 @@ export class SceneEditor {
       ({ ScenePane: Pane }) => {
         this.pane ??= new Pane(this.paneContainer, {
           change: (pointer, value) => this.edit(pointer, value),
-          names: (url) => this.optionsFrom(url),
+          optionsFrom: (url) => this.optionsFrom(url),
         });
         this.show();
       },

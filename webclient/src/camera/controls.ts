@@ -1,13 +1,13 @@
-/** Mouse, touch, pen and keyboard drive the camera. */
+/** Camera controls by mouse, touch, pen and keyboard. */
 import { look, move, orbit, pivot, type Pivot, scaleFov, zoom } from "./motion";
 import type { CameraState } from "./state";
 
 export type CameraMode = "orbit" | "fly";
 
-/** Turns are per pixel of a drag; speeds are per second. */
+/** rad/s */
 const KEY_TURN_SPEED = 0.9;
 const SPRINT_FACTOR = 4;
-/** Time after which a push has faded to 1/e, s. */
+/** Time constant of inertia, s. */
 const INERTIA = 0.11;
 const MIN_SPEED = 1e-4;
 
@@ -19,16 +19,16 @@ interface Point {
 export class CameraControls {
   camera: CameraState;
   mode: CameraMode = "orbit";
-  /** An orbit stays over this height, m; who flies or dives may go on to the bottom. */
+  /** Least heights, m: of an orbit, and of flying or diving. */
   surface = 0.5;
   bottom = 0.5;
   private readonly keys = new Set<string>();
   private readonly pointers = new Map<number, Point>();
-  /** Angles still to be turned, rad. */
+  /** Pending rotation, rad. */
   private turning = { yaw: 0, pitch: 0 };
-  /** Speed of the eye: right, up, forward, in heights a second. */
+  /** Relative to the camera's height, per second. */
   private speed = { right: 0, up: 0, forward: 0 };
-  /** What the orbit at hand turns about; found anew after every other move. */
+  /** Centre of the current orbit; reset by every other move. */
   private orbitPivot: Pivot | null = null;
   private readonly listeners = new Set<() => void>();
 
@@ -49,7 +49,6 @@ export class CameraControls {
     element.addEventListener("contextmenu", (event) => event.preventDefault());
   }
 
-  /** Called when the visitor has moved the camera. */
   onMove(listener: () => void): void {
     this.listeners.add(listener);
   }
@@ -61,7 +60,7 @@ export class CameraControls {
     this.notify();
   }
 
-  /** Moves on by `seconds`; says whether the camera moved. */
+  /** Advances by `seconds`; returns whether the camera moved. */
   step(seconds: number): boolean {
     const before = this.camera;
     const dt = Math.min(seconds, 0.1);
@@ -79,7 +78,7 @@ export class CameraControls {
     }
     const { right, up, forward } = this.speed;
     if (right || up || forward) {
-      // Speed grows with height, as the ground seems to slow down.
+      // Speed is proportional to height.
       const metres = Math.max(1.5, Math.abs(this.camera.position[1]) * 0.8) * dt;
       this.moveTo(move(this.camera, right * metres, up * metres, forward * metres, this.minHeight(up < 0)));
     }
@@ -99,7 +98,7 @@ export class CameraControls {
     return moved;
   }
 
-  /** Only who means to goes under water; a scene that starts below its limit has that for one. */
+  /** Underwater only by flying or diving; a camera below its limit may stay there. */
   private minHeight(diving = false): number {
     const [, y] = this.camera.position;
     return Math.min(diving || this.mode === "fly" || y < this.surface ? this.bottom : this.surface, y);
@@ -116,7 +115,7 @@ export class CameraControls {
         : orbit(this.camera, (this.orbitPivot ??= pivot(this.camera)), yaw, pitch, this.minHeight());
   }
 
-  /** Any move but a turn. */
+  /** Any move but a rotation. */
   private moveTo(camera: CameraState): void {
     this.camera = camera;
     this.orbitPivot = null;
@@ -136,7 +135,7 @@ export class CameraControls {
     this.pointers.set(event.pointerId, now);
     const dx = now.x - last.x;
     const dy = now.y - last.y;
-    // A drag across the window's height turns by the field of view: the sea stays under the finger.
+    // A drag across the window's height rotates by the field of view.
     const radians = this.camera.fov / this.element.clientHeight;
     if (other) {
       const span = (t: Point) => Math.hypot(t.x - other.x, t.y - other.y);
@@ -161,7 +160,7 @@ export class CameraControls {
 
   private readonly wheel = (event: WheelEvent): void => {
     event.preventDefault();
-    // Browsers count in pixels, lines or pages; a pinch on a trackpad arrives as a wheel with Ctrl held.
+    // Units are pixels, lines or pages; a trackpad pinch is a wheel event with Ctrl.
     const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
     const factor = Math.exp(Math.max(-240, Math.min(240, pixels)) * (event.ctrlKey ? 0.01 : 0.0012));
     this.moveTo(event.shiftKey ? scaleFov(this.camera, factor) : zoom(this.camera, factor, this.minHeight()));

@@ -3,7 +3,7 @@
 export type Vec3 = readonly [number, number, number];
 
 export interface CameraState {
-  /** Eye; y is counted from the troughs. */
+  /** Eye; y relative to the troughs. */
   position: Vec3;
   /** Heading, from −z toward +x. */
   yaw: number;
@@ -20,7 +20,7 @@ export interface Basis {
   forward: Vec3;
 }
 
-/** Right, up and forward. Built from angles, not from a point to look at, so straight down is no special case. */
+/** Right, up and forward vectors. */
 export function basis({ yaw, pitch, roll }: CameraState): Basis {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
   const right: Vec3 = [cy, 0, sy];
@@ -38,7 +38,7 @@ export function basis({ yaw, pitch, roll }: CameraState): Basis {
   };
 }
 
-/** The camera of a scene's JSON; the server has filled in every field. */
+/** The camera of a scene; the server fills in every field. */
 export function cameraFromScene(scene: Record<string, unknown>): CameraState {
   const camera = (scene["camera"] ?? {}) as Partial<CameraState>;
   const { position = [0, 6, 0], yaw = 0, pitch = -0.15, roll = 0, fov = 0.8727 } = camera;

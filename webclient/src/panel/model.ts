@@ -1,10 +1,10 @@
-/** From a JSON Schema to the controls of a panel. Nothing here knows what a scene holds. */
+/** Controls of a panel, derived from a JSON Schema. */
 import { child, equal, get, isObject, type Json, type JsonObject } from "../scene/json";
 
 interface LabelledField {
   pointer: string;
   label: string;
-  /** What the field means, in the schema's words. */
+  /** The schema's description. */
   hint: string;
 }
 
@@ -15,7 +15,7 @@ export interface NumberControl extends LabelledField {
   step: number | null;
   /** Radians in the scene, degrees in the panel. */
   angle: boolean;
-  /** The range spans so many decades that only a logarithmic slider reaches all of it. */
+  /** For ranges of several decades. */
   logarithmic: boolean;
 }
 
@@ -24,7 +24,7 @@ export interface ChoiceControl extends LabelledField {
   options: readonly string[];
 }
 
-/** A choice whose names the server lists under `url`. */
+/** A choice whose options the server lists at `url`. */
 export interface NameControl extends LabelledField {
   kind: "name";
   url: string;
@@ -38,7 +38,7 @@ export interface TextControl extends LabelledField {
   kind: "text";
 }
 
-/** A tuple of shares of red, green and blue. */
+/** Red, green and blue in [0, 1]. */
 export interface ColourControl extends LabelledField {
   kind: "colour";
 }
@@ -48,14 +48,14 @@ export interface GroupControl extends LabelledField {
   children: readonly Control[];
 }
 
-/** A field that may be null: `inner` is its control while it is not, `initial` what it becomes when switched on. */
+/** A nullable field: `inner` is its control while it is not null, `initial` its value when switched on. */
 export interface OptionalControl extends LabelledField {
   kind: "optional";
   inner: Control | null;
   initial: Json;
 }
 
-/** One kind of a list's items. */
+/** A type of list items. */
 export interface Variant {
   name: string;
   hint: string;
@@ -85,7 +85,7 @@ export type Control =
 const DECADES = 3;
 const RADIANS = "rad";
 
-/** The controls of a value, as the schema describes it; `null` where the schema holds nothing to set. */
+/** The control of a value; `null` if the schema has nothing to set. */
 export function controlOf(root: JsonObject, schema: JsonObject, value: Json | undefined, pointer: string, name: string): Control | null {
   const outer = schema;
   const inner = resolve(root, schema);
@@ -137,7 +137,7 @@ export function controlOf(root: JsonObject, schema: JsonObject, value: Json | un
   }
 }
 
-/** What a field is before anyone sets it: its default, or the defaults of its fields. */
+/** A field's default, or the defaults of its fields. */
 export function initialValue(root: JsonObject, schema: JsonObject): Json {
   const inner = resolve(root, schema);
   for (const from of [schema, inner]) {
@@ -174,7 +174,7 @@ export function initialValue(root: JsonObject, schema: JsonObject): Json {
   }
 }
 
-/** Every choice below a control, at any depth: what two pictures can be compared by. */
+/** Every choice below a control, at any depth. */
 export function choiceControls(control: Control): (ChoiceControl | NameControl)[] {
   switch (control.kind) {
     case "choice":
@@ -191,7 +191,7 @@ export function choiceControls(control: Control): (ChoiceControl | NameControl)[
   }
 }
 
-/** The schema of that name; FastAPI may tell a model's input and output apart. */
+/** A schema by name; FastAPI may separate a model's input and output. */
 export function schemaNamed(root: JsonObject, name: string): JsonObject | null {
   for (const candidate of [name, `${name}-Input`]) {
     const schema = get(root, `/components/schemas/${candidate}`);
@@ -205,7 +205,7 @@ export function labelOf(name: string): string {
   return name.replaceAll("_", " ");
 }
 
-/** Follows references; what stands beside a reference wins over what it names. */
+/** Follows references. */
 function resolve(root: JsonObject, schema: JsonObject): JsonObject {
   const reference = text(schema["$ref"]) ?? singleReference(schema);
   if (reference === undefined) return schema;
@@ -213,14 +213,14 @@ function resolve(root: JsonObject, schema: JsonObject): JsonObject {
   return isObject(target) ? resolve(root, target) : schema;
 }
 
-/** `allOf` with one member is how older documents put words beside a reference. */
+/** Reference in an `allOf` of one member. */
 function singleReference(schema: JsonObject): string | undefined {
-  const all = schema["allOf"];
-  const only = Array.isArray(all) && all.length === 1 ? all[0] : undefined;
+  const members = schema["allOf"];
+  const only = Array.isArray(members) && members.length === 1 ? members[0] : undefined;
   return isObject(only) ? text(only["$ref"]) : undefined;
 }
 
-/** Of "this or null", this. */
+/** The other member of a union with null. */
 function nullableMember(root: JsonObject, schema: JsonObject): JsonObject | null {
   const any = schema["anyOf"];
   if (!Array.isArray(any)) return null;
@@ -234,7 +234,7 @@ interface TaggedSchema {
   schema: JsonObject;
 }
 
-/** The members of a union, with the value that tells each apart. */
+/** The members of a union, with their discriminator values. */
 function variantsOf(root: JsonObject, schema: JsonObject): TaggedSchema[] | null {
   const union = schema["oneOf"] ?? schema["anyOf"];
   if (!Array.isArray(union)) return null;
@@ -249,7 +249,7 @@ function tagOf(root: JsonObject, schema: JsonObject, key: string): string | null
   return text(property["const"]) ?? text(Array.isArray(options) ? options[0] : undefined) ?? null;
 }
 
-/** The field that tells a union's members apart: as stated, or the first constant field of a lone model. */
+/** A union's discriminator: as stated, or the first constant field of a single model. */
 function discriminatorOf(root: JsonObject, schema: JsonObject): string | null {
   const stated = get(schema, "/discriminator/propertyName");
   if (typeof stated === "string") return stated;
@@ -281,7 +281,7 @@ function array(root: JsonObject, schema: JsonObject, value: Json | undefined, la
   const inner = resolve(root, item);
   const tagged = variantsOf(root, inner) ?? [{ schema: item, tag: null }];
   const discriminator = discriminatorOf(root, inner);
-  const held = Array.isArray(value) ? value : [];
+  const entries = Array.isArray(value) ? value : [];
   return {
     ...labelled,
     kind: "list",
@@ -293,7 +293,7 @@ function array(root: JsonObject, schema: JsonObject, value: Json | undefined, la
       hint: text(resolve(root, member)["description"]) ?? "",
       initial: initialValue(root, member),
     })),
-    items: held.flatMap((entry, i) => {
+    items: entries.flatMap((entry, i) => {
       const control = controlOf(root, item, entry, child(labelled.pointer, i), `${labelled.label} ${i + 1}`);
       const tag = discriminator !== null && isObject(entry) ? text(entry[discriminator]) : undefined;
       return control ? [{ control, variant: tag ?? null }] : [];
@@ -308,7 +308,7 @@ function number(labelled: LabelledField, schema: JsonObject): NumberControl {
   const whole = schema["type"] === "integer";
   const logarithmic = min !== null && max !== null && min > 0 && Math.log10(max / min) > DECADES;
   const span = min !== null && max !== null ? max - min : null;
-  // Finer than a slider can be moved, yet short to read and to put in a link.
+  // Finer than a slider's resolution, with few digits.
   const step = whole ? 1 : angle || logarithmic || span === null ? null : 10 ** Math.floor(Math.log10(span / 1e5));
   return { ...labelled, kind: "number", min, max, step, angle, logarithmic };
 }
@@ -331,7 +331,7 @@ function text(value: Json | undefined): string | undefined {
   return typeof value === "string" ? value : undefined;
 }
 
-/** Whether two values call for the same controls, so that a panel may keep its widgets and change their values. */
+/** Whether a panel may keep its widgets and change their values only. */
 export function sameControls(a: Control | null, b: Control | null): boolean {
   return equal(JSON.parse(JSON.stringify(a)) as Json, JSON.parse(JSON.stringify(b)) as Json);
 }

@@ -1,17 +1,17 @@
 /**
- * Which passes a picture needs: those that can show something in it, and what these read.
+ * Selects the passes that a picture needs: those that can be visible, and those whose targets these read.
  *
- * The server carries the same few lines (plan/view.py); tests/golden/views.json pins both.
+ * The server has the same rules (plan/view.py); tests/golden/views.json pins both.
  */
 import { basis, type CameraState } from "../camera/state";
 import type { Ball, FramePlan, Pass } from "../generated/api";
 
-/** Where the eye is: over all crests, or where one may cover it. */
+/** Above all crests, or lower. */
 export type Eye = "over" | "under";
 
 type Vector = readonly [number, number, number];
 
-/** Rays that fall or rise by less, of the picture's middle ray, may meet either water or sky. */
+/** Slope within which a ray may meet water or sky. */
 const HORIZON_MARGIN = 0.01;
 
 export function eyeOf(plan: Pick<FramePlan, "top">, camera: CameraState): Eye {
@@ -22,7 +22,7 @@ export function appliesTo(pass: Pick<Pass, "eye">, eye: Eye): boolean {
   return pass.eye === "any" || pass.eye === eye;
 }
 
-/** Positions of the passes that the screen needs, in drawing order; false: only to clear what it draws into. */
+/** Indices of the passes to draw, in order; false: the pass shows nothing, its target is cleared. */
 export function drawnPasses(
   plan: Pick<FramePlan, "passes" | "top">,
   eye: Eye,
@@ -42,7 +42,7 @@ export function drawnPasses(
   return new Map(drawn.reverse());
 }
 
-/** Of the passes at these positions those that draw into `targets` or into what these read, in drawing order. */
+/** Those of the passes that draw into `targets`, or into targets that they read, in order. */
 export function passesInto(plan: Pick<FramePlan, "passes">, among: readonly number[], targets: Iterable<string>): number[] {
   const needed = new Set(targets);
   const positions: number[] = [];
@@ -73,7 +73,7 @@ function inView(view: Pass["view"], top: number, camera: CameraState, width: num
   return view === "rising" ? forward[1] + spread >= -HORIZON_MARGIN : forward[1] - spread <= HORIZON_MARGIN;
 }
 
-/** Whether a ball meets the pyramid of the picture's rays; it may say yes to one that only comes near an edge. */
+/** Whether a ball intersects the view frustum; conservative near its edges. */
 function intersectsFrustum(ball: Ball, camera: CameraState, forward: Vector, sides: readonly (readonly [Vector, number])[]): boolean {
   const [x, y, z] = ball.centre;
   const [ex, ey, ez] = camera.position;

@@ -24,11 +24,11 @@ export function byId(id: string): HTMLElement {
 
 /** Fills a drop-down list and selects `current`, which is added if it is not among the options. */
 export function fillSelect(select: HTMLSelectElement, options: readonly { name: string; title: string }[], current: string): void {
-  const all = options.some(({ name }) => name === current) ? options : [{ name: current, title: current }, ...options];
-  const text = JSON.stringify(all);
+  const entries = options.some(({ name }) => name === current) ? options : [{ name: current, title: current }, ...options];
+  const text = JSON.stringify(entries);
   if (select.dataset["options"] !== text) {
     select.dataset["options"] = text;
-    select.replaceChildren(...all.map(({ name, title }) => element("option", { value: name }, title)));
+    select.replaceChildren(...entries.map(({ name, title }) => element("option", { value: name }, title)));
   }
   select.value = current;
 }
