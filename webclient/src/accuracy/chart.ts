@@ -39,16 +39,7 @@ interface PlacedMark extends Mark {
   y: number;
 }
 
-interface Plot {
-  left: number;
-  right: number;
-  top: number;
-  bottom: number;
-  x: (time: number) => number;
-  y: (error: number) => number;
-  xTicks: readonly number[];
-  yTicks: readonly number[];
-}
+type Plot = ReturnType<typeof makePlot>;
 
 export class Chart {
   readonly root = element("div", { class: "chart" });
@@ -161,16 +152,13 @@ export class Chart {
   }
 }
 
-function makePlot(marks: readonly Mark[], width: number, height: number): Plot {
+function makePlot(marks: readonly Mark[], width: number, height: number) {
   const [left, right, top, bottom] = [MARGIN.left, width - MARGIN.right, MARGIN.top, height - MARGIN.bottom];
   const [timeAxis, errorAxis] = [logAxis(marks.map(({ time }) => time)), logAxis(marks.map(({ error }) => error))];
   return {
-    left,
-    right,
-    top,
-    bottom,
-    x: (time) => left + (right - left) * timeAxis.position(time),
-    y: (error) => bottom - (bottom - top) * errorAxis.position(error),
+    ...{ left, right, top, bottom },
+    x: (time: number) => left + (right - left) * timeAxis.position(time),
+    y: (error: number) => bottom - (bottom - top) * errorAxis.position(error),
     xTicks: timeAxis.ticks,
     yTicks: errorAxis.ticks,
   };

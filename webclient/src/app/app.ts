@@ -1,20 +1,20 @@
 /** The page: connects the user's selection to what is drawn. */
-import { type Api, ApiError, type Preset } from "../api";
+import { type Api, ApiError, type Preset, type PresetSummary } from "../api";
 import { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import { CapabilityError } from "../gl/capabilities";
 import { CAMERA_POINTER } from "../plan/live";
-import { equal, withValue } from "../scene/json";
+import { equal, type JsonObject, withValue } from "../scene/json";
 import { makeTestHook } from "../testhook";
-import { byId, download } from "../ui/dom";
+import { byId, download, element } from "../ui/dom";
 import { EffectList } from "../ui/effects";
 import { FrameStats } from "../ui/framestats";
 import { Gallery } from "../ui/gallery";
+import { icon, type IconName } from "../ui/icons";
 import type { LoadingScreen } from "../ui/loading";
 import { SettingsPanel } from "../ui/settings";
 import type { StillImage } from "../ui/still";
 import { Toasts } from "../ui/toasts";
-import { fillToolbar } from "../ui/toolbar";
 import { Transport } from "../ui/transport";
 import { AccuracyTool } from "./accuracytool";
 import { Address } from "./address";
@@ -25,7 +25,6 @@ import { PlanLoader } from "./planloader";
 import { parseQuality, qualityTitle } from "./quality";
 import { SceneEditor } from "./sceneeditor";
 import { DEFAULT_TIER, tierNames } from "./schema";
-import type { StartData } from "./startup";
 import { type Selection, selectionFromLink, Store } from "./store";
 import { decode, type LinkState } from "./url";
 import { Viewport } from "./viewport";
@@ -33,6 +32,13 @@ import { Viewport } from "./viewport";
 const STATS_INTERVAL = 250;
 /** Least distance of the camera from the water's bounds, m. */
 const CLEARANCE = 0.3;
+
+export interface StartData {
+  presets: readonly PresetSummary[];
+  openapi: JsonObject;
+  preset: Preset;
+  link: LinkState;
+}
 
 export class App {
   private readonly clock = new Clock();
@@ -296,21 +302,20 @@ export class App {
   }
 
   private addTools(): void {
-    fillToolbar(byId("tools"), [
-      { icon: "compare", label: "Compare side by side", run: () => this.editor.toggleSplit() },
-      { icon: "download", label: "Save image as PNG", run: () => void this.save(this.viewport.png(this.viewState())) },
-      { icon: "link", label: "Copy link to this view", run: () => void this.copyLink() },
-      { icon: "accuracy", label: "Accuracy benchmark", run: () => this.accuracy.toggle(!this.accuracy.open, true) },
-      {
-        icon: "settings",
-        label: "Settings",
-        run: () => {
-          this.settings.toggle();
-          this.editor.load();
-          if (this.settings.open) this.accuracy.toggle(false);
-        },
-      },
-    ]);
+    const add = (name: IconName, label: string, run: () => void) => {
+      const button = element("button", { type: "button", class: "round", "data-tool": name, title: label, "aria-label": label }, icon(name));
+      button.addEventListener("click", run);
+      byId("tools").append(button);
+    };
+    add("compare", "Compare side by side", () => this.editor.toggleSplit());
+    add("download", "Save image as PNG", () => void this.save(this.viewport.png(this.viewState())));
+    add("link", "Copy link to this view", () => void this.copyLink());
+    add("accuracy", "Accuracy benchmark", () => this.accuracy.toggle(!this.accuracy.open, true));
+    add("settings", "Settings", () => {
+      this.settings.toggle();
+      this.editor.load();
+      if (this.settings.open) this.accuracy.toggle(false);
+    });
   }
 
   private async save(image: Promise<Blob>, suffix = ""): Promise<void> {

@@ -50,8 +50,7 @@ export class PlanLoader {
 
   /** Shows a scene: at once if the loaded plan covers it, else when a new plan is compiled. */
   show(request: PlanRequest, delay = DEBOUNCE): void {
-    const unchanged = this.requested && equal(this.requested.scene, request.scene) && equal(this.requested.quality, request.quality);
-    if (unchanged) return;
+    if (this.requested && equal(this.requested.scene, request.scene) && equal(this.requested.quality, request.quality)) return;
     this.requested = request;
     const { loaded } = this;
     if (loaded && equal(loaded.request.quality, request.quality) && planCovers(loaded.executor.plan, loaded.request.scene, request.scene)) {

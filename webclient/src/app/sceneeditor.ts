@@ -23,11 +23,7 @@ export class SceneEditor {
     splitContainer: HTMLElement,
     private readonly failed: (error: unknown) => void,
   ) {
-    this.splitView = new SplitView(
-      splitContainer,
-      (split) => store.set({ split }),
-      (field) => this.compareBy(field),
-    );
+    this.splitView = new SplitView(splitContainer, (split) => store.set({ split }), (field) => this.compareBy(field));
   }
 
   load(): void {

@@ -42,9 +42,7 @@ export function encode(state: LinkState): string {
     put("camera", [...position, yaw, pitch, roll, fov].map(number).join(","));
   }
   if (state.changes.length > 0) {
-    const pairs = state.changes.map(([pointer, value]) =>
-      value === undefined ? [REMOVED + pointer, 0] : [pointer, value],
-    );
+    const pairs = state.changes.map(([pointer, value]) => (value === undefined ? [REMOVED + pointer, 0] : [pointer, value]));
     put("scene", JSON.stringify(Object.fromEntries(pairs)));
   }
   if (state.split) {

@@ -216,15 +216,8 @@ export class Viewport {
   timing(): FrameTiming {
     const now = performance.now();
     while (this.recent[0] !== undefined && now - this.recent[0] > 1000) this.recent.shift();
-    return {
-      frame: this.frameTime,
-      measuredByGpu: this.timer !== null,
-      fps: this.recent.length,
-      width: this.canvas.width,
-      height: this.canvas.height,
-      scale: this.scale,
-      frames: this.frames,
-    };
+    const { canvas: { width, height }, scale, frames, frameTime: frame } = this;
+    return { frame, measuredByGpu: this.timer !== null, fps: this.recent.length, width, height, scale, frames };
   }
 
   /** The load in motion; null until it is measured, and while the scale is fixed. */

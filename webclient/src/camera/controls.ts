@@ -40,8 +40,7 @@ export class CameraControls {
     this.camera = camera;
     element.addEventListener("pointerdown", this.pointerDown);
     element.addEventListener("pointermove", this.pointerMove);
-    element.addEventListener("pointerup", this.pointerUp);
-    element.addEventListener("pointercancel", this.pointerUp);
+    for (const type of ["pointerup", "pointercancel"] as const) element.addEventListener(type, (event) => this.pointers.delete(event.pointerId));
     element.addEventListener("wheel", this.wheel, { passive: false });
     element.addEventListener("keydown", this.keyDown);
     element.addEventListener("keyup", (event) => this.keys.delete(event.code));
@@ -152,10 +151,6 @@ export class CameraControls {
       this.turning.yaw += sign * dx * radians;
       this.turning.pitch -= sign * dy * radians;
     }
-  };
-
-  private readonly pointerUp = (event: PointerEvent): void => {
-    this.pointers.delete(event.pointerId);
   };
 
   private readonly wheel = (event: WheelEvent): void => {

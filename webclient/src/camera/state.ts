@@ -26,11 +26,7 @@ export function basis({ yaw, pitch, roll }: CameraState): Basis {
   const right: Vec3 = [cy, 0, sy];
   const up: Vec3 = [-sy * sp, cp, cy * sp];
   const [cr, sr] = [Math.cos(roll), Math.sin(roll)];
-  const mix = (a: Vec3, p: number, b: Vec3, q: number): Vec3 => [
-    a[0] * p + b[0] * q,
-    a[1] * p + b[1] * q,
-    a[2] * p + b[2] * q,
-  ];
+  const mix = (a: Vec3, p: number, b: Vec3, q: number): Vec3 => [a[0] * p + b[0] * q, a[1] * p + b[1] * q, a[2] * p + b[2] * q];
   return {
     right: mix(right, cr, up, sr),
     up: mix(up, cr, right, -sr),

@@ -16,16 +16,10 @@ export class Gpu {
   readonly cachedTargets: Pool<CachedTarget>;
 
   /** After a lost context a new instance is made on the same `gl`. */
-  constructor(
-    readonly gl: WebGL2RenderingContext,
-    readonly capabilities: Capabilities,
-  ) {
+  constructor(readonly gl: WebGL2RenderingContext, readonly capabilities: Capabilities) {
     this.programs = new Pool((program) => deleteProgram(gl, program), SPARE.programs);
     const deleteTexture = (texture: Promise<WebGLTexture>) =>
-      void texture.then(
-        (texture) => gl.deleteTexture(texture),
-        () => undefined,
-      );
+      void texture.then((texture) => gl.deleteTexture(texture), () => undefined);
     this.textures = new Pool(deleteTexture, SPARE.textures);
     this.meshes = new Pool((mesh) => mesh.dispose(), SPARE.meshes);
     this.cachedTargets = new Pool((target) => deleteTarget(gl, target), SPARE.cachedTargets);

@@ -68,11 +68,8 @@ export function finishProgram(gl: WebGL2RenderingContext, program: Program, name
   if (program.uniforms.size > 0 || gl.isContextLost()) return;
   if (gl.getProgramParameter(program.handle, gl.LINK_STATUS) !== true) {
     const log = (shader: WebGLShader, stage: Shader) => annotate(gl.getShaderInfoLog(shader) ?? "", stage);
-    const messages = [
-      log(program.vertex, program.source.vertex),
-      log(program.fragment, program.source.fragment),
-      gl.getProgramInfoLog(program.handle) ?? "",
-    ];
+    const { vertex, fragment, source } = program;
+    const messages = [log(vertex, source.vertex), log(fragment, source.fragment), gl.getProgramInfoLog(program.handle) ?? ""];
     throw new ShaderError(`Program ${name}: ${messages.map((s) => s.trim()).filter(Boolean).join("\n")}`);
   }
   const uniforms = new Map<string, ActiveUniform>();
@@ -88,13 +85,11 @@ export function finishProgram(gl: WebGL2RenderingContext, program: Program, name
 /** Replaces "0:123" in a compiler's log by the file of line 123 and the line in it. */
 export function annotate(log: string, shader: Shader): string {
   const files = [...shader.files].sort((a, b) => a.line - b.line);
-  return log
-    .replaceAll("\0", "")
-    .replace(/\b\d+:(\d+)(?=[:(])/g, (whole, digits: string) => {
-      const line = Number(digits);
-      const file = files.findLast((f) => f.line <= line);
-      return file ? `${file.path}:${line - file.line + 1}` : whole;
-    });
+  return log.replaceAll("\0", "").replace(/\b\d+:(\d+)(?=[:(])/g, (match, digits: string) => {
+    const line = Number(digits);
+    const file = files.findLast((candidate) => candidate.line <= line);
+    return file ? `${file.path}:${line - file.line + 1}` : match;
+  });
 }
 
 export function deleteProgram(gl: WebGL2RenderingContext, program: Program): void {

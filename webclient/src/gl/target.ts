@@ -26,10 +26,7 @@ export function targetSize(spec: TargetSpec, width: number, height: number): [nu
 }
 
 export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {
-  const limit = Math.min(
-    gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
-    gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
-  );
+  const limit = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE) as number, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
   if (width > limit || height > limit) {
     throw new RangeError(`A target of ${width} × ${height} pixels exceeds the driver's limit of ${limit}.`);
   }

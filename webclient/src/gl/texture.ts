@@ -45,12 +45,7 @@ export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data:
 }
 
 /** Sets filter and wrap of the bound texture. */
-export function sampling(
-  gl: WebGL2RenderingContext,
-  filter: TextureSpec["filter"],
-  wrap: TextureSpec["wrap"],
-  levels: number,
-): void {
+export function sampling(gl: WebGL2RenderingContext, filter: TextureSpec["filter"], wrap: TextureSpec["wrap"], levels: number): void {
   const min = { nearest: gl.NEAREST, linear: gl.LINEAR, linear_mipmap_linear: gl.LINEAR_MIPMAP_LINEAR }[filter];
   const mode = wrap === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE;
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, min);

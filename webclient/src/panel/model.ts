@@ -30,17 +30,9 @@ export interface NameControl extends LabelledField {
   url: string;
 }
 
-export interface ToggleControl extends LabelledField {
-  kind: "toggle";
-}
-
-export interface TextControl extends LabelledField {
-  kind: "text";
-}
-
-/** Red, green and blue in [0, 1]. */
-export interface ColourControl extends LabelledField {
-  kind: "colour";
+/** A colour is red, green and blue in [0, 1]. */
+export interface SimpleControl extends LabelledField {
+  kind: "toggle" | "text" | "colour";
 }
 
 export interface GroupControl extends LabelledField {
@@ -71,16 +63,7 @@ export interface ListControl extends LabelledField {
   maxItems: number;
 }
 
-export type Control =
-  | NumberControl
-  | ChoiceControl
-  | NameControl
-  | ToggleControl
-  | TextControl
-  | ColourControl
-  | GroupControl
-  | OptionalControl
-  | ListControl;
+export type Control = NumberControl | ChoiceControl | NameControl | SimpleControl | GroupControl | OptionalControl | ListControl;
 
 const DECADES = 3;
 const RADIANS = "rad";

@@ -98,56 +98,46 @@ export class ScenePane {
     return folder;
   }
 
-  /** A widget for a value without conversion. */
-  private bind(parent: FolderApi, control: Control, scene: Json, options: object, fallback: string | boolean): void {
-    const bound = { value: fallback };
-    const refresh: Refresh = (now) => {
-      const value = get(now, control.pointer);
-      if (typeof value === "string" || typeof value === "boolean") bound.value = value;
-    };
+  /** An object for a widget to edit, which follows the scene's value where `read` gives one. */
+  private track<T>(control: Control, scene: Json, initial: T, read: (value: Json | undefined) => T | null): { value: T } {
+    const bound = { value: initial };
+    const refresh: Refresh = (now) => (bound.value = read(get(now, control.pointer)) ?? bound.value);
     refresh(scene);
     this.refreshers.push(refresh);
+    return bound;
+  }
+
+  /** A widget for a value without conversion. */
+  private bind(parent: FolderApi, control: Control, scene: Json, options: object, fallback: string | boolean): void {
+    const bound = this.track(control, scene, fallback, (value) => (typeof value === "string" || typeof value === "boolean" ? value : null));
     const binding = parent.addBinding(bound, "value", { label: control.label, ...options });
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value }) => this.changed(control.pointer, value));
   }
 
   private addNumber(parent: FolderApi, control: NumberControl, scene: Json): void {
-    const bound = { value: 0 };
-    const refresh: Refresh = (now) => {
-      const value = get(now, control.pointer);
-      if (typeof value === "number") bound.value = toDisplayed(control, value);
-    };
-    refresh(scene);
-    this.refreshers.push(refresh);
+    const bound = this.track(control, scene, 0, (value) => (typeof value === "number" ? toDisplayed(control, value) : null));
     const { min, max } = control;
     const span = min !== null && max !== null ? toDisplayed(control, max - min) : 100;
     // With bounds Tweakpane adds a linear slider; a logarithmic range has its own slider.
-    const bounds =
-      min === null || max === null || control.logarithmic ? {} : { min: toDisplayed(control, min), max: toDisplayed(control, max) };
+    const isLinear = min !== null && max !== null && !control.logarithmic;
     const binding = parent.addBinding(bound, "value", {
       label: control.label,
-      ...bounds,
+      ...(isLinear ? { min: toDisplayed(control, min), max: toDisplayed(control, max) } : {}),
       ...(control.step === 1 ? { step: 1 } : { keyScale: span / 200, pointerScale: span / 1000 }),
       format: (value: number) => format(value) + (control.angle ? DEGREE : ""),
     });
-    if (control.logarithmic && min !== null && max !== null) {
-      this.refreshers.push(addLogSlider(binding, bound, min, max));
-    }
+    if (control.logarithmic && min !== null && max !== null) this.refreshers.push(addLogSlider(binding, bound, min, max));
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value }) => this.changed(control.pointer, fromDisplayed(control, value)));
   }
 
   private addColour(parent: FolderApi, control: Control, scene: Json): void {
-    const bound = { value: { r: 0, g: 0, b: 0 } };
-    const refresh: Refresh = (now) => {
-      const value = get(now, control.pointer);
-      if (!Array.isArray(value)) return;
-      const [r, g, b] = value.map(Number);
-      bound.value = { r: r ?? 0, g: g ?? 0, b: b ?? 0 };
-    };
-    refresh(scene);
-    this.refreshers.push(refresh);
+    const bound = this.track(control, scene, { r: 0, g: 0, b: 0 }, (value) => {
+      if (!Array.isArray(value)) return null;
+      const [r = 0, g = 0, b = 0] = value.map(Number);
+      return { r, g, b };
+    });
     const binding = parent.addBinding(bound, "value", { label: control.label, color: { type: "float" } });
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value: { r, g, b } }) => this.changed(control.pointer, [r, g, b].map((c) => Number(c.toFixed(4)))));

@@ -82,16 +82,9 @@ function isSampler(gl: WebGL2RenderingContext, type: number): boolean {
 }
 
 function upload(gl: WebGL2RenderingContext, { location, type }: ActiveUniform, values: Float32Array): void {
-  switch (type) {
-    case gl.FLOAT:
-      return gl.uniform1fv(location, values);
-    case gl.FLOAT_VEC2:
-      return gl.uniform2fv(location, values);
-    case gl.FLOAT_VEC3:
-      return gl.uniform3fv(location, values);
-    case gl.FLOAT_VEC4:
-      return gl.uniform4fv(location, values);
-    default:
-      return gl.uniformMatrix4fv(location, false, values);
-  }
+  if (type === gl.FLOAT) gl.uniform1fv(location, values);
+  else if (type === gl.FLOAT_VEC2) gl.uniform2fv(location, values);
+  else if (type === gl.FLOAT_VEC3) gl.uniform3fv(location, values);
+  else if (type === gl.FLOAT_VEC4) gl.uniform4fv(location, values);
+  else gl.uniformMatrix4fv(location, false, values);
 }

@@ -80,9 +80,7 @@ function intersectsFrustum(ball: Ball, camera: CameraState, forward: Vector, sid
   const toCentre: Vector = [x - ex, y - ey, z - ez];
   const depth = dot(toCentre, forward);
   if (depth < -ball.radius) return false;
-  return sides.every(
-    ([axis, reach]) => Math.abs(dot(toCentre, axis)) - depth * reach <= ball.radius * Math.hypot(1, reach),
-  );
+  return sides.every(([axis, reach]) => Math.abs(dot(toCentre, axis)) - depth * reach <= ball.radius * Math.hypot(1, reach));
 }
 
 function dot(a: Vector, b: Vector): number {

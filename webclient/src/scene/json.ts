@@ -11,12 +11,8 @@ export function isObject(value: Json | undefined): value is JsonObject {
 
 /** The steps of a JSON pointer (RFC 6901). */
 export function steps(pointer: string): string[] {
-  return pointer === ""
-    ? []
-    : pointer
-        .slice(1)
-        .split("/")
-        .map((step) => step.replaceAll("~1", "/").replaceAll("~0", "~"));
+  if (pointer === "") return [];
+  return pointer.slice(1).split("/").map((step) => step.replaceAll("~1", "/").replaceAll("~0", "~"));
 }
 
 export function child(pointer: string, step: string | number): string {
