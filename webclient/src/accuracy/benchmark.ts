@@ -28,9 +28,9 @@ const SIZE_RATIO = 4;
 
 type Size = [width: number, height: number];
 
-export interface PassTime {
+/** ms */
+interface PassTime {
   name: string;
-  /** ms */
   time: number;
 }
 

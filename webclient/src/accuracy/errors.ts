@@ -8,7 +8,7 @@ export interface Errors {
   rmse: number;
   /** Greatest channel difference, levels. */
   max: number;
-  /** Root mean square of foam coverage, 0 to 1. */
+  /** Of foam coverage, 0 to 1. */
   coverage: number;
 }
 

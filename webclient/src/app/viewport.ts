@@ -88,9 +88,7 @@ export class Viewport {
   /** Shortest interval between animation frames in the current measurement. */
   private shortest = { interval: Infinity, frames: 0 };
   private lastTick = 0;
-  /** Of the latest frame. */
   private scale = 1;
-  /** The latest frame that is done. */
   private finished: { scale: number; milliseconds: number } | null = null;
   /** Frames drawn since the last reset. */
   private trials = 0;
@@ -121,7 +119,7 @@ export class Viewport {
     new ResizeObserver(() => (this.dirty = true)).observe(canvas);
   }
 
-  /** Whether the canvas is up to date, at its final scale, and the GPU is idle. */
+  /** Whether the canvas is up to date at its final scale and the GPU is idle. */
   get atRest(): boolean {
     return !this.dirty && this.pending.length === 0 && !this.unmeasured && this.sharperScale() === null;
   }
