@@ -1,8 +1,8 @@
-"""The front that the page goes by: what each tier costs at each scale of the window, and what its picture is worth.
+"""Cost and error of each tier at several scales, from which the page selects its quality.
 
 ``make fronts`` writes ``public/fronts.json`` for the presets that it lacks; with names as arguments, for those. Time is
-the processor's, of all threads, on a renderer that draws on it; error is what is seen: RMSE of the picture, drawn at a
-share of the size and scaled up as a browser does, against ``high`` with 16 samples a pixel.
+processor time of all threads on a software renderer; error is the RMSE of the picture, rendered at a scale and enlarged
+bilinearly, against ``high`` with 16 samples a pixel.
 """
 
 import json
@@ -51,17 +51,17 @@ def front_of(executor: Executor, preset: Preset) -> list[dict[str, Any]]:
     truth, _ = _drawn(executor, preset, TRUTH, 1.0)
     front = []
     for tier in MOVING:
-        found = [_drawn(executor, preset, TIERS[tier], scale) for scale in SCALES]
-        # Least squares of fixed + pixels · scale², relative errors alike.
-        seconds = np.array([time for _, time in found])
+        renders = [_drawn(executor, preset, TIERS[tier], scale) for scale in SCALES]
+        # Least squares of fixed + pixels · scale² with relative errors.
+        seconds = np.array([time for _, time in renders])
         design = np.stack((np.ones(len(SCALES)), 1e-6 * width * height * np.square(SCALES)), axis=1)
         (fixed, pixels), _ = nnls(design / seconds[:, None], np.ones(len(SCALES)))
-        errors = [float(np.sqrt(np.mean(np.square(picture - truth)))) for picture, _ in found]
+        errors = [float(np.sqrt(np.mean(np.square(picture - truth)))) for picture, _ in renders]
         front.append(
             {
                 "tier": tier,
                 "fixed": round(1000.0 * float(fixed), 2),
-                # Some pixels cost so little that noise hides it, but none is for nothing.
+                # Noise may hide the cost of a pixel, which is never zero.
                 "pixels": round(max(1.0, 1000.0 * float(pixels)), 2),
                 "errors": [round(error, 2) for error in errors],
             }
@@ -77,7 +77,7 @@ def main(names: Sequence[str]) -> None:
     executor = Executor()
     try:
         for name in preset_names():
-            known = [each["tier"] for each in kept["presets"].get(name, [])]
+            known = [cost["tier"] for cost in kept["presets"].get(name, [])]
             if name in names or (not names and known != list(MOVING)):
                 kept["presets"][name] = front_of(executor, load_preset(name))
                 print(name, *kept["presets"][name], sep="\n  ", flush=True)

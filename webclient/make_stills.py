@@ -1,7 +1,7 @@
-"""The stills: each preset's first moment as the server draws it, for the page to begin with, and its thumbnail.
+"""Stills: each preset's first moment, rendered by the server for the page to show at first, and its thumbnail.
 
-``make stills`` writes ``public/stills`` for the presets whose still is missing or of another start; with names as
-arguments, for those. Still: AVIF, 720 rows high, wider than most windows, which show its middle.
+``make stills`` writes ``public/stills`` for the presets whose still is missing or outdated; with names as arguments,
+for those. A still is an AVIF picture, 720 rows high and wider than most windows, which show its middle.
 """
 
 import hashlib
@@ -20,7 +20,7 @@ from seafoam.scene.presets import Preset, load_preset, preset_names
 
 FOLDER = Path(__file__).parent / "public/stills"
 INDEX = Path(__file__).parent / "stills.json"
-"""By preset, the start that its still shows."""
+"""By preset, the hash of the start that its still shows."""
 
 SIZE = (1728, 720)
 SMALL = (240, 135)
@@ -61,7 +61,7 @@ def _draw(executor: Executor, preset: Preset) -> None:
 
 
 def main(names: Sequence[str]) -> None:
-    """Draw the stills of these presets; of none: those that are missing or of another start."""
+    """Draw the stills of these presets; without names, of those that are missing or outdated."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     index: dict[str, str] = json.loads(INDEX.read_text(encoding="utf-8")) if INDEX.is_file() else {}
     presets = [load_preset(name) for name in preset_names()]

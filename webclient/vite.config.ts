@@ -3,10 +3,10 @@ import { join } from "node:path";
 import { brotliCompressSync } from "node:zlib";
 import { defineConfig, type Plugin } from "vitest/config";
 
-/** Where a running Seafoam server answers during `npm run dev`. */
+/** Seafoam server for `npm run dev`. */
 const server = process.env["SEAFOAM_SERVER"] ?? "http://127.0.0.1:8000";
 
-/** Scripts and styles beside themselves as Brotli has them, which the server sends to who takes it. */
+/** Writes Brotli files beside scripts and styles, for the server to send. */
 const brotli: Plugin = {
   name: "brotli",
   apply: "build",
@@ -18,7 +18,7 @@ const brotli: Plugin = {
   },
 };
 
-/** Which presets have a still, into the page, so that it asks for no other. */
+/** Writes the names of presets with a still into the page. */
 const stills: Plugin = {
   name: "stills",
   transformIndexHtml(html) {

@@ -24,7 +24,7 @@ def lose(made: Visit) -> None:
     made.page.evaluate("() => window.seafoam.loseContext()")
     made.page.wait_for_function("() => window.seafoam.state().lost")
     # The event that the page must hear comes later, in a task of its own.
-    made.page.locator(".toast", has_text="comes back by itself").wait_for()
+    made.page.locator(".toast", has_text="WebGL context lost").wait_for()
 
 
 def restore(made: Visit) -> None:

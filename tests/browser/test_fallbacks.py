@@ -11,9 +11,9 @@ from seafoam.scene.presets import load_preset
 SIZE = (400, 300)
 
 
-def curtain(page: Page) -> str:
+def failure_text(page: Page) -> str:
     """What the page says instead of a picture."""
-    failure = page.locator("#curtain .failure")
+    failure = page.locator("#loading .failure")
     failure.wait_for()
     return failure.inner_text()
 
@@ -46,9 +46,9 @@ def test_draws_without(llvmpipe: Lane, server: str, usual: Pixels, hidden: str) 
 def test_says_so_where_no_picture_can_be_drawn(llvmpipe: Lane, server: str) -> None:
     address = f"?hide=EXT_color_buffer_float,EXT_color_buffer_half_float{STILL}"
     with visit(llvmpipe, server, address, size=SIZE, settle=False) as made:
-        said = curtain(made.page)
+        said = failure_text(made.page)
         assert "EXT_color_buffer_float" in said
-        assert "This sea needs a little more" in said
+        assert "Graphics feature missing" in said
         assert made.complaints == []
 
 
@@ -56,7 +56,7 @@ def test_says_so_without_webgl(llvmpipe: Lane, server: str) -> None:
     with visit(llvmpipe, server, "healthz", size=SIZE, settle=False) as made:
         made.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
         made.page.goto(f"{server}/{STILL}")
-        assert "WebGL 2" in curtain(made.page)
+        assert "WebGL 2" in failure_text(made.page)
 
 
 def test_a_quality_that_needs_more_gives_way(llvmpipe: Lane, server: str) -> None:
@@ -83,12 +83,12 @@ def test_says_so_while_the_server_is_away(llvmpipe: Lane, server: str) -> None:
     with visit(llvmpipe, server, "healthz", size=SIZE, settle=False) as made:
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
         made.page.goto(f"{server}/{STILL}")
-        said = curtain(made.page)
-        assert "The server is away" in said
+        said = failure_text(made.page)
+        assert "Server not reachable" in said
         # The browser notes each request that failed; the page itself has nothing to complain of.
         assert all("ERR_CONNECTION_REFUSED" in complaint for complaint in made.complaints)
         made.page.unroute("**/api/**")
-        made.page.get_by_role("button", name="Try again").click()
+        made.page.get_by_role("button", name="Reload page").click()
         made.settle()
         assert made.picture().std() > 5.0
 
@@ -98,8 +98,8 @@ def test_the_picture_stays_when_the_server_goes(llvmpipe: Lane, server: str) -> 
         before = made.picture()
         made.page.route("**/api/**", lambda route: route.abort("connectionrefused"))
         made.follow(link(scene={"/foam/look": "textured"}))
-        made.page.locator(".toast.error", has_text="does not answer").wait_for()
-        assert not made.page.locator("#curtain").is_visible()
+        made.page.locator(".toast.error", has_text="does not respond").wait_for()
+        assert not made.page.locator("#loading").is_visible()
         assert (made.picture() == before).all()
         assert all("ERR_CONNECTION_REFUSED" in complaint for complaint in made.complaints)
         # Once it is back, the same choice is asked for again.

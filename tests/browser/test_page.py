@@ -59,7 +59,7 @@ class Visit:
         """How often a plan was asked for."""
         return sum(method == "POST" and url.endswith("/api/plans") for method, url in self.asked)
 
-    def saved(self, button: str = "Save the picture as PNG") -> tuple[Pixels, str]:
+    def saved(self, button: str = "Save image as PNG") -> tuple[Pixels, str]:
         """The PNG behind a button, (height, width, 3), and its name."""
         with self.page.expect_download(timeout=60_000) as download:
             self.page.get_by_role("button", name=button).click()
@@ -139,7 +139,7 @@ def visit(
         page.goto(f"{server}/{address}", wait_until="load")
         if settle:
             made.settle()
-            page.locator("#curtain").wait_for(state="hidden")
+            page.locator("#loading").wait_for(state="hidden")
         yield made
     finally:
         opened.close()
@@ -157,7 +157,7 @@ def small(shared: Visit) -> Iterator[Visit]:
     shared.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
     shared.page.evaluate("() => document.activeElement?.blur()")
     if shared.page.locator("#settings.open").count():
-        shared.page.get_by_role("button", name="Close the settings").click()
+        shared.page.get_by_role("button", name="Close settings").click()
     shared.follow(link(preset="default"))
     shared.settle()
     shared.complaints.clear()
@@ -248,7 +248,7 @@ def test_a_still_comes_first_and_the_water_takes_its_place(llvmpipe: Lane, serve
         page.goto(f"{server}/{fragment}", wait_until="load")
         page.wait_for_function("() => window.seafoam !== undefined && document.querySelector('#still').complete")
         assert still_shown(page) == name
-        assert not page.locator("#curtain").is_visible()
+        assert not page.locator("#loading").is_visible()
         page.wait_for_timeout(300)
         shot = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), float)
         assert page.evaluate("() => window.seafoam.state().time") == preset.time, "time waits for the water"
@@ -288,7 +288,7 @@ def test_no_still_of_what_was_not_asked_for(llvmpipe: Lane, server: str, fragmen
         page.goto(f"{server}/{fragment}", wait_until="load")
         page.wait_for_timeout(200)
         assert page.evaluate("() => document.documentElement.classList.contains('still')") is False
-        assert page.locator("#curtain").is_visible()
+        assert page.locator("#loading").is_visible()
     finally:
         opened.close()
 
@@ -342,11 +342,11 @@ def test_two_looks_side_by_side(small: Visit) -> None:
         whole[look] = small.picture()
     assert differs(whole["textured"], whole["halftone"]) > 0.1
 
-    small.page.get_by_role("button", name="Compare two looks side by side").click()
-    small.page.get_by_label("What to compare").select_option("/foam/look")
-    small.page.get_by_label("Left picture").select_option("textured")
-    small.page.get_by_label("Right picture").select_option("halftone")
-    assert small.page.locator("#divider .handle").get_attribute("aria-valuenow") == "50"
+    small.page.get_by_role("button", name="Compare side by side").click()
+    small.page.get_by_label("Compared field").select_option("/foam/look")
+    small.page.get_by_label("Left value").select_option("textured")
+    small.page.get_by_label("Right value").select_option("halftone")
+    assert small.page.locator("#split-view .handle").get_attribute("aria-valuenow") == "50"
 
     def check() -> float:
         at: float = small.state()["split"]["at"]
@@ -358,18 +358,18 @@ def test_two_looks_side_by_side(small: Visit) -> None:
 
     assert check() == 0.5
     asked = small.plans()
-    box = small.page.locator("#divider .handle").bounding_box()
+    box = small.page.locator("#split-view .handle").bounding_box()
     assert box is not None
     small.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     small.page.mouse.down()
     small.page.mouse.move(width * 0.3, box["y"] + 5, steps=4)
     small.page.mouse.up()
     assert check() == pytest.approx(0.3, abs=0.01)
-    small.page.locator("#divider .handle").press("ArrowRight")
+    small.page.locator("#split-view .handle").press("ArrowRight")
     assert check() == pytest.approx(0.32, abs=0.01)
     assert small.plans() == asked
-    small.page.get_by_role("button", name="Compare two looks side by side").click()
-    assert not small.page.locator("#divider").is_visible()
+    small.page.get_by_role("button", name="Compare side by side").click()
+    assert not small.page.locator("#split-view").is_visible()
     assert (small.picture() == whole["halftone"]).all(), "the scene's own look is the right one's"
 
 
@@ -418,16 +418,16 @@ def test_quality_follows_what_was_measured_unless_it_is_named(llvmpipe: Lane, se
     opened = llvmpipe.browser.new_context(viewport={"width": 320, "height": 500})
     page = opened.new_page()
     page.route(re.compile(r"/fronts[.]json"), lambda route: route.fulfill(json=fronts))
-    readout = "(tier) => document.querySelector('.readout')?.textContent.startsWith(tier) === true"
+    stats = "(tier) => document.querySelector('.frame-stats')?.textContent.startsWith(tier) === true"
     try:
         page.goto(f"{server}/", wait_until="load")
-        page.wait_for_function(readout, arg="standard", timeout=60_000)
-        page.wait_for_function(readout, arg="draft", timeout=120_000)
+        page.wait_for_function(stats, arg="standard", timeout=60_000)
+        page.wait_for_function(stats, arg="draft", timeout=120_000)
         assert page.evaluate("() => window.seafoam.state().quality") is None
         page.get_by_role("button", name="Settings", exact=True).click()
         assert page.locator("#quality").input_value() == "auto"
         page.locator("#quality").select_option("standard")
-        page.wait_for_function(readout, arg="standard", timeout=60_000)
+        page.wait_for_function(stats, arg="standard", timeout=60_000)
         page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
         page.wait_for_timeout(3000)
         assert page.evaluate("() => window.seafoam.state().quality") == "standard"
@@ -449,7 +449,7 @@ def test_a_pause_stops_every_pixel(small: Visit) -> None:
     small.frames(12)
     assert (small.canvas() == after).all()
     assert small.state()["time"] == later
-    small.page.get_by_role("button", name="Reset the time").click()
+    small.page.get_by_role("button", name="Reset time").click()
     small.settle()
     assert small.state()["time"] == load_preset("default").time
     small.page.locator("#canvas").press("Space")
@@ -514,10 +514,10 @@ def test_a_link_restores_everything(llvmpipe: Lane, server: str) -> None:
         made.page.mouse.move(100, 140)
         made.page.mouse.wheel(0, -120)
         made.page.get_by_label("Speed", exact=True).select_option("0.5")
-        made.page.get_by_role("button", name="Compare two looks side by side").click()
-        made.page.locator("#divider .handle").press("ArrowLeft")
+        made.page.get_by_role("button", name="Compare side by side").click()
+        made.page.locator("#split-view .handle").press("ArrowLeft")
         first = made.picture()
-        made.page.get_by_role("button", name="Copy a link to exactly this").click()
+        made.page.get_by_role("button", name="Copy link to this view").click()
         made.page.get_by_text("Link copied").wait_for()
         address = made.page.evaluate("() => navigator.clipboard.readText()")
         state = made.state()
@@ -546,7 +546,7 @@ def test_the_png_is_the_canvas(llvmpipe: Lane, server: str, ratio: int) -> None:
 
 def test_the_server_draws_the_same(small: Visit) -> None:
     small.settings()
-    served, name = small.saved("Server frame")
+    served, name = small.saved("Render on server")
     assert name.endswith("-server.png")
     assert differs(served, small.picture()) < 1e-4
 
@@ -571,7 +571,7 @@ def test_a_visitor_dives(llvmpipe: Lane, server: str) -> None:
         assert differs(under, over) > 0.9
         assert np.ptp(under.astype(int), axis=(0, 1)).max() > 8, "nothing to see"
         made.settings()
-        served, _ = made.saved("Server frame")
+        served, _ = made.saved("Render on server")
         assert differs(served, under) < 1e-3
         assert made.complaints == []
 
@@ -588,7 +588,7 @@ def test_a_live_field_asks_for_nothing_and_a_look_for_a_plan(small: Visit) -> No
     small.settings().get_by_label("look", exact=True).select_option(label="halftone")
     assert differs(small.picture(), brighter) > 0.05
     assert small.plans() == asked + 1
-    small.page.get_by_role("button", name="Reset this sea").click()
+    small.page.get_by_role("button", name="Reset scene").click()
     assert (small.picture() == before).all()
 
 
@@ -747,7 +747,7 @@ def test_the_settings_are_a_sheet_from_below(phone: Visit) -> None:
     assert phone.state()["playing"] is True, "time stays in reach"
     phone.page.get_by_role("button", name="Pause").click()
     assert phone.page.evaluate("() => document.documentElement.scrollWidth - innerWidth") <= 0
-    phone.page.get_by_role("button", name="Close the settings").click()
+    phone.page.get_by_role("button", name="Close settings").click()
     phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).visibility === 'hidden'")
     assert panel.evaluate("(panel) => panel.inert") is True
 
@@ -761,7 +761,7 @@ TARGETS = """() => [...document.querySelectorAll('button, select, input, summary
 
 
 def test_targets_fit_a_finger(phone: Visit) -> None:
-    phone.page.get_by_role("button", name="Compare two looks side by side").click()
+    phone.page.get_by_role("button", name="Compare side by side").click()
     targets = phone.page.evaluate(TARGETS)
     phone.settings()
     for folder in ("light", "waves (5)"):
@@ -776,11 +776,11 @@ def test_targets_fit_a_finger(phone: Visit) -> None:
 
 @pytest.mark.parametrize("opened", [False, True], ids=["compared", "settings"])
 def test_nothing_covers_what_must_be_reached(phone: Visit, opened: bool) -> None:
-    phone.page.get_by_role("button", name="Compare two looks side by side").click()
+    phone.page.get_by_role("button", name="Compare side by side").click()
     if opened:
         phone.settings()
         phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).transform === 'none'")
-    within = "#settings .head, #transport" if opened else "#transport, #tools, #divider"
+    within = "#settings .head, #transport" if opened else "#transport, #tools, #split-view"
     covered = phone.page.evaluate(
         """(within) => [...document.querySelectorAll(within)].flatMap((part) =>
           [...part.querySelectorAll('button, select, input, [role=slider]')]

@@ -1,5 +1,5 @@
-/** The server's REST interface, as far as the page uses it. */
-import type { Fronts } from "./app/front";
+/** Client of the server's REST API. */
+import type { TierCosts } from "./app/autoquality";
 import type { FramePlan, Texture } from "./generated/api";
 import { isObject, type Json, type JsonObject } from "./scene/json";
 
@@ -21,19 +21,19 @@ export interface Preset {
   scene: JsonObject;
 }
 
-/** A name to choose, with how to show it. */
+/** An option of a list. */
 export interface Choice {
   name: string;
   title: string;
 }
 
-/** What went wrong, in the server's words (RFC 9457), or that it could not be reached at all. */
+/** An error response of the server (RFC 9457), or no response. */
 export class ApiError extends Error {
   override readonly name = "ApiError";
 
   constructor(
     message: string,
-    /** 0 where no answer came. */
+    /** 0 without a response. */
     readonly status: number,
     readonly details: readonly string[] = [],
   ) {
@@ -41,7 +41,7 @@ export class ApiError extends Error {
   }
 }
 
-/** The status of a server that is busy for the moment, and how often it is asked. */
+/** Status of a busy server, and the number of attempts. */
 const BUSY = 503;
 const ATTEMPTS = 4;
 
@@ -62,35 +62,34 @@ export class Api {
   }
 
   plan(scene: Json, quality: Json, signal?: AbortSignal): Promise<FramePlan> {
-    return this.json("api/plans", { ...post({ scene, quality }), ...(signal ? { signal } : {}) });
+    return this.json("api/plans", { ...jsonPost({ scene, quality }), ...(signal ? { signal } : {}) });
   }
 
   presetPlan(name: string, quality: string): Promise<FramePlan> {
     return this.json(`api/plans/${encodeURIComponent(name)}?quality=${encodeURIComponent(quality)}`);
   }
 
-  /** The server's own picture of a scene. */
+  /** A picture rendered by the server. */
   async frame(request: { scene: Json; quality: Json; time: number; width: number; height: number }): Promise<Blob> {
-    return (await this.fetch("api/frames", post(request))).blob();
+    return (await this.fetch("api/frames", jsonPost(request))).blob();
   }
 
-  /** What was measured of every tier: a file of the page, see `make fronts`. */
-  fronts(): Promise<Fronts> {
+  /** A static file, written by `make fronts`. */
+  tierCosts(): Promise<TierCosts> {
     return this.json("fronts.json");
   }
 
-  /** The bytes of a plan's texture: with their hash in the address, so that browsers keep them. */
+  /** A texture's bytes; the hash in the address makes them cacheable. */
   async texture({ url, sha256 }: Texture): Promise<ArrayBuffer> {
     return (await this.fetch(`${url}?sha256=${sha256}`)).arrayBuffer();
   }
 
-  /** A list of names, such as the mask catalogue. Titles may begin alike and be cut short: the name comes first. */
+  /** Options that the server lists, such as the masks. The name precedes the title, which may be cut off. */
   async choices(url: string): Promise<Choice[]> {
     const list = await this.json<(Partial<Choice> & { name: string })[]>(url);
     return list.map(({ name, title }) => ({ name, title: title === undefined ? name : `${name} · ${title}` }));
   }
 
-  /** An address below the server's, whether it is given from its root or relative. */
   private url(path: string): string {
     return new URL(path.replace(/^\//, ""), this.base).href;
   }
@@ -99,7 +98,7 @@ export class Api {
     return (await this.fetch(path, init)).json() as Promise<T>;
   }
 
-  /** An answer with a good status; waits for a busy server, throws an `ApiError` for any other. */
+  /** A successful response; retries while the server is busy, throws an `ApiError` otherwise. */
   async fetch(path: string, init?: RequestInit): Promise<Response> {
     for (let attempt = 1; ; attempt++) {
       let response: Response;
@@ -107,33 +106,33 @@ export class Api {
         response = await fetch(this.url(path), init);
       } catch (error) {
         if (error instanceof DOMException && error.name === "AbortError") throw error;
-        throw new ApiError("The server does not answer.", 0);
+        throw new ApiError("The server does not respond.", 0);
       }
       if (response.ok) return response;
-      if (response.status !== BUSY || attempt === ATTEMPTS) throw await problem(response);
+      if (response.status !== BUSY || attempt === ATTEMPTS) throw await apiError(response);
       await new Promise((resolve) => setTimeout(resolve, 1000 * (Number(response.headers.get("Retry-After")) || attempt)));
     }
   }
 }
 
-function post(body: Json): RequestInit {
+function jsonPost(body: Json): RequestInit {
   return { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) };
 }
 
-/** Reads a problem+json answer; anything else is told by its status alone. */
-async function problem(response: Response): Promise<ApiError> {
+/** The error of a problem+json response; of any other, the status. */
+async function apiError(response: Response): Promise<ApiError> {
   const text = await response.text();
   let body: Json = null;
   try {
     body = JSON.parse(text) as Json;
   } catch {
-    // Not JSON: a proxy's error page, perhaps.
+    // Not JSON, such as a proxy's error page.
   }
-  const said = isObject(body) ? body : {};
-  const words = (value: Json | undefined) => (typeof value === "string" ? value : undefined);
-  const message = words(said["detail"]) ?? words(said["title"]) ?? `The server answered with status ${response.status}.`;
-  const errors = Array.isArray(said["errors"]) ? said["errors"] : [];
-  const details = errors.filter(isObject).flatMap((e) => words(e["detail"]) ?? []);
-  // The server's detail is all errors in a row: said once is enough.
-  return new ApiError(details.length > 0 ? (words(said["title"]) ?? message) : message, response.status, details);
+  const problem = isObject(body) ? body : {};
+  const stringOf = (value: Json | undefined) => (typeof value === "string" ? value : undefined);
+  const message = stringOf(problem["detail"]) ?? stringOf(problem["title"]) ?? `The server returned status ${response.status}.`;
+  const errors = Array.isArray(problem["errors"]) ? problem["errors"] : [];
+  const details = errors.filter(isObject).flatMap((e) => stringOf(e["detail"]) ?? []);
+  // With a list of errors, `detail` would repeat them.
+  return new ApiError(details.length > 0 ? (stringOf(problem["title"]) ?? message) : message, response.status, details);
 }

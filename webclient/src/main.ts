@@ -1,22 +1,50 @@
-/** Opens the page. */
+/** Opens the page: loads what the link in the address needs, and shows errors that prevent it. */
 import "./style.css";
 import { Api, ApiError } from "./api";
 import { App } from "./app/app";
+import { decode } from "./app/url";
 import { CapabilityError } from "./gl/capabilities";
+import { openContext } from "./gl/gpu";
 import { byId } from "./ui/dom";
-import { Curtain } from "./ui/curtain";
+import { LoadingScreen } from "./ui/loading";
+import { StillImage } from "./ui/still";
 
-const curtain = new Curtain(byId("curtain"));
+const loadingScreen = new LoadingScreen(byId("loading"));
 
 try {
-  await App.open(new Api(), curtain);
+  await start(new Api());
 } catch (error) {
   if (error instanceof CapabilityError) {
-    curtain.fail("This sea needs a little more", `${error.message} A recent Chrome, Edge, Firefox or Safari on most computers and phones can draw it.`, null);
+    loadingScreen.fail("Graphics feature missing", `${error.message} Use a current version of Chrome, Edge, Firefox or Safari.`, null);
   } else if (error instanceof ApiError) {
-    curtain.fail("The server is away", `${error.message} Once it is back, the sea is too.`, "Try again");
+    loadingScreen.fail(error.status === 0 ? "Server not reachable" : "Server error", error.message, "Reload page");
   } else {
-    curtain.fail("Something went wrong", error instanceof Error ? error.message : String(error), "Try again");
+    loadingScreen.fail("Unexpected error", error instanceof Error ? error.message : String(error), "Reload page");
     throw error;
   }
+}
+
+async function start(api: Api): Promise<void> {
+  const link = decode(location.hash);
+  // The preset whose still the page shows already is requested before the list of presets arrives.
+  const { preset: defaultPreset = "", stills = "" } = document.documentElement.dataset;
+  const likely = link.preset ?? defaultPreset;
+  const prefetch = stills.split(" ").includes(likely) ? api.preset(likely).catch(() => null) : null;
+  const requests = Promise.all([api.presets(), api.openapi(), prefetch]);
+  // If WebGL cannot start either, that error is shown.
+  requests.catch(() => undefined);
+  const still = new StillImage(byId("still") as HTMLImageElement);
+  await still.whenPainted();
+  // The browser starts the GPU while the server answers.
+  openContext(byId("canvas") as HTMLCanvasElement);
+  const [presets, openapi, prefetched] = await requests;
+  const linked = presets.find(({ name }) => name === link.preset);
+  const summary = linked ?? presets[0];
+  if (summary === undefined) throw new Error("The server lists no presets.");
+  const preset = prefetched?.name === summary.name ? prefetched : await api.preset(summary.name);
+  const notFound = link.preset !== null && linked === undefined;
+  // The link's other parts belong to the missing preset.
+  const usable = notFound ? { ...link, changes: [], time: null, camera: null, split: null } : link;
+  const app = new App(api, loadingScreen, still, { presets, openapi, preset, link: usable });
+  if (notFound) app.toasts.show(`Preset “${link.preset}” not found. Showing “${preset.title}”.`, [], "error");
 }

@@ -1,18 +1,20 @@
-/** `window.seafoam`: lets a test draw exactly what the page draws, and read it back. */
+/** `window.seafoam`: lets a test draw what the page draws, and read it back. */
 import type { Api } from "./api";
 import { type CameraState, cameraFromScene } from "./camera/state";
 import type { FramePlan } from "./generated/api";
+import type { Viewport } from "./app/viewport";
 import type { Gpu } from "./gl/gpu";
 import { makeScreen } from "./gl/target";
 import { Executor } from "./plan/executor";
+import { compileErrors } from "./plan/programs";
 
 export interface RenderOptions {
   time: number;
   width: number;
   height: number;
-  /** The preset's own by default; a plan by itself has none. */
+  /** The preset's by default; required with a plan. */
   camera?: CameraState;
-  /** Tier of quality, where a preset is named. */
+  /** Tier, for a preset. */
   quality?: string;
 }
 
@@ -20,16 +22,16 @@ export interface Rendered {
   /** RGBA8, rows from the top, base64. */
   pixels: string;
   glError: number;
-  /** SHA-256 of the text that the driver holds. */
+  /** SHA-256 of the sources that the driver holds. */
   sources: Record<string, { vertex: string; fragment: string }>;
 }
 
-export interface Hook {
-  /** Resolves when the first picture is on the canvas; rejects where there will be none. */
+export interface TestHook {
+  /** Resolves with the first frame; rejects if none can be drawn. */
   ready: Promise<void>;
   renderer: string;
   render(planOrPreset: FramePlan | string, options: RenderOptions): Promise<Rendered>;
-  /** Compiles a plan's programs; gives the errors. */
+  /** Compiles a plan's programs; returns the errors. */
   compile(plan: FramePlan): Promise<string[]>;
   loseContext(): void;
   restoreContext(): void;
@@ -38,28 +40,45 @@ export interface Hook {
 
 declare global {
   interface Window {
-    seafoam: Hook;
+    seafoam: TestHook;
   }
 }
 
-/** Draws one frame into a picture of its own, beside whatever the page draws. */
-export async function renderOffscreen(
+export function makeTestHook(api: Api, viewport: Viewport, ready: Promise<void>, state: () => unknown): TestHook {
+  let extension: WEBGL_lose_context | null = null;
+  return {
+    ready,
+    renderer: viewport.gpu.capabilities.renderer,
+    render: (planOrPreset, options) => renderOffscreen(viewport.gpu, api, planOrPreset, options),
+    compile: (plan) => compileErrors(viewport.gpu, plan),
+    loseContext: () => {
+      // Once the context is lost, the extension is not available.
+      extension = viewport.gl.getExtension("WEBGL_lose_context");
+      extension?.loseContext();
+    },
+    restoreContext: () => extension?.restoreContext(),
+    state,
+  };
+}
+
+/** Draws one frame offscreen. */
+async function renderOffscreen(
   gpu: Gpu,
   api: Api,
   planOrPreset: FramePlan | string,
   { time, width, height, camera, quality = "standard" }: RenderOptions,
 ): Promise<Rendered> {
   const { gl } = gpu;
-  const byName = typeof planOrPreset === "string";
-  const plan = byName ? await api.presetPlan(planOrPreset, quality) : planOrPreset;
-  const from = camera ?? (byName ? cameraFromScene((await api.preset(planOrPreset)).scene) : null);
-  if (from === null) throw new Error("a plan by itself has no camera: give one");
-  const executor = await Executor.load(gpu, plan, (texture) => api.texture(texture), from, false);
+  const isPreset = typeof planOrPreset === "string";
+  const plan = isPreset ? await api.presetPlan(planOrPreset, quality) : planOrPreset;
+  const eye = camera ?? (isPreset ? cameraFromScene((await api.preset(planOrPreset)).scene) : null);
+  if (eye === null) throw new Error("A plan requires a camera.");
+  const executor = await Executor.load(gpu, plan, (texture) => api.texture(texture), eye, false);
   const screen = makeScreen(gl, width, height);
   try {
-    // Errors of before are not this frame's.
+    // Clears earlier errors.
     while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost());
-    executor.draw({ time, camera: from, width, height, screen: screen.framebuffer, scissor: null, scene: null });
+    executor.draw({ time, camera: eye, width, height, screen: screen.framebuffer, scissor: null, scene: null });
     const pixels = new Uint8Array(width * height * 4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, screen.framebuffer);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -71,14 +90,14 @@ export async function renderOffscreen(
         fragment: await sha256(gl.getShaderSource(program.fragment) ?? ""),
       };
     }
-    return { pixels: base64(flipped(pixels, width, height)), glError, sources };
+    return { pixels: base64(flipRows(pixels, width, height)), glError, sources };
   } finally {
     screen.dispose();
     executor.dispose();
   }
 }
 
-function flipped(pixels: Uint8Array, width: number, height: number): Uint8Array {
+function flipRows(pixels: Uint8Array, width: number, height: number): Uint8Array {
   const row = width * 4;
   const out = new Uint8Array(pixels.length);
   for (let y = 0; y < height; y++) out.set(pixels.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);

@@ -1,13 +1,14 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../src/accuracy/api";
-import { axis } from "../src/accuracy/axis";
-import { compare, front, median, model, pick, quantile, short, times } from "../src/accuracy/compare";
+import { logAxis } from "../src/accuracy/axis";
+import { formatFactor, formatNumber } from "../src/accuracy/format";
+import { compare, fitModel, median, paretoFront, quantile, selectForBudget } from "../src/accuracy/statistics";
 import { errorMap, errorsOf, percentile } from "../src/accuracy/errors";
-import { warmth } from "../src/accuracy/heat";
-import { worths } from "../src/accuracy/knobs";
-import { asked } from "../src/accuracy/measure";
+import { heatColour } from "../src/accuracy/colormap";
+import { benefits } from "../src/accuracy/benefit";
+import { qualityRequest } from "../src/accuracy/benchmark";
 import { type Picture, readPicture } from "../src/accuracy/npy";
-import { qualityOf, qualityTitle } from "../src/app/quality";
+import { parseQuality, qualityTitle } from "../src/app/quality";
 
 /** A .npy file as NumPy writes it. */
 function npy(descr: string, shape: string, data: ArrayLike<number>, version = 1, fortran = "False"): ArrayBuffer {
@@ -59,15 +60,15 @@ const picture = (...pixels: number[]): Picture => ({ width: pixels.length / 4, h
 
 describe("an error", () => {
   it("is counted in levels of linear light", () => {
-    const found = errorsOf(picture(0.5, 0.5, 0.5, 1, 0, 0, 0, 0), picture(0.5, 0.5, 0.25, 0.5, 0, 0, 0, 0));
-    expect(found.rmse).toBeCloseTo(255 * Math.sqrt(0.0625 / 6), 5);
-    expect(found.max).toBeCloseTo(255 / 4, 5);
-    expect(found.coverage).toBeCloseTo(Math.sqrt(0.25 / 2), 5);
+    const errors = errorsOf(picture(0.5, 0.5, 0.5, 1, 0, 0, 0, 0), picture(0.5, 0.5, 0.25, 0.5, 0, 0, 0, 0));
+    expect(errors.rmse).toBeCloseTo(255 * Math.sqrt(0.0625 / 6), 5);
+    expect(errors.max).toBeCloseTo(255 / 4, 5);
+    expect(errors.coverage).toBeCloseTo(Math.sqrt(0.25 / 2), 5);
   });
 
   it("is nothing beyond display white, under black, and where there is no number", () => {
-    const found = errorsOf(picture(3, -1, NaN, 0), picture(100, 0, 0, 0));
-    expect(found).toEqual({ rmse: 0, max: 0, coverage: 0 });
+    const errors = errorsOf(picture(3, -1, NaN, 0), picture(100, 0, 0, 0));
+    expect(errors).toEqual({ rmse: 0, max: 0, coverage: 0 });
   });
 
   it("has a map whose root mean square is the whole's", () => {
@@ -77,7 +78,7 @@ describe("an error", () => {
   });
 
   it("needs pictures of one size", () => {
-    expect(() => errorsOf(picture(0, 0, 0, 0), picture(0, 0, 0, 0, 0, 0, 0, 0))).toThrow("1 × 1 against a truth of 2 × 1");
+    expect(() => errorsOf(picture(0, 0, 0, 0), picture(0, 0, 0, 0, 0, 0, 0, 0))).toThrow("1 × 1 pixels, the reference 2 × 1");
   });
 
   it("has percentiles", () => {
@@ -88,29 +89,29 @@ describe("an error", () => {
 
 const at = (id: string, time: number, error: number) => ({ id, time, error });
 
-describe("the front", () => {
+describe("the Pareto front", () => {
   it("holds what nothing beats in both", () => {
     const points = [at("slow", 9, 1), at("worse", 5, 4), at("fast", 1, 8), at("good", 4, 2), at("equal", 5, 2)];
-    expect(front(points).map(({ id }) => id)).toEqual(["fast", "good", "slow"]);
+    expect(paretoFront(points).map(({ id }) => id)).toEqual(["fast", "good", "slow"]);
   });
 
   it("of equal times holds the more exact", () => {
-    expect(front([at("a", 1, 3), at("b", 1, 2)]).map(({ id }) => id)).toEqual(["b"]);
+    expect(paretoFront([at("a", 1, 3), at("b", 1, 2)]).map(({ id }) => id)).toEqual(["b"]);
   });
 });
 
 describe("a comparison", () => {
   it.each([
-    [[1, 1, 1], [1.8, 1.8, 1.8], 4.3, 1, "1.8× the time buys 4.3× less error"],
-    [[2, 2, 2], [1, 1, 1], 1, 2, "0.50× the time and 2.0× more error"],
-    [[2, 2, 2], [1, 1, 1], 2, 1, "0.50× the time and 2.0× less error"],
-    [[1, 1, 1], [20, 20, 20], 2, 2, "20× the time buys nothing"],
-    [[1, 1, 1], [20, 20, 20], 1, 2, "20× the time and 2.0× more error"],
-    [[1, 2, 3, 4], [2, 1, 4, 3], 2, 1, "no measurable difference in time and 2.0× less error"],
-    [[1, 2, 3, 4], [2, 1, 4, 3], 1, 1, "no measurable difference in time, the same error"],
-    [[1, 1, 1], [2, 2, 2], 1e-5, 2e-5, "2.0× the time buys nothing"],
-  ])("of %j and %j ms, %d and %d levels", (before, after, from, to, words) => {
-    expect(compare(before, after, from, to).words).toBe(words);
+    [[1, 1, 1], [1.8, 1.8, 1.8], 4.3, 1, "1.8× the time, 4.3× less error"],
+    [[2, 2, 2], [1, 1, 1], 1, 2, "0.50× the time, 2.0× more error"],
+    [[2, 2, 2], [1, 1, 1], 2, 1, "0.50× the time, 2.0× less error"],
+    [[1, 1, 1], [20, 20, 20], 2, 2, "20× the time, same error"],
+    [[1, 1, 1], [20, 20, 20], 1, 2, "20× the time, 2.0× more error"],
+    [[1, 2, 3, 4], [2, 1, 4, 3], 2, 1, "no measurable time difference, 2.0× less error"],
+    [[1, 2, 3, 4], [2, 1, 4, 3], 1, 1, "no measurable time difference, same error"],
+    [[1, 1, 1], [2, 2, 2], 1e-5, 2e-5, "2.0× the time, same error"],
+  ])("of %j and %j ms, %d and %d levels", (before, after, from, to, summary) => {
+    expect(compare(before, after, from, to).summary).toBe(summary);
   });
 
   it("adds the middle of the rounds' differences", () => {
@@ -131,28 +132,28 @@ describe("numbers", () => {
     [1.234, "1.23"],
     [12.34, "12.3"],
     [1234.5, "1235"],
-  ])("are short: %d", (value, words) => expect(short(value)).toBe(words));
+  ])("are short: %d", (value, words) => expect(formatNumber(value)).toBe(words));
 
-  it("are told as factors", () => expect([1.04, 1.84, 12.3].map(times)).toEqual(["1.04×", "1.8×", "12×"]));
+  it("are told as factors", () => expect([1.04, 1.84, 12.3].map(formatFactor)).toEqual(["1.04×", "1.8×", "12×"]));
 
   it("have a model from two sizes", () => {
-    expect(model(11, 1000, 2, 100)).toEqual({ fixed: 1, perPixel: 0.01 });
-    expect(model(1, 1000, 2, 100)).toEqual({ fixed: 1, perPixel: 0 });
+    expect(fitModel(11, 1000, 2, 100)).toEqual({ fixed: 1, perPixel: 0.01 });
+    expect(fitModel(1, 1000, 2, 100)).toEqual({ fixed: 1, perPixel: 0 });
   });
 
   it("stand on an axis by their logarithms", () => {
-    const made = axis([1, 10, 100]);
-    expect(made.at(10)).toBeCloseTo(0.5, 6);
-    expect(made.ticks).toContain(10);
-    expect(made.at(0)).toBe(0);
-    expect(axis([]).ticks.length).toBeGreaterThan(0);
-    expect(axis([5, 5]).at(5)).toBeCloseTo(0.5, 6);
+    const horizontal = logAxis([1, 10, 100]);
+    expect(horizontal.position(10)).toBeCloseTo(0.5, 6);
+    expect(horizontal.ticks).toContain(10);
+    expect(horizontal.position(0)).toBe(0);
+    expect(logAxis([]).ticks.length).toBeGreaterThan(0);
+    expect(logAxis([5, 5]).position(5)).toBeCloseTo(0.5, 6);
   });
 
-  it("are warmer the more they are", () => {
-    const light = [0, 0.25, 0.5, 0.75, 1].map((share) => warmth(share).reduce((a, b) => a + b));
+  it("have colours that grow lighter", () => {
+    const light = [0, 0.25, 0.5, 0.75, 1].map((share) => heatColour(share).reduce((a, b) => a + b));
     expect(light).toEqual([...light].sort((a, b) => a - b));
-    expect(warmth(7)).toEqual(warmth(1));
+    expect(heatColour(7)).toEqual(heatColour(1));
   });
 });
 
@@ -165,10 +166,10 @@ describe("a budget", () => {
     [5, "good", true, 3],
     [100, "slow", true, 4],
   ])("of %d ms picks %s", (budget, id, fits, fitting) => {
-    expect(pick(points, budget)).toEqual({ point: expect.objectContaining({ id }) as unknown, fits, fitting });
+    expect(selectForBudget(points, budget)).toEqual({ point: expect.objectContaining({ id }) as unknown, fits, fitting });
   });
 
-  it("picks nothing of nothing", () => expect(pick([], 5)).toBeNull());
+  it("picks nothing of nothing", () => expect(selectForBudget([], 5)).toBeNull());
 });
 
 function point(id: string, quality: Point["quality"], knob: Partial<Point["knob"]> = null, tier: string | null = null): Point {
@@ -180,19 +181,19 @@ describe("a point", () => {
   const standard = point("standard", { a: { b: 1, c: 2 }, d: "x" }, null, "standard");
 
   it("is asked for by its tier, or by what it changes", () => {
-    expect(asked(standard, standard)).toBe("standard");
-    expect(asked(point("k", { a: { b: 1, c: 9 }, d: "x" }), standard)).toEqual({ a: { c: 9 } });
-    expect(qualityOf(JSON.stringify(asked(point("k", { a: { b: 1, c: 9 }, d: "x" }), standard)))).toEqual({ a: { c: 9 } });
+    expect(qualityRequest(standard, standard)).toBe("standard");
+    expect(qualityRequest(point("k", { a: { b: 1, c: 9 }, d: "x" }), standard)).toEqual({ a: { c: 9 } });
+    expect(parseQuality(JSON.stringify(qualityRequest(point("k", { a: { b: 1, c: 9 }, d: "x" }), standard)))).toEqual({ a: { c: 9 } });
   });
 
   it("has a title, and survives nonsense", () => {
     expect(qualityTitle('{"a":{"some_knob":9},"d":"y"}')).toBe("a: some knob: 9, d: y");
-    expect([qualityTitle("high"), qualityOf("high"), qualityOf("{nonsense")]).toEqual(["high", "high", "{nonsense"]);
+    expect([qualityTitle("high"), parseQuality("high"), parseQuality("{nonsense")]).toEqual(["high", "high", "{nonsense"]);
   });
 
-  it("says what its knob is worth, the best first", () => {
-    const timed = (made: Point, rounds: number[], error: number) => ({ id: made.id, point: made, time: median(rounds), error, rounds });
-    const found = worths(timed(standard, [10, 10, 10, 10], 4), [
+  it("has the benefit of its setting, the greatest first", () => {
+    const timed = (horizontal: Point, rounds: number[], error: number) => ({ id: horizontal.id, point: horizontal, time: median(rounds), error, rounds });
+    const list = benefits(timed(standard, [10, 10, 10, 10], 4), [
       timed(standard, [10, 10, 10, 10], 4),
       timed(point("dear", {}, { pointer: "/a/b", value: 3 }), [30, 30, 30, 30], 2),
       timed(point("vain", {}, { pointer: "/a/c", value: 5 }), [12, 12, 12, 12], 5),
@@ -200,7 +201,7 @@ describe("a point", () => {
       timed(point("noise", {}, { pointer: "/a/b", value: 0 }), [9, 11, 9, 11], 6),
       timed(point("same", {}, { pointer: "/a/b", value: 2 }), [9, 11, 9, 11], 4),
     ]);
-    expect(found.map(({ id, from, to, perMs }) => [id, from, to, perMs])).toEqual([
+    expect(list.map(({ id, from, to, perMs }) => [id, from, to, perMs])).toEqual([
       ["noise", "0", "1", null],
       ["cheap", "y", "x", 1],
       ["dear", "1", "3", 0.1],

@@ -67,9 +67,9 @@ describe("waiting for the compiler", () => {
     }) as unknown as WebGL2RenderingContext;
 
   it("ends when the driver says so", async () => {
-    let asked = 0;
-    await whenReady(driver(() => ++asked > 2), program, { extensions } as unknown as Capabilities);
-    expect(asked).toBe(3);
+    let polls = 0;
+    await whenReady(driver(() => ++polls > 2), program, { extensions } as unknown as Capabilities);
+    expect(polls).toBe(3);
   });
 
   it("ends even where the driver never says so", async () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { FramePlan } from "../src/generated/api";
-import { liveRule, serves } from "../src/plan/live";
+import { liveRule, planCovers } from "../src/plan/live";
 import { apply, diff, type JsonObject, withValue } from "../src/scene/json";
 
 const plan: FramePlan = {
@@ -34,7 +34,7 @@ describe("a plan serves", () => {
       ["/water/absorption_length/1", 20],
       ["/camera/yaw", 1],
     ]);
-    expect(serves(plan, scene, other)).toBe(true);
+    expect(planCovers(plan, scene, other)).toBe(true);
   });
 
   it.each([
@@ -43,7 +43,7 @@ describe("a plan serves", () => {
     ["/waves", []],
     ["/light/exposures", 1],
   ] as const)("no other change: %s", (pointer, value) => {
-    expect(serves(plan, scene, withValue(scene, pointer, value as never))).toBe(false);
+    expect(planCovers(plan, scene, withValue(scene, pointer, value as never))).toBe(false);
   });
 });
 
@@ -52,8 +52,8 @@ describe("a live rule", () => {
 
   it("takes the scene's numbers", () => {
     expect(liveRule(rule, withValue(scene, "/water/absorption_length/0", 9))).toMatchObject({ value: [9, 30, 70] });
-    const one = { ...rule, value: [0], field: "/light/exposure" };
-    expect(liveRule(one, withValue(scene, "/light/exposure", -1))).toMatchObject({ value: [-1] });
+    const exposure = { ...rule, value: [0], field: "/light/exposure" };
+    expect(liveRule(exposure, withValue(scene, "/light/exposure", -1))).toMatchObject({ value: [-1] });
   });
 
   it("keeps the plan's where the scene has no such numbers", () => {

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { choices, type Control, controlOf, schemaNamed } from "../src/panel/model";
-import { shown, stored } from "../src/panel/values";
+import { choiceControls, type Control, controlOf, schemaNamed } from "../src/panel/model";
+import { toDisplayed, fromDisplayed } from "../src/panel/values";
 import { isObject, type Json, type JsonObject } from "../src/scene/json";
 
 /** A schema with every shape that pydantic writes, about nothing that a scene holds. */
@@ -69,16 +69,16 @@ describe("a schema becomes a panel", () => {
     const turn = model().get("turn");
     if (turn?.kind !== "number") throw new Error("no number");
     expect(turn.angle).toBe(true);
-    expect(shown(turn, Math.PI)).toBe(180);
-    expect(stored(turn, 90)).toBeCloseTo(Math.PI / 2, 5);
-    expect(stored(turn, 400)).toBe(6.2832);
+    expect(toDisplayed(turn, Math.PI)).toBe(180);
+    expect(fromDisplayed(turn, 90)).toBeCloseTo(Math.PI / 2, 5);
+    expect(fromDisplayed(turn, 400)).toBe(6.2832);
   });
 
   it("with lists for enumerations and for names that the server lists", () => {
     expect(model().get("kind")).toMatchObject({ kind: "choice", options: ["one_way", "two_way"] });
     expect(model().get("name")).toMatchObject({ kind: "name", url: "/api/names" });
     const group = { kind: "group", pointer: "", label: "", hint: "", children: [...model().values()] } as const;
-    expect(choices(group).map(({ pointer }) => pointer)).toEqual(["/kind", "/name"]);
+    expect(choiceControls(group).map(({ pointer }) => pointer)).toEqual(["/kind", "/name"]);
   });
 
   it("with colours for shares of three, and plain numbers for other tuples", () => {
@@ -102,11 +102,11 @@ describe("a schema becomes a panel", () => {
       ["b", { model: "b", y: 2 }],
     ]);
     expect(list.items).toMatchObject([{ variant: "b", control: { kind: "group", children: [{ pointer: "/list/0/y" }] } }]);
-    expect(list).toMatchObject({ least: 0, most: 2 });
+    expect(list).toMatchObject({ minItems: 0, maxItems: 2 });
   });
 
   it("even where a list holds one kind alone", () => {
-    expect(model().get("lone")).toMatchObject({ kind: "list", least: 1, variants: [{ name: "a" }], items: [{ variant: "a" }] });
+    expect(model().get("lone")).toMatchObject({ kind: "list", minItems: 1, variants: [{ name: "a" }], items: [{ variant: "a" }] });
   });
 });
 

@@ -14,7 +14,7 @@ interface Golden {
 const golden = JSON.parse(readFileSync(new URL("../../tests/golden/views.json", import.meta.url), "utf8")) as Golden[];
 
 describe("passes that a picture needs agree with the server's", () => {
-  it.each(golden.map((one) => [`${one.preset}, ${one.tier}`, one] as const))("%s", (_, { plan, pictures }) => {
+  it.each(golden.map((vector) => [`${vector.preset}, ${vector.tier}`, vector] as const))("%s", (_, { plan, pictures }) => {
     for (const { camera, width, height, drawn } of pictures) {
       expect([...drawnPasses(plan, eyeOf(plan, camera), camera, width, height)]).toEqual(drawn);
     }
@@ -22,7 +22,7 @@ describe("passes that a picture needs agree with the server's", () => {
 
   it("has pictures without water, without sky and without boats", () => {
     const drawn = golden.flatMap(({ plan, pictures }) =>
-      pictures.map((one) => new Set(one.drawn.filter(([, shows]) => shows).map(([index]) => plan.passes[index]?.name))),
+      pictures.map((picture) => new Set(picture.drawn.filter(([, shows]) => shows).map(([index]) => plan.passes[index]?.name))),
     );
     for (const name of ["surface", "sky", "boats"]) expect(drawn.some((names) => !names.has(name))).toBe(true);
   });

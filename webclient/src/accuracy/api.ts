@@ -1,8 +1,8 @@
-/** What the server says of the cost of accuracy, as far as the view uses it. */
+/** The server's accuracy endpoints, as far as the benchmark uses them. */
 import type { Api } from "../api";
 import type { Json, JsonObject } from "../scene/json";
 
-/** One knob's value; all others are as in the tier that everything is held against. */
+/** One quality setting with its value; all others are those of the standard tier. */
 export interface Knob {
   owner: string;
   pointer: string;
@@ -11,7 +11,7 @@ export interface Knob {
   value: Json;
 }
 
-/** A quality that is measured. */
+/** A quality to measure. */
 export interface Point {
   id: string;
   label: string;
@@ -20,14 +20,14 @@ export interface Point {
   quality: JsonObject;
 }
 
-/** The converged float64 picture that errors are against. */
+/** The converged float64 reference. */
 export interface TruthInfo {
   url: string | null;
   width: number;
   height: number;
   /** s */
   time: number;
-  /** A pixel. */
+  /** Per pixel. */
   samples: number;
 }
 
@@ -36,15 +36,15 @@ export interface Points {
   points: Point[];
 }
 
-/** The server's answer while it still computes. */
-export interface Running {
+/** The server's answer while it computes. */
+export interface JobProgress {
   status: string;
   stage?: string;
   progress?: number;
   eta_s?: number | null;
 }
 
-/** What the server measured itself. */
+/** The server's own measurement. */
 export interface Sweep {
   machine: { renderer: string; processor?: string };
   points: (Point & {
@@ -55,38 +55,38 @@ export interface Sweep {
 
 const path = (preset: string, rest = "") => `api/accuracy/${encodeURIComponent(preset)}${rest}`;
 
-export async function pointsOf(api: Api, preset: string, signal: AbortSignal): Promise<Points> {
+export async function fetchPoints(api: Api, preset: string, signal: AbortSignal): Promise<Points> {
   return (await api.fetch(path(preset, "/points"), { signal })).json() as Promise<Points>;
 }
 
-export async function truthOf(
+export async function fetchTruth(
   api: Api,
   { url }: TruthInfo,
   preset: string,
-  told: (running: Running) => void,
+  onProgress: (progress: JobProgress) => void,
   signal: AbortSignal,
 ): Promise<ArrayBuffer> {
-  return (await patiently(api, url ?? path(preset, "/truth.npy"), told, signal)).arrayBuffer();
+  return (await fetchWhenReady(api, url ?? path(preset, "/truth.npy"), onProgress, signal)).arrayBuffer();
 }
 
-export async function sweepOf(api: Api, preset: string, told: (running: Running) => void, signal: AbortSignal): Promise<Sweep> {
-  return (await patiently(api, path(preset), told, signal)).json() as Promise<Sweep>;
+export async function fetchSweep(api: Api, preset: string, onProgress: (progress: JobProgress) => void, signal: AbortSignal): Promise<Sweep> {
+  return (await fetchWhenReady(api, path(preset), onProgress, signal)).json() as Promise<Sweep>;
 }
 
-/** Asks again for as long as the server says that it still computes. */
-async function patiently(api: Api, url: string, told: (running: Running) => void, signal: AbortSignal): Promise<Response> {
+/** Repeats the request while the server computes (status 202). */
+async function fetchWhenReady(api: Api, url: string, onProgress: (progress: JobProgress) => void, signal: AbortSignal): Promise<Response> {
   for (;;) {
     const response = await api.fetch(url, { signal });
     if (response.status !== 202) return response;
-    told((await response.json()) as Running);
-    await pause(1000 * (Number(response.headers.get("Retry-After")) || 2), signal);
+    onProgress((await response.json()) as JobProgress);
+    await delay(1000 * (Number(response.headers.get("Retry-After")) || 2), signal);
   }
 }
 
-/** Waits; an abort ends the wait. */
-export function pause(milliseconds: number, signal: AbortSignal): Promise<void> {
+/** Waits; rejects on abort. */
+export function delay(milliseconds: number, signal: AbortSignal): Promise<void> {
   return new Promise((resolve, reject) => {
-    const aborted = () => {
+    const onAbort = () => {
       clearTimeout(timer);
       reject(signal.reason as Error);
     };
@@ -95,9 +95,9 @@ export function pause(milliseconds: number, signal: AbortSignal): Promise<void> 
       return;
     }
     const timer = setTimeout(() => {
-      signal.removeEventListener("abort", aborted);
+      signal.removeEventListener("abort", onAbort);
       resolve();
     }, milliseconds);
-    signal.addEventListener("abort", aborted, { once: true });
+    signal.addEventListener("abort", onAbort, { once: true });
   });
 }

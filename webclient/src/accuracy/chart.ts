@@ -1,12 +1,13 @@
-/** Time against error: a mark for every quality, a line through what is worth having. */
+/** Scatter plot of frame time and error: a mark for each quality, a line through the Pareto front. */
 import { element } from "../ui/dom";
-import { axis } from "./axis";
-import { type Cost, front, short } from "./compare";
+import { logAxis } from "./axis";
+import { formatNumber } from "./format";
+import { type Cost, paretoFront } from "./statistics";
 
 export interface Mark extends Cost {
   label: string;
-  /** Whether it is named in the chart. */
-  tier: boolean;
+  /** Tiers are labelled in the chart. */
+  isTier: boolean;
   /** Quartiles of the time, ms. */
   low: number;
   high: number;
@@ -14,52 +15,54 @@ export interface Mark extends Cost {
 
 export interface ChartData {
   marks: readonly Mark[];
-  /** What the server measured; drawn hollow. */
+  /** The server's measurement; drawn as rings. */
   server: readonly Mark[];
-  /** What the page runs now. */
+  /** Id of the quality that the page runs. */
   current: string | null;
 }
 
 export interface ChartEvents {
-  choose(id: string): void;
-  /** Which mark is looked at; null: none. */
-  look(id: string | null): void;
+  select(id: string): void;
+  /** The mark under the pointer or with focus; null: none. */
+  highlight(id: string | null): void;
 }
 
 const SVG = "http://www.w3.org/2000/svg";
 const MARGIN = { left: 40, right: 14, top: 26, bottom: 38 };
-/** How near a pointer must come, px. */
-const REACH = 26;
-/** Least distance of the words at an axis, px. */
-const APART = { x: 34, y: 18 };
+/** Greatest distance of the pointer from a mark, px. */
+const HIT_RADIUS = 26;
+/** Least distance of tick labels, px. */
+const TICK_SPACING = { x: 34, y: 18 };
 
-interface Placed extends Mark {
+interface PlacedMark extends Mark {
   x: number;
   y: number;
 }
 
+type Plot = ReturnType<typeof makePlot>;
+
 export class Chart {
   readonly root = element("div", { class: "chart" });
-  private readonly svg = make("svg", { role: "group", "aria-label": "Time against error of every quality" });
+  private readonly svg = svg("svg", { role: "group", "aria-label": "Frame time and error of every quality" });
   private readonly tip = element("div", { class: "tip", "aria-hidden": "true", hidden: true });
   private data: ChartData = { marks: [], server: [], current: null };
-  private placed: Placed[] = [];
-  private looked: string | null = null;
-  /** The mark that the tabulator reaches; arrows go on from there. */
-  private stop: string | null = null;
+  private marks: PlacedMark[] = [];
+  private highlighted: string | null = null;
+  /** Id of the mark in the tab order; arrow keys move from it. */
+  private tabStop: string | null = null;
 
   constructor(private readonly events: ChartEvents) {
     this.root.append(this.svg, this.tip);
-    this.svg.addEventListener("pointermove", (event) => this.look(this.nearest(event)?.id ?? null));
-    this.svg.addEventListener("pointerleave", () => this.look(null));
+    this.svg.addEventListener("pointermove", (event) => this.highlight(this.nearest(event)?.id ?? null));
+    this.svg.addEventListener("pointerleave", () => this.highlight(null));
     this.svg.addEventListener("click", (event) => {
-      // A screen reader's click may come without a place.
+      // A screen reader's click may have no coordinates.
       const id = this.nearest(event)?.id ?? idOf(event.target);
-      if (id !== null) this.events.choose(id);
+      if (id !== null) this.events.select(id);
     });
-    this.svg.addEventListener("focusin", (event) => this.look(idOf(event.target)));
-    this.svg.addEventListener("focusout", () => this.look(null));
-    this.svg.addEventListener("keydown", (event) => this.key(event));
+    this.svg.addEventListener("focusin", (event) => this.highlight(idOf(event.target)));
+    this.svg.addEventListener("focusout", () => this.highlight(null));
+    this.svg.addEventListener("keydown", (event) => this.handleKey(event));
     new ResizeObserver(() => this.draw()).observe(this.root);
   }
 
@@ -70,121 +73,77 @@ export class Chart {
 
   private draw(): void {
     const { marks, server, current } = this.data;
-    const width = this.root.clientWidth;
-    const height = this.root.clientHeight;
+    const { clientWidth: width, clientHeight: height } = this.root;
     if (width === 0 || height === 0) return;
     const focused = this.svg.contains(document.activeElement) ? idOf(document.activeElement) : null;
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    const [w, h] = [width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom];
-    const all = [...marks, ...server];
-    const [across, up] = [axis(all.map(({ time }) => time)), axis(all.map(({ error }) => error))];
-    const x = (value: number) => MARGIN.left + w * across.at(value);
-    const y = (value: number) => MARGIN.top + h * (1 - up.at(value));
-    const place = (mark: Mark): Placed => ({ ...mark, x: x(mark.time), y: y(mark.error) });
-    this.placed = marks.map(place).sort((a, b) => a.time - b.time);
-    const others = server.map(place);
-
-    const parts: SVGElement[] = [];
-    let last = -Infinity;
-    for (const tick of across.ticks) {
-      const at = x(tick);
-      parts.push(make("line", { class: "grid", x1: at, x2: at, y1: MARGIN.top, y2: MARGIN.top + h }));
-      if (at - last < APART.x || all.length === 0) continue;
-      last = at;
-      parts.push(text(at, MARGIN.top + h + 15, plain(tick), "tick", "middle"));
-    }
-    last = Infinity;
-    for (const tick of up.ticks) {
-      const at = y(tick);
-      parts.push(make("line", { class: "grid", x1: MARGIN.left, x2: MARGIN.left + w, y1: at, y2: at }));
-      if (last - at < APART.y || all.length === 0) continue;
-      last = at;
-      parts.push(text(MARGIN.left - 7, at + 3.5, plain(tick), "tick", "end"));
-    }
-    parts.push(text(2, 12, "↑ error, levels of 255", "axis", "start"));
-    parts.push(text(MARGIN.left + w, height - 4, "ms a frame →", "axis", "end"));
-
-    parts.push(line(front(others).map(({ x: a, y: b }) => [a, b]), "front server"));
-    parts.push(line(front(this.placed).map(({ x: a, y: b }) => [a, b]), "front"));
-    for (const mark of others) {
-      const ring = make("circle", { class: "server", cx: mark.x, cy: mark.y, r: mark.tier ? 5 : 3.5 });
-      ring.append(title(`${mark.label}, on the server: ${numbers(mark)}`));
-      parts.push(ring);
-    }
-    const best = new Set(front(this.placed).map(({ id }) => id));
-    this.stop = this.placed.find(({ id }) => id === (focused ?? this.stop))?.id ?? current ?? this.placed[0]?.id ?? null;
-    for (const mark of this.placed) {
-      const kinds = [mark.tier ? "tier" : "knob", best.has(mark.id) ? "best" : "", mark.id === current ? "current" : ""];
-      const button = make("g", {
-        class: `mark ${kinds.filter(Boolean).join(" ")}`,
-        role: "button",
-        tabindex: mark.id === this.stop ? 0 : -1,
-        "data-id": mark.id,
-        "aria-pressed": String(mark.id === current),
-        "aria-label": `${mark.label}: ${numbers(mark)}${best.has(mark.id) ? ", on the front" : ""}`,
-      });
-      button.append(
-        make("line", { class: "spread", x1: x(mark.low), x2: x(mark.high), y1: mark.y, y2: mark.y }),
-        make("circle", { class: "halo", cx: mark.x, cy: mark.y, r: 11 }),
-        make("circle", { class: "dot", cx: mark.x, cy: mark.y, r: mark.tier ? 5.5 : 4 }),
-        title(`${mark.label}: ${numbers(mark)}`),
-      );
-      parts.push(button);
-    }
-    parts.push(...names(this.placed, others, width, height));
-    this.svg.replaceChildren(...parts);
+    const plot = makePlot([...marks, ...server], width, height);
+    const place = (mark: Mark): PlacedMark => ({ ...mark, x: plot.x(mark.time), y: plot.y(mark.error) });
+    this.marks = marks.map(place).sort((a, b) => a.time - b.time);
+    const serverMarks = server.map(place);
+    const front = paretoFront(this.marks);
+    const onFront = new Set(front.map(({ id }) => id));
+    this.tabStop = this.marks.find(({ id }) => id === (focused ?? this.tabStop))?.id ?? current ?? this.marks[0]?.id ?? null;
+    this.svg.replaceChildren(
+      ...axisParts(plot, marks.length + server.length > 0),
+      polyline(paretoFront(serverMarks), "front server"),
+      polyline(front, "front"),
+      ...serverMarks.map(serverRing),
+      ...this.marks.map((mark) => markButton(mark, plot, onFront.has(mark.id), mark.id === current, mark.id === this.tabStop)),
+      ...tierLabels(this.marks, serverMarks, width, height),
+    );
     if (focused !== null) this.button(focused)?.focus();
-    this.point();
+    this.showHighlight();
   }
 
   private button(id: string): SVGElement | undefined {
     return [...this.svg.querySelectorAll<SVGElement>(".mark")].find((mark) => mark.dataset["id"] === id);
   }
 
-  private nearest({ clientX, clientY }: MouseEvent): Placed | undefined {
+  private nearest({ clientX, clientY }: MouseEvent): PlacedMark | undefined {
     const box = this.svg.getBoundingClientRect();
-    const distance = (mark: Placed) => Math.hypot(mark.x - (clientX - box.left), mark.y - (clientY - box.top));
-    return this.placed.filter((mark) => distance(mark) <= REACH).sort((a, b) => distance(a) - distance(b))[0];
+    const distance = (mark: PlacedMark) => Math.hypot(mark.x - (clientX - box.left), mark.y - (clientY - box.top));
+    return this.marks.filter((mark) => distance(mark) <= HIT_RADIUS).sort((a, b) => distance(a) - distance(b))[0];
   }
 
-  private key(event: KeyboardEvent): void {
+  private handleKey(event: KeyboardEvent): void {
     const id = idOf(event.target);
     if (id === null) return;
     if (event.key === "Enter" || event.key === " ") {
       event.preventDefault();
-      this.events.choose(id);
+      this.events.select(id);
       return;
     }
-    const at = this.placed.findIndex((mark) => mark.id === id);
-    const to = { ArrowLeft: at - 1, ArrowDown: at - 1, ArrowRight: at + 1, ArrowUp: at + 1, Home: 0, End: this.placed.length - 1 }[event.key];
-    if (to === undefined) return;
+    const last = this.marks.length - 1;
+    const index = this.marks.findIndex((mark) => mark.id === id);
+    const target = { ArrowLeft: index - 1, ArrowDown: index - 1, ArrowRight: index + 1, ArrowUp: index + 1, Home: 0, End: last }[event.key];
+    if (target === undefined) return;
     event.preventDefault();
-    const next = this.placed[Math.min(this.placed.length - 1, Math.max(0, to))];
+    const next = this.marks[Math.min(last, Math.max(0, target))];
     if (next === undefined) return;
     this.button(id)?.setAttribute("tabindex", "-1");
-    this.stop = next.id;
+    this.tabStop = next.id;
     const button = this.button(next.id);
     button?.setAttribute("tabindex", "0");
     button?.focus();
   }
 
-  private look(id: string | null): void {
-    if (id === this.looked) return;
-    this.looked = id;
-    this.point();
-    this.events.look(id);
+  private highlight(id: string | null): void {
+    if (id === this.highlighted) return;
+    this.highlighted = id;
+    this.showHighlight();
+    this.events.highlight(id);
   }
 
-  /** Shows which mark is looked at. */
-  private point(): void {
-    const mark = this.placed.find(({ id }) => id === this.looked);
+  private showHighlight(): void {
+    const mark = this.marks.find(({ id }) => id === this.highlighted);
     for (const button of this.svg.querySelectorAll<SVGElement>(".mark")) {
-      button.classList.toggle("looked", button.dataset["id"] === mark?.id);
+      button.classList.toggle("highlighted", button.dataset["id"] === mark?.id);
     }
     this.svg.style.cursor = mark ? "pointer" : "";
     this.tip.hidden = mark === undefined;
     if (mark === undefined) return;
-    this.tip.replaceChildren(element("b", {}, mark.label), element("span", {}, numbers(mark)));
+    this.tip.replaceChildren(element("b", {}, mark.label), element("span", {}, describe(mark)));
     const { clientWidth: width } = this.root;
     const half = this.tip.offsetWidth / 2;
     this.tip.style.left = `${Math.min(width - half - 2, Math.max(half + 2, mark.x))}px`;
@@ -193,64 +152,125 @@ export class Chart {
   }
 }
 
-function numbers({ time, error }: Cost): string {
-  return `${short(time)} ms, error ${short(error)}`;
+function makePlot(marks: readonly Mark[], width: number, height: number) {
+  const [left, right, top, bottom] = [MARGIN.left, width - MARGIN.right, MARGIN.top, height - MARGIN.bottom];
+  const [timeAxis, errorAxis] = [logAxis(marks.map(({ time }) => time)), logAxis(marks.map(({ error }) => error))];
+  return {
+    ...{ left, right, top, bottom },
+    x: (time: number) => left + (right - left) * timeAxis.position(time),
+    y: (error: number) => bottom - (bottom - top) * errorAxis.position(error),
+    xTicks: timeAxis.ticks,
+    yTicks: errorAxis.ticks,
+  };
 }
 
-/** Names beside the tiers' marks, where they cover the fewest marks and no other name. */
-function names(placed: readonly Placed[], others: readonly Placed[], width: number, height: number): SVGElement[] {
-  const boxes: [number, number, number, number][] = [];
-  const marks = [...placed, ...others];
-  return placed
-    .filter(({ tier }) => tier)
-    .map((mark) => {
-      const long = 6.4 * mark.label.length;
-      const choices = [
-        { x: mark.x + 11, y: mark.y + 4, anchor: "start" },
-        { x: mark.x - 11, y: mark.y + 4, anchor: "end" },
-        { x: mark.x, y: mark.y - 12, anchor: "middle" },
-        { x: mark.x, y: mark.y + 21, anchor: "middle" },
-        { x: mark.x + 9, y: mark.y - 9, anchor: "start" },
-        { x: mark.x + 9, y: mark.y + 17, anchor: "start" },
-        { x: mark.x - 9, y: mark.y - 9, anchor: "end" },
-        { x: mark.x - 9, y: mark.y + 17, anchor: "end" },
-      ].map((choice) => {
-        const left = choice.x - { start: 0, middle: long / 2, end: long }[choice.anchor as "start" | "middle" | "end"];
-        const box: [number, number, number, number] = [left, choice.y - 11, left + long, choice.y + 3];
+/** Grid, tick labels and titles of both axes. */
+function axisParts({ left, right, top, bottom, x, y, xTicks, yTicks }: Plot, withLabels: boolean): SVGElement[] {
+  const parts: SVGElement[] = [];
+  let previous = -Infinity;
+  for (const tick of xTicks) {
+    const tickX = x(tick);
+    parts.push(svg("line", { class: "grid", x1: tickX, x2: tickX, y1: top, y2: bottom }));
+    if (tickX - previous < TICK_SPACING.x || !withLabels) continue;
+    previous = tickX;
+    parts.push(text(tickX, bottom + 15, tickLabel(tick), "tick", "middle"));
+  }
+  previous = Infinity;
+  for (const tick of yTicks) {
+    const tickY = y(tick);
+    parts.push(svg("line", { class: "grid", x1: left, x2: right, y1: tickY, y2: tickY }));
+    if (previous - tickY < TICK_SPACING.y || !withLabels) continue;
+    previous = tickY;
+    parts.push(text(left - 7, tickY + 3.5, tickLabel(tick), "tick", "end"));
+  }
+  parts.push(text(2, 12, "↑ RMSE, levels of 255", "axis", "start"));
+  parts.push(text(right, bottom + MARGIN.bottom - 4, "frame time, ms →", "axis", "end"));
+  return parts;
+}
+
+function serverRing(mark: PlacedMark): SVGElement {
+  const ring = svg("circle", { class: "server", cx: mark.x, cy: mark.y, r: mark.isTier ? 5 : 3.5 });
+  ring.append(title(`${mark.label}, on the server: ${describe(mark)}`));
+  return ring;
+}
+
+function markButton(mark: PlacedMark, plot: Plot, onFront: boolean, isCurrent: boolean, isTabStop: boolean): SVGElement {
+  const classes = ["mark", mark.isTier ? "tier" : "", onFront ? "on-front" : "", isCurrent ? "current" : ""];
+  const button = svg("g", {
+    class: classes.filter(Boolean).join(" "),
+    role: "button",
+    tabindex: isTabStop ? 0 : -1,
+    "data-id": mark.id,
+    "aria-pressed": String(isCurrent),
+    "aria-label": `${mark.label}: ${describe(mark)}${onFront ? ", on the Pareto front" : ""}`,
+  });
+  button.append(
+    svg("line", { class: "quartiles", x1: plot.x(mark.low), x2: plot.x(mark.high), y1: mark.y, y2: mark.y }),
+    svg("circle", { class: "halo", cx: mark.x, cy: mark.y, r: 11 }),
+    svg("circle", { class: "dot", cx: mark.x, cy: mark.y, r: mark.isTier ? 5.5 : 4 }),
+    title(`${mark.label}: ${describe(mark)}`),
+  );
+  return button;
+}
+
+function describe({ time, error }: Cost): string {
+  return `${formatNumber(time)} ms, error ${formatNumber(error)}`;
+}
+
+/** Labels of the tiers, placed to cover the fewest marks and no other label. */
+function tierLabels(marks: readonly PlacedMark[], serverMarks: readonly PlacedMark[], width: number, height: number): SVGElement[] {
+  const placed: [number, number, number, number][] = [];
+  const obstacles = [...marks, ...serverMarks];
+  return marks
+    .filter(({ isTier }) => isTier)
+    .map(({ id, x, y, label }) => {
+      const length = 6.4 * label.length;
+      const candidates = [
+        { x: x + 11, y: y + 4, anchor: "start" },
+        { x: x - 11, y: y + 4, anchor: "end" },
+        { x, y: y - 12, anchor: "middle" },
+        { x, y: y + 21, anchor: "middle" },
+        { x: x + 9, y: y - 9, anchor: "start" },
+        { x: x + 9, y: y + 17, anchor: "start" },
+        { x: x - 9, y: y - 9, anchor: "end" },
+        { x: x - 9, y: y + 17, anchor: "end" },
+      ].map((candidate) => {
+        const left = candidate.x - { start: 0, middle: length / 2, end: length }[candidate.anchor as "start" | "middle" | "end"];
+        const box: [number, number, number, number] = [left, candidate.y - 11, left + length, candidate.y + 3];
         const outside = box[0] < 4 || box[2] > width - 2 || box[1] < 14 || box[3] > height - 24;
-        const crossing = boxes.filter((b) => box[0] < b[2] && b[0] < box[2] && box[1] < b[3] && b[1] < box[3]).length;
-        const covered = marks.filter((m) => m.id !== mark.id && m.x > box[0] - 5 && m.x < box[2] + 5 && m.y > box[1] - 5 && m.y < box[3] + 5);
-        return { ...choice, box, cost: (outside ? 100 : 0) + 20 * crossing + covered.length };
+        const crossed = placed.filter((b) => box[0] < b[2] && b[0] < box[2] && box[1] < b[3] && b[1] < box[3]).length;
+        const covered = obstacles.filter((m) => m.id !== id && m.x > box[0] - 5 && m.x < box[2] + 5 && m.y > box[1] - 5 && m.y < box[3] + 5).length;
+        return { ...candidate, box, penalty: (outside ? 100 : 0) + 20 * crossed + covered };
       });
-      const best = choices.reduce((a, b) => (b.cost < a.cost ? b : a));
-      boxes.push(best.box);
-      return text(best.x, best.y, mark.label, "name", best.anchor);
+      const best = candidates.reduce((a, b) => (b.penalty < a.penalty ? b : a));
+      placed.push(best.box);
+      return text(best.x, best.y, label, "name", best.anchor);
     });
 }
 
-function make(name: string, attributes: Record<string, string | number>): SVGSVGElement {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  return made as SVGSVGElement;
+function svg(name: string, attributes: Record<string, string | number>): SVGSVGElement {
+  const node = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, String(value));
+  return node as SVGSVGElement;
 }
 
-function text(x: number, y: number, words: string, kind: string, anchor: string): SVGElement {
-  const made = make("text", { x, y, class: kind, "text-anchor": anchor, "aria-hidden": "true" });
-  made.textContent = words;
-  return made;
+function text(x: number, y: number, content: string, kind: string, anchor: string): SVGElement {
+  const node = svg("text", { x, y, class: kind, "text-anchor": anchor, "aria-hidden": "true" });
+  node.textContent = content;
+  return node;
 }
 
-function title(words: string): SVGElement {
-  const made = make("title", {});
-  made.textContent = words;
-  return made;
+function title(content: string): SVGElement {
+  const node = svg("title", {});
+  node.textContent = content;
+  return node;
 }
 
-function line(points: readonly (readonly [number, number])[], kind: string): SVGElement {
-  return make("polyline", { class: kind, points: points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" ") });
+function polyline(points: readonly PlacedMark[], kind: string): SVGElement {
+  return svg("polyline", { class: kind, points: points.map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" ") });
 }
 
-function plain(value: number): string {
+function tickLabel(value: number): string {
   return value >= 1000 ? `${value / 1000}k` : String(value);
 }
 

@@ -1,4 +1,4 @@
-/** How far a picture is from the truth, in linear light clipped at display white; 255 levels are white. */
+/** Error of a picture against the reference, in linear light clipped at display white; white is 255 levels. */
 import type { Picture } from "./npy";
 
 export const LEVELS = 255;
@@ -6,13 +6,13 @@ export const LEVELS = 255;
 export interface Errors {
   /** Root mean square of linear RGB, levels. */
   rmse: number;
-  /** Greatest difference of a channel, levels. */
+  /** Greatest channel difference, levels. */
   max: number;
-  /** Root mean square of foam coverage, 0 to 1. */
+  /** Of foam coverage, 0 to 1. */
   coverage: number;
 }
 
-/** Light beyond display white is white on any screen; what is no number is black. */
+/** Clips to [0, 1]; NaN is 0. */
 export function clip(value: number): number {
   return value > 0 ? Math.min(value, 1) : 0;
 }
@@ -51,7 +51,6 @@ export function errorMap(picture: Picture, truth: Picture): Float32Array {
   return map;
 }
 
-/** The value under which that share of the numbers lies. */
 export function percentile(values: Float32Array, share: number): number {
   const sorted = Float32Array.from(values).sort();
   return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? 0;
@@ -59,6 +58,6 @@ export function percentile(values: Float32Array, share: number): number {
 
 function sameSize(picture: Picture, truth: Picture): void {
   if (picture.width !== truth.width || picture.height !== truth.height) {
-    throw new Error(`a picture of ${picture.width} × ${picture.height} against a truth of ${truth.width} × ${truth.height}`);
+    throw new Error(`The picture has ${picture.width} × ${picture.height} pixels, the reference ${truth.width} × ${truth.height}.`);
   }
 }

@@ -1,42 +1,42 @@
-/** The time of the sea. Float64 seconds, so that any moment within ±10⁹ s can be shown exactly. */
+/** Scene time, float64 seconds within ±10⁹. */
 
 export class Clock {
   time = 0;
   speed = 1;
-  private running = false;
+  private isPlaying = false;
   private readonly listeners = new Set<() => void>();
 
   get playing(): boolean {
-    return this.running;
+    return this.isPlaying;
   }
 
   set playing(playing: boolean) {
-    this.running = playing;
-    this.tell();
+    this.isPlaying = playing;
+    this.notify();
   }
 
-  /** Moves on by `seconds` of the wall clock; long gaps, such as a hidden tab, are skipped. */
+  /** Advances by `seconds` of real time; longer gaps, as in a hidden tab, are cut. */
   advance(seconds: number): void {
-    if (this.running) this.time += Math.min(seconds, 0.25) * this.speed;
+    if (this.isPlaying) this.time += Math.min(seconds, 0.25) * this.speed;
   }
 
-  jump(time: number): void {
+  seek(time: number): void {
     if (!Number.isFinite(time)) return;
     this.time = Math.min(1e9, Math.max(-1e9, time));
-    this.tell();
+    this.notify();
   }
 
   setSpeed(speed: number): void {
     this.speed = speed;
-    this.tell();
+    this.notify();
   }
 
-  /** Called on play, pause, jump and speed; not on every frame. */
+  /** Called on play, pause, seek and a change of speed; not on every frame. */
   onChange(listener: () => void): void {
     this.listeners.add(listener);
   }
 
-  private tell(): void {
+  private notify(): void {
     for (const listener of this.listeners) listener();
   }
 }

@@ -1,42 +1,52 @@
-/** What the visitor has chosen, and who wants to know when it changes. Time and camera move every frame and live apart. */
+/** The user's selection, with change events. Time and camera change every frame and are kept elsewhere. */
 import type { Preset } from "../api";
-import type { JsonObject } from "../scene/json";
+import { apply, isObject, type JsonObject } from "../scene/json";
+import { validSplit } from "./comparison";
+import { DEFAULT_TIER } from "./schema";
+import type { LinkState } from "./url";
 
-/** Two values of one choice side by side: `field` is a scene pointer, or "quality". */
+/** Two values of one field side by side. */
 export interface Split {
+  /** Scene pointer, or "quality". */
   field: string;
   left: string;
   right: string;
-  /** Where the divider stands, as a share of the width. */
+  /** Position of the divider, as a share of the width. */
   at: number;
 }
 
-export interface Choices {
+export interface Selection {
   preset: Preset;
   scene: JsonObject;
-  /** A tier, or single knobs as JSON. */
+  /** A tier, or quality settings as JSON. */
   quality: string;
-  /** Whether the page may change the quality, to what the machine draws best in time. */
+  /** Whether the page selects the quality. */
   auto: boolean;
   split: Split | null;
 }
 
+export function selectionFromLink(preset: Preset, link: LinkState): Selection {
+  const edited = apply(preset.scene, link.changes);
+  const scene = isObject(edited) ? edited : preset.scene;
+  return { preset, scene, quality: link.quality ?? DEFAULT_TIER, auto: link.quality === null, split: validSplit(scene, link.split) };
+}
+
 export class Store {
-  private readonly listeners = new Set<(now: Choices, before: Choices) => void>();
+  private readonly listeners = new Set<(now: Selection, before: Selection) => void>();
 
-  constructor(private choices: Choices) {}
+  constructor(private selection: Selection) {}
 
-  get now(): Choices {
-    return this.choices;
+  get now(): Selection {
+    return this.selection;
   }
 
-  set(change: Partial<Choices>): void {
-    const before = this.choices;
-    this.choices = { ...before, ...change };
-    for (const listener of this.listeners) listener(this.choices, before);
+  set(change: Partial<Selection>): void {
+    const before = this.selection;
+    this.selection = { ...before, ...change };
+    for (const listener of this.listeners) listener(this.selection, before);
   }
 
-  onChange(listener: (now: Choices, before: Choices) => void): void {
+  onChange(listener: (now: Selection, before: Selection) => void): void {
     this.listeners.add(listener);
   }
 }

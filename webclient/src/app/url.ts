@@ -1,4 +1,4 @@
-/** A link that restores everything: preset, what was changed of its scene, time, camera, quality and comparison. */
+/** The page's state as the fragment of a link. */
 import type { CameraState } from "../camera/state";
 import { type Change, isObject, type Json } from "../scene/json";
 import type { Split } from "./store";
@@ -6,26 +6,25 @@ import type { Split } from "./store";
 export interface LinkState {
   preset: string | null;
   changes: readonly Change[];
-  /** A tier, or single knobs as JSON. */
+  /** A tier, or settings as JSON. */
   quality: string | null;
   time: number | null;
   paused: boolean | null;
   speed: number | null;
   camera: CameraState | null;
   split: Split | null;
-  /** The share of the window's resolution that is drawn; null: found from the times of frames. */
+  /** Fixed render scale; null: dynamic. */
   scale: number | null;
-  /** Whether the cost of accuracy is shown. */
+  /** Whether the accuracy benchmark is open. */
   accuracy: boolean | null;
 }
 
-/** Marks a pointer whose key the visitor took away; JSON itself has no word for "absent". */
+/** Prefix of the pointer of a removed key. */
 const REMOVED = "-";
 
-/** A smaller picture is none. */
-const LEAST_SCALE = 0.05;
+const MIN_SCALE = 0.05;
 
-/** Shortest text that gives the same float64. */
+/** Shortest text of a float64. */
 const number = (x: number) => String(Object.is(x, -0) ? 0 : x);
 
 export function encode(state: LinkState): string {
@@ -43,9 +42,7 @@ export function encode(state: LinkState): string {
     put("camera", [...position, yaw, pitch, roll, fov].map(number).join(","));
   }
   if (state.changes.length > 0) {
-    const pairs = state.changes.map(([pointer, value]) =>
-      value === undefined ? [REMOVED + pointer, 0] : [pointer, value],
-    );
+    const pairs = state.changes.map(([pointer, value]) => (value === undefined ? [REMOVED + pointer, 0] : [pointer, value]));
     put("scene", JSON.stringify(Object.fromEntries(pairs)));
   }
   if (state.split) {
@@ -54,7 +51,7 @@ export function encode(state: LinkState): string {
   }
   put("scale", state.scale === null ? null : number(state.scale));
   put("accuracy", state.accuracy ? "1" : null);
-  // Commas, slashes and colons are legal in a fragment and far easier to read than their escapes.
+  // Characters that are legal in a fragment are not escaped, for readable links.
   const escape = (text: string) =>
     encodeURIComponent(text).replace(/%(2C|2F|3A|7B|7D|5B|5D|22)/g, (code) =>
       code === "%22" ? code : decodeURIComponent(code),
@@ -70,7 +67,7 @@ export function decode(fragment: string): LinkState {
     try {
       parts.set(part.slice(0, at), decodeURIComponent(part.slice(at + 1)));
     } catch {
-      // A link cut short may end inside an escape: that part is left out.
+      // A truncated escape: this part is dropped.
     }
   }
   return {
@@ -94,7 +91,7 @@ function finite(text: string | undefined): number | null {
 
 function scale(text: string | undefined): number | null {
   const value = finite(text);
-  return value === null || value <= 0 ? null : Math.min(1, Math.max(LEAST_SCALE, value));
+  return value === null || value <= 0 ? null : Math.min(1, Math.max(MIN_SCALE, value));
 }
 
 function camera(text: string | undefined): CameraState | null {

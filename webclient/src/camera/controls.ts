@@ -1,35 +1,35 @@
-/** Mouse, touch, pen and keyboard drive the camera. */
-import { look, move, orbit, pivot, type Pivot, widen, zoom } from "./motion";
+/** Camera controls by mouse, touch, pen and keyboard. */
+import { look, move, orbit, pivot, type Pivot, scaleFov, zoom } from "./motion";
 import type { CameraState } from "./state";
 
-export type Mode = "orbit" | "fly";
+export type CameraMode = "orbit" | "fly";
 
-/** Turns are per pixel of a drag; speeds are per second. */
-const TURN_BY_KEY = 0.9;
-const SPRINT = 4;
-/** Time after which a push has faded to 1/e, s. */
+/** rad/s */
+const KEY_TURN_SPEED = 0.9;
+const SPRINT_FACTOR = 4;
+/** Time constant of inertia, s. */
 const INERTIA = 0.11;
-const STILL = 1e-4;
+const MIN_SPEED = 1e-4;
 
-interface Touch {
+interface Point {
   x: number;
   y: number;
 }
 
-export class Controls {
+export class CameraControls {
   camera: CameraState;
-  mode: Mode = "orbit";
-  /** An orbit stays over this height, m; who flies or dives may go on to the bottom. */
+  mode: CameraMode = "orbit";
+  /** Least heights, m: of an orbit, and of flying or diving. */
   surface = 0.5;
   bottom = 0.5;
   private readonly keys = new Set<string>();
-  private readonly touches = new Map<number, Touch>();
-  /** Angles still to be turned, rad. */
+  private readonly pointers = new Map<number, Point>();
+  /** Pending rotation, rad. */
   private turning = { yaw: 0, pitch: 0 };
-  /** Speed of the eye: right, up, forward, in heights a second. */
+  /** Relative to the camera's height, per second. */
   private speed = { right: 0, up: 0, forward: 0 };
-  /** What the orbit at hand turns about; found anew after every other move. */
-  private about: Pivot | null = null;
+  /** Centre of the current orbit; reset by every other move. */
+  private orbitPivot: Pivot | null = null;
   private readonly listeners = new Set<() => void>();
 
   constructor(
@@ -40,8 +40,7 @@ export class Controls {
     this.camera = camera;
     element.addEventListener("pointerdown", this.pointerDown);
     element.addEventListener("pointermove", this.pointerMove);
-    element.addEventListener("pointerup", this.pointerUp);
-    element.addEventListener("pointercancel", this.pointerUp);
+    for (const type of ["pointerup", "pointercancel"] as const) element.addEventListener(type, (event) => this.pointers.delete(event.pointerId));
     element.addEventListener("wheel", this.wheel, { passive: false });
     element.addEventListener("keydown", this.keyDown);
     element.addEventListener("keyup", (event) => this.keys.delete(event.code));
@@ -49,63 +48,62 @@ export class Controls {
     element.addEventListener("contextmenu", (event) => event.preventDefault());
   }
 
-  /** Called when the visitor has moved the camera. */
   onMove(listener: () => void): void {
     this.listeners.add(listener);
   }
 
   set(camera: CameraState): void {
-    this.go(camera);
+    this.moveTo(camera);
     this.turning = { yaw: 0, pitch: 0 };
     this.speed = { right: 0, up: 0, forward: 0 };
-    this.tell();
+    this.notify();
   }
 
-  /** Moves on by `seconds`; says whether the camera moved. */
+  /** Advances by `seconds`; returns whether the camera moved. */
   step(seconds: number): boolean {
     const before = this.camera;
     const dt = Math.min(seconds, 0.1);
-    const held = (...codes: string[]) => (codes.some((code) => this.keys.has(code)) ? 1 : 0);
-    const sprint = held("ShiftLeft", "ShiftRight") ? SPRINT : 1;
-    const wanted = {
-      right: (held("KeyD") - held("KeyA")) * sprint,
-      up: (held("KeyE", "PageUp") - held("KeyQ", "PageDown")) * sprint,
-      forward: (held("KeyW") - held("KeyS")) * sprint,
+    const isHeld = (...codes: string[]) => (codes.some((code) => this.keys.has(code)) ? 1 : 0);
+    const sprint = isHeld("ShiftLeft", "ShiftRight") ? SPRINT_FACTOR : 1;
+    const targetSpeed = {
+      right: (isHeld("KeyD") - isHeld("KeyA")) * sprint,
+      up: (isHeld("KeyE", "PageUp") - isHeld("KeyQ", "PageDown")) * sprint,
+      forward: (isHeld("KeyW") - isHeld("KeyS")) * sprint,
     };
     const blend = this.smooth ? 1 - Math.exp(-dt / INERTIA) : 1;
     for (const axis of ["right", "up", "forward"] as const) {
-      this.speed[axis] += (wanted[axis] - this.speed[axis]) * blend;
-      if (Math.abs(this.speed[axis]) < STILL) this.speed[axis] = 0;
+      this.speed[axis] += (targetSpeed[axis] - this.speed[axis]) * blend;
+      if (Math.abs(this.speed[axis]) < MIN_SPEED) this.speed[axis] = 0;
     }
     const { right, up, forward } = this.speed;
     if (right || up || forward) {
-      // Speed grows with height, as the ground seems to slow down.
+      // Speed is proportional to height.
       const metres = Math.max(1.5, Math.abs(this.camera.position[1]) * 0.8) * dt;
-      this.go(move(this.camera, right * metres, up * metres, forward * metres, this.lowestNow(up < 0)));
+      this.moveTo(move(this.camera, right * metres, up * metres, forward * metres, this.minHeight(up < 0)));
     }
-    const keyTurn = TURN_BY_KEY * dt;
-    this.turning.yaw += (held("ArrowRight") - held("ArrowLeft")) * keyTurn;
-    this.turning.pitch += (held("ArrowUp") - held("ArrowDown")) * keyTurn;
-    if (Math.abs(this.turning.yaw) + Math.abs(this.turning.pitch) > STILL) {
+    const turnStep = KEY_TURN_SPEED * dt;
+    this.turning.yaw += (isHeld("ArrowRight") - isHeld("ArrowLeft")) * turnStep;
+    this.turning.pitch += (isHeld("ArrowUp") - isHeld("ArrowDown")) * turnStep;
+    if (Math.abs(this.turning.yaw) + Math.abs(this.turning.pitch) > MIN_SPEED) {
       const share = this.smooth ? 1 - Math.exp(-dt / (INERTIA / 2)) : 1;
       this.turn(this.turning.yaw * share, this.turning.pitch * share);
       this.turning.yaw *= 1 - share;
       this.turning.pitch *= 1 - share;
     }
-    if (held("Equal", "NumpadAdd")) this.go(zoom(this.camera, Math.exp(-dt), this.lowestNow()));
-    if (held("Minus", "NumpadSubtract")) this.go(zoom(this.camera, Math.exp(dt), this.lowestNow()));
+    if (isHeld("Equal", "NumpadAdd")) this.moveTo(zoom(this.camera, Math.exp(-dt), this.minHeight()));
+    if (isHeld("Minus", "NumpadSubtract")) this.moveTo(zoom(this.camera, Math.exp(dt), this.minHeight()));
     const moved = this.camera !== before;
-    if (moved) this.tell();
+    if (moved) this.notify();
     return moved;
   }
 
-  /** Only who means to goes under water; a scene that starts below its limit has that for one. */
-  private lowestNow(diving = false): number {
+  /** Underwater only by flying or diving; a camera below its limit may stay there. */
+  private minHeight(diving = false): number {
     const [, y] = this.camera.position;
     return Math.min(diving || this.mode === "fly" || y < this.surface ? this.bottom : this.surface, y);
   }
 
-  private tell(): void {
+  private notify(): void {
     for (const listener of this.listeners) listener();
   }
 
@@ -113,41 +111,41 @@ export class Controls {
     this.camera =
       this.mode === "fly"
         ? look(this.camera, yaw, pitch)
-        : orbit(this.camera, (this.about ??= pivot(this.camera)), yaw, pitch, this.lowestNow());
+        : orbit(this.camera, (this.orbitPivot ??= pivot(this.camera)), yaw, pitch, this.minHeight());
   }
 
-  /** Any move but a turn. */
-  private go(camera: CameraState): void {
+  /** Any move but a rotation. */
+  private moveTo(camera: CameraState): void {
     this.camera = camera;
-    this.about = null;
+    this.orbitPivot = null;
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
     this.element.focus({ preventScroll: true });
     this.element.setPointerCapture(event.pointerId);
-    this.touches.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
   };
 
   private readonly pointerMove = (event: PointerEvent): void => {
-    const last = this.touches.get(event.pointerId);
+    const last = this.pointers.get(event.pointerId);
     if (last === undefined) return;
     const now = { x: event.clientX, y: event.clientY };
-    const other = [...this.touches].find(([id]) => id !== event.pointerId)?.[1];
-    this.touches.set(event.pointerId, now);
+    const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
+    this.pointers.set(event.pointerId, now);
     const dx = now.x - last.x;
     const dy = now.y - last.y;
-    // A drag across the window's height turns by the field of view: the sea stays under the finger.
+    // A drag across the window's height rotates by the field of view.
     const radians = this.camera.fov / this.element.clientHeight;
     if (other) {
-      const span = (t: Touch) => Math.hypot(t.x - other.x, t.y - other.y);
+      const span = (t: Point) => Math.hypot(t.x - other.x, t.y - other.y);
       const metres = pivot(this.camera).distance * radians;
-      this.go(zoom(this.camera, span(last) / Math.max(span(now), 1), this.lowestNow()));
-      this.go(move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.lowestNow()));
-      this.tell();
+      this.moveTo(zoom(this.camera, span(last) / Math.max(span(now), 1), this.minHeight()));
+      this.moveTo(move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.minHeight()));
+      this.notify();
     } else if (event.buttons & 2 || (event.buttons & 1 && event.shiftKey)) {
       const metres = pivot(this.camera).distance * radians;
-      this.go(move(this.camera, -dx * metres, dy * metres, 0, this.lowestNow()));
-      this.tell();
+      this.moveTo(move(this.camera, -dx * metres, dy * metres, 0, this.minHeight()));
+      this.notify();
     } else {
       const sign = this.mode === "fly" ? -1 : -1.6;
       this.turning.yaw += sign * dx * radians;
@@ -155,17 +153,13 @@ export class Controls {
     }
   };
 
-  private readonly pointerUp = (event: PointerEvent): void => {
-    this.touches.delete(event.pointerId);
-  };
-
   private readonly wheel = (event: WheelEvent): void => {
     event.preventDefault();
-    // Browsers count in pixels, lines or pages; a pinch on a trackpad arrives as a wheel with Ctrl held.
+    // Units are pixels, lines or pages; a trackpad pinch is a wheel event with Ctrl.
     const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
     const factor = Math.exp(Math.max(-240, Math.min(240, pixels)) * (event.ctrlKey ? 0.01 : 0.0012));
-    this.go(event.shiftKey ? widen(this.camera, factor) : zoom(this.camera, factor, this.lowestNow()));
-    this.tell();
+    this.moveTo(event.shiftKey ? scaleFov(this.camera, factor) : zoom(this.camera, factor, this.minHeight()));
+    this.notify();
   };
 
   private readonly keyDown = (event: KeyboardEvent): void => {

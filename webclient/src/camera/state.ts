@@ -3,7 +3,7 @@
 export type Vec3 = readonly [number, number, number];
 
 export interface CameraState {
-  /** Eye; y is counted from the troughs. */
+  /** Eye; y relative to the troughs. */
   position: Vec3;
   /** Heading, from −z toward +x. */
   yaw: number;
@@ -20,17 +20,13 @@ export interface Basis {
   forward: Vec3;
 }
 
-/** Right, up and forward. Built from angles, not from a point to look at, so straight down is no special case. */
+/** Right, up and forward vectors. */
 export function basis({ yaw, pitch, roll }: CameraState): Basis {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
   const right: Vec3 = [cy, 0, sy];
   const up: Vec3 = [-sy * sp, cp, cy * sp];
   const [cr, sr] = [Math.cos(roll), Math.sin(roll)];
-  const mix = (a: Vec3, p: number, b: Vec3, q: number): Vec3 => [
-    a[0] * p + b[0] * q,
-    a[1] * p + b[1] * q,
-    a[2] * p + b[2] * q,
-  ];
+  const mix = (a: Vec3, p: number, b: Vec3, q: number): Vec3 => [a[0] * p + b[0] * q, a[1] * p + b[1] * q, a[2] * p + b[2] * q];
   return {
     right: mix(right, cr, up, sr),
     up: mix(up, cr, right, -sr),
@@ -38,7 +34,7 @@ export function basis({ yaw, pitch, roll }: CameraState): Basis {
   };
 }
 
-/** The camera of a scene's JSON; the server has filled in every field. */
+/** The camera of a scene; the server fills in every field. */
 export function cameraFromScene(scene: Record<string, unknown>): CameraState {
   const camera = (scene["camera"] ?? {}) as Partial<CameraState>;
   const { position = [0, 6, 0], yaw = 0, pitch = -0.15, roll = 0, fov = 0.8727 } = camera;

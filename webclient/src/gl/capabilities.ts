@@ -1,8 +1,8 @@
-/** What the machine can do, asked for once, and what a plan needs of it. */
+/** Capabilities of the WebGL context, and those that a plan requires. */
 import type { FramePlan } from "../generated/api";
 
 /** Every extension that the client uses. */
-const WANTED = [
+const EXTENSIONS = [
   "EXT_color_buffer_float",
   "EXT_color_buffer_half_float",
   "EXT_float_blend",
@@ -13,40 +13,40 @@ const WANTED = [
   "WEBGL_debug_renderer_info",
 ] as const;
 
-export type ExtensionName = (typeof WANTED)[number];
+export type ExtensionName = (typeof EXTENSIONS)[number];
 
 export interface Capabilities {
   extensions: ReadonlySet<ExtensionName>;
-  /** The driver's own name, where the browser tells. */
+  /** The driver's name, if the browser reveals it. */
   renderer: string;
-  /** Draws on the CPU: timer queries are not to be believed, and every pixel is dear. */
+  /** Renders on the CPU. */
   software: boolean;
-  /** llvmpipe compiles a program twice for a state that hides what was there: blended with none of it, once. */
+  /** Blends with (one, zero) instead of disabling blending: llvmpipe compiles a program for each of the two states. */
   alwaysBlends: boolean;
 }
 
-/** Thrown where the machine lacks what a picture needs; the message is for the visitor. */
+/** A required capability is missing; the message is for the user. */
 export class CapabilityError extends Error {
   override readonly name = "CapabilityError";
 }
 
-/** Turns on what is there. `hidden`: extensions to act without, for tests. */
+/** Enables extensions, without those in `hidden`. */
 export function detect(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>): Capabilities {
-  const extensions = new Set(WANTED.filter((name) => !hidden.has(name) && gl.getExtension(name) !== null));
+  const extensions = new Set(EXTENSIONS.filter((name) => !hidden.has(name) && gl.getExtension(name) !== null));
   const info = extensions.has("WEBGL_debug_renderer_info") ? gl.getExtension("WEBGL_debug_renderer_info") : null;
   const renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   if (!extensions.has("EXT_color_buffer_float") && !extensions.has("EXT_color_buffer_half_float")) {
     throw new CapabilityError(
-      "This graphics driver cannot draw into floating-point pictures (EXT_color_buffer_float), " +
-        "which the light of the sea is computed in.",
+      "The graphics driver cannot render to floating-point textures " +
+        "(EXT_color_buffer_float or EXT_color_buffer_half_float is required).",
     );
   }
   const software = /llvmpipe|softpipe|swiftshader|software|basic render/i.test(renderer);
   return { extensions, renderer, software, alwaysBlends: /llvmpipe/i.test(renderer) && extensions.has("EXT_float_blend") };
 }
 
-/** Refuses a plan that the machine cannot draw, before anything is compiled. */
-export function requireFor(plan: FramePlan, { extensions }: Capabilities): void {
+/** Throws a `CapabilityError` for a plan that the machine cannot draw. */
+export function requireSupport(plan: FramePlan, { extensions }: Capabilities): void {
   const needs = new Map<ExtensionName, string>();
   for (const target of Object.values(plan.targets)) {
     if (target.format === "RGBA32F") {
@@ -62,8 +62,8 @@ export function requireFor(plan: FramePlan, { extensions }: Capabilities): void 
   const missing = [...needs].filter(([name]) => !extensions.has(name));
   if (missing.length > 0) {
     throw new CapabilityError(
-      `This picture needs ${missing.map(([name, what]) => `${what} (${name})`).join(" and ")}, ` +
-        "which this graphics driver does not offer. Another quality may do without.",
+      `The graphics driver does not support ${missing.map(([name, feature]) => `${feature} (${name})`).join(" and ")}. ` +
+        "Select another quality.",
     );
   }
 }

@@ -1,4 +1,4 @@
-/** Meshes: what a pass hands to its vertex shader. */
+/** Vertex data of passes. */
 import type { Pass } from "../generated/api";
 
 export type MeshSpec = Pass["mesh"];

@@ -1,4 +1,4 @@
-/** Shares GPU resources by key, and keeps the last few unused ones, so that going back to a look costs nothing. */
+/** Shares GPU resources by key, and keeps the most recently used ones after their last user. */
 
 interface Entry<V> {
   key: string;
@@ -6,19 +6,19 @@ interface Entry<V> {
   users: number;
 }
 
-/** A share in a pooled resource. */
+/** A reference to a pooled resource. */
 export interface Lease<V> {
   readonly value: V;
-  /** Gives the share back; once is enough, more do nothing. */
+  /** Releases the reference; further calls have no effect. */
   release(): void;
-  /** Takes a resource that turned out broken away from everyone. */
+  /** Removes a resource that failed to load. */
   discard(): void;
 }
 
 export class Pool<V> {
   private readonly entries = new Map<string, Entry<V>>();
 
-  /** `spare`: how many unused resources are kept. */
+  /** `spare`: number of unused resources kept. */
   constructor(
     private readonly destroy: (value: V) => void,
     private readonly spare: number,
@@ -28,17 +28,16 @@ export class Pool<V> {
     return this.entries.size;
   }
 
-  /** The resource under `key`, made if it is not there. */
   acquire(key: string, make: () => V): Lease<V> {
     const entry = this.entries.get(key) ?? { key, value: make(), users: 0 };
-    // The map's order is the order of last use, so the entries that go first are found first.
+    // Map order is order of last use: `trim` removes from the front.
     this.entries.delete(key);
     this.entries.set(key, entry);
     entry.users += 1;
-    let held = true;
+    let released = false;
     const release = () => {
-      if (!held) return;
-      held = false;
+      if (released) return;
+      released = true;
       entry.users -= 1;
       this.trim();
     };

@@ -1,11 +1,10 @@
-/** Programs: compile and link without waiting, poll, report errors by file and line. */
+/** Programs: compiled and linked asynchronously, with errors by file and line. */
 import type { Program as ProgramSource, Shader } from "../generated/api";
 import type { Capabilities } from "./capabilities";
 
-/** Time between questions to the driver, ms. */
-const POLL = 4;
-/** A driver that has not said for so long that it is done is asked outright: some never say it while another page draws, ms. */
-const PATIENCE = 3000;
+const POLL_INTERVAL = 4;
+/** Time after which the link status is read without waiting further, ms: some drivers never report completion while another page draws. */
+const LINK_TIMEOUT = 3000;
 
 export interface ActiveUniform {
   location: WebGLUniformLocation;
@@ -19,16 +18,16 @@ export interface Program {
   vertex: WebGLShader;
   fragment: WebGLShader;
   source: ProgramSource;
-  /** Filled once the program is linked; arrays without their "[0]". */
+  /** Set once the program is linked; arrays without "[0]". */
   uniforms: ReadonlyMap<string, ActiveUniform>;
 }
 
-/** What a compiler said, by file and line of the GLSL tree. */
+/** A compiler's messages, by file and line of the GLSL tree. */
 export class ShaderError extends Error {
   override readonly name = "ShaderError";
 }
 
-/** Starts compiling and linking; asks the driver for nothing, so it may work in the background. */
+/** Starts compiling and linking; no result is read, so the driver may work in the background. */
 export function startProgram(gl: WebGL2RenderingContext, source: ProgramSource): Program {
   const compile = (type: number, text: string): WebGLShader => {
     const shader = created(gl.createShader(type));
@@ -46,7 +45,7 @@ export function startProgram(gl: WebGL2RenderingContext, source: ProgramSource):
   return { handle, vertex, fragment, source, uniforms: new Map() };
 }
 
-/** Whether `finishProgram` would return without waiting for the driver. */
+/** Whether `finishProgram` would return without blocking. */
 function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: Capabilities): boolean {
   const extension = extensions.has("KHR_parallel_shader_compile")
     ? (gl.getExtension("KHR_parallel_shader_compile") as { COMPLETION_STATUS_KHR: number } | null)
@@ -54,13 +53,13 @@ function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: C
   return extension === null || gl.getProgramParameter(program.handle, extension.COMPLETION_STATUS_KHR) === true;
 }
 
-/** Comes when `finishProgram` would return without waiting, or when it is time to wait after all. */
+/** Resolves when `finishProgram` would not block, or after a timeout. */
 export async function whenReady(gl: WebGL2RenderingContext, program: Program, capabilities: Capabilities): Promise<void> {
-  // The compiler starts when the commands reach it.
+  // Compilation starts when the commands are flushed.
   gl.flush();
-  const late = performance.now() + PATIENCE;
-  while (!isReady(gl, program, capabilities) && !gl.isContextLost() && performance.now() < late) {
-    await new Promise((resolve) => setTimeout(resolve, POLL));
+  const deadline = performance.now() + LINK_TIMEOUT;
+  while (!isReady(gl, program, capabilities) && !gl.isContextLost() && performance.now() < deadline) {
+    await new Promise((resolve) => setTimeout(resolve, POLL_INTERVAL));
   }
 }
 
@@ -69,12 +68,9 @@ export function finishProgram(gl: WebGL2RenderingContext, program: Program, name
   if (program.uniforms.size > 0 || gl.isContextLost()) return;
   if (gl.getProgramParameter(program.handle, gl.LINK_STATUS) !== true) {
     const log = (shader: WebGLShader, stage: Shader) => annotate(gl.getShaderInfoLog(shader) ?? "", stage);
-    const said = [
-      log(program.vertex, program.source.vertex),
-      log(program.fragment, program.source.fragment),
-      gl.getProgramInfoLog(program.handle) ?? "",
-    ];
-    throw new ShaderError(`program ${name}: ${said.map((s) => s.trim()).filter(Boolean).join("\n")}`);
+    const { vertex, fragment, source } = program;
+    const messages = [log(vertex, source.vertex), log(fragment, source.fragment), gl.getProgramInfoLog(program.handle) ?? ""];
+    throw new ShaderError(`Program ${name}: ${messages.map((s) => s.trim()).filter(Boolean).join("\n")}`);
   }
   const uniforms = new Map<string, ActiveUniform>();
   const count = gl.getProgramParameter(program.handle, gl.ACTIVE_UNIFORMS) as number;
@@ -86,16 +82,14 @@ export function finishProgram(gl: WebGL2RenderingContext, program: Program, name
   program.uniforms = uniforms;
 }
 
-/** Rewrites "0:123" of a compiler's log into the file that line 123 came from and the line within it. */
+/** Replaces "0:123" in a compiler's log by the file of line 123 and the line in it. */
 export function annotate(log: string, shader: Shader): string {
   const files = [...shader.files].sort((a, b) => a.line - b.line);
-  return log
-    .replaceAll("\0", "")
-    .replace(/\b\d+:(\d+)(?=[:(])/g, (whole, digits: string) => {
-      const line = Number(digits);
-      const file = files.findLast((f) => f.line <= line);
-      return file ? `${file.path}:${line - file.line + 1}` : whole;
-    });
+  return log.replaceAll("\0", "").replace(/\b\d+:(\d+)(?=[:(])/g, (match, digits: string) => {
+    const line = Number(digits);
+    const file = files.findLast((candidate) => candidate.line <= line);
+    return file ? `${file.path}:${line - file.line + 1}` : match;
+  });
 }
 
 export function deleteProgram(gl: WebGL2RenderingContext, program: Program): void {
@@ -105,6 +99,6 @@ export function deleteProgram(gl: WebGL2RenderingContext, program: Program): voi
 }
 
 function created<T>(object: T | null): T {
-  // WebGL gives null only where the context is lost; every later call on it is then ignored.
+  // Null only if the context is lost: later calls with it are ignored.
   return object as T;
 }

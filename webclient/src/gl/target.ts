@@ -1,19 +1,19 @@
-/** Targets: pictures that passes draw into and later passes read. */
+/** Render targets. */
 import type { Target as TargetSpec } from "../generated/api";
 import { sampling } from "./texture";
 
 export interface Target {
   framebuffer: WebGLFramebuffer | null;
   texture: WebGLTexture | null;
-  /** Whether levels of means lie below it, which are made anew whenever a pass has drawn into it. */
+  /** Its mipmaps are generated after each pass that draws into it. */
   mipmapped: boolean;
   depth: WebGLRenderbuffer | null;
   width: number;
   height: number;
 }
 
-/** A target that setup passes draw once, for every plan that asks for the same. */
-export interface StillTarget extends Target {
+/** A target drawn once by setup passes and shared by plans. */
+export interface CachedTarget extends Target {
   drawn: boolean;
 }
 
@@ -26,12 +26,9 @@ export function targetSize(spec: TargetSpec, width: number, height: number): [nu
 }
 
 export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {
-  const most = Math.min(
-    gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
-    gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number,
-  );
-  if (width > most || height > most) {
-    throw new RangeError(`a target of ${width} × ${height} pixels is larger than this driver's limit of ${most}`);
+  const limit = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE) as number, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
+  if (width > limit || height > limit) {
+    throw new RangeError(`A target of ${width} × ${height} pixels exceeds the driver's limit of ${limit}.`);
   }
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -47,7 +44,7 @@ export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: 
   return { framebuffer, texture, mipmapped, depth, width, height };
 }
 
-/** An RGBA8 picture that stands in for the screen, so that neither canvas size nor compositing matter. */
+/** An offscreen RGBA8 framebuffer in place of the canvas. */
 export function makeScreen(gl: WebGL2RenderingContext, width: number, height: number): Target & { dispose(): void } {
   const colour = gl.createRenderbuffer();
   gl.bindRenderbuffer(gl.RENDERBUFFER, colour);
@@ -81,6 +78,6 @@ function depthBuffer(gl: WebGL2RenderingContext, width: number, height: number):
 function checkComplete(gl: WebGL2RenderingContext, what: string): void {
   const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
   if (status !== gl.FRAMEBUFFER_COMPLETE && !gl.isContextLost()) {
-    throw new Error(`${what}: framebuffer incomplete (0x${status.toString(16)})`);
+    throw new Error(`Framebuffer incomplete (0x${status.toString(16)}): ${what}.`);
   }
 }

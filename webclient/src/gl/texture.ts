@@ -1,4 +1,4 @@
-/** Textures: the plan's bytes, level by level, exactly as they come. */
+/** Textures from the plan's bytes, level by level. */
 import type { Texture as TextureSpec } from "../generated/api";
 
 interface Layout {
@@ -8,7 +8,6 @@ interface Layout {
   type: "UNSIGNED_BYTE" | "UNSIGNED_SHORT" | "UNSIGNED_INT" | "HALF_FLOAT" | "FLOAT";
 }
 
-/** How the bytes of each format are told to WebGL. */
 const LAYOUTS: Record<TextureSpec["format"], Layout> = {
   R8: { channels: 1, pixels: Uint8Array, format: "RED", type: "UNSIGNED_BYTE" },
   R8UI: { channels: 1, pixels: Uint8Array, format: "RED_INTEGER", type: "UNSIGNED_BYTE" },
@@ -20,7 +19,6 @@ const LAYOUTS: Record<TextureSpec["format"], Layout> = {
   RGBA32F: { channels: 4, pixels: Float32Array, format: "RGBA", type: "FLOAT" },
 };
 
-/** Same bytes, same sampling: same texture. */
 export function textureKey(spec: TextureSpec): string {
   return [spec.sha256, spec.format, spec.width, spec.height, spec.levels, spec.filter, spec.wrap].join(" ");
 }
@@ -40,19 +38,14 @@ export function makeTexture(gl: WebGL2RenderingContext, spec: TextureSpec, data:
     offset += values.byteLength;
   }
   if (offset !== data.byteLength) {
-    throw new RangeError(`${spec.url}: ${data.byteLength} bytes came where ${offset} are described`);
+    throw new RangeError(`Texture ${spec.url} has ${data.byteLength} bytes; expected ${offset}.`);
   }
   sampling(gl, spec.filter, spec.wrap, spec.levels);
   return texture;
 }
 
-/** Filter and wrap of the texture that is bound. */
-export function sampling(
-  gl: WebGL2RenderingContext,
-  filter: TextureSpec["filter"],
-  wrap: TextureSpec["wrap"],
-  levels: number,
-): void {
+/** Sets filter and wrap of the bound texture. */
+export function sampling(gl: WebGL2RenderingContext, filter: TextureSpec["filter"], wrap: TextureSpec["wrap"], levels: number): void {
   const min = { nearest: gl.NEAREST, linear: gl.LINEAR, linear_mipmap_linear: gl.LINEAR_MIPMAP_LINEAR }[filter];
   const mode = wrap === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE;
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, min);

@@ -1,14 +1,21 @@
-/** GPU time of a frame, by timer queries; only for hardware, since software drivers report nonsense. */
+/** GPU time of a frame, by timer queries. */
+import type { Capabilities } from "./capabilities";
 
-interface TimerExtension {
+export interface TimerExtension {
   TIME_ELAPSED_EXT: number;
   GPU_DISJOINT_EXT: number;
 }
 
+/** Null on software renderers too: their timer queries are wrong. */
+export function timerExtension(gl: WebGL2RenderingContext, { extensions, software }: Capabilities): TimerExtension | null {
+  const name = "EXT_disjoint_timer_query_webgl2";
+  return software || !extensions.has(name) ? null : (gl.getExtension(name) as TimerExtension | null);
+}
+
 export class GpuTimer {
-  private readonly waiting: WebGLQuery[] = [];
+  private readonly queries: WebGLQuery[] = [];
   private running = false;
-  /** The first query of a process may hold a wild number. */
+  /** The first query of a process may return a wrong number. */
   private primed = false;
 
   constructor(
@@ -17,9 +24,9 @@ export class GpuTimer {
   ) {}
 
   begin(): void {
-    if (this.waiting.length > 3) return;
+    if (this.queries.length > 3) return;
     const query = this.gl.createQuery();
-    this.waiting.push(query);
+    this.queries.push(query);
     this.gl.beginQuery(this.extension.TIME_ELAPSED_EXT, query);
     this.running = true;
   }
@@ -29,13 +36,13 @@ export class GpuTimer {
     this.running = false;
   }
 
-  /** Milliseconds of the oldest finished frame, if one has finished and nothing disturbed it. */
+  /** Milliseconds of the oldest finished frame; null if none has finished or the query was disjoint. */
   poll(): number | null {
-    const query = this.waiting[0];
+    const query = this.queries[0];
     if (query === undefined) return null;
     const { gl } = this;
     if (gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE) !== true) return null;
-    this.waiting.shift();
+    this.queries.shift();
     const disjoint = gl.getParameter(this.extension.GPU_DISJOINT_EXT) === true;
     const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT) as number;
     gl.deleteQuery(query);

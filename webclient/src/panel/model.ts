@@ -1,150 +1,133 @@
-/** From a JSON Schema to the controls of a panel. Nothing here knows what a scene holds. */
+/** Controls of a panel, derived from a JSON Schema. */
 import { child, equal, get, isObject, type Json, type JsonObject } from "../scene/json";
 
-interface Labelled {
+interface LabelledField {
   pointer: string;
   label: string;
-  /** What the field means, in the schema's words. */
+  /** The schema's description. */
   hint: string;
 }
 
-export interface NumberControl extends Labelled {
+export interface NumberControl extends LabelledField {
   kind: "number";
   min: number | null;
   max: number | null;
   step: number | null;
   /** Radians in the scene, degrees in the panel. */
   angle: boolean;
-  /** The range spans so many decades that only a logarithmic slider reaches all of it. */
+  /** For ranges of several decades. */
   logarithmic: boolean;
 }
 
-export interface ChoiceControl extends Labelled {
+export interface ChoiceControl extends LabelledField {
   kind: "choice";
   options: readonly string[];
 }
 
-/** A choice whose names the server lists under `url`. */
-export interface NameControl extends Labelled {
+/** A choice whose options the server lists at `url`. */
+export interface NameControl extends LabelledField {
   kind: "name";
   url: string;
 }
 
-export interface ToggleControl extends Labelled {
-  kind: "toggle";
+/** A colour is red, green and blue in [0, 1]. */
+export interface SimpleControl extends LabelledField {
+  kind: "toggle" | "text" | "colour";
 }
 
-export interface TextControl extends Labelled {
-  kind: "text";
-}
-
-/** A tuple of shares of red, green and blue. */
-export interface ColourControl extends Labelled {
-  kind: "colour";
-}
-
-export interface GroupControl extends Labelled {
+export interface GroupControl extends LabelledField {
   kind: "group";
   children: readonly Control[];
 }
 
-/** A field that may be null: `inner` is its control while it is not, `initial` what it becomes when switched on. */
-export interface OptionalControl extends Labelled {
+/** A nullable field: `inner` is its control while it is not null, `initial` its value when switched on. */
+export interface OptionalControl extends LabelledField {
   kind: "optional";
   inner: Control | null;
   initial: Json;
 }
 
-/** One kind of a list's items. */
+/** A type of list items. */
 export interface Variant {
   name: string;
   hint: string;
   initial: Json;
 }
 
-export interface ListControl extends Labelled {
+export interface ListControl extends LabelledField {
   kind: "list";
   items: readonly { control: Control; variant: string | null }[];
   variants: readonly Variant[];
   discriminator: string | null;
-  least: number;
-  most: number;
+  minItems: number;
+  maxItems: number;
 }
 
-export type Control =
-  | NumberControl
-  | ChoiceControl
-  | NameControl
-  | ToggleControl
-  | TextControl
-  | ColourControl
-  | GroupControl
-  | OptionalControl
-  | ListControl;
+export type Control = NumberControl | ChoiceControl | NameControl | SimpleControl | GroupControl | OptionalControl | ListControl;
 
 const DECADES = 3;
 const RADIANS = "rad";
 
-/** The controls of a value, as the schema describes it; `null` where the schema holds nothing to set. */
+/** The control of a value; `null` if the schema has nothing to set. */
 export function controlOf(root: JsonObject, schema: JsonObject, value: Json | undefined, pointer: string, name: string): Control | null {
   const outer = schema;
   const inner = resolve(root, schema);
-  const labelled: Labelled = {
+  const labelledField: LabelledField = {
     pointer,
     label: labelOf(name),
     hint: text(outer["description"]) ?? (outer["$ref"] ? "" : (text(inner["description"]) ?? "")),
   };
-  const nullable = withoutNull(root, inner);
+  const nullable = nullableMember(root, inner);
   if (nullable) {
     const extras = { ...nullable, ...(inner["unit"] === undefined ? {} : { unit: inner["unit"] }) };
     const present = value !== null && value !== undefined;
     const control = present ? controlOf(root, extras, value, pointer, name) : null;
-    return { ...labelled, kind: "optional", inner: control, initial: initialValue(root, nullable) };
+    return { ...labelledField, kind: "optional", inner: control, initial: initialValue(root, nullable) };
   }
   if ("const" in inner) return null;
   const variants = variantsOf(root, inner);
   if (variants) {
-    const chosen = variants.find(({ schema: s, tag }) => tag !== null && matches(root, s, value, inner)) ?? variants[0];
-    return chosen ? controlOf(root, chosen.schema, value, pointer, name) : null;
+    const variant = variants.find(({ schema: s, tag }) => tag !== null && matches(root, s, value, inner)) ?? variants[0];
+    return variant ? controlOf(root, variant.schema, value, pointer, name) : null;
   }
   const options = inner["enum"];
-  if (Array.isArray(options)) return choice(labelled, options);
+  if (Array.isArray(options)) return choice(labelledField, options);
   switch (inner["type"]) {
     case "number":
     case "integer":
-      return number(labelled, inner);
+      return number(labelledField, inner);
     case "boolean":
-      return { ...labelled, kind: "toggle" };
+      return { ...labelledField, kind: "toggle" };
     case "string": {
       const url = text(inner["choices_from"]);
-      return url === undefined ? { ...labelled, kind: "text" } : { ...labelled, kind: "name", url };
+      return url === undefined ? { ...labelledField, kind: "text" } : { ...labelledField, kind: "name", url };
     }
     case "array":
-      return array(root, inner, value, labelled);
+      return array(root, inner, value, labelledField);
     case "object": {
       const properties = isObject(inner["properties"]) ? inner["properties"] : {};
-      const held = isObject(value) ? value : {};
+      const fields = isObject(value) ? value : {};
       const children = Object.entries(properties).flatMap(([key, property]) => {
         if (!isObject(property)) return [];
-        const field = held[key] ?? (key in held ? null : initialValue(root, property));
+        const field = fields[key] ?? (key in fields ? null : initialValue(root, property));
         const control = controlOf(root, property, field, child(pointer, key), key);
         return control ? [control] : [];
       });
-      return { ...labelled, kind: "group", children };
+      return { ...labelledField, kind: "group", children };
     }
     default:
       return null;
   }
 }
 
-/** What a field is before anyone sets it: its default, or the defaults of its fields. */
+/** A field's default, or the defaults of its fields. */
 export function initialValue(root: JsonObject, schema: JsonObject): Json {
   const inner = resolve(root, schema);
   for (const from of [schema, inner]) {
     if (from["default"] !== undefined) return from["default"];
   }
   if (inner["const"] !== undefined) return inner["const"];
-  const nullable = withoutNull(root, inner);
+  const nullable = nullableMember(root, inner);
   if (nullable) return null;
   const variants = variantsOf(root, inner);
   if (variants?.[0]) return initialValue(root, variants[0].schema);
@@ -168,30 +151,30 @@ export function initialValue(root: JsonObject, schema: JsonObject): Json {
       return "";
     case "number":
     case "integer":
-      return middle(bound(inner, "minimum"), bound(inner, "maximum"));
+      return midpoint(bound(inner, "minimum"), bound(inner, "maximum"));
     default:
       return null;
   }
 }
 
-/** Every choice below a control, at any depth: what two pictures can be compared by. */
-export function choices(control: Control): (ChoiceControl | NameControl)[] {
+/** Every choice below a control, at any depth. */
+export function choiceControls(control: Control): (ChoiceControl | NameControl)[] {
   switch (control.kind) {
     case "choice":
     case "name":
       return [control];
     case "group":
-      return control.children.flatMap(choices);
+      return control.children.flatMap(choiceControls);
     case "optional":
-      return control.inner ? choices(control.inner) : [];
+      return control.inner ? choiceControls(control.inner) : [];
     case "list":
-      return control.items.flatMap((item) => choices(item.control));
+      return control.items.flatMap((item) => choiceControls(item.control));
     default:
       return [];
   }
 }
 
-/** The schema of that name; FastAPI may tell a model's input and output apart. */
+/** A schema by name; FastAPI may separate a model's input and output. */
 export function schemaNamed(root: JsonObject, name: string): JsonObject | null {
   for (const candidate of [name, `${name}-Input`]) {
     const schema = get(root, `/components/schemas/${candidate}`);
@@ -205,7 +188,7 @@ export function labelOf(name: string): string {
   return name.replaceAll("_", " ");
 }
 
-/** Follows references; what stands beside a reference wins over what it names. */
+/** Follows references. */
 function resolve(root: JsonObject, schema: JsonObject): JsonObject {
   const reference = text(schema["$ref"]) ?? singleReference(schema);
   if (reference === undefined) return schema;
@@ -213,15 +196,15 @@ function resolve(root: JsonObject, schema: JsonObject): JsonObject {
   return isObject(target) ? resolve(root, target) : schema;
 }
 
-/** `allOf` with one member is how older documents put words beside a reference. */
+/** Reference in an `allOf` of one member. */
 function singleReference(schema: JsonObject): string | undefined {
-  const all = schema["allOf"];
-  const only = Array.isArray(all) && all.length === 1 ? all[0] : undefined;
+  const members = schema["allOf"];
+  const only = Array.isArray(members) && members.length === 1 ? members[0] : undefined;
   return isObject(only) ? text(only["$ref"]) : undefined;
 }
 
-/** Of "this or null", this. */
-function withoutNull(root: JsonObject, schema: JsonObject): JsonObject | null {
+/** The other member of a union with null. */
+function nullableMember(root: JsonObject, schema: JsonObject): JsonObject | null {
   const any = schema["anyOf"];
   if (!Array.isArray(any)) return null;
   const members = any.filter(isObject);
@@ -229,13 +212,13 @@ function withoutNull(root: JsonObject, schema: JsonObject): JsonObject | null {
   return rest.length === 1 && rest.length < members.length ? (rest[0] ?? null) : null;
 }
 
-interface Tagged {
+interface TaggedSchema {
   tag: string | null;
   schema: JsonObject;
 }
 
-/** The members of a union, with the value that tells each apart. */
-function variantsOf(root: JsonObject, schema: JsonObject): Tagged[] | null {
+/** The members of a union, with their discriminator values. */
+function variantsOf(root: JsonObject, schema: JsonObject): TaggedSchema[] | null {
   const union = schema["oneOf"] ?? schema["anyOf"];
   if (!Array.isArray(union)) return null;
   const key = discriminatorOf(root, schema);
@@ -249,7 +232,7 @@ function tagOf(root: JsonObject, schema: JsonObject, key: string): string | null
   return text(property["const"]) ?? text(Array.isArray(options) ? options[0] : undefined) ?? null;
 }
 
-/** The field that tells a union's members apart: as stated, or the first constant field of a lone model. */
+/** A union's discriminator: as stated, or the first constant field of a single model. */
 function discriminatorOf(root: JsonObject, schema: JsonObject): string | null {
   const stated = get(schema, "/discriminator/propertyName");
   if (typeof stated === "string") return stated;
@@ -263,7 +246,7 @@ function matches(root: JsonObject, member: JsonObject, value: Json | undefined, 
   return key !== null && isObject(value) && value[key] === tagOf(root, member, key);
 }
 
-function array(root: JsonObject, schema: JsonObject, value: Json | undefined, labelled: Labelled): Control | null {
+function array(root: JsonObject, schema: JsonObject, value: Json | undefined, labelled: LabelledField): Control | null {
   const prefix = schema["prefixItems"];
   if (Array.isArray(prefix)) {
     const members = prefix.filter(isObject).map((item) => resolve(root, item));
@@ -281,19 +264,19 @@ function array(root: JsonObject, schema: JsonObject, value: Json | undefined, la
   const inner = resolve(root, item);
   const tagged = variantsOf(root, inner) ?? [{ schema: item, tag: null }];
   const discriminator = discriminatorOf(root, inner);
-  const held = Array.isArray(value) ? value : [];
+  const entries = Array.isArray(value) ? value : [];
   return {
     ...labelled,
     kind: "list",
     discriminator,
-    least: bound(schema, "minItems") ?? 0,
-    most: bound(schema, "maxItems") ?? Infinity,
+    minItems: bound(schema, "minItems") ?? 0,
+    maxItems: bound(schema, "maxItems") ?? Infinity,
     variants: tagged.map(({ schema: member, tag }) => ({
       name: tag ?? (discriminator === null ? null : tagOf(root, member, discriminator)) ?? "item",
       hint: text(resolve(root, member)["description"]) ?? "",
       initial: initialValue(root, member),
     })),
-    items: held.flatMap((entry, i) => {
+    items: entries.flatMap((entry, i) => {
       const control = controlOf(root, item, entry, child(labelled.pointer, i), `${labelled.label} ${i + 1}`);
       const tag = discriminator !== null && isObject(entry) ? text(entry[discriminator]) : undefined;
       return control ? [{ control, variant: tag ?? null }] : [];
@@ -301,19 +284,19 @@ function array(root: JsonObject, schema: JsonObject, value: Json | undefined, la
   };
 }
 
-function number(labelled: Labelled, schema: JsonObject): NumberControl {
+function number(labelled: LabelledField, schema: JsonObject): NumberControl {
   const min = bound(schema, "minimum") ?? bound(schema, "exclusiveMinimum");
   const max = bound(schema, "maximum") ?? bound(schema, "exclusiveMaximum");
   const angle = schema["unit"] === RADIANS;
   const whole = schema["type"] === "integer";
   const logarithmic = min !== null && max !== null && min > 0 && Math.log10(max / min) > DECADES;
   const span = min !== null && max !== null ? max - min : null;
-  // Finer than a slider can be moved, yet short to read and to put in a link.
+  // Finer than a slider's resolution, with few digits.
   const step = whole ? 1 : angle || logarithmic || span === null ? null : 10 ** Math.floor(Math.log10(span / 1e5));
   return { ...labelled, kind: "number", min, max, step, angle, logarithmic };
 }
 
-function choice(labelled: Labelled, options: Json[]): ChoiceControl | null {
+function choice(labelled: LabelledField, options: Json[]): ChoiceControl | null {
   const names = options.filter((option) => typeof option === "string");
   return names.length > 1 && names.length === options.length ? { ...labelled, kind: "choice", options: names } : null;
 }
@@ -323,7 +306,7 @@ function bound(schema: JsonObject, key: string): number | null {
   return typeof value === "number" ? value : null;
 }
 
-function middle(min: number | null, max: number | null): number {
+function midpoint(min: number | null, max: number | null): number {
   return min !== null && max !== null ? (min + max) / 2 : (min ?? max ?? 0);
 }
 
@@ -331,7 +314,7 @@ function text(value: Json | undefined): string | undefined {
   return typeof value === "string" ? value : undefined;
 }
 
-/** Whether two values call for the same controls, so that a panel may keep its widgets and change their values. */
+/** Whether a panel may keep its widgets and change their values only. */
 export function sameControls(a: Control | null, b: Control | null): boolean {
   return equal(JSON.parse(JSON.stringify(a)) as Json, JSON.parse(JSON.stringify(b)) as Json);
 }

@@ -5,12 +5,12 @@ import type { Choice } from "../api";
 import { child, get, type Json, steps } from "../scene/json";
 import { element } from "../ui/dom";
 import { type Control, type GroupControl, labelOf, type ListControl, type NumberControl, type OptionalControl, sameControls } from "./model";
-import { format, shown, stored } from "./values";
+import { format, toDisplayed, fromDisplayed } from "./values";
 
 export interface PaneEvents {
   change(pointer: string, value: Json): void;
-  /** The names behind a URL; empty until they are known. */
-  names(url: string): readonly Choice[];
+  /** Options listed by the server at a URL; empty until loaded. */
+  optionsFrom(url: string): readonly Choice[];
 }
 
 /** Copies a scene's value into a widget. */
@@ -22,7 +22,7 @@ export class ScenePane {
   private pane: Pane | null = null;
   private model: GroupControl | null = null;
   private refreshers: Refresh[] = [];
-  /** Folders that the visitor has opened or closed, by pointer: they stay so when the panel is built anew. */
+  /** State of folders that the user opened or closed, by pointer; kept across rebuilds. */
   private readonly expanded = new Map<string, boolean>();
   private updating = false;
   private scene: Json = null;
@@ -32,7 +32,7 @@ export class ScenePane {
     private readonly events: PaneEvents,
   ) {}
 
-  /** Shows a scene; widgets are built anew only where the scene calls for other ones. */
+  /** Shows a scene; widgets are rebuilt only if the controls differ. */
   show(model: GroupControl, scene: Json, rebuild = false): void {
     this.scene = scene;
     if (rebuild || this.pane === null || !sameControls(this.model, model)) this.build(model, scene);
@@ -73,10 +73,10 @@ export class ScenePane {
         return this.bind(parent, control, scene, { options: control.options.map((value) => ({ text: labelOf(value), value })) }, "");
       case "name": {
         const current = get(scene, control.pointer);
-        const names = [...this.events.names(control.url)];
-        // A name that is not listed, such as one made on request, stays choosable.
-        if (typeof current === "string" && !names.some(({ name }) => name === current)) names.unshift({ name: current, title: current });
-        return this.bind(parent, control, scene, { options: names.map(({ name, title }) => ({ text: title, value: name })) }, "");
+        const options = [...this.events.optionsFrom(control.url)];
+        // A name that is not listed, as of a generated mask, stays selectable.
+        if (typeof current === "string" && !options.some(({ name }) => name === current)) options.unshift({ name: current, title: current });
+        return this.bind(parent, control, scene, { options: options.map(({ name, title }) => ({ text: title, value: name })) }, "");
       }
       case "colour":
         return this.addColour(parent, control, scene);
@@ -84,8 +84,8 @@ export class ScenePane {
   }
 
   private folder(parent: FolderApi, { pointer, hint, kind }: Control, title: string): FolderApi {
-    // Of a long panel, the first group that is no list and that the scene has is the one to begin with.
-    const first = this.model?.children.find((each) => each.kind !== "list" && get(this.scene, each.pointer) !== null)?.pointer;
+    // Open at first: the first group that is not a list, and groups at the second level.
+    const first = this.model?.children.find((child) => child.kind !== "list" && get(this.scene, child.pointer) !== null)?.pointer;
     const path = steps(pointer);
     const part = kind !== "list" && path.length === 2 && !/^\d+$/.test(path[1] ?? "");
     const open = pointer === first || part;
@@ -98,71 +98,61 @@ export class ScenePane {
     return folder;
   }
 
-  /** One widget for one value, as it stands in the scene. */
-  private bind(parent: FolderApi, control: Control, scene: Json, options: object, fallback: string | boolean): void {
-    const held = { value: fallback };
-    const refresh: Refresh = (now) => {
-      const value = get(now, control.pointer);
-      if (typeof value === "string" || typeof value === "boolean") held.value = value;
-    };
+  /** An object for a widget to edit, which follows the scene's value where `read` gives one. */
+  private track<T>(control: Control, scene: Json, initial: T, read: (value: Json | undefined) => T | null): { value: T } {
+    const bound = { value: initial };
+    const refresh: Refresh = (now) => (bound.value = read(get(now, control.pointer)) ?? bound.value);
     refresh(scene);
     this.refreshers.push(refresh);
-    const binding = parent.addBinding(held, "value", { label: control.label, ...options });
+    return bound;
+  }
+
+  /** A widget for a value without conversion. */
+  private bind(parent: FolderApi, control: Control, scene: Json, options: object, fallback: string | boolean): void {
+    const bound = this.track(control, scene, fallback, (value) => (typeof value === "string" || typeof value === "boolean" ? value : null));
+    const binding = parent.addBinding(bound, "value", { label: control.label, ...options });
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value }) => this.changed(control.pointer, value));
   }
 
   private addNumber(parent: FolderApi, control: NumberControl, scene: Json): void {
-    const held = { value: 0 };
-    const refresh: Refresh = (now) => {
-      const value = get(now, control.pointer);
-      if (typeof value === "number") held.value = shown(control, value);
-    };
-    refresh(scene);
-    this.refreshers.push(refresh);
+    const bound = this.track(control, scene, 0, (value) => (typeof value === "number" ? toDisplayed(control, value) : null));
     const { min, max } = control;
-    const span = min !== null && max !== null ? shown(control, max - min) : 100;
-    // With bounds Tweakpane makes a linear slider; a logarithmic one takes its place.
-    const bounds =
-      min === null || max === null || control.logarithmic ? {} : { min: shown(control, min), max: shown(control, max) };
-    const binding = parent.addBinding(held, "value", {
+    const span = min !== null && max !== null ? toDisplayed(control, max - min) : 100;
+    // With bounds Tweakpane adds a linear slider; a logarithmic range has its own slider.
+    const isLinear = min !== null && max !== null && !control.logarithmic;
+    const binding = parent.addBinding(bound, "value", {
       label: control.label,
-      ...bounds,
+      ...(isLinear ? { min: toDisplayed(control, min), max: toDisplayed(control, max) } : {}),
       ...(control.step === 1 ? { step: 1 } : { keyScale: span / 200, pointerScale: span / 1000 }),
       format: (value: number) => format(value) + (control.angle ? DEGREE : ""),
     });
-    if (control.logarithmic && min !== null && max !== null) {
-      this.refreshers.push(addLogSlider(binding, held, min, max));
-    }
+    if (control.logarithmic && min !== null && max !== null) this.refreshers.push(addLogSlider(binding, bound, min, max));
     describe(binding, control.label, control.hint);
-    binding.on("change", ({ value }) => this.changed(control.pointer, stored(control, value)));
+    binding.on("change", ({ value }) => this.changed(control.pointer, fromDisplayed(control, value)));
   }
 
   private addColour(parent: FolderApi, control: Control, scene: Json): void {
-    const held = { value: { r: 0, g: 0, b: 0 } };
-    const refresh: Refresh = (now) => {
-      const value = get(now, control.pointer);
-      if (!Array.isArray(value)) return;
-      const [r, g, b] = value.map(Number);
-      held.value = { r: r ?? 0, g: g ?? 0, b: b ?? 0 };
-    };
-    refresh(scene);
-    this.refreshers.push(refresh);
-    const binding = parent.addBinding(held, "value", { label: control.label, color: { type: "float" } });
+    const bound = this.track(control, scene, { r: 0, g: 0, b: 0 }, (value) => {
+      if (!Array.isArray(value)) return null;
+      const [r = 0, g = 0, b = 0] = value.map(Number);
+      return { r, g, b };
+    });
+    const binding = parent.addBinding(bound, "value", { label: control.label, color: { type: "float" } });
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value: { r, g, b } }) => this.changed(control.pointer, [r, g, b].map((c) => Number(c.toFixed(4)))));
   }
 
   private addOptional(parent: FolderApi, control: OptionalControl, scene: Json): void {
     const { inner } = control;
-    const here = inner?.kind === "group" ? this.folder(parent, control, control.label) : parent;
-    const held = { on: inner !== null };
-    const binding = here.addBinding(held, "on", { label: inner?.kind === "group" ? "on" : control.label });
+    const target = inner?.kind === "group" ? this.folder(parent, control, control.label) : parent;
+    const bound = { on: inner !== null };
+    const binding = target.addBinding(bound, "on", { label: inner?.kind === "group" ? "on" : control.label });
     describe(binding, control.label, control.hint);
     binding.on("change", ({ value }) => this.changed(control.pointer, value ? control.initial : null));
     if (inner === null) return;
-    if (inner.kind === "group") for (const each of inner.children) this.add(here, each, scene);
-    else this.add(here, { ...inner, label: "" }, scene);
+    if (inner.kind === "group") for (const each of inner.children) this.add(target, each, scene);
+    else this.add(target, { ...inner, label: "" }, scene);
   }
 
   private addList(parent: FolderApi, control: ListControl, scene: Json): void {
@@ -175,9 +165,9 @@ export class ScenePane {
       const name = variant === null ? item.label : `${i + 1} · ${labelOf(variant)}`;
       const inside = this.folder(folder, item, name);
       if (control.variants.length > 1 && variant !== null) {
-        const held = { variant };
+        const bound = { variant };
         const options = control.variants.map(({ name: value }) => ({ text: labelOf(value), value }));
-        const binding = inside.addBinding(held, "variant", { label: control.discriminator ?? "kind", options });
+        const binding = inside.addBinding(bound, "variant", { label: control.discriminator ?? "kind", options });
         describe(binding, control.discriminator ?? "kind", control.variants.map((v) => `${v.name}: ${v.hint}`).join("\n"));
         binding.on("change", ({ value }) => {
           const chosen = control.variants.find((v) => v.name === value);
@@ -186,11 +176,11 @@ export class ScenePane {
       }
       if (item.kind === "group") for (const inner of item.children) this.add(inside, inner, scene);
       else this.add(inside, item, scene);
-      if (control.items.length > control.least) {
+      if (control.items.length > control.minItems) {
         inside.addButton({ title: "Remove" }).on("click", () => this.changed(control.pointer, current().filter((_, k) => k !== i)));
       }
     });
-    if (control.items.length >= control.most) return;
+    if (control.items.length >= control.maxItems) return;
     for (const { name, initial, hint } of control.variants) {
       const button = folder.addButton({ title: `Add ${labelOf(name)}` });
       button.element.title = hint;
@@ -206,18 +196,18 @@ export class ScenePane {
   }
 }
 
-/** A slider whose middle is the geometric mean, beside the number; gives what brings it up to date. */
-function addLogSlider(binding: BindingApi, held: { value: number }, min: number, max: number): Refresh {
+/** Adds a logarithmic slider beside the number; returns its refresh function. */
+function addLogSlider(binding: BindingApi, bound: { value: number }, min: number, max: number): Refresh {
   const slider = element("input", { type: "range", class: "log", min: Math.log10(min), max: Math.log10(max), step: "any" });
   const refresh = () => {
-    const log = Math.log10(Math.max(held.value, min));
+    const log = Math.log10(Math.max(bound.value, min));
     slider.value = String(log);
     const share = (log - Math.log10(min)) / Math.log10(max / min);
     slider.style.setProperty("--share", `${100 * Math.min(1, share)}%`);
   };
   slider.addEventListener("input", () => {
-    // Three digits are as fine as a slider can be set.
-    held.value = Number((10 ** Number(slider.value)).toPrecision(3));
+    // A slider's resolution is about three digits.
+    bound.value = Number((10 ** Number(slider.value)).toPrecision(3));
     binding.refresh();
   });
   const place = binding.element.querySelector(".tp-lblv_v");

@@ -1,16 +1,16 @@
-/** Between a scene's numbers and what a control shows. */
+/** Converts between a scene's numbers and a control's. */
 import type { NumberControl } from "./model";
 
 const DEGREES = 180 / Math.PI;
 
-export function shown(control: NumberControl, value: number): number {
+export function toDisplayed(control: NumberControl, value: number): number {
   return control.angle ? Number((value * DEGREES).toFixed(3)) : value;
 }
 
-/** The scene's number: rounded to what the control can be set to, and never outside the schema's range. */
-export function stored(control: NumberControl, value: number): number {
-  const plain = control.angle ? Number((value / DEGREES).toFixed(5)) : snap(value, control.step);
-  return Math.min(control.max ?? Infinity, Math.max(control.min ?? -Infinity, plain));
+/** Rounded to the control's step and clamped to the schema's range. */
+export function fromDisplayed(control: NumberControl, value: number): number {
+  const rounded = control.angle ? Number((value / DEGREES).toFixed(5)) : snap(value, control.step);
+  return Math.min(control.max ?? Infinity, Math.max(control.min ?? -Infinity, rounded));
 }
 
 function snap(value: number, step: number | null): number {
@@ -19,7 +19,7 @@ function snap(value: number, step: number | null): number {
   return Number((Math.round(value / step) * step).toFixed(digits));
 }
 
-/** At most four digits that mean something. */
+/** At most four significant digits. */
 export function format(value: number): string {
   return String(Number(value.toPrecision(4)));
 }

@@ -1,21 +1,21 @@
-/** Live fields: scene fields that stand in the plan as they are, so that a moved slider moves its uniform at once. */
+/** Live fields: scene fields whose values are uniforms, so that a change needs no new plan. */
 import type { FramePlan } from "../generated/api";
 import { diff, get, type Json } from "../scene/json";
 import type { Rule } from "./rules";
 
-/** Pointer of the camera in a scene. Every plan serves every camera, so the camera never asks for a new one. */
-export const CAMERA = "/camera";
+/** The camera's pointer in a scene: every plan covers every camera. */
+export const CAMERA_POINTER = "/camera";
 
-const within = (pointer: string, field: string) => pointer === field || pointer.startsWith(`${field}/`);
+const isWithin = (pointer: string, field: string) => pointer === field || pointer.startsWith(`${field}/`);
 
-/** Whether a plan made for one scene also draws another. */
-export function serves(plan: FramePlan, planned: Json, wanted: Json): boolean {
-  return diff(planned, wanted).every(([pointer]) =>
-    [CAMERA, ...plan.live].some((field) => within(pointer, field)),
+/** Whether the plan of one scene also draws another. */
+export function planCovers(plan: FramePlan, planned: Json, requested: Json): boolean {
+  return diff(planned, requested).every(([pointer]) =>
+    [CAMERA_POINTER, ...plan.live].some((field) => isWithin(pointer, field)),
   );
 }
 
-/** A constant's numbers: the scene's own where the rule names a field that holds as many, else the plan's. */
+/** A constant rule with the scene's numbers, if it names a field with as many; else the rule itself. */
 export function liveRule(rule: Rule, scene: Json | null): Rule {
   if (rule.rule !== "constant" || typeof rule.field !== "string" || scene === null) return rule;
   const value = get(scene, rule.field);

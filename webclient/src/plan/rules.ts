@@ -1,14 +1,11 @@
 /**
- * The uniform rules: all the arithmetic that the server and the client both carry.
- *
- * Everything periodic is reduced here, in float64, before a shader sees it as float32.
+ * Evaluates uniform rules, as the server does. Periodic values are reduced in float64, before shaders use them as float32.
  */
 import type { CameraRule, Uniform } from "../generated/api";
 import { basis, type CameraState } from "../camera/state";
 
 export type Rule = Uniform["rules"][number];
 
-/** What the rules may depend on. */
 export interface FrameState {
   /** s */
   time: number;
@@ -24,7 +21,7 @@ export interface FrameState {
 
 const TWO_PI = 2 * Math.PI;
 
-/** x modulo period in [0, period): a tiny negative x would round up to the period itself, so that case is 0. */
+/** x modulo period in [0, period); a small negative x that rounds up to the period gives 0. */
 function modulo(x: number, period: number): number {
   const r = x % period;
   if (r >= 0) return r;
@@ -69,7 +66,6 @@ function camera(rule: CameraRule, state: FrameState): number[] {
   }
 }
 
-/** The numbers that a rule stands for. */
 export function evaluate(rule: Rule, state: FrameState): readonly number[] {
   const [ox, , oz] = state.camera.position;
   switch (rule.rule) {
@@ -96,14 +92,14 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
   }
 }
 
-/** The values of a uniform's rules one after the other, written into `out`; refused unless they fill it exactly. */
+/** Writes the values of a uniform's rules into `out`; throws unless they fill it exactly. */
 export function fill(rules: readonly Rule[], state: FrameState, out: Float32Array): void {
   let at = 0;
   for (const rule of rules) {
     const values = evaluate(rule, state);
-    if (at + values.length > out.length) throw new RangeError("the rules give more numbers than the uniform holds");
+    if (at + values.length > out.length) throw new RangeError("The rules have more numbers than the uniform.");
     out.set(values, at);
     at += values.length;
   }
-  if (at !== out.length) throw new RangeError(`the rules give ${at} numbers, the uniform holds ${out.length}`);
+  if (at !== out.length) throw new RangeError(`The rules have ${at} numbers, the uniform ${out.length}.`);
 }

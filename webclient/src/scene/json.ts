@@ -1,4 +1,4 @@
-/** Scenes are handled as plain JSON: what their fields mean is the server's affair. */
+/** Scenes as plain JSON, addressed by JSON pointers. */
 
 export type Json = null | boolean | number | string | Json[] | JsonObject;
 export interface JsonObject {
@@ -11,12 +11,8 @@ export function isObject(value: Json | undefined): value is JsonObject {
 
 /** The steps of a JSON pointer (RFC 6901). */
 export function steps(pointer: string): string[] {
-  return pointer === ""
-    ? []
-    : pointer
-        .slice(1)
-        .split("/")
-        .map((step) => step.replaceAll("~1", "/").replaceAll("~0", "~"));
+  if (pointer === "") return [];
+  return pointer.slice(1).split("/").map((step) => step.replaceAll("~1", "/").replaceAll("~0", "~"));
 }
 
 export function child(pointer: string, step: string | number): string {
@@ -34,7 +30,7 @@ export function get(root: Json, pointer: string): Json | undefined {
   return value;
 }
 
-/** A copy with the value put in place; `undefined` takes an object's key away. What does not change is shared. */
+/** A copy with the value set; `undefined` removes the key. Unchanged parts are shared. */
 export function withValue(root: Json, pointer: string, value: Json | undefined): Json {
   const path = steps(pointer);
   const put = (node: Json | undefined, depth: number): Json | undefined => {
@@ -63,10 +59,10 @@ export function equal(a: Json | undefined, b: Json | undefined): boolean {
   return keys.length === Object.keys(b).length && keys.every((key) => key in b && equal(a[key], b[key]));
 }
 
-/** One change: the pointer and the new value; undefined where the key is gone. */
+/** A pointer and its new value; undefined if removed. */
 export type Change = readonly [pointer: string, value: Json | undefined];
 
-/** The least changes that turn `from` into `to`; a list whose length differs changes whole. */
+/** Changes that turn `from` into `to`; lists of different length are replaced. */
 export function diff(from: Json | undefined, to: Json | undefined, pointer = ""): Change[] {
   if (equal(from, to)) return [];
   if (isObject(from) && isObject(to)) {

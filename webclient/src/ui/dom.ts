@@ -1,4 +1,4 @@
-/** Makes elements. */
+/** DOM helpers. */
 
 type Attributes = Record<string, string | number | boolean | null>;
 
@@ -7,29 +7,35 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   attributes: Attributes = {},
   ...children: (Node | string)[]
 ): HTMLElementTagNameMap[K] {
-  const made = document.createElement(tag);
+  const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === false || value === null) continue;
-    made.setAttribute(name, value === true ? "" : String(value));
+    node.setAttribute(name, value === true ? "" : String(value));
   }
-  made.append(...children);
-  return made;
+  node.append(...children);
+  return node;
 }
 
-/** The page's own elements; the page is broken where one is missing. */
 export function byId(id: string): HTMLElement {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`the page has no #${id}`);
-  return found;
+  const node = document.getElementById(id);
+  if (node === null) throw new Error(`The page has no element #${id}.`);
+  return node;
 }
 
-/** A drop-down list; `current` is chosen, and offered even where it is not among the options. */
+/** Fills a drop-down list and selects `current`, which is added if it is not among the options. */
 export function fillSelect(select: HTMLSelectElement, options: readonly { name: string; title: string }[], current: string): void {
-  const all = options.some(({ name }) => name === current) ? options : [{ name: current, title: current }, ...options];
-  const text = JSON.stringify(all);
+  const entries = options.some(({ name }) => name === current) ? options : [{ name: current, title: current }, ...options];
+  const text = JSON.stringify(entries);
   if (select.dataset["options"] !== text) {
     select.dataset["options"] = text;
-    select.replaceChildren(...all.map(({ name, title }) => element("option", { value: name }, title)));
+    select.replaceChildren(...entries.map(({ name, title }) => element("option", { value: name }, title)));
   }
   select.value = current;
+}
+
+/** Saves a file through the browser's download. */
+export function download(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
+  element("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
 }

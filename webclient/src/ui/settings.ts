@@ -1,60 +1,60 @@
-/** The panel: quality, the view, the scene's fields, what runs and why. On a phone it is a sheet from below. */
-import type { Controls, Mode } from "../camera/controls";
+/** Settings panel: quality, camera, the scene's fields and the list of effects. */
+import type { CameraControls, CameraMode } from "../camera/controls";
 import { element, fillSelect } from "./dom";
 import { icon } from "./icons";
 import { qualityTitle } from "../app/quality";
-import type { Notes } from "./notes";
+import type { EffectList } from "./effects";
 
 export interface SettingsEvents {
-  /** null: what the machine draws best in time. */
+  /** null: automatic. */
   quality(name: string | null): void;
-  /** A share of the full resolution; null: as sharp as moves well. */
+  /** null: automatic. */
   scale(scale: number | null): void;
-  /** Puts the scene, the camera and the time back to the preset's own. */
+  /** Restores the preset's scene, camera and time. */
   reset(): void;
   serverFrame(): void;
 }
 
 const DEGREES = 180 / Math.PI;
-const AUTO = "auto";
+const AUTOMATIC = "auto";
 const SCALES = [1, 0.75, 0.5, 0.35, 0.25];
 
-export class Settings {
-  /** Where the scene's panel goes. */
+export class SettingsPanel {
+  /** Container of the scene's pane. */
   readonly scene = element("div", { class: "scene" });
   private readonly quality = element("select", { id: "quality" });
   private readonly scale = element("select", { id: "scale" });
   private readonly mode = element("select", { id: "mode" });
   private readonly fov = element("input", { id: "fov", type: "range", min: 10, max: 110, step: 1 });
-  private readonly fovText = element("output", { for: "fov" });
-  private readonly busyMark = element("span", { class: "busy", hidden: true }, "computing…");
-  private readonly frameButton = element("button", { type: "button" }, "Server frame");
+  private readonly fovOutput = element("output", { for: "fov" });
+  private readonly busyLabel = element("span", { class: "busy", hidden: true }, "Loading plan…");
+  private readonly frameButton = element("button", { type: "button" }, "Render on server");
 
   constructor(
     private readonly container: HTMLElement,
     private readonly tiers: readonly string[],
-    private readonly controls: Controls,
-    notes: Notes,
+    private readonly controls: CameraControls,
+    effects: EffectList,
     events: SettingsEvents,
   ) {
-    const close = element("button", { type: "button", class: "plain", "aria-label": "Close the settings" }, icon("close"));
+    const close = element("button", { type: "button", class: "plain", "aria-label": "Close settings" }, icon("close"));
     close.addEventListener("click", () => this.toggle(false));
-    const reset = element("button", { type: "button" }, "Reset this sea");
+    const reset = element("button", { type: "button" }, "Reset scene");
     reset.addEventListener("click", () => events.reset());
-    this.frameButton.title = "The same picture, computed by the server at its own precision and size";
+    this.frameButton.title = "Renders this view on the server and saves it as PNG";
     this.frameButton.addEventListener("click", () => events.serverFrame());
     this.show(tiers[0] ?? "", false);
-    this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTO ? null : this.quality.value));
+    this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTOMATIC ? null : this.quality.value));
     this.showScale(null);
-    this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTO ? null : Number(this.scale.value)));
-    fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "look around" }], controls.mode);
-    this.mode.addEventListener("change", () => (controls.mode = this.mode.value as Mode));
+    this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTOMATIC ? null : Number(this.scale.value)));
+    fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "fly" }], controls.mode);
+    this.mode.addEventListener("change", () => (controls.mode = this.mode.value as CameraMode));
     this.fov.addEventListener("input", () => controls.set({ ...controls.camera, fov: Number(this.fov.value) / DEGREES }));
-    controls.onMove(() => this.view());
+    controls.onMove(() => this.showFov());
     const row = (label: string, id: string, ...fields: HTMLElement[]) =>
       element("div", { class: "row" }, element("label", { for: id }, label), ...fields);
     container.append(
-      element("div", { class: "head" }, element("h2", {}, "Settings"), this.busyMark, close),
+      element("div", { class: "head" }, element("h2", {}, "Settings"), this.busyLabel, close),
       element(
         "div",
         { class: "body" },
@@ -63,16 +63,16 @@ export class Settings {
           {},
           row("quality", "quality", this.quality),
           row("resolution", "scale", this.scale),
-          row("drag to", "mode", this.mode),
-          row("field of view", "fov", this.fov, this.fovText),
+          row("camera", "mode", this.mode),
+          row("field of view", "fov", this.fov, this.fovOutput),
         ),
         this.scene,
-        notes.root,
+        effects.root,
         element("div", { class: "actions" }, this.frameButton, reset),
-        element("p", { class: "keys" }, "Drag to look · W A S D and Q E to move · wheel or pinch to approach · shift and wheel for the lens"),
+        element("p", { class: "shortcuts" }, "Drag: rotate · W A S D, Q E: move · wheel or pinch: zoom · Shift + wheel: field of view"),
       ),
     );
-    this.view();
+    this.showFov();
   }
 
   get open(): boolean {
@@ -81,35 +81,34 @@ export class Settings {
 
   toggle(open = !this.open): void {
     this.container.classList.toggle("open", open);
-    // What cannot be seen must not take the keyboard's focus.
     this.container.inert = !open;
     document.body.classList.toggle("settings-open", open);
   }
 
   show(quality: string, auto: boolean): void {
     const names = new Set([...this.tiers, quality]);
-    const named = [...names].map((name) => ({ name, title: qualityTitle(name) }));
-    fillSelect(this.quality, [{ name: AUTO, title: "automatic" }, ...named], auto ? AUTO : quality);
+    const tierOptions = [...names].map((name) => ({ name, title: qualityTitle(name) }));
+    fillSelect(this.quality, [{ name: AUTOMATIC, title: "automatic" }, ...tierOptions], auto ? AUTOMATIC : quality);
   }
 
   showScale(scale: number | null): void {
-    const shares = new Set([...SCALES, ...(scale === null ? [] : [scale])]);
-    const fixed = [...shares].map((share) => ({ name: String(share), title: `${Math.round(100 * share)} %` }));
-    fillSelect(this.scale, [{ name: AUTO, title: "automatic" }, ...fixed], scale === null ? AUTO : String(scale));
+    const scales = new Set([...SCALES, ...(scale === null ? [] : [scale])]);
+    const scaleOptions = [...scales].map((share) => ({ name: String(share), title: `${Math.round(100 * share)} %` }));
+    fillSelect(this.scale, [{ name: AUTOMATIC, title: "automatic" }, ...scaleOptions], scale === null ? AUTOMATIC : String(scale));
   }
 
-  busy(busy: boolean): void {
-    this.busyMark.hidden = !busy;
+  setBusy(busy: boolean): void {
+    this.busyLabel.hidden = !busy;
   }
 
-  rendering(rendering: boolean): void {
+  setRendering(rendering: boolean): void {
     this.frameButton.disabled = rendering;
-    this.frameButton.textContent = rendering ? "Rendering…" : "Server frame";
+    this.frameButton.textContent = rendering ? "Rendering…" : "Render on server";
   }
 
-  private view(): void {
+  private showFov(): void {
     const degrees = Math.round(this.controls.camera.fov * DEGREES);
     if (document.activeElement !== this.fov) this.fov.value = String(degrees);
-    this.fovText.textContent = `${degrees}°`;
+    this.fovOutput.textContent = `${degrees}°`;
   }
 }

@@ -1,5 +1,7 @@
-/** Short messages that go away by themselves; errors stay longer. */
+/** Messages that disappear after a while. */
 import { element } from "./dom";
+
+const DURATION = { note: 2600, error: 12000 };
 
 export class Toasts {
   constructor(private readonly container: HTMLElement) {}
@@ -9,10 +11,9 @@ export class Toasts {
     if (details.length > 0) text.append(element("pre", {}, details.join("\n")));
     const toast = element("div", { class: `toast ${kind}` }, text);
     toast.addEventListener("click", () => toast.remove());
-    // The same complaint twice is one complaint.
-    for (const old of this.container.children) if (old.textContent === toast.textContent) old.remove();
+    for (const previous of this.container.children) if (previous.textContent === toast.textContent) previous.remove();
     while (this.container.childElementCount > 2) this.container.firstElementChild?.remove();
     this.container.append(toast);
-    setTimeout(() => toast.remove(), kind === "error" ? 12000 : 2600);
+    setTimeout(() => toast.remove(), DURATION[kind]);
   }
 }

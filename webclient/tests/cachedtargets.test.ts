@@ -13,18 +13,18 @@ function driver() {
   let numbered = 0;
   let into: { texture?: string } | null = null;
   const make = (kind: string) => {
-    const made = { name: `${kind} ${numbered++}` };
-    alive.add(made);
-    return made;
+    const object = { name: `${kind} ${numbered++}` };
+    alive.add(object);
+    return object;
   };
   const uniforms = new Map<unknown, string[]>();
-  const calls: Record<string, (...given: never[]) => unknown> = {
+  const calls: Record<string, (...args: never[]) => unknown> = {
     createProgram: () => make("program"),
     createShader: () => ({}),
     shaderSource: (shader: object, text: string) => Object.assign(shader, { text }),
     attachShader: (program: object, shader: { text: string }) => {
-      const found = [...shader.text.matchAll(/uniform \w+ (\w+)/g)].map(([, name]) => name ?? "");
-      uniforms.set(program, [...(uniforms.get(program) ?? []), ...found]);
+      const names = [...shader.text.matchAll(/uniform \w+ (\w+)/g)].map(([, name]) => name ?? "");
+      uniforms.set(program, [...(uniforms.get(program) ?? []), ...names]);
     },
     getProgramParameter: (program: object, what: string) =>
       what === "ACTIVE_UNIFORMS" ? (uniforms.get(program) ?? []).length : true,
@@ -54,7 +54,7 @@ function driver() {
       typeof name === "string" && /^[A-Z0-9_]+$/.test(name) ? name : (calls[String(name)] ?? (() => undefined)),
   }) as unknown as WebGL2RenderingContext;
   const gpu = new Gpu(gl, { extensions: new Set(), renderer: "none", software: true, alwaysBlends: false });
-  const textures = () => [...alive].filter((one) => (one as { name: string }).name.startsWith("texture")).length;
+  const textures = () => [...alive].filter((texture) => (texture as { name: string }).name.startsWith("texture")).length;
   return { gpu, draws, textures };
 }
 
@@ -93,7 +93,7 @@ function plan(over: Partial<FramePlan> = {}): FramePlan {
   };
 }
 
-const load = (gpu: Gpu, made: FramePlan) => Executor.load(gpu, made, () => Promise.reject(new Error("no texture")), CAMERA, true);
+const load = (gpu: Gpu, framePlan: FramePlan) => Executor.load(gpu, framePlan, () => Promise.reject(new Error("no texture")), CAMERA, true);
 
 const frame = (time: number, colour = 0.5): Frame => ({
   time,
@@ -130,21 +130,21 @@ describe("setup passes", () => {
   it("are not drawn again for what they do not hang on", async () => {
     const { gpu, draws } = driver();
     const fixed: Uniform = { type: "float", count: 1, rules: [{ rule: "constant", value: [0.5], field: null }] };
-    const given = plan();
-    const executor = await load(gpu, { ...given, uniforms: { ...given.uniforms, u_colour: fixed } });
+    const base = plan();
+    const executor = await load(gpu, { ...base, uniforms: { ...base.uniforms, u_colour: fixed } });
     for (const colour of [0.5, 0.6]) executor.draw(frame(0, colour));
     expect(draws).toHaveLength(4);
   });
 
   it("serve every plan that hangs on the same", async () => {
     const { gpu, draws, textures } = driver();
-    const [one, other, third] = await Promise.all([load(gpu, plan()), load(gpu, plan({ samples: 2 })), load(gpu, plan({ kept: { still: "else" } }))]);
-    one.draw(frame(0));
+    const [first, other, third] = await Promise.all([load(gpu, plan()), load(gpu, plan({ samples: 2 })), load(gpu, plan({ kept: { still: "else" } }))]);
+    first.draw(frame(0));
     other.draw(frame(0));
     expect(draws).toHaveLength(4);
     third.draw(frame(0));
     expect(draws).toHaveLength(7);
-    one.dispose();
+    first.dispose();
     other.draw(frame(1));
     expect(draws).toHaveLength(8);
     other.dispose();
@@ -170,9 +170,9 @@ describe("setup passes", () => {
 
   it("wait until something is seen of them", async () => {
     const { gpu, draws } = driver();
-    const given = plan();
-    const passes = given.passes.map((pass) => (pass.when === "frame" ? { ...pass, view: "rising" as const } : pass));
-    const executor = await load(gpu, { ...given, passes });
+    const base = plan();
+    const passes = base.passes.map((pass) => (pass.when === "frame" ? { ...pass, view: "rising" as const } : pass));
+    const executor = await load(gpu, { ...base, passes });
     executor.draw({ ...frame(0), camera: { ...CAMERA, pitch: -1.5 } });
     expect(draws).toHaveLength(0);
     executor.draw(frame(0));

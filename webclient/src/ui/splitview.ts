@@ -1,35 +1,35 @@
-/** The line between two pictures: drag it, or move it with the arrow keys; each side says what it shows. */
+/** Split view of two values of one field, with a divider that is dragged or moved by the arrow keys. */
 import type { Split } from "../app/store";
 import { labelOf } from "../panel/model";
 import { element, fillSelect } from "./dom";
 
-export interface Comparable {
+export interface ComparableField {
   field: string;
   title: string;
   options: readonly { name: string; title: string }[];
 }
 
-export class Divider {
+export class SplitView {
   private readonly handle = element("div", {
     class: "handle",
     role: "slider",
     tabindex: 0,
-    "aria-label": "Divider between the two pictures",
+    "aria-label": "Split position",
     "aria-valuemin": 0,
     "aria-valuemax": 100,
   });
-  private readonly field = element("select", { "aria-label": "What to compare" });
-  private readonly left = element("select", { "aria-label": "Left picture" });
-  private readonly right = element("select", { "aria-label": "Right picture" });
+  private readonly field = element("select", { "aria-label": "Compared field" });
+  private readonly left = element("select", { "aria-label": "Left value" });
+  private readonly right = element("select", { "aria-label": "Right value" });
   private split: Split | null = null;
 
   constructor(
     private readonly container: HTMLElement,
     private readonly change: (split: Split) => void,
-    private readonly begin: (field: string) => void,
+    private readonly compareBy: (field: string) => void,
   ) {
-    const sides = element("div", { class: "sides" }, this.left, this.field, this.right);
-    container.append(element("div", { class: "line" }), this.handle, sides);
+    const selects = element("div", { class: "split-controls" }, this.left, this.field, this.right);
+    container.append(element("div", { class: "line" }), this.handle, selects);
     this.handle.addEventListener("pointerdown", (event) => this.handle.setPointerCapture(event.pointerId));
     this.handle.addEventListener("pointermove", (event) => {
       if (this.handle.hasPointerCapture(event.pointerId)) this.move(event.clientX / container.clientWidth);
@@ -40,18 +40,18 @@ export class Divider {
       event.preventDefault();
       this.move(this.split.at + step);
     });
-    this.field.addEventListener("change", () => this.begin(this.field.value));
-    const sidesChanged = () => this.split && this.change({ ...this.split, left: this.left.value, right: this.right.value });
-    this.left.addEventListener("change", sidesChanged);
-    this.right.addEventListener("change", sidesChanged);
+    this.field.addEventListener("change", () => this.compareBy(this.field.value));
+    const changeValues = () => this.split && this.change({ ...this.split, left: this.left.value, right: this.right.value });
+    this.left.addEventListener("change", changeValues);
+    this.right.addEventListener("change", changeValues);
   }
 
-  show(split: Split | null, comparables: readonly Comparable[]): void {
+  show(split: Split | null, fields: readonly ComparableField[]): void {
     this.split = split;
     this.container.hidden = split === null;
     if (split === null) return;
-    const options = comparables.find(({ field }) => field === split.field)?.options ?? [];
-    fillSelect(this.field, comparables.map(({ field, title }) => ({ name: field, title: `by ${title}` })), split.field);
+    const options = fields.find(({ field }) => field === split.field)?.options ?? [];
+    fillSelect(this.field, fields.map(({ field: name, title }) => ({ name, title })), split.field);
     fillSelect(this.left, options, split.left);
     fillSelect(this.right, options, split.right);
     this.container.style.setProperty("--at", `${split.at * 100}%`);
@@ -63,7 +63,6 @@ export class Divider {
   }
 }
 
-/** Options whose names are their own titles. */
 export function plainOptions(names: readonly string[]): { name: string; title: string }[] {
   return names.map((name) => ({ name, title: labelOf(name) }));
 }

@@ -1,0 +1,118 @@
+/** Requests the plan of a scene and compiles it in the background, while the previous plan is drawn. */
+import type { Api } from "../api";
+import type { CameraState } from "../camera/state";
+import type { FramePlan } from "../generated/api";
+import type { Gpu } from "../gl/gpu";
+import { Executor } from "../plan/executor";
+import { CAMERA_POINTER, planCovers } from "../plan/live";
+import { equal, type Json, withValue } from "../scene/json";
+
+/** Delay before the server is asked, ms: a slider may still move. */
+const DEBOUNCE = 120;
+
+export interface PlanRequest {
+  scene: Json;
+  quality: Json;
+}
+
+export interface LoadedPlan {
+  executor: Executor;
+  request: PlanRequest;
+  /** The latest scene that the plan covers; its live fields are drawn. */
+  scene: Json;
+}
+
+export interface PlanLoaderEvents {
+  gpu(): Gpu;
+  camera(): CameraState;
+  /** There is something new to draw; `newPlan`: not only live fields. */
+  changed(newPlan: boolean): void;
+  /** The programs for every camera are compiled. */
+  complete(): void;
+  failed(error: unknown): void;
+  /** Whether a plan is loading. */
+  busy(busy: boolean): void;
+}
+
+export class PlanLoader {
+  loaded: LoadedPlan | null = null;
+  private requested: PlanRequest | null = null;
+  private abort: AbortController | null = null;
+
+  constructor(
+    private readonly api: Api,
+    private readonly events: PlanLoaderEvents,
+  ) {}
+
+  get plan(): FramePlan | null {
+    return this.loaded?.executor.plan ?? null;
+  }
+
+  /** Shows a scene: at once if the loaded plan covers it, else when a new plan is compiled. */
+  show(request: PlanRequest, delay = DEBOUNCE): void {
+    if (this.requested && equal(this.requested.scene, request.scene) && equal(this.requested.quality, request.quality)) return;
+    this.requested = request;
+    const { loaded } = this;
+    if (loaded && equal(loaded.request.quality, request.quality) && planCovers(loaded.executor.plan, loaded.request.scene, request.scene)) {
+      this.cancel();
+      loaded.scene = request.scene;
+      this.events.changed(false);
+      return;
+    }
+    this.load(request, delay);
+  }
+
+  /** Loads the same plan again, after a lost context. */
+  reload(): void {
+    this.loaded = null;
+    if (this.requested) this.load(this.requested, 0);
+  }
+
+  clear(): void {
+    this.cancel();
+    this.requested = null;
+    this.loaded?.executor.dispose();
+    this.loaded = null;
+  }
+
+  private cancel(): void {
+    this.abort?.abort();
+    this.abort = null;
+    this.events.busy(false);
+  }
+
+  private load(request: PlanRequest, delay: number): void {
+    this.cancel();
+    const abort = new AbortController();
+    this.abort = abort;
+    this.events.busy(true);
+    const outdated = () => abort.signal.aborted;
+    const run = async () => {
+      await new Promise((resolve) => setTimeout(resolve, delay));
+      if (outdated()) return;
+      const gpu = this.events.gpu();
+      // Without its camera, so that the server's cache has one plan for every view of the scene.
+      const plan = await this.api.plan(withValue(request.scene, CAMERA_POINTER, undefined), request.quality, abort.signal);
+      const executor = await Executor.load(gpu, plan, (texture) => this.api.texture(texture), this.events.camera(), true);
+      if (outdated() || gpu !== this.events.gpu()) {
+        executor.dispose();
+        return;
+      }
+      this.loaded?.executor.dispose();
+      this.loaded = { executor, request, scene: request.scene };
+      this.abort = null;
+      this.events.busy(false);
+      this.events.changed(true);
+      await executor.complete;
+      if (this.plan === plan) this.events.complete();
+    };
+    run().catch((error: unknown) => {
+      if (outdated()) return;
+      this.abort = null;
+      // The same scene may be requested again.
+      this.requested = null;
+      this.events.busy(false);
+      this.events.failed(error);
+    });
+  }
+}

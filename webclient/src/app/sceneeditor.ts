@@ -1,0 +1,98 @@
+/** Editing of the scene's fields: the settings' pane, loaded on first use, and the split view of one field. */
+import type { Api, Choice } from "../api";
+import { choiceControls } from "../panel/model";
+import type { ScenePane } from "../panel/pane";
+import { isObject, type Json, type JsonObject, withValue } from "../scene/json";
+import { type ComparableField, plainOptions, SplitView } from "../ui/splitview";
+import { preferredField, QUALITY_FIELD, splitAfterEdit, startSplit, validSplit } from "./comparison";
+import { qualityTitle } from "./quality";
+import { sceneControls } from "./schema";
+import type { Store } from "./store";
+
+export class SceneEditor {
+  private pane: ScenePane | null = null;
+  private readonly splitView: SplitView;
+  private readonly options = new Map<string, readonly Choice[]>();
+
+  constructor(
+    private readonly api: Api,
+    private readonly openapi: JsonObject,
+    private readonly tiers: readonly string[],
+    private readonly store: Store,
+    private readonly paneContainer: HTMLElement,
+    splitContainer: HTMLElement,
+    private readonly failed: (error: unknown) => void,
+  ) {
+    this.splitView = new SplitView(splitContainer, (split) => store.set({ split }), (field) => this.compareBy(field));
+  }
+
+  load(): void {
+    if (this.pane) return;
+    import("../panel/pane").then(
+      ({ ScenePane: Pane }) => {
+        this.pane ??= new Pane(this.paneContainer, {
+          change: (pointer, value) => this.edit(pointer, value),
+          optionsFrom: (url) => this.optionsFrom(url),
+        });
+        this.show();
+      },
+      (error: unknown) => this.failed(error),
+    );
+  }
+
+  /** Shows the selection; `rebuild`: the options of the pane's fields have changed. */
+  show(rebuild = false): void {
+    const { scene, split } = this.store.now;
+    const controls = this.pane && sceneControls(this.openapi, scene);
+    if (controls) this.pane?.show(controls, scene, rebuild);
+    this.splitView.show(split, this.comparableFields());
+  }
+
+  toggleSplit(): void {
+    const { now } = this.store;
+    const preferred = now.split ? undefined : preferredField(this.comparableFields());
+    this.store.set({ split: preferred ? startSplit(now, preferred) : null });
+  }
+
+  private compareBy(name: string): void {
+    const comparable = this.comparableFields().find(({ field }) => field === name);
+    if (comparable) this.store.set({ split: startSplit(this.store.now, comparable) });
+  }
+
+  private edit(pointer: string, value: Json): void {
+    const { scene: before, split } = this.store.now;
+    const scene = withValue(before, pointer, value);
+    if (isObject(scene)) this.store.set({ scene, split: validSplit(scene, splitAfterEdit(split, pointer, value)) });
+  }
+
+  /** Every choice of the scene, and the quality. */
+  private comparableFields(): ComparableField[] {
+    const { scene, quality } = this.store.now;
+    const controls = sceneControls(this.openapi, scene);
+    const fields = (controls ? choiceControls(controls) : []).map((control) => ({
+      field: control.pointer,
+      title: control.label,
+      options: control.kind === "choice" ? plainOptions(control.options) : this.optionsFrom(control.url),
+    }));
+    const qualities = [...new Set([...this.tiers, quality])].map((name) => ({ name, title: qualityTitle(name) }));
+    return [...fields, { field: QUALITY_FIELD, title: "quality", options: qualities }];
+  }
+
+  /** Options that the server lists, requested once; empty until they arrive. */
+  private optionsFrom(url: string): readonly Choice[] {
+    const cached = this.options.get(url);
+    if (cached) return cached;
+    this.options.set(url, []);
+    this.api.choices(url).then(
+      (options) => {
+        this.options.set(url, options);
+        this.show(true);
+      },
+      (error: unknown) => {
+        this.options.delete(url);
+        this.failed(error);
+      },
+    );
+    return [];
+  }
+}

@@ -1,0 +1,84 @@
+import { readFileSync } from "node:fs";
+import { describe, expect, it } from "vitest";
+import { AutoQuality, tierChoices, errorAt, type TierCosts, type RenderLoad, type TierCost } from "../src/app/autoquality";
+import { budgetAt, CPU_BUDGET, gpuBudget } from "../src/app/resolution";
+
+const scales = [1, 0.5, 0.25];
+const tierCosts: TierCost[] = [
+  { tier: "fast", fixed: 2, pixels: 30, errors: [20, 26, 32] },
+  { tier: "exact", fixed: 4, pixels: 120, errors: [12, 20, 31] },
+];
+const costsOf = (tiers: TierCost[]): TierCosts => ({ scales, presets: { sea: tiers } });
+const costs = costsOf(tierCosts);
+
+/** The load of a machine slower by a factor than the one that measured the costs. */
+function loadOf(tier: string, scale: number, slowdown: number, budget = CPU_BUDGET, overhead = 5, tiers = tierCosts): RenderLoad {
+  const { fixed, pixels } = tiers.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
+  return { budget, scale, overhead, megapixels: 1, renderTime: slowdown * (fixed + pixels * scale ** 2) };
+}
+
+describe("automatic quality", () => {
+  it("interpolates errors between the scales and extrapolates below the least", () => {
+    expect(errorAt(scales, [10, 20, 40], 0.75)).toBe(15);
+    expect(errorAt(scales, [10, 20, 40], 0.5)).toBe(20);
+    expect(errorAt(scales, [10, 20, 40], 0.1)).toBeCloseTo(52);
+    expect(errorAt(scales, [10, 20, 40], 1)).toBe(10);
+  });
+
+  it("predicts the greatest scale within budget for every tier", () => {
+    for (const { tier, scale } of tierChoices(tierCosts, scales, "fast", loadOf("fast", 0.4, 2))) {
+      const { fixed, pixels } = tierCosts.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
+      expect(5 + 2 * (fixed + pixels * scale ** 2)).toBeLessThanOrEqual(budgetAt(CPU_BUDGET, scale));
+      expect(5 + 2 * (fixed + pixels * (scale + 0.05) ** 2)).toBeGreaterThan(budgetAt(CPU_BUDGET, scale + 0.05));
+    }
+  });
+
+  it("selects the exact tier on a fast machine and the fast tier on a slow one", () => {
+    const gpu = gpuBudget(1000 / 60);
+    expect(new AutoQuality().next(costs, "sea", "fast", loadOf("fast", 1, 0.02, gpu, 0))).toMatchObject({ tier: "exact", scale: 1 });
+    expect(new AutoQuality().next(costs, "sea", "exact", loadOf("exact", 0.3, 6))?.tier).toBe("fast");
+  });
+
+  it("leaves a tier that exceeds the budget at every scale, and selects the fastest where all do", () => {
+    const tiers = tierCosts.map((cost) => (cost.tier === "exact" ? { ...cost, fixed: 400, errors: [2, 3, 4] } : { ...cost, fixed: 10 }));
+    const slow = costsOf(tiers);
+    const now = (tier: string, slower: number) => loadOf(tier, 0.1, slower, CPU_BUDGET, 5, tiers);
+    expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 1))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now("fast", 1))).toBeNull();
+    // A machine so slow that no tier is within budget.
+    expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 100))?.tier).toBe("fast");
+    expect(new AutoQuality().next(slow, "sea", "fast", now("fast", 100))).toBeNull();
+  });
+
+  it("keeps the tier where another gains little and where no costs are known", () => {
+    const close = costsOf(tierCosts.map((cost) => ({ ...cost, errors: [10, 10, 10] })));
+    expect(new AutoQuality().next(close, "sea", "fast", loadOf("fast", 1, 0.02))).toBeNull();
+    expect(new AutoQuality().next(costs, "pond", "fast", loadOf("fast", 1, 0.02))).toBeNull();
+    expect(new AutoQuality().next(costs, "sea", '{"samples":4}', loadOf("fast", 1, 0.02))).toBeNull();
+  });
+
+  it("does not return to a tier that it left", () => {
+    const auto = new AutoQuality();
+    expect(auto.next(costs, "sea", "fast", loadOf("fast", 1, 0.02))?.tier).toBe("exact");
+    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 6))).toBeNull();
+    auto.reset();
+    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 6))?.tier).toBe("fast");
+  });
+});
+
+describe("fronts.json", () => {
+  const costs = JSON.parse(readFileSync(new URL("../public/fronts.json", import.meta.url), "utf8")) as TierCosts;
+
+  it("has valid costs for every preset", () => {
+    expect([...costs.scales].sort((a, b) => b - a)).toEqual(costs.scales);
+    for (const [name, tiers] of Object.entries(costs.presets)) {
+      expect(tiers.length, name).toBeGreaterThan(1);
+      for (const { fixed, pixels, errors } of tiers) {
+        expect(fixed, name).toBeGreaterThanOrEqual(0);
+        expect(pixels, name).toBeGreaterThan(0);
+        expect(errors.length, name).toBe(costs.scales.length);
+        expect(Math.min(...errors), name).toBeGreaterThan(0);
+      }
+    }
+  });
+});
