@@ -168,7 +168,8 @@ float filtered_coverage(float s, float whole, vec2 uv, vec2 uv_x, vec2 uv_y) {
         }
         bool first = second == 0.0;
         covered += (first ? 1.0 - next : next) * form_coverage(s, uv, uv_x, uv_y, size, first ? form : form + 1);
-        second = first ? next : 0.0;
+        // Where nothing is covered the other form does not change that.
+        second = first && s > 0.0 ? next : 0.0;
         if (second == 0.0) {
             covered *= smoothstep(0.0, 1.0 / 256.0, s);
             float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
