@@ -25,12 +25,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
-    name, torn = ("surf_filtered", ("saturation/torn.glsl",)) if filtered else ("surf", ())
-    needs = ("saturation/surf_patches.glsl", *torn)
+    front, torn = ("surf_front_filtered", "torn") if filtered else ("surf_front", "torn_exact")
+    needs = (f"saturation/{torn}.glsl", "saturation/surf_patches.glsl", f"saturation/{front}.glsl")
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
-            SlotFile("saturation", f"saturation/{name}.glsl", prefix="surf", needs=needs),
+            SlotFile("saturation", "saturation/surf.glsl", prefix="surf", needs=needs),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
         consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},
@@ -81,7 +81,7 @@ EFFECT = Effect(
                     mask="clump",
                 ),
             ),
-            guard="the filtered look clamps each at 1 first (saturation/surf_filtered.glsl)",
+            guard="the filtered look clamps each at 1 first (saturation/surf.glsl)",
             without="nothing here: the product is under 1 wherever the surf is over it",
             camera=_VIEW,
         ),
