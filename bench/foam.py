@@ -10,7 +10,7 @@ from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Foam, FoldSaturation, FrontSaturation, Saturation, Scene, SurfSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
 PRESETS = ("default", "storm", "island-surf")
@@ -32,7 +32,7 @@ class Variant:
         """The scene so."""
         assert scene.foam is not None
         lives = LIVES.index(self.life)
-        foam = scene.foam if lives else lying_still(scene.foam)
+        foam = scene.foam if lives else scene.foam.lying_still()
         life = foam.life if lives > 1 else None
         if life is not None and lives == 2:
             life = life.model_copy(update={"masks": (), "windrows": 0.0})
@@ -56,22 +56,6 @@ VARIANTS = (
     Variant(4, True),
     *(Variant(4, True, life) for life in LIVES[1:]),
 )
-
-
-def lying_still(foam: Foam) -> Foam:
-    """The foam without what becomes of it after its birth."""
-    made: list[Saturation] = []
-    for source in foam.saturation:
-        match source:
-            case FrontSaturation():
-                made.append(source.model_copy(update={"decay": None}))
-            case FoldSaturation():
-                made.append(source.model_copy(update={"lasting": False}))
-            case SurfSaturation():
-                made.append(source.model_copy(update={"line": 0.0}))
-            case _:
-                made.append(source)
-    return foam.model_copy(update={"saturation": tuple(made), "life": None, "thickness": 0.0})
 
 
 def measure(executor: Executor, watch: Watch) -> list[Table]:

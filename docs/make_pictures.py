@@ -15,11 +15,8 @@ from seafoam.scene.models import (
     Camera,
     Caustics,
     Foam,
-    FoldSaturation,
     FrontSaturation,
-    Saturation,
     Scene,
-    SurfSaturation,
 )
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.sky import Day, Moon
@@ -222,19 +219,13 @@ GROUPS = {"default": (0.3, 0.75), "shallows": (0.35, 0.9)}
 
 
 def lying_still(foam: Foam, name: str) -> Foam:
-    """The foam without what it does after its birth."""
-    made: list[Saturation] = []
-    for source in foam.saturation:
-        match source:
-            case FrontSaturation():
-                made.append(source.model_copy(update={"decay": None, "group": GROUPS.get(name, source.group)}))
-            case FoldSaturation():
-                made.append(source.model_copy(update={"lasting": False}))
-            case SurfSaturation():
-                made.append(source.model_copy(update={"line": 0.0}))
-            case _:
-                made.append(source)
-    return foam.model_copy(update={"saturation": tuple(made), "life": None, "thickness": 0.0})
+    """The preset's foam without what it does after its birth, its groups as they were then."""
+    still = foam.lying_still()
+    made = [
+        one.model_copy(update={"group": GROUPS.get(name, one.group)}) if isinstance(one, FrontSaturation) else one
+        for one in still.saturation
+    ]
+    return still.model_copy(update={"saturation": tuple(made)})
 
 
 def foam(executor: Executor) -> None:

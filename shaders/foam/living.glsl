@@ -2,28 +2,23 @@
 
 // s: share that is covered in the mean; f: saturation, which tells the age. lying: where the water rests.
 float lying_amount(float s, float f, vec2 lying, Footprint fp) {
-    if (FOAM_MASKS == 1) {
-        return young_amount(s, lying, fp);
+    if (FOAM_MASKS > 1) {
+        // What is whole when it is born decays as e^-age, so its age is -log f. Masks follow one another, and two share what is covered.
+        float age = clamp(-log(max(f, 1e-6)) / FOAM_AGE, 0.0, float(FOAM_MASKS - 1));
+        foam_mask = min(int(age), FOAM_MASKS - 2);
+        float share = smoothstep(0.35, 0.65, age - float(foam_mask));
+        float left = 1.0 - s;
+        float held = max(left, 1.0 / 256.0);
+        float last = smoothstep(0.0, 1.0 / 256.0, left);
+        foam_older = share > 0.0 ? 1.0 - pow(held, share) * last : 0.0;
+        s = 1.0 - pow(held, 1.0 - share) * last;
+        if (share >= 1.0) {
+            s = foam_older;
+            foam_older = 0.0;
+            foam_mask += 1;
+        }
     }
-    // What is whole when it is born decays as e^-age, so its age is -log f. Masks follow one another; where two meet each thins its
-    // foam, and what neither covers stays free (foam/cells_blended.glsl).
-    float age = clamp(-log(max(f, 1e-6)) / FOAM_AGE, 0.0, float(FOAM_MASKS - 1));
-    int young = min(int(age), FOAM_MASKS - 2);
-    float share = smoothstep(0.35, 0.65, age - float(young));
-    float left = 1.0 - s;
-    float held = max(left, 1.0 / 256.0);
-    float last = smoothstep(0.0, 1.0 / 256.0, left);
-    float free = 1.0;
-    int rounds = share > 0.0 && share < 1.0 ? 2 : 1;
-    bool old = share >= 1.0;
-    // Asked at the end: drivers without branches would go through both where one has all the weight.
-    do {
-        foam_mask = old ? young + 1 : young;
-        free *= 1.0 - young_amount(1.0 - pow(held, old ? share : 1.0 - share) * last, lying, fp);
-        old = true;
-        rounds -= 1;
-    } while (rounds > 0);
-    return 1.0 - free;
+    return young_amount(s, lying, fp);
 }
 
 float foam_share_lying(float f, vec2 p, Footprint fp) {

@@ -15,5 +15,6 @@ float land_foam(vec2 p, float ground, Footprint fp) {
     float line = smoothstep(0.55, 0.9, reach) * (1.0 - smoothstep(0.95, 1.05, reach)) * exp(since / (3.0 * u_surf_life));
     float ran_up = smoothstep(0.02, 0.1, f.here.g * u_surf_scale);
     surf_carried = vec3(0.0);
-    return min(foam_amount(min(u_surf_line * ran_up * (0.3 + 0.9 * surf_patches(q)) * (swept + line), SURF_CAP), p, fp), 1.0);
+    Footprint point = Footprint(vec2(0.0), vec2(0.0));
+    return min(foam_amount(min(u_surf_line * ran_up * (0.3 + 0.9 * surf_patches(q, point)) * (swept + line), SURF_CAP), p, fp), 1.0);
 }

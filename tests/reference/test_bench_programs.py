@@ -5,7 +5,6 @@ from pathlib import Path
 import bench
 import pytest
 from bench.economy import QUALITY, ByHand, by_hand, same_picture, with_surface
-from bench.foam import lying_still
 from bench.passes import SIZE, measure
 from bench.steps import Steps, steps
 from bench.uber import uber_plan
@@ -35,7 +34,7 @@ def test_the_program_with_every_effect_draws_what_the_plan_draws(executor: Execu
     scene = load_preset(name).scene
     assert scene.foam is not None
     # What becomes of foam is none of the paper's effects.
-    scene = scene.model_copy(update={"foam": lying_still(scene.foam)})
+    scene = scene.model_copy(update={"foam": scene.foam.lying_still()})
     same_picture(executor, uber_plan(scene, QUALITY), make_plan(scene, QUALITY), scene.camera)
 
 

@@ -390,6 +390,7 @@ def filtered_consts(mask: Mask, fade: float, octaves: int) -> dict[str, Const]:
         "FOAM_TEXTURED": False,
         "FOAM_SIDE": 4,
         "FOAM_LIVES": False,
+        "FOAM_MASKS": 1,
         "MASK_ROWS": 10 + (2 if octaves > 1 else 1),
     }
 
@@ -416,7 +417,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
             Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
             "foam/look/filtered.glsl",
         ],
-        "y.x = filtered_coverage(x.x, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
+        "y.x = filtered_coverage(x.x, 1.0, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
         inputs,
         consts=filtered_consts(mask, fade, 1),
         uniforms={"u_foam_fade": fade},

@@ -352,6 +352,21 @@ class Foam(Part):
             raise ValueError("life: cannot be combined with a drift saturation, whose flow already carries the foam")
         return self
 
+    def lying_still(self) -> "Foam":
+        """The same foam without what becomes of it after its birth: born anew at each moment, uncarried, flat."""
+        made: list[Saturation] = []
+        for source in self.saturation:
+            match source:
+                case FrontSaturation():
+                    made.append(source.model_copy(update={"decay": None}))
+                case FoldSaturation():
+                    made.append(source.model_copy(update={"lasting": False}))
+                case SurfSaturation():
+                    made.append(source.model_copy(update={"line": 0.0}))
+                case _:
+                    made.append(source)
+        return self.model_copy(update={"saturation": tuple(made), "life": None, "thickness": 0.0})
+
 
 class Chop(Part):
     """Wind ripples: they tilt the surface normal but do not change the surface height."""

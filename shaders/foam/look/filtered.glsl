@@ -7,9 +7,10 @@ uniform sampler2D u_mask_quantiles; // an entry and the next; row 0: of the B-sp
 uniform float u_foam_fade;          // width of the ramp, in shares of the plane
 uniform float u_foam_texture_share;
 
-// Which of the masks that lie over one another, and how many octaves of it.
+// Which of the masks that lie over one another, how many octaves of it, and the share of the next mask, over this one; 0: it is not asked.
 int foam_mask = 0;
 int foam_octaves = 4;
+float foam_older = 0.0;
 
 // Where to threshold so that a share s is covered. Table entries crowd toward s = 0 and 1, where the quantiles bend most.
 float quantile(float s, int row) {
@@ -51,17 +52,30 @@ vec4 ramp_mean(vec4 above, vec4 width, float fade) {
     return (ramp_integral(above, fade) - ramp_integral(above - width, fade)) / width;
 }
 
-// From the mask's uniform cubic B-spline: its mean over the footprint, to second order, and its change across it. m: columns are
-// rows of the mask, in steps of 1/65536 that end half a step higher; t: place between its middle texels.
-float magnified_coverage(float s, float threshold, mat4 m, vec2 t, vec2 uv_x, vec2 uv_y) {
-    vec4 wx = spline_weights(t.x);
+vec4 row_thresholds(uvec2 row) {
+    return vec4(row.x & 65535u, row.x >> 16u, row.y & 65535u, row.y >> 16u);
+}
+
+// Sums of a row of the mask by the spline's weights, its slopes and its bends.
+vec3 spline_row(uvec2 row, float t) {
+    vec4 m = row_thresholds(row);
+    return vec3(dot(spline_weights(t), m), dot(spline_slopes(t), m), dot(spline_bends(t), m));
+}
+
+// From the mask's uniform cubic B-spline: its mean over the footprint, to second order, and its change across it. Rows of the mask, in
+// steps of 1/65536 that end half a step higher, each summed before the next: all at once would not fit in GPUs' registers.
+// t: place between the middle texels.
+float magnified_coverage(float s, float threshold, uvec2 a, uvec2 b, uvec2 c, uvec2 d, vec2 t, vec2 uv_x, vec2 uv_y) {
+    vec3 first = spline_row(a, t.x);
+    vec3 second = spline_row(b, t.x);
+    vec3 third = spline_row(c, t.x);
+    vec3 fourth = spline_row(d, t.x);
+    vec4 along = vec4(first.x, second.x, third.x, fourth.x);
+    vec4 across = vec4(first.y, second.y, third.y, fourth.y);
     vec4 wy = spline_weights(t.y);
-    vec4 sx = spline_slopes(t.x);
     vec4 sy = spline_slopes(t.y);
-    vec4 along = wx * m;
-    vec4 across = sx * m;
     vec2 slope = vec2(dot(across, wy), dot(along, sy));
-    vec3 bend = vec3(dot(spline_bends(t.x) * m, wy), dot(along, spline_bends(t.y)), dot(across, sy));
+    vec3 bend = vec3(dot(vec4(first.z, second.z, third.z, fourth.z), wy), dot(along, spline_bends(t.y)), dot(across, sy));
     vec2 x = uv_x * float(MASK_SIZE);
     vec2 y = uv_y * float(MASK_SIZE);
     float curvature = bend.x * (x.x * x.x + y.x * y.x) + bend.y * (x.y * x.y + y.y * y.y) + 2.0 * bend.z * (x.x * x.y + y.x * y.y);
@@ -93,10 +107,6 @@ vec4 row_coverage(uvec2 row, float threshold) {
     return ramp_mean(256.0 * threshold - low, vec4(((four >> 8u) & 255u) + 1u), 256.0 * fade);
 }
 
-vec4 row_thresholds(uvec2 row) {
-    return vec4(row.x & 65535u, row.x >> 16u, row.y & 65535u, row.y >> 16u);
-}
-
 // From 16 texels round the footprint: form -1 of the mask itself, form 0 and on of a level. size: its sides, texels of the mask.
 float form_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y, vec2 size, int form) {
     int level = max(form, 0);
@@ -114,8 +124,7 @@ float form_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y, vec2 size, int form)
     uvec2 d = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y + 2) & last)), 0).rg;
     float threshold = quantile(s, 1 + form);
     if (form < 0) {
-        mat4 m = mat4(row_thresholds(a), row_thresholds(b), row_thresholds(c), row_thresholds(d));
-        return magnified_coverage(s, threshold, m, t, uv_x, uv_y);
+        return magnified_coverage(s, threshold, a, b, c, d, t, uv_x, uv_y);
     }
     vec2 width = clamp(size * intBitsToFloat((127 - level) << 23), 1e-2, 0.75 * float(FOAM_SIDE));
     vec4 across = box_shares(t.x, width.x);
@@ -132,14 +141,18 @@ vec2 octave(vec2 uv) {
     return vec2(4.0 * uv.x - 3.0 * uv.y, 3.0 * uv.x + 4.0 * uv.y);
 }
 
-// What each octave's ramp leaves grey is thresholded by the next, as far as the footprint shows it; all and none stay.
-float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
+// What each octave's ramp leaves grey is thresholded by the next, as far as the footprint shows it; all and none stay. Where two masks
+// meet each thins its foam, and what neither covers stays free (foam/cells_blended.glsl). whole: the amount where all is covered.
+float filtered_coverage(float s, float whole, vec2 uv, vec2 uv_x, vec2 uv_y) {
+    Footprint tiles = Footprint(uv_x, uv_y);
+    vec2 place = uv;
+    float free = 1.0;
     float covered = 0.0;
     float second = 0.0;
     int asked = min(foam_octaves, FOAM_OCTAVES);
     int octaves = asked;
-    // One loop for octaves and for both forms of each, asked at the end: drivers without branches would run one that asks first
-    // once more, for nothing, and in two loops GPUs would hold half as many waves.
+    // One loop for masks, octaves and both forms of each, asked at the end: drivers without branches would run one that asks first
+    // once more, for nothing, and of loops in loops GPUs would hold half as many waves.
     do {
         // The sides of the box that has the footprint's variance along the mask's axes.
         vec2 size = float(MASK_SIZE) * sqrt(uv_x * uv_x + uv_y * uv_y);
@@ -155,7 +168,8 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
         }
         bool first = second == 0.0;
         covered += (first ? 1.0 - next : next) * form_coverage(s, uv, uv_x, uv_y, size, first ? form : form + 1);
-        second = first ? next : 0.0;
+        // Where nothing is covered the other form does not change that.
+        second = first && s > 0.0 ? next : 0.0;
         if (second == 0.0) {
             covered *= smoothstep(0.0, 1.0 / 256.0, s);
             float share = FOAM_FADES && FOAM_OCTAVES == 1 ? covered : 1.0 - (1.0 - covered) * smoothstep(0.0, 1.0 / 256.0, 1.0 - s);
@@ -170,9 +184,21 @@ float filtered_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y) {
             // The longer side is at least the diagonal over the root of 2: from 64 texels on nothing of the next octave shows.
             bool seen = dot(uv_x, uv_x) + dot(uv_y, uv_y) < 8192.0 / float(MASK_SIZE * MASK_SIZE);
             octaves = seen && s > 0.0 && s < 1.0 ? octaves - 1 : 0;
+            if (FOAM_MASKS > 1 && octaves == 0) {
+                free *= 1.0 - s * whole;
+                if (foam_older > 0.0) {
+                    s = foam_older;
+                    foam_older = 0.0;
+                    foam_mask += 1;
+                    octaves = asked;
+                    uv = place;
+                    uv_x = tiles.x;
+                    uv_y = tiles.y;
+                }
+            }
         }
     } while (octaves > 0);
-    return s;
+    return FOAM_MASKS > 1 ? 1.0 - free : s * whole;
 }
 
 // What a saturation covers in the mean: as much as the fading look shows.
@@ -183,6 +209,6 @@ float foam_share(float f) {
 
 // f: the saturation, or where foam lives the share.
 float foam_amount(float f, vec2 p, Footprint fp) {
-    float covered = filtered_coverage(FOAM_LIVES ? f : foam_share(f), mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
-    return FOAM_TEXTURED ? covered * mix(1.0, foam_texture(p, fp), u_foam_texture_share) : covered;
+    float whole = FOAM_TEXTURED ? mix(1.0, foam_texture(p, fp), u_foam_texture_share) : 1.0;
+    return filtered_coverage(FOAM_LIVES ? f : foam_share(f), whole, mask_uv(p), mask_turn(fp.x), mask_turn(fp.y));
 }

@@ -1,9 +1,7 @@
 // Foam born at a front and left on the water, where it decays by the second: min(exp((FRONT_BORN - phase since)/FRONT_LIFE), 1) of the
 // last three fronts that passed the water, each as strong as its group was then. Mean over the phases that the footprint covers.
 // docs/formulae.md, section 4.
-uniform vec4 u_living_wave[FRONT_COUNT]; // k.x, k.z (rad/m), weight, frequency for water that drifts, over the mean
-uniform vec2 u_living_turn[FRONT_COUNT]; // cosine and sine of its turn from front to front
-uniform float u_living_phase[FRONT_COUNT];
+uniform vec4 u_living[FRONT_COUNT]; // frequency for water that drifts, over the mean; cosine and sine of the turn from front to front; weight
 
 // From 0 to phase, of foam of strength 1; whole turns are whole fronts.
 float living_integral(float phase) {
@@ -32,10 +30,9 @@ float front_saturation(vec2 p, float height, Footprint fp) {
     vec2 second = vec2(0.0);
     vec2 third = vec2(0.0);
     for (int i = 0; i < FRONT_COUNT; ++i) {
-        vec4 wave = u_living_wave[i];
-        vec2 turn = u_living_turn[i];
-        vec2 sine = wave.z * whole_sine_cosine(wrap_phase(u_living_phase[i] - dot(wave.xy, p + way) - wave.w * since));
-        vec2 now = sine.yx;
+        vec4 wave = u_living[i];
+        vec2 turn = wave.yz;
+        vec2 now = wave.w * whole_sine_cosine(wrap_phase(front_phase(i, p + way) - wave.x * since)).yx;
         first += now;
         now = vec2(now.x * turn.x + now.y * turn.y, now.y * turn.x - now.x * turn.y);
         second += now;

@@ -1,6 +1,9 @@
 // Torn foam under a footprint: noise keeps of itself what its correlation, taken as normal, keeps in the mean over the footprint, and
 // the step that makes patches of it is as much wider as what was lost is spread. docs/formulae.md, section 8.
 
+// No noise yet: mean and lost variance.
+const vec2 TORN_NONE = vec2(0.5, 0.0);
+
 // sum: mean and lost variance so far. share: of this noise in the sum; cell: its side, lengths as of the footprint.
 vec2 torn_noise(vec2 sum, float share, float cell, float noise, Footprint fp) {
     // 3.23: mean square change of noise_value a cell over its variance, 0.046.
@@ -16,4 +19,10 @@ float torn_step(float low, float high, float x, float variance) {
     float middle = 0.5 * (low + high);
     float reach = sqrt(0.25 * (high - low) * (high - low) + 5.0 * variance);
     return smoothstep(middle - reach, middle + reach, x);
+}
+
+// Variance under the footprint of what changes by so much a unit.
+float torn_variance(vec2 change, float unit, Footprint fp) {
+    vec2 turns = vec2(dot(change, fp.x), dot(change, fp.y)) / unit;
+    return dot(turns, turns) / 12.0;
 }

@@ -46,10 +46,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     delta, turn, log_base = _CONSTANTS[front.constants]
     consts: dict[str, Const] = {}
     if shares_phase(scene):
-        waves_of, own = (
-            "foam/saturation/front_shared.glsl",
-            {"u_front_share": number(significant(1.0 / waves_top(scene)))},
-        )
+        waves_of, own = "foam/saturation/front_shared.glsl", _shared_waves(scene)
     else:
         waves_of, own = "foam/saturation/front_own.glsl", _own_waves(scene, delta, turn)
         consts["FRONT_COUNT"] = len(scene.waves)
@@ -61,7 +58,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         # The filtered look reads C from a table as well, so there it is not free to move.
         "u_front_intensity": number(front.intensity, None if filtered else f"{pointer}/intensity"),
         "u_front_log_base": number(log_base),
-        "u_front_group": vector((front.group[0], max(front.group[1], front.group[0] + 1e-4))),
+        "u_front_group": _group(front),
     }
     count = len(scene.waves)
     why = f"front saturation of {count} wave{'s' if count > 1 else ''}, constants of the {front.constants}"
@@ -96,38 +93,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, bound: Bound | None) -> Contribution:
     """Foam that stays where fronts have left it."""
-    total, count = waves_top(scene), len(scene.waves)
-    drift = foam_drift(scene)
     shared = shares_phase(scene)
-    delta, turn, _ = _CONSTANTS["text"]
-    of_waves: dict[str, Uniform] = _own_waves(scene, delta, turn)
-    if shared:
-        of_waves = {"u_front_share": number(significant(1.0 / total))}
-    weights, rates = [], []
-    for wave in scene.waves:
-        kx, kz = wavevector(wave, scene.water.depth)
-        weights.append(wave.amplitude / total if total > 0.0 else 1.0 / count)
-        # Water that drifts along with a wave meets it less often.
-        rates.append(angular_frequency(wave) - kx * drift[0] - kz * drift[1])
-    way = "shared" if shared else "own"
-    if not carries(scene):
-        way = "none"
-    elif not shared:
-        reaches = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
-        along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in reaches]
-        of_waves["u_front_orbit"] = array("vec2", along, count)
-    mean = max(sum(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
-    data: list[Constant] = []
-    turns: list[Constant] = []
-    phases: list[Phase] = []
-    for wave, weight, rate in zip(scene.waves, weights, rates, strict=True):
-        kx, kz = wavevector(wave, scene.water.depth)
-        data.append(Constant(value=(kx, kz, weight, significant(rate / mean))))
-        angle = 2.0 * math.pi * rate / mean
-        turns.append(Constant(value=(significant(math.cos(angle)), significant(math.sin(angle)))))
-        phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
+    waves, mean = _drifting(scene, shared)
+    of_waves = _shared_waves(scene) if shared else _own_waves(scene, *_CONSTANTS["text"][:2])
+    way = "none"
+    if carries(scene):
+        way = "shared" if shared else "own"
+        if not shared:
+            of_waves["u_front_orbit"] = _orbits(scene)
     life = significant(mean * decay)
     born = significant(front_full(front.intensity, 1.0))
+    count = len(scene.waves)
     return Contribution(
         why=f"foam of {count} wave{'s' if count > 1 else ''} left by the last three fronts, {decay:g} s to 1/e",
         slots=(
@@ -144,7 +120,7 @@ def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, 
             ),
         ),
         consts={
-            "FRONT_COUNT": count,
+            "FRONT_COUNT": len(waves),
             "FRONT_GATED": front.group != (0.0, 0.0),
             "FRONT_FILTERED": filtered,
             "FRONT_CREST": math.pi / 2.0,
@@ -154,24 +130,62 @@ def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, 
         },
         uniforms={
             **of_waves,
-            "u_living_wave": array("vec4", data, count),
-            "u_living_turn": array("vec2", turns, count),
-            "u_living_phase": array("float", phases, count),
+            "u_living": array("vec4", waves, len(waves)),
             "u_front_relief": number(significant(_relief(scene, 1.0))),
-            "u_front_group": vector((front.group[0], max(front.group[1], front.group[0] + 1e-4))),
+            "u_front_group": _group(front),
         },
         bound=bound,
     )
 
 
+def _drifting(scene: Scene, shared: bool) -> tuple[list[Constant], float]:
+    """Of each wave what its past fronts need, as water that drifts meets them; and their mean frequency, rad/s.
+
+    ``shared``: of the waves that the surface has, which are those with height.
+    """
+    x, z = foam_drift(scene)
+    met = []
+    for wave, weight in zip(scene.waves, _weights(scene), strict=True):
+        kx, kz = wavevector(wave, scene.water.depth)
+        # Water that drifts along with a wave meets it less often.
+        met.append((wave, weight, angular_frequency(wave) - kx * x - kz * z))
+    mean = max(sum(weight * rate for _, weight, rate in met), LEAST_RATE)
+    made: list[Constant] = []
+    for wave, weight, rate in met:
+        if wave.amplitude > 0.0 or not shared:
+            turn = 2.0 * math.pi * rate / mean
+            past = (rate / mean, math.cos(turn), math.sin(turn))
+            made.append(Constant(value=(*(significant(value) for value in past), weight)))
+    return made, mean
+
+
+def _orbits(scene: Scene) -> Uniform:
+    """How far each wave carries its water along its heading, (x, z) m."""
+    reaches = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
+    along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in reaches]
+    return array("vec2", along, len(along))
+
+
+def _weights(scene: Scene) -> list[float]:
+    """Each wave's share of the sum of all amplitudes; of none, the same share each."""
+    total = waves_top(scene)
+    return [wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves) for wave in scene.waves]
+
+
+def _shared_waves(scene: Scene) -> dict[str, Uniform]:
+    return {"u_front_share": number(significant(1.0 / waves_top(scene)))}
+
+
+def _group(front: FrontSaturation) -> Uniform:
+    return vector((front.group[0], max(front.group[1], front.group[0] + 1e-4)))
+
+
 def _own_waves(scene: Scene, delta: float, turn: float) -> dict[str, Uniform]:
     """Wavenumbers, weights and phases of the front's own."""
-    total = waves_top(scene)
     data: list[Constant] = []
     phases: list[Phase] = []
-    for wave in scene.waves:
+    for wave, weight in zip(scene.waves, _weights(scene), strict=True):
         kx, kz = (turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
-        weight = wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves)
         data.append(Constant(value=(kx, kz, weight, 0.0)))
         phases.append(Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz)))
     return {

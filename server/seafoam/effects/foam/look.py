@@ -65,40 +65,35 @@ def _masks(foam: Foam) -> list[tuple[str, Mask]]:
     return [(foam.mask, first), *((name, mask) for name, mask in older if mask.ranks.shape == first.ranks.shape)]
 
 
+def _turned(foam: Foam) -> tuple[float, float]:
+    """Cosine and sine of the mask's turn, over its tile's side (1/m)."""
+    return math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+
+
 def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
-    c, s = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
-    return {
-        "u_mask_matrix": vector((c, s, -s, c)),
-        "u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1),
-    }
+    """The eye's place on the mask."""
+    c, s = _turned(foam)
+    return {"u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1)}
 
 
 def _carried_uniforms(foam: Foam, drift: tuple[float, float]) -> dict[str, Uniform]:
-    """The mask's turn, and the eye's place on a mask that drifts (x, z) m/s."""
-    c, s = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+    """The eye's place on a mask that drifts (x, z) m/s."""
+    c, s = _turned(foam)
     turn = 2.0 * math.pi
-    rates = -turn * (c * drift[0] + s * drift[1]), -turn * (c * drift[1] - s * drift[0])
-    return {
-        "u_mask_matrix": vector((c, s, -s, c)),
-        "u_mask_phase": array(
-            "float",
-            [
-                Phase(offset=0.0, rate=rates[0], k=(turn * c, turn * s)),
-                Phase(offset=0.0, rate=rates[1], k=(-turn * s, turn * c)),
-            ],
-            2,
-        ),
-    }
+    places = [
+        Phase(offset=0.0, rate=-turn * (x * drift[0] + z * drift[1]), k=(turn * x, turn * z))
+        for x, z in ((c, s), (-s, c))
+    ]
+    return {"u_mask_phase": array("float", places, 2)}
 
 
 def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
-    """The mask's turn, and the eye's place on the lattice of cells: whole steps apart from the rest."""
-    c, s = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+    """The eye's place on the lattice of cells: whole steps apart from the rest."""
+    c, s = _turned(foam)
     # Tiles to steps along the two sides of the triangles.
     first = (c + s / math.sqrt(3.0), s - c / math.sqrt(3.0))
     second = (-2.0 / math.sqrt(3.0) * s, 2.0 / math.sqrt(3.0) * c)
     return {
-        "u_mask_matrix": vector((c, s, -s, c)),
         "u_cell_matrix": vector((*first, *second)),
         "u_cell_offset": array("vec2", [Wrap(k=first), Wrap(k=second)], 1),
         "u_cell_index": array("vec2", [Wrap(k=first, period=CELLS), Wrap(k=second, period=CELLS)], 1),
@@ -150,6 +145,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             else ("foam/mask_carried.glsl" if lives else "foam/mask_coordinates.glsl",)
         )
         consts["MASK_SIZE"] = mask.ranks.shape[0]
+        c, s = _turned(foam)
+        uniforms["u_mask_matrix"] = vector((c, s, -s, c))
         if lives:
             uniforms |= _carried_uniforms(foam, foam_drift(scene))
         else:

@@ -24,12 +24,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
-    name, torn = ("surf_filtered", ("foam/saturation/torn.glsl",)) if filtered else ("surf", ())
-    needs = ("foam/saturation/surf_patches.glsl", *torn)
+    front, torn = ("surf_front_filtered", "torn") if filtered else ("surf_front", "torn_exact")
+    needs = (f"foam/saturation/{torn}.glsl", "foam/saturation/surf_patches.glsl", f"foam/saturation/{front}.glsl")
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
-            SlotFile("saturation", f"foam/saturation/{name}.glsl", prefix="surf", needs=needs),
+            SlotFile("saturation", "foam/saturation/surf.glsl", prefix="surf", needs=needs),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
         consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},
@@ -80,7 +80,7 @@ EFFECT = Effect(
                     mask="clump",
                 ),
             ),
-            guard="the filtered look clamps each at 1 first (foam/saturation/surf_filtered.glsl)",
+            guard="the filtered look clamps each at 1 first (foam/saturation/surf.glsl)",
             without="nothing here: the product is under 1 wherever the surf is over it",
             camera=_VIEW,
         ),

@@ -42,13 +42,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             )
         )
     filtered = scene.foam.look == "filtered"
-    name, torn = ("wake_filtered", ("foam/saturation/torn.glsl",)) if filtered else ("wake", ())
+    torn = "foam/saturation/torn.glsl" if filtered else "foam/saturation/torn_exact.glsl"
     return Contribution(
         why=f"foam behind boats, {wake.life:g} s to 1/e",
-        slots=(
-            SlotFile("saturation", f"foam/saturation/{name}.glsl", prefix="wake", needs=(*VALUE_NOISE, *torn, *WAY)),
-        ),
-        consts={} if filtered else {"WAKE_CAP": SATURATION_CAP},
+        slots=(SlotFile("saturation", "foam/saturation/wake.glsl", prefix="wake", needs=(*VALUE_NOISE, torn, *WAY)),),
+        consts={"WAKE_CAP": 1.0 if filtered else SATURATION_CAP},
         uniforms={"u_wake_foam": array("vec4", [Constant(value=one) for one in amounts], len(amounts))},
     )
 

@@ -74,13 +74,12 @@ def shares_phase(scene: Scene) -> bool:
     """
     fronts = () if scene.foam is None else (one for one in scene.foam.saturation if isinstance(one, FrontSaturation))
     like = any(one.constants == "text" for one in fronts) and waves_top(scene) >= _LEAST_SHARED
-    return like and shares_place(scene)
+    return like and scene.shore is None and shares_place(scene)
 
 
 def shares_place(scene: Scene) -> bool:
     """Whether the place that was shaded last is still the sample's own when its foam is asked for."""
-    slopes = scene.foam is not None and any(isinstance(one, SlopeSaturation) for one in scene.foam.saturation)
-    return not slopes and scene.shore is None
+    return scene.foam is None or not any(isinstance(one, SlopeSaturation) for one in scene.foam.saturation)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
