@@ -123,7 +123,7 @@ def render(
         float | None,
         typer.Option(help="Camera position along +x, m [default: the preset's, as for all camera options]."),
     ] = None,
-    y: Annotated[float | None, typer.Option(help="Camera height above the troughs, m.")] = None,
+    y: Annotated[float | None, typer.Option(help="Camera height above still water, m.")] = None,
     z: Annotated[float | None, typer.Option(help="Camera position along +z, m.")] = None,
     yaw: Annotated[float | None, typer.Option(help="Camera yaw, rad from -z toward +x.")] = None,
     pitch: Annotated[float | None, typer.Option(help="Camera pitch, rad; positive looks up.")] = None,

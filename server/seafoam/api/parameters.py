@@ -132,7 +132,7 @@ class FrameParameters(SceneOverrides):
     width: int | None = Field(default=None, ge=1, description="Width, pixels; absent: the preset's", examples=[640])
     height: int | None = Field(default=None, ge=1, description="Height, pixels; absent: the preset's", examples=[360])
     x: float | None = _axis(0, "Camera position along +x, m; absent: the preset's, as for all camera parameters", 0.0)
-    y: float | None = _axis(1, "Camera height above the troughs, m", 4.5)
+    y: float | None = _axis(1, "Camera height above still water, m", 4.5)
     z: float | None = _axis(2, "Camera position along +z, m", -20.0)
     yaw: float | None = _same(Camera.model_fields["yaw"], examples=[0.35])
     pitch: float | None = _same(Camera.model_fields["pitch"], examples=[-0.2])

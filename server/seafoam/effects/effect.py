@@ -124,7 +124,9 @@ class Contribution:
     bound: "Bound | None" = None
     """Upper bound of the effect's change to a pixel; ``None``: visible."""
     top: float = 0.0
-    """Upper bound of the effect's share of the surface height, m."""
+    """Upper bound of the effect's share of the surface height above still water, m."""
+    trough: float = 0.0
+    """Lower bound of the effect's share of the surface height, m; at most 0."""
     steepest: float = 0.0
     """Upper bound of the effect's share of the surface slope."""
     curvature: float = 0.0

@@ -1,9 +1,7 @@
-"""The mean height of the surface above its troughs."""
+"""Still water among the paper's waves, whose heights count from their troughs; y = 0 is still water everywhere."""
 
 import math
 
-from seafoam.ocean.cascades import RAISED, cascades
-from seafoam.ocean.rings import calm_level
 from seafoam.scene.models import ParametricWave, Scene
 
 
@@ -16,9 +14,6 @@ def wave_level(wave: ParametricWave) -> float:
     )
 
 
-def mean_level(scene: Scene) -> float:
-    """Return the mean height of waves, rings at rest and open sea above y = 0, m; without a shore."""
-    level = sum(wave_level(wave) for wave in scene.waves) + calm_level(scene)
-    if scene.sea is not None and scene.sea.wind > 0.0:
-        level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return level
+def paper_level(scene: Scene) -> float:
+    """Return the height of still water above the troughs of all parametric waves, m: the zero of the paper's H₀."""
+    return sum(wave_level(wave) for wave in scene.waves)

@@ -75,8 +75,8 @@ def trains(scene: Scene) -> tuple[Train, ...]:
 
 
 @lru_cache(maxsize=64)
-def calm_level(scene: Scene) -> float:
-    """Return the height of still water above y = 0, m: an upper bound of the joint depth of all troughs. Rounded up."""
+def ring_height(scene: Scene) -> float:
+    """Return an upper bound of the rings' joint height above still water and depth below it, m. Rounded up."""
     return _rounded_up(_greatest(trains(scene), lambda train: 1.0))
 
 

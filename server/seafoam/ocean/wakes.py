@@ -48,7 +48,7 @@ class Wake:
         return min(12.0 * self.wavelength + 4.0 * self.boat.length, 5.0 * self.boat.radius)
 
     @property
-    def level(self) -> float:
+    def height(self) -> float:
         """Upper bound of the height and depth of the waves, m."""
         return 1.5 * self.boat.wake if self.shows else 0.0
 
@@ -61,7 +61,7 @@ class Wake:
         peak = max(self.k, self.shortest / math.sqrt(2.0))
         waves = 1.5 * self.boat.wake * peak * math.exp(-((peak / self.shortest) ** 2))
         # The windows at the bow and at the edge, where both systems open over a tenth of the way behind it.
-        windows = self.level * math.exp(-((self.k / self.shortest) ** 2)) * 5.0 / self.boat.length
+        windows = self.height * math.exp(-((self.k / self.shortest) ** 2)) * 5.0 / self.boat.length
         # Inside the circle a wake is drawn together, at most to 0.75 of its length.
         return (waves + windows) / 0.75
 
@@ -77,7 +77,7 @@ class Wake:
             return 0.0, 0.0
         peak = max(self.k, self.shortest)
         waves = 1.5 * self.boat.wake * peak**2 * math.exp(-((peak / self.shortest) ** 2))
-        window = _OPENING * self.level * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
+        window = _OPENING * self.height * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
         return (waves + window) / 0.75**2, (waves + window / NEAR**2) / 0.75**2
 
     def grain(self, texel: float) -> float:
@@ -85,7 +85,7 @@ class Wake:
 
         In units of the second derivative of its shortest waves times texel²; the factor is measured, plus a tenth.
         """
-        return 0.013 * self.level * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
+        return 0.013 * self.height * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
 
 
 def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:
@@ -93,9 +93,9 @@ def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:
     return tuple(Wake(boat) for boat in boats)
 
 
-def wake_level(boats: tuple[Boat, ...]) -> float:
-    """Return the height of still water above y = 0 where boats pass, m: a bound of the depth of all wakes' troughs."""
-    return float(f"{sum(wake.level for wake in wakes(boats)):.7g}")
+def wake_height(boats: tuple[Boat, ...]) -> float:
+    """Return an upper bound of all wakes' joint height above still water and depth below it, m."""
+    return float(f"{sum(wake.height for wake in wakes(boats)):.7g}")
 
 
 def wake_slope(boats: tuple[Boat, ...]) -> float:

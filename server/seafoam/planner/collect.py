@@ -41,6 +41,7 @@ class Collection:
         self.targets: dict[str, Target] = {}
         self.passes: list[PassSpec] = []
         self.top = 0.0
+        self.trough = 0.0
         self.grain = 0.0
         self.steepest = 0.0
         self.bounds = [0.0, 0.0, 0.0]
@@ -74,6 +75,7 @@ class Collection:
         self.slots += given.slots
         self.passes += given.passes
         self.top += given.top
+        self.trough += given.trough
         self.grain += given.grain
         self.steepest += given.steepest
         if not any(file.slot == "bounds" for file in given.slots):

@@ -15,7 +15,9 @@ MOST_SAMPLERS = 16
 """Maximum number of textures of a fragment shader that WebGL2 guarantees (MAX_TEXTURE_IMAGE_UNITS)."""
 
 
-def camera_uniforms(top: float, steepest: float, grain: float, bounds: Sequence[float]) -> dict[str, Uniform]:
+def camera_uniforms(
+    top: float, trough: float, steepest: float, grain: float, bounds: Sequence[float]
+) -> dict[str, Uniform]:
     """Uniforms of the camera and of the surface's bounds, which any shader may declare."""
     return {
         "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
@@ -25,6 +27,7 @@ def camera_uniforms(top: float, steepest: float, grain: float, bounds: Sequence[
         "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
         "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
         "u_surface_top": number(top),
+        "u_surface_trough": number(significant(trough)),
         "u_surface_steepest": number(steepest),
         "u_surface_bounds": vector(tuple(bounds)),
         "u_surface_grain": number(significant(grain)),

@@ -39,7 +39,9 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         refuse_too_many_samplers(program, collection.readers)
     for each in passes:
         refuse_integers(each, frame.targets)
-    camera = camera_uniforms(collection.top, collection.steepest, collection.grain, collection.bounds)
+    camera = camera_uniforms(
+        collection.top, collection.trough, collection.steepest, collection.grain, collection.bounds
+    )
     uniforms = {**collection.uniforms, **camera, **frame.uniforms}
     textures = {name: texture_entry(use) for name, use in collection.textures.items()}
     linked = [with_inputs(each, frame.programs, uniforms) for each in passes]

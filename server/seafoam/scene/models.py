@@ -155,10 +155,13 @@ class HeightSaturation(Part):
 
     source: Literal["height"] = "height"
     base: float = Field(
-        default=0.3, ge=-100.0, le=100.0, description="H0: height above the troughs at which foam starts, m"
+        default=0.3,
+        ge=-100.0,
+        le=100.0,
+        description="H0: height above the waves' troughs at which foam starts, m",
     )
     full: float = Field(
-        default=0.9, ge=-100.0, le=200.0, description="Hmax: height above the troughs at which the saturation is 1, m"
+        default=0.9, ge=-100.0, le=200.0, description="Hmax: height above these troughs at which the saturation is 1, m"
     )
 
     @model_validator(mode="after")
@@ -410,7 +413,7 @@ class Water(Part):
         description="Scattering coefficient, 1/m (Outerra: 0.005); larger values give brighter, murkier water",
     )
     depth: float | None = Field(
-        default=None, ge=0.05, le=11000.0, description="Depth of the floor below the troughs, m; absent: deep water"
+        default=None, ge=0.05, le=11000.0, description="Depth of the floor below still water, m; absent: deep water"
     )
     floor_albedo: Rgb = Field(default=(0.62, 0.54, 0.40), description="Albedo of the floor, linear RGB")
     floor_tile: float | None = Field(
@@ -546,7 +549,7 @@ class Camera(Part):
         Annotated[float, Field(ge=-1e7, le=1e7)],
         Annotated[float, Field(ge=-1000.0, le=1e5)],
         Annotated[float, Field(ge=-1e7, le=1e7)],
-    ] = Field(default=(0.0, 6.0, 0.0), description="Position of the camera, m; y is measured from the troughs")
+    ] = Field(default=(0.0, 6.0, 0.0), description="Position of the camera, m; y is measured from still water")
     yaw: float = Field(
         default=0.0,
         ge=-6.2832,

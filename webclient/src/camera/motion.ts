@@ -37,7 +37,7 @@ export interface Pivot {
   distance: number;
 }
 
-/** Centre of an orbit: where the view meets the troughs, at a limited distance. */
+/** Centre of an orbit: where the view meets still water, at a limited distance. */
 export function pivot(camera: CameraState): Pivot {
   const { forward } = basis(camera);
   const reach = forward[1] < 0 ? camera.position[1] / -forward[1] : Infinity;

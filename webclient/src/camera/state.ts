@@ -3,7 +3,7 @@
 export type Vec3 = readonly [number, number, number];
 
 export interface CameraState {
-  /** Eye; y relative to the troughs. */
+  /** Eye; y relative to still water. */
   position: Vec3;
   /** Heading, from −z toward +x. */
   yaw: number;

@@ -773,7 +773,7 @@ export interface components {
         Camera: {
             /**
              * Position
-             * @description Position of the camera, m; y is measured from the troughs
+             * @description Position of the camera, m; y is measured from still water
              * @default [
              *       0,
              *       6,
@@ -1585,13 +1585,13 @@ export interface components {
             source: "height";
             /**
              * Base
-             * @description H0: height above the troughs at which foam starts, m
+             * @description H0: height above the waves' troughs at which foam starts, m
              * @default 0.3
              */
             base: number;
             /**
              * Full
-             * @description Hmax: height above the troughs at which the saturation is 1, m
+             * @description Hmax: height above these troughs at which the saturation is 1, m
              * @default 0.9
              */
             full: number;
@@ -3679,7 +3679,7 @@ export interface components {
             scattering: number;
             /**
              * Depth
-             * @description Depth of the floor below the troughs, m; absent: deep water
+             * @description Depth of the floor below still water, m; absent: deep water
              */
             depth?: number | null;
             /**
@@ -4316,7 +4316,7 @@ export interface operations {
                 height?: number | null;
                 /** @description Camera position along +x, m; absent: the preset's, as for all camera parameters */
                 x?: number | null;
-                /** @description Camera height above the troughs, m */
+                /** @description Camera height above still water, m */
                 y?: number | null;
                 /** @description Camera position along +z, m */
                 z?: number | null;

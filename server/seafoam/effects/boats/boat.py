@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.bounds import surface_top
+from seafoam.effects.bounds import surface_top, surface_trough
 from seafoam.effects.effect import (
     ABOVE,
     Contribution,
@@ -68,7 +68,7 @@ def _each(values: list[tuple[float, ...]]) -> Uniform:
     return array(kind, [Constant(value=value) for value in values], len(values))
 
 
-def _reach(boat: Boat, top: float) -> Ball:
+def _reach(boat: Boat, swing: float) -> Ball:
     """Where a boat can be: on its course, no further up or down than the water, which nothing of it is far from."""
     x, z = boat.centre
     course = boat.radius
@@ -76,7 +76,7 @@ def _reach(boat: Boat, top: float) -> Ball:
         x, z = x + course * math.cos(boat.bearing), z + course * math.sin(boat.bearing)
         course = 0.0
     # Shaders look for it within 0.9 lengths of a place 0.4 over its middle.
-    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + top) + 0.1))
+    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
 
 
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
@@ -139,7 +139,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
     )
     under = (over, "light/shade/optics.glsl", SlotRef("ceiling"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
-    top = surface_top(scene)
+    swing = max(surface_top(scene), -surface_trough(scene))
     picture = PassSpec(
         name="boats",
         program="boat",
@@ -149,7 +149,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         stage="after",
         blend="over",
         # Land would carry it higher.
-        view="any" if ashore else tuple(_reach(boat, top) for boat in boats),
+        view="any" if ashore else tuple(_reach(boat, swing) for boat in boats),
     )
     return Contribution(
         why=f"boats: {', '.join(kinds)}",

@@ -5,7 +5,7 @@ import math
 from seafoam.effects.bounds import front_limit, waves_top
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, SlotFile, TextureUse
 from seafoam.effects.foam.living import carries
-from seafoam.effects.waves.parametric import profile_means, shares_phase
+from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, significant, vector
 from seafoam.ocean.dispersion import angular_frequency, wavevector
@@ -198,7 +198,7 @@ def _relief(scene: Scene, spatial: float) -> float:
     """Slope amplitude of the sinusoid whose mean square slope is that of all waves together, wavenumbers scaled."""
     total = 0.0
     for wave in scene.waves:
-        square, _ = profile_means(wave.exponent)
+        square = profile_square(wave.exponent)
         total += (spatial * math.hypot(*wavevector(wave, scene.water.depth)) * wave.amplitude) ** 2 * square
     return math.sqrt(2.0 * total)
 
@@ -293,7 +293,7 @@ EFFECT = Effect(
             "(foam/saturation/front_filtered.glsl)",
             without="nothing on llvmpipe; where neither falls nor rises anything, 0/0",
             times=(0.0, 1e9),
-            camera=Camera(position=(0.37, 0.7, -0.21), yaw=1.2, pitch=-0.05),
+            camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
         ),
     ),
 )

@@ -9,6 +9,7 @@ from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase,
 from seafoam.effects.waves.parametric import steepest_profile
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
 from seafoam.ocean.dispersion import wavevector
+from seafoam.ocean.levels import paper_level
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -26,7 +27,7 @@ _LENGTHS, _PLACES = 61, 384
 
 
 def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
-    """Mean height of the parametric waves (m), their greatest slope, and what falling rays see of them.
+    """Mean height of the parametric waves over their troughs (m), their greatest slope, and what falling rays see.
 
     Entry i: mean and deviation (m) of the heights that rays see which fall by (i / (NODES - 1))^2 of the greatest
     slope, all waves running one way. A place is seen if it stands over every ray that came over the places before it:
@@ -83,6 +84,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts=consts,
         uniforms={
             **uniforms,
+            "u_height_level": number(significant(paper_level(scene))),
             "u_height_base": number(height.base, f"{pointer}/base"),
             "u_height_full": number(height.full, f"{pointer}/full"),
         },
@@ -148,7 +150,7 @@ EFFECT = Effect(
             without="the root of a negative fall: in quality standard 44 % of samples off by more than 2 levels, not "
             "9, and 60 in the mean, not 6.9; the rest: nothing on llvmpipe, 0/0 right under the eye and where nothing "
             "is lost",
-            camera=Camera(position=(4.5, 0.2, 0.0), yaw=1.5707963, pitch=-0.05),
+            camera=Camera(position=(4.5, -0.1125, 0.0), yaw=1.5707963, pitch=-0.05),
         ),
     ),
 )

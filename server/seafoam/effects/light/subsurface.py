@@ -2,9 +2,9 @@
 
 import math
 
-from seafoam.effects.bounds import crest_limit, surface_top
+from seafoam.effects.bounds import crest_limit, surface_top, surface_trough
 from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, SlotFile
-from seafoam.framegraph.rules import number
+from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -20,13 +20,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by ``light`` on translucent water."""
     if scene.light is None:
         return None
-    top = surface_top(scene)
+    top, trough = surface_top(scene), surface_trough(scene)
     return Contribution(
         why=f"crests up to {top:g} m against the sun",
         slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/sun.glsl",)),),
         uniforms={
             "u_translucency": number(scene.water.translucency, "/water/translucency"),
-            "u_crest_height": number(1.0 / top if top > 1e-37 else 0.0),
+            "u_crest_trough": number(significant(trough)),
+            "u_crest_height": number(1.0 / (top - trough) if top - trough > 1e-37 else 0.0),
         },
         bound=Bound(
             crest_limit(scene),
@@ -53,8 +54,8 @@ EFFECT = Effect(
                 light=Light(sun_elevation=0.1),
                 water=Water(chop=Chop()),
             ),
-            guard="the share of the greatest height, 1/top in float64 (effects/light/subsurface.py)",
-            without="nothing here; H/top with top = 0 is NaN",
+            guard="the share of the greatest height, 1/height in float64 (effects/light/subsurface.py)",
+            without="nothing here; 0/0 where nothing is high is NaN",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
         HardCase(
@@ -74,7 +75,7 @@ EFFECT = Effect(
             scene=Scene(
                 waves=(ParametricWave(amplitude=0.0),), water=Water(translucency=2.0), light=Light(sun_elevation=0.1)
             ),
-            guard="1/top taken as 0 where it is flat (effects/light/subsurface.py)",
+            guard="1/height taken as 0 where it is flat (effects/light/subsurface.py)",
             without="0 times 1/0: NaN in every sample toward the sun",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),

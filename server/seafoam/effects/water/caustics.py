@@ -2,12 +2,12 @@
 
 import math
 
+from seafoam.effects.bounds import surface_trough
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
 from seafoam.effects.light.light import sun_direction, sun_irradiance
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant, vector
-from seafoam.ocean.levels import mean_level
 from seafoam.ocean.ripples import Ripple, ripples, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Caustics, Chop, Light, Scene, Water
@@ -115,7 +115,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if light is None or light.caustics is None or water.depth is None or water.chop is None or scene.shore is not None:
         return None
     tile = tiles(True)[0]
-    depth = water.depth + mean_level(scene)
+    depth = water.depth
     waves = [wave for cascade in ripples(water.chop, True) for wave in cascade]
     flat = landing(light, depth, (0.0, 0.0))
     photons = quality.caustics == "photons" or _spread(depth, waves) > MOST_SPREAD
@@ -221,7 +221,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 uniforms=weights,
             ),
         ),
-        bound=_bound(scene, light, water.depth, waves),
+        bound=_bound(scene, light, max(depth + surface_trough(scene), 0.0), waves),
     )
 
 

@@ -3,8 +3,6 @@
 import math
 
 from seafoam.effects.effect import Contribution, Effect, HardCase, SlotFile
-from seafoam.framegraph.rules import number, significant
-from seafoam.ocean.levels import mean_level
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -33,7 +31,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why="an eye under the surface sees through it, and what it mirrors",
         slots=(SlotFile("below", "water/underside/main.glsl", needs=(WATER,)),),
-        uniforms={"u_below_level": number(significant(mean_level(scene)))},
     )
 
 
@@ -89,7 +86,7 @@ EFFECT = Effect(
             "an eye in a crest, below",
             "no way leads behind the eye (water/underside/find.glsl)",
             "nothing on llvmpipe: no Newton step went so far back",
-            Camera(position=(0.0, 0.35, 0.0), pitch=0.1),
+            Camera(position=(0.0, 0.125, 0.0), pitch=0.1),
             waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
             foam=Foam(look="halftone"),
         ),

@@ -12,14 +12,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.cascades import RAISED, cascades
-from seafoam.ocean.rings import calm_level
 from seafoam.ocean.ripples import ripples, tiles
 from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, INDEX, Air, air, fresnel
 from seafoam.reference.noise import corner
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, dot, unit
-from seafoam.reference.waves.parametric import reduced, wave_height
+from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
 
 MAP = 512
@@ -80,7 +78,7 @@ def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOT
     assert light is not None
     assert light.caustics is not None
     assert water.chop is not None
-    depth = mean_level(scene) + (water.depth or 0.0)
+    depth = water.depth or 0.0
     return _photon_map(light, light.caustics, water.chop, depth, time, texels, photons)
 
 
@@ -128,17 +126,6 @@ def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     )
 
 
-def mean_level(scene: Scene) -> float:
-    """Mean height of waves, rings at rest and open sea over y = 0, m."""
-    theta = np.linspace(0.0, 2.0 * math.pi, 1 << 16, endpoint=False)
-    level: float = calm_level(scene) + sum(
-        float(wave_height(theta, w.amplitude, w.exponent).mean()) for w in scene.waves
-    )
-    if scene.sea is not None and scene.sea.wind > 0.0:
-        level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return level
-
-
 class Bed:
     """A level floor under a light, at one time around one origin."""
 
@@ -150,11 +137,10 @@ class Bed:
         self.depth = 1e6 if water.depth is None else water.depth
         self.origin = origin
         self.extinction = 1.0 / np.array(water.absorption_length) + water.scattering
-        self.level = mean_level(scene)
         self.map: Floats | None = None
         if light.caustics is not None and water.chop is not None and water.depth is not None:
             self.map = photon_map(scene, time)
-            flat = landing(made, water.depth + self.level, np.zeros(1), np.zeros(1), INDEX)
+            flat = landing(made, water.depth, np.zeros(1), np.zeros(1), INDEX)
             self.flat = float(flat[0][0]), float(flat[1][0])
 
     def seen(
@@ -165,7 +151,7 @@ class Bed:
         Its radiance (r, 3), the way up from it and straight down to it, (r,) m.
         """
         ray = refracted(d, n)
-        down = self.depth + H
+        down = np.maximum(self.depth + H, 0.0)
         way = down / np.maximum(-ray[:, 1], LEAST_FALL)
         radiance = self.light(x + way * ray[:, 0], z + way * ray[:, 2], down, feet)
         return radiance, way, down
@@ -240,9 +226,9 @@ class Bed:
 
     def below(self, x: Floats, z: Floats, y: Floats, d: Floats, reach: Floats, feet: tuple[Floats, Floats]) -> Floats:
         """Light (r, 3) of floor and water along rays d (r, 3) from places (x, z) at heights y to the floor."""
-        down = np.maximum(self.level - y - reach * d[:, 1], 0.0)
+        down = np.maximum(-y - reach * d[:, 1], 0.0)
         bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], down, feet)
-        result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(self.level - y, -d[:, 1], reach)
+        result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(-y, -d[:, 1], reach)
         return result
 
     def ceiling(
