@@ -38,7 +38,7 @@ COMBINE = f"{SWITCH}combine"
 """0: the greatest saturation, 1: the product."""
 START = "u_start"
 _MARCH = ("step", "begin", "now_declared", "no_short", "no_beyond", "march")
-_MARCHED = ("u_surface_top", "u_surface_steepest", "u_surface_grain")
+_MARCHED = ("u_surface_top", "u_surface_trough", "u_surface_steepest", "u_surface_grain")
 NO_START = Pass(
     name="where rays begin",
     when="frame",

@@ -30,7 +30,6 @@ from seafoam.quality import TIERS
 from seafoam.reference.sea import fold_saturation, sea_surface
 from seafoam.render.executor import Executor
 from seafoam.scene import sea as model
-from seafoam.scene.level import mean_level
 from seafoam.scene.models import Camera, Foam, FoldSaturation, Light, Scene, Sea
 from seafoam.scene.presets import load_preset
 
@@ -199,7 +198,7 @@ class Album:
 def view(executor: Executor, scene: Scene, place: Sequence[float], yaw: float, size: tuple[int, int]) -> Floats:
     """A linear frame. place: x and z, m, and time, s."""
     x, z, time = place
-    camera = Camera(position=(x, EYE + mean_level(scene), z), pitch=PITCH, yaw=yaw, fov=FOV)
+    camera = Camera(position=(x, EYE, z), pitch=PITCH, yaw=yaw, fov=FOV)
     plan = make_plan(scene, QUALITY)
     return executor.render(plan, time=time, camera=camera, width=size[0], height=size[1], output="linear").pixels  # type: ignore[return-value]
 
@@ -280,7 +279,7 @@ def outlined(executor: Executor, progress: Progress, *, own: bool) -> Patches:
     for i in progress.track(range(OUTLINED), description=f"patches, {'own look' if own else 'plain'}"):
         scene = seascape(OUTLINED_WIND, 200 + i, 0.0, own=own)
         x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, model.LOOP)))
-        camera = Camera(position=(x, ABOVE + mean_level(scene), z), pitch=-0.5 * math.pi, fov=2.0 * math.atan(0.5))
+        camera = Camera(position=(x, ABOVE, z), pitch=-0.5 * math.pi, fov=2.0 * math.atan(0.5))
         plan = make_plan(scene, QUALITY)
         side = OUTLINED_SIDE
         frame = executor.render(plan, time=time, camera=camera, width=side, height=side, output="linear")

@@ -114,7 +114,7 @@ def render(
     look: Annotated[str | None, typer.Option(help="Look of the foam [default: the preset's].")] = None,
     mask: Annotated[str | None, typer.Option(help="Mask of the foam, or family:sigma:size:seed[:aspect:age].")] = None,
     x: Annotated[float | None, typer.Option(help="Eye, m along +x [default, as below: the preset's].")] = None,
-    y: Annotated[float | None, typer.Option(help="Eye, m above the troughs.")] = None,
+    y: Annotated[float | None, typer.Option(help="Eye, m above still water.")] = None,
     z: Annotated[float | None, typer.Option(help="Eye, m along +z.")] = None,
     yaw: Annotated[float | None, typer.Option(help="Heading, rad from -z toward +x.")] = None,
     pitch: Annotated[float | None, typer.Option(help="Elevation of the view, rad.")] = None,

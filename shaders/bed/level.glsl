@@ -1,3 +1,3 @@
 // A level floor.
 uniform vec3 u_floor_albedo;
-uniform float u_floor_depth; // under the troughs, m
+uniform float u_floor_depth; // under still water, m

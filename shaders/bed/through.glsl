@@ -2,7 +2,8 @@
 void look_through(vec2 p, float height, vec3 d, vec3 normal, float lost, Footprint fp) {
     float c = max(-dot(normal, d), 0.0);
     vec3 down = d / INDEX + (c / INDEX - sqrt(1.0 - (1.0 - c * c) / (INDEX * INDEX))) * normal;
-    bed_down = u_floor_depth + height;
+    // A trough may reach the floor.
+    bed_down = max(u_floor_depth + height, 0.0);
     bed_way = bed_down / max(-down.y, 0.25);
     // What the footprint took out of the surface bends the ray by a third of its slope.
     float blur = 0.34 * sqrt(lost) * bed_way;

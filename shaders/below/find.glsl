@@ -1,5 +1,5 @@
-// First hit with the surface of a ray from under it: steps that cannot pass it, then Newton. Heights in metres from y = 0, which
-// no trough is under. ray: not normalised; returns tau, hit = eye + tau * ray.
+// First hit with the surface of a ray from under it: steps that cannot pass it, then Newton. ray: not normalised; returns tau,
+// hit = eye + tau * ray.
 
 const float CEILING_FARTHEST = 1e5;
 
@@ -7,10 +7,10 @@ bool find_ceiling(vec3 ray, out float tau, out vec3 wave) {
     float size = length(ray);
     float leave = CEILING_FARTHEST / max(length(ray.xz), 1e-6 * size);
     wave = vec3(0.0);
-    tau = u_eye_height < 0.0 ? -u_eye_height / max(ray.y, 1e-6 * size) : 0.0;
+    tau = max(u_surface_trough - u_eye_height, 0.0) / max(ray.y, 1e-6 * size);
     if (ray.y <= 0.0) {
         // Under a crest, and out of the slab that holds the waves at its bottom.
-        leave = min(leave, max(u_eye_height, 0.0) / max(-ray.y, 1e-6 * size));
+        leave = min(leave, max(u_eye_height - u_surface_trough, 0.0) / max(-ray.y, 1e-6 * size));
     }
     tau = max(tau, march_start(ray).r);
     if (tau >= leave) {

@@ -2,8 +2,8 @@
 // section 11. From over the surface: as ever.
 // Light of floor and water along d (unit) from a place p at height y, where the floor is `reach` metres away; fp: footprint there.
 vec3 below_bed(vec2 p, float y, vec3 d, float reach, Footprint fp) {
-    vec3 bed = bed_light(p + reach * d.xz, max(u_below_level - y - reach * d.y, 0.0), fp);
-    return bed * exp(-below_extinction() * reach) + below_glow(u_below_level - y, -d.y, reach);
+    vec3 bed = bed_light(p + reach * d.xz, max(-y - reach * d.y, 0.0), fp);
+    return bed * exp(-below_extinction() * reach) + below_glow(-y, -d.y, reach);
 }
 
 // Light that comes down along -d through the surface, or is mirrored in it. n: its normal, up; p, y: the place, `so_far` metres
@@ -42,7 +42,6 @@ void main() {
     }
     vec3 ray = camera_ray(sample_place());
     vec3 d = normalize(ray);
-    float depth = u_below_level - u_eye_height;
     float tau;
     vec3 wave;
     bool ceiling = find_ceiling(ray, tau, wave);
@@ -64,6 +63,6 @@ void main() {
     vec3 water = exposure() * below_ceiling(d, normal, shading.w + ripple.z, p, shading.x, reach, fp);
     // Foam lets through half of what it sends up.
     vec3 light = foam_over(water, 0.5 * exposure() * foam_light(foam_normal), amount);
-    light = light * exp(-below_extinction() * reach) + exposure() * below_glow(depth, -d.y, reach);
+    light = light * exp(-below_extinction() * reach) + exposure() * below_glow(-u_eye_height, -d.y, reach);
     o_color = vec4(min(light, BRIGHTEST), min(amount, 1.0));
 }

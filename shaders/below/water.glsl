@@ -1,5 +1,4 @@
 // The water between an eye under the surface and what it sees: it absorbs and glows. docs/formulae.md, section 11.
-uniform float u_below_level; // height of the surface in the mean, m
 
 vec3 below_extinction() {
     return 1.0 / u_absorption_length + u_scattering;

@@ -12,5 +12,5 @@ vec3 boat_before(vec3 light, vec3 d, float t) {
     if (u_eye_height >= waves(vec2(0.0)).x) {
         return boat_before_over(light, d, t);
     }
-    return light * exp(-below_extinction() * t) + below_glow(u_below_level - u_eye_height, -d.y, t);
+    return light * exp(-below_extinction() * t) + below_glow(-u_eye_height, -d.y, t);
 }

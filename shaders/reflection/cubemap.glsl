@@ -1,5 +1,5 @@
 // Water mirrors a cube map, bilinear inside a face. r: reflected direction, a unit vector.
-// place: where on the water, from under the eye, y over y = 0, m.
+// place: where on the water, from under the eye, y over still water, m.
 vec3 reflected_light(vec3 place, vec3 r) {
     int face;
     vec2 at = cube_place(r, face);

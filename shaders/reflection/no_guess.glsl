@@ -1,4 +1,4 @@
 // No boat comes near a ray.
-float mirror_guess(vec3 place, vec3 r, float level) {
+float mirror_guess(vec3 place, vec3 r) {
     return -1.0;
 }

@@ -3,7 +3,6 @@
 // r: reflected direction, over the horizon, a unit vector.
 // Land is looked for at MIRROR_LOOKS places, up to MIRROR_FAR metres away.
 uniform sampler2D u_mirror;
-uniform float u_mirror_level; // height of still water, m
 
 // Light that the map holds toward a place in clip space, and its coverage; way: from the mirrored eye, m, where there is any.
 vec4 mirror_read(vec2 clip, inout float way) {
@@ -28,7 +27,7 @@ vec4 mirror_read(vec2 clip, inout float way) {
 
 // What the map holds toward a point over the water, which mirrored lies under it; way: as far as the point, then as what is there.
 vec4 mirror_toward(vec3 point, out vec3 seen, inout float way) {
-    seen = vec3(point.x, 2.0 * u_mirror_level - point.y - u_eye_height, point.z);
+    seen = vec3(point.x, -point.y - u_eye_height, point.z);
     way = length(seen);
     float depth = dot(seen, u_ray_z);
     if (depth < 1e-3) {
@@ -40,12 +39,12 @@ vec4 mirror_toward(vec3 point, out vec3 seen, inout float way) {
     return mirror_read(vec2(dot(seen, across), dot(seen, upward)) / depth, way);
 }
 
-// place: where on the water, from under the eye, y over y = 0, m.
+// place: where on the water, from under the eye, y over still water, m.
 vec3 reflected_light(vec3 place, vec3 r) {
     vec3 sky = mirrored_sky(r);
     vec3 seen;
     float mirrored;
-    float way = mirror_guess(place, r, u_mirror_level);
+    float way = mirror_guess(place, r);
     // Land may be anywhere: the first point along the ray that has some before it.
     for (int i = 0; i < MIRROR_LOOKS && way < 0.0; ++i) {
         float far = MIRROR_FAR * exp2(float(i + 1 - MIRROR_LOOKS));
@@ -60,7 +59,7 @@ vec3 reflected_light(vec3 place, vec3 r) {
         found = mirror_toward(place + way * r, seen, mirrored);
         // What the map saw there, and how far along r that is.
         vec3 hit = normalize(seen) * mirrored;
-        way = max(dot(vec3(hit.x, 2.0 * u_mirror_level - hit.y, hit.z) - vec3(0.0, u_eye_height, 0.0) - place, r), 0.01);
+        way = max(dot(vec3(hit.x, -hit.y - u_eye_height, hit.z) - place, r), 0.01);
     }
     return found.rgb + (1.0 - found.a) * sky;
 }

@@ -1,11 +1,10 @@
 // Rings summed at the place itself: exact to float32.
 uniform vec4 u_ring_now[RING_COUNT];   // from the centre to the eye x, z (m), age (s), what lies behind the front (m)
 uniform vec4 u_ring_shape[RING_COUNT]; // I0 (m), k (rad/m), omega (rad/s), b (1/s)
-uniform float u_ring_level;            // height of still water, m
 
 // Height and its gradient.
 vec3 rings_waves(vec2 p) {
-    vec3 sum = vec3(u_ring_level, 0.0, 0.0);
+    vec3 sum = vec3(0.0);
     for (int i = 0; i < RING_COUNT; ++i) {
         vec2 way = p + u_ring_now[i].xy;
         vec4 ring = ring_profile(way, u_ring_now[i], u_ring_shape[i]);
@@ -16,7 +15,7 @@ vec3 rings_waves(vec2 p) {
 
 // Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
 vec4 rings_shading(vec2 p, Footprint fp) {
-    vec4 sum = vec4(u_ring_level, 0.0, 0.0, 0.0);
+    vec4 sum = vec4(0.0);
     for (int i = 0; i < RING_COUNT; ++i) {
         vec2 way = p + u_ring_now[i].xy;
         vec4 ring = ring_profile(way, u_ring_now[i], u_ring_shape[i]);

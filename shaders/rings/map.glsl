@@ -3,7 +3,6 @@ uniform sampler2D u_ring_map;
 uniform sampler2D u_ring_grain;
 uniform vec2 u_ring_corner;  // from the map's corner to the eye, m
 uniform float u_ring_side;   // of the map, m
-uniform float u_ring_level;  // height of still water, m
 
 // Beyond the map's rim the nearest texel is read, and that is still.
 vec2 rings_uv(vec2 p) {
@@ -12,7 +11,7 @@ vec2 rings_uv(vec2 p) {
 
 // Height and its gradient.
 vec3 rings_waves(vec2 p) {
-    return textureLod(u_ring_map, rings_uv(p), 0.0).xyz + vec3(u_ring_level, 0.0, 0.0);
+    return textureLod(u_ring_map, rings_uv(p), 0.0).xyz;
 }
 
 // Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
@@ -31,5 +30,5 @@ vec4 rings_shading(vec2 p, Footprint fp) {
         // Still water has no grain: 0/0.
         kept = wave_kept(max(dot(grain.xyz, across), 0.0) / max(slopes, 1e-6));
     }
-    return vec4(u_ring_level + kept * here.x, kept * here.yz, (1.0 - kept * kept) * slopes);
+    return vec4(kept * here, (1.0 - kept * kept) * slopes);
 }

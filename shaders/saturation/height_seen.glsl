@@ -1,8 +1,9 @@
 // Foam by height, f = (H - H0)/(Hmax - H0) (Kryachko 2005), held in [0, 1] and averaged over the heights under the footprint, as far
 // as the eye sees them: toward the horizon crests alone. docs/formulae.md, section 4.
-uniform float u_height_base; // H0, m
-uniform float u_height_full; // Hmax, at least 1 mm above H0, m
-uniform vec4 u_height_wave;  // the highest wave: k (rad/m); mean height of all waves (m); 1 / their greatest slope
+uniform float u_height_level; // still water over the paper's troughs, from which H0 and Hmax count, m
+uniform float u_height_base;  // H0, m
+uniform float u_height_full;  // Hmax, at least 1 mm above H0, m
+uniform vec4 u_height_wave;   // the highest wave: k (rad/m); mean height of all waves over the troughs (m); 1 / their greatest slope
 uniform vec2 u_height_seen[HEIGHT_NODES]; // mean and deviation (m) of the heights that rays see, evenly by the root of their fall
 
 // Mean of max(t - n, 0) over n that lie under a parabola from -reach to reach.
@@ -21,11 +22,12 @@ float height_saturation(vec2 p, float height, Footprint fp) {
     int i = min(int(x), HEIGHT_NODES - 2);
     vec2 seen = mix(u_height_seen[i], u_height_seen[i + 1], x - float(i));
     float kept = 1.0;
-    float middle = height;
+    float raised = height + u_height_level;
+    float middle = raised;
     if (SURFACE_FILTER) {
         float shown = wave_kept(u_height_wave.xy, fp);
         kept = min(wave_kept(u_height_wave.xy, level_footprint(p, height)), shown);
-        middle = u_height_wave.z + kept / max(shown, 1e-6) * (height - u_height_wave.z) + (1.0 - kept) * (seen.x - u_height_wave.z);
+        middle = u_height_wave.z + kept / max(shown, 1e-6) * (raised - u_height_wave.z) + (1.0 - kept) * (seen.x - u_height_wave.z);
     }
     float range = max(u_height_full - u_height_base, 1e-3);
     // The parabola's variance is a fifth of its reach squared.

@@ -1,7 +1,7 @@
-// Bounds of the two raised tiles as they are now, over the level of waves/sea.glsl.
+// Bounds of the two raised tiles as they are now.
 uniform sampler2D u_sea_bounds_0;
 uniform sampler2D u_sea_bounds_1;
 
 vec3 sea_bounds(vec3 ray, float aside, float from) {
-    return texelFetch(u_sea_bounds_0, ivec2(0), 0).xyz + texelFetch(u_sea_bounds_1, ivec2(0), 0).xyz + vec3(u_sea_level, 0.0, 0.0);
+    return texelFetch(u_sea_bounds_0, ivec2(0), 0).xyz + texelFetch(u_sea_bounds_1, ivec2(0), 0).xyz;
 }

@@ -6,7 +6,7 @@ uniform float u_spray_life;       // s
 uniform float u_spray_speed;
 uniform float u_spray_threshold;  // m/s
 
-// birth: from the eye along x and z, its height over the troughs; false: the drop is not in the air.
+// birth: from the eye along x and z, its height; false: the drop is not in the air.
 bool spray_born(int i, out vec3 birth, out vec3 velocity, out float age, out uint word) {
     uint own = noise_hash(uint(i));
     vec4 rock = texelFetch(u_spray_rocks, ivec2(i % SPRAY_ROCKS, 0), 0);

@@ -10,7 +10,7 @@ uniform float u_parametric_rate[PARAMETRIC_COUNT]; // rad/s
 
 // Height, gradient and rise (m/s) of the waves at a place, age seconds ago.
 vec4 spray_waves(vec2 p, float age) {
-    vec4 sum = vec4(0.0);
+    vec4 sum = vec4(-u_parametric_level, 0.0, 0.0, 0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
         vec2 of_half = parametric_half(u_parametric_phase[i] - dot(wave.xy, p) - u_parametric_rate[i] * age);
@@ -20,7 +20,7 @@ vec4 spray_waves(vec2 p, float age) {
     return sum;
 }
 
-// birth: from the eye along x and z, its height over the troughs; false: the drop was never born.
+// birth: from the eye along x and z, its height; false: the drop was never born.
 bool spray_born(int i, out vec3 birth, out vec3 velocity, out float age, out uint word) {
     uint own = noise_hash(uint(i));
     float turn = u_spray_time[0] / u_spray_life + spray_part(own, 0u);

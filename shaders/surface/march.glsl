@@ -2,6 +2,7 @@
 // where the surface falls away from it, so that no back of a crest shows.
 // ray: from the eye, 1 along the view; returns tau < farthest, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
 uniform float u_surface_top;
+uniform float u_surface_trough; // no water is lower, m
 uniform float u_surface_grain; // what maps may add to the surface between their texels, m
 
 const float FARTHEST = 1e5;
@@ -21,7 +22,7 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
         leave = min(leave, -over / ray.y);
     }
     if (ray.y < 0.0) {
-        leave = max(u_eye_height, 0.0) / -ray.y;
+        leave = max(u_eye_height - u_surface_trough, 0.0) / -ray.y;
     }
     leave = min(leave, reach);
     vec3 start = march_start(ray);

@@ -1,6 +1,7 @@
 // A march of the pyramid of rays between ray - side - top and ray + side + top to the water's surface, from the side that the eye
 // is on: no step that any of the rays could not take. docs/formulae.md, section 3.
-uniform float u_surface_grain; // what maps may add to the surface between their texels, m
+uniform float u_surface_trough; // no water is lower, m
+uniform float u_surface_grain;  // what maps may add to the surface between their texels, m
 
 vec3 water_start(vec3 ray, vec3 side, vec3 top) {
     float sense = u_eye_height < waves(vec2(0.0)).x ? -1.0 : 1.0;
@@ -8,7 +9,7 @@ vec3 water_start(vec3 ray, vec3 side, vec3 top) {
     vec3 bounds = surface_bounds(ray, rays.aside, 0.0);
     // The ray that comes toward the surface the fastest.
     float toward = rays.raised - sense * ray.y;
-    float over = sense > 0.0 ? u_eye_height - bounds.x : -u_eye_height;
+    float over = sense > 0.0 ? u_eye_height - bounds.x : u_surface_trough - u_eye_height;
     float tau = pyramid_enters(rays, over, toward);
     vec3 beyond = surface_beyond(ray, rays.aside);
     for (int i = 0; i < MARCH_STEPS; ++i) {

@@ -5,6 +5,7 @@ out vec3 v_position;
 
 uniform mat4 u_view_projection;
 uniform float u_surface_top;
+uniform float u_surface_trough; // no water is lower, m
 
 const float FARTHEST = 1e5;
 
@@ -17,13 +18,13 @@ void main() {
     float heading = level > 1e-4 ? atan(u_ray_z.z, u_ray_z.x) : 0.0;
     float azimuth = heading + (2.0 * a_grid.x - 1.0) * half_span;
 
-    // Crests stand nearer than troughs under the same angle: the nearest row counts from the top, the farthest from y = 0.
+    // Crests stand nearer than troughs under the same angle: the nearest row counts from the top, the farthest from the troughs.
     float steepest = min(cone - pitch + 0.02, 0.5 * PI);
     float flattest = -pitch - cone - 0.02;
     float above_top = max(u_eye_height - u_surface_top, 0.0);
     float nearest = steepest > 0.0 ? above_top * max(cos(steepest), 0.0) / sin(steepest) : FARTHEST;
-    float farthest = flattest > 1e-4 ? abs(u_eye_height) * cos(flattest) / sin(flattest) : FARTHEST;
-    float height = max(abs(u_eye_height - 0.5 * u_surface_top), 0.05);
+    float farthest = flattest > 1e-4 ? abs(u_eye_height - u_surface_trough) * cos(flattest) / sin(flattest) : FARTHEST;
+    float height = max(abs(u_eye_height - 0.5 * (u_surface_top + u_surface_trough)), 0.05);
     float first = atan(height, min(nearest, FARTHEST));
     float last = atan(height, min(max(farthest, nearest), FARTHEST));
     float depression = mix(first, last, a_grid.y);

@@ -4,7 +4,7 @@ uniform sampler2D u_wake_bounds; // a row a boat; height (m), slope, second deri
 
 // ray: from the eye, not normalised; aside: how far from it rays of its tile are, m a unit; from: where it begins.
 vec3 wakes_bounds(vec3 ray, float aside, float from) {
-    vec3 sum = vec3(u_wake_level, 0.0, 0.0);
+    vec3 sum = vec3(0.0);
     for (int i = 0; i < BOAT_COUNT; ++i) {
         vec2 place = boat_place(i);
         float nearest = max(dot(place, ray.xz) / max(dot(ray.xz, ray.xz), 1e-12), from);

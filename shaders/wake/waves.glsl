@@ -1,9 +1,8 @@
 // What the wakes of boats add to the surface: heights over still water, slopes along x and z.
-uniform float u_wake_level; // height of still water, m
 
 // Height, gradient, and the mean square wavenumber where slopes are.
 vec4 wake_sum(vec2 p) {
-    vec4 sum = vec4(u_wake_level, 0.0, 0.0, 0.0);
+    vec4 sum = vec4(0.0);
     float weight = 1e-12;
     for (int i = 0; i < BOAT_COUNT; ++i) {
         WakeWay way = wake_way(i, p);
@@ -27,5 +26,5 @@ vec4 wakes_shading(vec2 p, Footprint fp) {
     if (SURFACE_FILTER) {
         kept = wave_kept(here.w, fp);
     }
-    return vec4(u_wake_level + kept * (here.x - u_wake_level), kept * here.yz, (1.0 - kept * kept) * dot(here.yz, here.yz));
+    return vec4(kept * here.xyz, (1.0 - kept * kept) * dot(here.yz, here.yz));
 }

@@ -1,8 +1,9 @@
-// Parametric waves y = A u^K, u = (sin theta + 1)/2 (Van Drasek et al. 2010, in Yingst et al. 2011); metres.
+// Parametric waves y = A u^K, u = (sin theta + 1)/2 (Van Drasek et al. 2010, in Yingst et al. 2011), lowered by their mean; metres.
 // theta = phase - k.p; the phase holds time and the eye's place, reduced in float64. Exact to float32 at any time.
 uniform vec4 u_parametric[PARAMETRIC_COUNT]; // k.x, k.z (rad/m), A (m), K
 uniform float u_parametric_phase[PARAMETRIC_COUNT];
-uniform vec3 u_parametric_mean[PARAMETRIC_COUNT]; // of the whole wave: mean square slope, mean height (m), reach of its orbit over k (m2)
+uniform vec3 u_parametric_mean[PARAMETRIC_COUNT]; // of the whole wave: mean square slope, mean of A u^K (m), reach of its orbit over k (m2)
+uniform float u_parametric_level; // still water over the troughs of all waves, m
 
 // Sine and cosine of half of theta + pi/2: u is the square of the first, which is 0 at the trough and keeps its digits there.
 vec2 parametric_half(float theta) {
@@ -43,7 +44,7 @@ vec2 parametric_place(int i, vec2 p) {
 
 // Height and its gradient.
 vec3 parametric_waves(vec2 p) {
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(-u_parametric_level, 0.0, 0.0);
     for (int i = 0; i < PARAMETRIC_COUNT; ++i) {
         vec4 wave = u_parametric[i];
         vec2 profile = wave.z * parametric_profile(parametric_place(i, p), wave.w, parametric_kind(i));
@@ -89,7 +90,7 @@ vec4 parametric_shading(vec2 p, Footprint fp) {
         if (PARAMETRIC_CARRIES) {
             parametric_carried += 2.0 * of_half.x * of_half.y * mean.z * wave.xy;
         }
-        sum += vec4(mix(mean.y, profile.x, kept), -kept * profile.y * wave.xy, (1.0 - kept * kept) * mean.x);
+        sum += vec4(kept * (profile.x - mean.y), -kept * profile.y * wave.xy, (1.0 - kept * kept) * mean.x);
     }
     return sum;
 }

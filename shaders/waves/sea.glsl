@@ -1,9 +1,8 @@
-// Open sea: the two largest tiles raise the surface. Heights are counted from the lowest that the tiles hold; m.
+// Open sea: the two largest tiles raise and lower the surface; metres.
 uniform sampler2D u_sea_tile_0;
 uniform sampler2D u_sea_tile_1;
 uniform sampler2D u_sea_seen_0;
 uniform sampler2D u_sea_seen_1;
-uniform float u_sea_level; // m
 uniform float u_sea_size_0;  // side, m
 uniform vec2 u_sea_offset_0; // the eye's place in the tile, in tiles
 uniform float u_sea_size_1;  // side, m
@@ -23,8 +22,7 @@ vec3 sea_short;
 // Height and its gradient.
 vec3 sea_waves(vec2 p) {
     sea_short = sea_fetch(u_sea_tile_1, sea_place_1(p)).xyz;
-    vec3 sum = sea_fetch(u_sea_tile_0, sea_place_0(p)).xyz + sea_short;
-    return vec3(u_sea_level + sum.x, sum.yz);
+    return sea_fetch(u_sea_tile_0, sea_place_0(p)).xyz + sea_short;
 }
 
 // The raised tiles under a footprint, added up, with the mean square slope that it lost: slopes, lost, fold.
@@ -43,5 +41,5 @@ vec4 sea_shading(vec2 p, Footprint fp) {
     kept = clamp(0.5 * (float(SEA_LEVELS + 1) - sea_level(u_sea_size_1, fp)), 0.0, 1.0);
     height += kept * sea_fetch(u_sea_tile_1, sea_place_1(p)).x;
     sea_folded = sea_folds(p, fp);
-    return vec4(u_sea_level + height, sea_folded.xyz);
+    return vec4(height, sea_folded.xyz);
 }

@@ -40,7 +40,7 @@ void main() {{
     }}
     vec3 few = {few};
     vec3 fewest = {fewest};
-    float over = here.x - bounds.x;
+    float over = max(here.x - bounds.x, u_surface_trough - here.x);
     float steeper = length(here.yz) - bounds.y;
     float risen = 0.0;
     float bend = 0.0;

@@ -13,7 +13,6 @@ from seafoam.plan import make_plan
 from seafoam.plan.model import FramePlan
 from seafoam.quality import TIERS
 from seafoam.render.executor import Executor
-from seafoam.scene.level import mean_level
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset, preset_names
 
@@ -34,11 +33,6 @@ class Place:
     """Whether there may be nothing to see: the depths of a lake at night, ground, the unlit side of the water."""
 
 
-def level_of(scene: Scene) -> float:
-    """The mean level of the water, m."""
-    return 0.0 if scene.shore is not None else mean_level(scene)
-
-
 def places(scene: Scene, plan: FramePlan, time: float) -> Iterator[Place]:
     """Grazing, through a crest, under the surface, straight down, at a boat, and where nobody should be."""
     start = scene.camera
@@ -48,8 +42,7 @@ def places(scene: Scene, plan: FramePlan, time: float) -> Iterator[Place]:
         moved = start.model_copy(update={"position": (x, y, z), "pitch": pitch, **fields})
         return Place(name, moved, dark)
 
-    level = level_of(scene)
-    crest = max(plan.top, level + 0.1)
+    crest = max(plan.top, 0.1)
     yield at("as it starts", start.position[1], start.pitch)
     yield at("grazing, at the crests' height", crest + 1e-3, 0.0)
     yield at("grazing, a hair down", crest + 0.02, -1e-3)
@@ -58,12 +51,11 @@ def places(scene: Scene, plan: FramePlan, time: float) -> Iterator[Place]:
     yield at("straight up", crest + 1.0, math.pi / 2, dark=True)
     yield at("on its side", crest + 0.5, -0.2, roll=math.pi / 2)
     for share in (0.95, 0.75, 0.5, 0.25, 0.05):
-        y = level + share * (crest - level)
-        yield at(f"through a crest, {share:g} of its height", y, -0.05, dark=True)
+        yield at(f"through a crest, {share:g} of its height", share * crest, -0.05, dark=True)
     for down in (1e-6, 0.05, 0.5, 3.0):
         for pitch in (-0.6, 0.0, 0.6, math.pi / 2):
-            y = max(level - down, plan.bottom + 0.1)
-            yield at(f"{down:g} m under the mean level, pitch {pitch:.1f}", y, pitch, dark=True)
+            y = max(-down, plan.bottom + 0.1)
+            yield at(f"{down:g} m under still water, pitch {pitch:.1f}", y, pitch, dark=True)
     yield at("a hand over the ground", plan.bottom + 0.1, 0.3, dark=True)
     yield at("under the ground", plan.bottom - 5.0, 0.3, dark=True)
     yield at("ten thousand kilometres away", start.position[1], start.pitch, dark=True)
@@ -74,7 +66,7 @@ def places(scene: Scene, plan: FramePlan, time: float) -> Iterator[Place]:
         turned = boat.bearing + boat.speed / boat.radius * time * (1.0 if boat.turn == "starboard" else -1.0)
         middle = boat.centre[0] + boat.radius * math.cos(turned), boat.centre[1] + boat.radius * math.sin(turned)
         for y, name in ((1.0, "in a boat"), (-0.4, "in its keel"), (0.1 * boat.length, "at its sail")):
-            camera = start.model_copy(update={"position": (middle[0], level + y, middle[1])})
+            camera = start.model_copy(update={"position": (middle[0], y, middle[1])})
             yield Place(name, camera, dark=True)
 
 
@@ -101,10 +93,9 @@ def test_a_preset_flown_anywhere(executor: Executor, report: Report, name: str) 
             assert light.max() > 0.02, place.name
             assert np.ptp(light) > 0.01, place.name
         x, y, z = place.camera.position
-        # Away from the mean level, where an eye that comes through sees something else; by less where it is near.
-        over = y - level_of(preset.scene)
-        step = min(STEP, 0.1 * abs(over))
-        nudged = place.camera.model_copy(update={"position": (x + step, y + math.copysign(step, over), z - step)})
+        # Away from still water, where an eye that comes through sees something else; by less where it is near.
+        step = min(STEP, 0.1 * abs(y))
+        nudged = place.camera.model_copy(update={"position": (x + step, y + math.copysign(step, y), z - step)})
         second = shown(executor, plan, preset.time + STEP, nudged)
         means = [255.0 * float(np.clip(one[..., :3], 0.0, 1.0).mean()) for one in (first, second)]
         worst = max(worst, (abs(means[0] - means[1]), place.name))

@@ -60,8 +60,8 @@ VIEWS = {
         Camera(position=(0.0, -2.0, 0.0), pitch=0.4, yaw=1.0),
     ),
     "in a crest over a floor": (
-        Scene(waves=WAVES, water=Water(depth=1.0, floor_tile=0.5), light=Light(exposure=-1.5)),
-        Camera(position=(0.0, 0.15, 0.0), pitch=0.1),
+        Scene(waves=WAVES, water=Water(depth=1.26, floor_tile=0.5), light=Light(exposure=-1.5)),
+        Camera(position=(0.0, -0.11, 0.0), pitch=0.1),
     ),
     "over a bare floor": (
         Scene(waves=WAVES, water=Water(depth=1.5, chop=Chop()), light=Light(exposure=-1.5)),
@@ -82,7 +82,7 @@ VIEWS = {
     ),
     "under an open sea": (
         Scene(sea=Sea(wind=7.0), light=Light(exposure=-1.0)),
-        Camera(position=(0.0, 0.2, 0.0), pitch=0.6),
+        Camera(position=(0.0, -1.5, 0.0), pitch=0.6),
     ),
     "under rings": (
         Scene(rings=(Ring(place=(0.0, -6.0), birth=-1.0),), light=Light(exposure=-1.0)),
@@ -147,7 +147,7 @@ def test_plans_say_which_program_an_eye_needs(executor: Executor) -> None:
     """Over all crests, the programs of an eye in the air; lower ones are right for any eye."""
     scene = Scene(waves=WAVES, water=Water(chop=Chop()), boats=(Boat(),))
     plan = make_plan(scene, TIERS["standard"])
-    assert plan.top >= 0.7
+    assert plan.top >= 0.43
     assert {one.name for one in plan.passes if one.eye == "over"} == {"surface", "boats"}
     assert {one.name for one in plan.passes if one.eye == "under"} == {"surface", "boats"}
     high = Camera(position=(0.0, plan.top, 0.0), pitch=-0.2)

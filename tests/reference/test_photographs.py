@@ -7,7 +7,6 @@ from docs.make_whitecaps import EYE, FOV, PITCH, QUALITY, seascape, shot, spread
 from report import Report
 from seafoam.plan import make_plan
 from seafoam.render.executor import Executor
-from seafoam.scene.level import mean_level
 from seafoam.scene.models import Camera
 from seafoam.scene.sea import LOOP
 
@@ -30,7 +29,7 @@ def test_a_photograph_holds_what_the_wind_raises(executor: Executor, report: Rep
         plan = make_plan(scene, QUALITY)
         for _ in range(FRAMES // SEAS):
             x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, LOOP)))
-            camera = Camera(position=(x, HEIGHT + mean_level(scene), z), pitch=PITCH, yaw=yaw, fov=FOV)
+            camera = Camera(position=(x, HEIGHT, z), pitch=PITCH, yaw=yaw, fov=FOV)
             frame = executor.render(plan, time=time, camera=camera, width=256, height=192, output="linear")
             drawn.append(float(frame.pixels[..., 3].mean(dtype=np.float64)))
     law = 3.84e-6 * wind**3.41
@@ -49,7 +48,7 @@ def test_a_photograph_holds_what_the_wind_raises(executor: Executor, report: Rep
 def test_awe_tells_foam_from_water(executor: Executor, report: Report) -> None:
     """In a photograph AWE counts nearly all that is wholly foam, and nothing like all of the water."""
     scene = seascape(12.5, 31, 0.5, own=False)
-    camera = Camera(position=(0.0, EYE + mean_level(scene), 0.0), pitch=PITCH, yaw=0.5, fov=FOV)
+    camera = Camera(position=(0.0, EYE, 0.0), pitch=PITCH, yaw=0.5, fov=FOV)
     plan = make_plan(scene, QUALITY)
     for time in (100.0, 700.0, 1300.0):
         pixels = executor.render(plan, time=time, camera=camera, width=480, height=360, output="linear").pixels

@@ -19,7 +19,7 @@ from seafoam.reference.rings import RingSet, ring_set
 from seafoam.render.executor import Executor
 from seafoam.scene.models import Camera, Scene, Water
 from seafoam.scene.presets import load_preset
-from seafoam.scene.ring_level import calm_level, ring_curvature, ring_slope, trains
+from seafoam.scene.ring_level import ring_curvature, ring_height, ring_slope, trains
 from seafoam.scene.rings import RINGS_MOST, Ring
 
 FILES = ("common/numbers.glsl", "rings/ring.glsl", "rings/exact.glsl")
@@ -90,33 +90,32 @@ def test_rings_equal_float64_at_any_time_and_place(
     at = points(scene, origin, 3, 10000)
     got, want = shader(probe, scene, time, origin, at), truth(scene, time, origin, at)
     height, slope = (np.abs(got - want)[:, part].max() for part in (slice(0, 1), slice(1, 3)))
-    level, steepest = calm_level(scene), ring_slope(scene)
+    highest, steepest = ring_height(scene), ring_slope(scene)
     report.add(
         "Rings against float64, 24 rings, 10 000 places",
         time=f"{time:g} s",
         origin=f"{origin[0]:g} m",
-        height=f"{1e6 * height:.2f} µm of {2.0 * level:.2f} m",
+        height=f"{1e6 * height:.2f} µm of {2.0 * highest:.2f} m",
         slope=f"{1e6 * slope:.2f} millionths of {steepest:.2f}",
     )
-    assert want[:, 0].std() > 0.01 * level
-    assert height <= 1e-5 * level
+    assert want[:, 0].std() > 0.01 * highest
+    assert height <= 1e-5 * highest
     # An age of 1e9 s less 1e9 s is as exact as float64's 1.2e-7 s.
     assert slope <= 2e-5 * steepest
 
 
 def test_heights_and_slopes_stay_within_their_bounds() -> None:
-    """Crowds of rings: no height under 0 or over twice still water's, no slope or curvature over its bound."""
+    """Crowds of rings: no height, slope or curvature over its bound."""
     closest = 0.0
     for seed in range(12):
         scene = Scene(rings=some_rings(0.0, (0.0, 0.0), seed, count=3 + 5 * seed))
-        level, steepest, bend = calm_level(scene), ring_slope(scene), ring_curvature(scene)
+        highest, steepest, bend = ring_height(scene), ring_slope(scene), ring_curvature(scene)
         at = points(scene, (0.0, 0.0), seed, 1500)
         for time in (-3.0, 0.0, 1.7, 9.0):
             found = truth(scene, time, (0.0, 0.0), at)
-            assert (found[:, 0] >= 0.0).all()
-            assert (found[:, 0] <= 2.0 * level).all()
+            assert (np.abs(found[:, 0]) <= highest).all()
             assert (np.hypot(found[:, 1], found[:, 2]) <= steepest).all()
-            closest = max(closest, float(np.abs(found[:, 0] / level - 1.0).max()))
+            closest = max(closest, float(np.abs(found[:, 0]).max() / highest))
             beside = truth(scene, time, (1e-3, 0.0), at)
             turned = np.hypot(*(beside - found)[:, 1:].T) / 1e-3
             assert (turned <= 1.01 * bend).all()
@@ -148,8 +147,8 @@ def test_a_hundred_rings_at_one_point(probe: Probe) -> None:
         assert np.isfinite(got).all()
         assert np.abs(got - want).max() <= 5e-5
     one = Scene(rings=(ring,))
-    assert math.isclose(calm_level(many), RINGS_MOST * calm_level(one), rel_tol=1e-5)
-    assert math.isclose(calm_level(one), 0.02 - ring.dead, rel_tol=1e-5)
+    assert math.isclose(ring_height(many), RINGS_MOST * ring_height(one), rel_tol=1e-5)
+    assert math.isclose(ring_height(one), 0.02 - ring.dead, rel_tol=1e-5)
     with pytest.raises(ValueError, match="rings"):
         Scene(rings=(ring,) * (RINGS_MOST + 1))
 
@@ -162,7 +161,7 @@ def test_a_ring_is_born_from_still_water_at_its_centre(probe: Probe, birth: floa
     at = np.array([[0.0, 0.0], [1e-20, 0.0], [1e-6, -1e-6], [0.1, 0.0], [3.0, 4.0]], np.float32)
     for age in (-1.0, 0.0):
         got = shader(probe, scene, birth + age, (0.0, 0.0), at)
-        assert (got == np.array([np.float32(calm_level(scene)), 0.0, 0.0])).all()
+        assert (got == 0.0).all()
     later = [shader(probe, scene, birth + age, (0.0, 0.0), at) for age in (0.1, 0.5, 1.0)]
     assert np.isfinite(later).all()
     assert (np.abs(np.array(later)[:, 0, 1:]) == 0.0).all()
@@ -175,12 +174,11 @@ def test_a_dead_ring_leaves_no_trace(probe: Probe) -> None:
     ring = Ring(place=(0.0, 0.0), amplitude=0.5, decay=0.5, wavelength=3.0)
     scene = Scene(rings=(ring,))
     at = points(scene, (0.0, 0.0), 1, 500)
-    still = np.array([np.float32(calm_level(scene)), 0.0, 0.0])
     for age in (ring.life + 1e-3, 1e3, 1e9):
-        assert (shader(probe, scene, age, (0.0, 0.0), at) == still).all()
+        assert (shader(probe, scene, age, (0.0, 0.0), at) == 0.0).all()
     # It goes without a jump: a tenth of a second before, it is lower than a twentieth of what it dies at.
     last = shader(probe, scene, ring.life - 0.1, (0.0, 0.0), at)
-    assert 0.0 < np.abs(last[:, 0] - still[0]).max() <= 0.06 * ring.dead
+    assert 0.0 < np.abs(last[:, 0]).max() <= 0.06 * ring.dead
 
 
 def test_rings_too_low_to_show_are_left_out() -> None:

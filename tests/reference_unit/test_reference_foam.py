@@ -76,7 +76,18 @@ def test_without_waves_there_is_no_front() -> None:
     waves = dict.fromkeys(("text", "listing"), wave_set(Scene(), 2.0, (0.0, 0.0)))
     slopes = Relief(()).gradient
     f = saturation(
-        (FrontSaturation(),), "max", waves, slopes, x, x, x, cap=4.0, footprints=None, eye_height=2.0, folds=[]
+        (FrontSaturation(),),
+        "max",
+        waves,
+        slopes,
+        x,
+        x,
+        x,
+        cap=4.0,
+        footprints=None,
+        eye_height=2.0,
+        level=0.0,
+        folds=[],
     )
     np.testing.assert_array_equal(f, 0.0)
 

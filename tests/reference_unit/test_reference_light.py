@@ -98,8 +98,8 @@ def test_water_is_finite_from_everywhere(elevation: float, depth: float | None) 
     n[:, 1] = np.abs(n[:, 1])
     # Straight at the sun, straight away from it, and along the surface.
     d[0], d[1], d[2], n[2] = air.sun, -air.sun, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]
-    H = np.random.default_rng(3).uniform(0.0, 2.0, 3000)
-    L = light.water(air, Water(depth=depth), 2.0, d, n, H)
+    H = np.random.default_rng(3).uniform(-1.0, 1.0, 3000)
+    L = light.water(air, Water(depth=depth), (-1.0, 1.0), d, n, H)
     assert np.isfinite(L).all()
     assert (L >= 0.0).all()
 
@@ -108,7 +108,9 @@ def test_thick_water_over_a_floor_is_deep_water() -> None:
     air, d, n, H = light.air(Light()), sphere(200, 4), np.tile([0.0, 1.0, 0.0], (200, 1)), np.zeros(200)
     d[:, 1] = -np.abs(d[:, 1])
     np.testing.assert_allclose(
-        light.water(air, Water(depth=9000.0), 1.0, d, n, H), light.water(air, Water(), 1.0, d, n, H), rtol=1e-12
+        light.water(air, Water(depth=9000.0), (0.0, 1.0), d, n, H),
+        light.water(air, Water(), (0.0, 1.0), d, n, H),
+        rtol=1e-12,
     )
 
 
@@ -130,7 +132,7 @@ def milky(aeration: float, f: float, depth: float | None = None, plume: float = 
     d = unit(d)
     n = np.tile((0.0, 1.0, 0.0), (200, 1))
     body = Water(aeration=aeration, plume_depth=plume, depth=depth, scattering=0.01)
-    return light.water(light.air(Light()), body, 0.0, d, n, np.zeros(200), saturation=np.full(200, f))
+    return light.water(light.air(Light()), body, (0.0, 0.0), d, n, np.zeros(200), saturation=np.full(200, f))
 
 
 @pytest.mark.parametrize("depth", [None, 2.0])
@@ -153,6 +155,6 @@ def test_an_endless_plume_is_water_that_scatters_as_much() -> None:
     d = unit(np.array([[0.6, -0.5, 0.2], [0.0, -1.0, 0.0]]))
     n = np.tile((0.0, 1.0, 0.0), (2, 1))
     plume = Water(aeration=0.2, plume_depth=20.0, scattering=0.1)
-    got = light.water(light.air(Light()), plume, 0.0, d, n, np.zeros(2), saturation=np.ones(2))
-    want = light.water(light.air(Light()), Water(scattering=0.3), 0.0, d, n, np.zeros(2))
+    got = light.water(light.air(Light()), plume, (0.0, 0.0), d, n, np.zeros(2), saturation=np.ones(2))
+    want = light.water(light.air(Light()), Water(scattering=0.3), (0.0, 0.0), d, n, np.zeros(2))
     np.testing.assert_allclose(got, want, rtol=1e-4)

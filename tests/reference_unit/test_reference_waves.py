@@ -141,7 +141,7 @@ def test_crossings_are_the_first(eye_y: float) -> None:
     rng = np.random.default_rng(3)
     d = directions(rng, 40, -0.25, -0.02) if eye_y > 0.0 else directions(rng, 40, 0.02, 0.25)
     s = surface.first_crossing(waves, eye_y, d)
-    start = max(eye_y - waves.top, 0.0, -eye_y)
+    start = max(eye_y - waves.top, 0.0, waves.trough - eye_y)
     for i in range(d.shape[0]):
         low = start / abs(d[i, 1])
         along = np.linspace(low, min(s[i], low + 200.0), 40_000)[1:-1]
@@ -155,7 +155,7 @@ def test_far_rays_meet_the_water() -> None:
     s = surface.first_crossing(waves, 6.0, d)
     assert np.isfinite(s).all()
     assert (s >= (6.0 - waves.top) / -d[:, 1] * (1.0 - 1e-12)).all()
-    assert (s <= 6.0 / -d[:, 1] * (1.0 + 1e-12)).all()
+    assert (s <= (6.0 - waves.trough) / -d[:, 1] * (1.0 + 1e-12)).all()
 
 
 def test_level_rays_inside_the_waves_meet_a_crest() -> None:

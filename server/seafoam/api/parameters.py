@@ -134,7 +134,7 @@ class FrameParameters(SceneOverrides):
         default=None, ge=1, description="Height, pixels; absent: the preset's own", examples=[360]
     )
     x: float | None = _axis(0, "Eye, m along +x; absent, like the rest of the camera: the preset's own", 0.0)
-    y: float | None = _axis(1, "Eye, m above the troughs", 4.5)
+    y: float | None = _axis(1, "Eye, m above still water", 4.5)
     z: float | None = _axis(2, "Eye, m along +z", -20.0)
     yaw: float | None = _same(Camera.model_fields["yaw"], examples=[0.35])
     pitch: float | None = _same(Camera.model_fields["pitch"], examples=[-0.2])

@@ -7,11 +7,8 @@ from seafoam.effects.contribution import (
     Effect,
     HardCase,
     SlotFile,
-    number,
-    significant,
 )
 from seafoam.quality import Quality
-from seafoam.scene.level import mean_level
 from seafoam.scene.models import (
     Camera,
     Chop,
@@ -39,7 +36,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why="an eye under the surface sees through it, and what it mirrors",
         slots=(SlotFile("below", "below/main.glsl", needs=(WATER,)),),
-        uniforms={"u_below_level": number(significant(mean_level(scene)))},
     )
 
 
@@ -95,7 +91,7 @@ EFFECT = Effect(
             "an eye in a crest, below",
             "no way leads behind the eye (below/find.glsl)",
             "nothing on llvmpipe: no Newton step went so far back",
-            Camera(position=(0.0, 0.35, 0.0), pitch=0.1),
+            Camera(position=(0.0, 0.125, 0.0), pitch=0.1),
             waves=(ParametricWave(amplitude=0.6, wavelength=5.0, phase=math.pi / 2),),
             foam=Foam(look="halftone"),
         ),

@@ -25,7 +25,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
-from seafoam.effects.extremes import surface_top
+from seafoam.effects.extremes import surface_top, surface_trough
 from seafoam.effects.light import sky_irradiance
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
@@ -64,7 +64,7 @@ def _each(values: list[tuple[float, ...]]) -> Uniform:
     return array(kind, [Constant(value=value) for value in values], len(values))
 
 
-def _reach(boat: Boat, top: float) -> Ball:
+def _reach(boat: Boat, swing: float) -> Ball:
     """Where a boat can be: on its course, no further up or down than the water, which nothing of it is far from."""
     x, z = boat.centre
     course = boat.radius
@@ -72,7 +72,7 @@ def _reach(boat: Boat, top: float) -> Ball:
         x, z = x + course * math.cos(boat.bearing), z + course * math.sin(boat.bearing)
         course = 0.0
     # Shaders look for it within 0.9 lengths of a place 0.4 over its middle.
-    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + top) + 0.1))
+    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
 
 
 def shade_files(scene: Scene) -> tuple[str, ...]:
@@ -123,7 +123,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
     over = "boat/over.glsl?boat_hidden=boat_hidden_over&boat_before=boat_before_over"
     under = (over, "shade/optics.glsl", "@ceiling", WATER, "@reach", "boat/under.glsl")
-    top = surface_top(scene)
+    swing = max(surface_top(scene), -surface_trough(scene))
     picture = PassSpec(
         name="boats",
         program="boat",
@@ -133,7 +133,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         stage="after",
         blend="over",
         # Land would carry it higher.
-        view="any" if ashore else tuple(_reach(boat, top) for boat in boats),
+        view="any" if ashore else tuple(_reach(boat, swing) for boat in boats),
     )
     return Contribution(
         why=f"boats: {', '.join(kinds)}",

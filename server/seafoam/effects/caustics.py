@@ -25,10 +25,10 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
+from seafoam.effects.extremes import surface_trough
 from seafoam.effects.light import sun_direction, sun_irradiance
 from seafoam.quality import Quality
 from seafoam.scene.chop import Ripple, ripples, tiles
-from seafoam.scene.level import mean_level
 from seafoam.scene.models import Camera, Caustics, Chop, Light, Scene, Water
 
 INDEX = 1.34
@@ -134,7 +134,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if light is None or light.caustics is None or water.depth is None or water.chop is None or scene.shore is not None:
         return None
     tile = tiles(True)[0]
-    depth = water.depth + mean_level(scene)
+    depth = water.depth
     waves = [wave for cascade in ripples(water.chop, True) for wave in cascade]
     flat = landing(light, depth, (0.0, 0.0))
     photons = quality.caustics == "photons" or _spread(depth, waves) > MOST_SPREAD
@@ -232,7 +232,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 uniforms=weights,
             ),
         ),
-        bound=_bound(scene, light, water.depth, waves),
+        bound=_bound(scene, light, max(depth + surface_trough(scene), 0.0), waves),
     )
 
 

@@ -264,7 +264,9 @@ class Contribution:
     bound: "Bound | None" = None
     """The most that the effect can change; ``None``: it shows."""
     top: float = 0.0
-    """What the effect can add to the surface's height at most, m."""
+    """How far over still water the effect can raise the surface at most, m."""
+    trough: float = 0.0
+    """How low it can take it, m; at most 0."""
     steepest: float = 0.0
     """What the effect can add to the surface's slope at most."""
     curvature: float = 0.0

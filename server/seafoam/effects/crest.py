@@ -9,8 +9,9 @@ from seafoam.effects.contribution import (
     HardCase,
     SlotFile,
     number,
+    significant,
 )
-from seafoam.effects.extremes import crest_limit, surface_top
+from seafoam.effects.extremes import crest_limit, surface_top, surface_trough
 from seafoam.quality import Quality
 from seafoam.scene.models import (
     Camera,
@@ -26,13 +27,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by ``light`` on translucent water."""
     if scene.light is None:
         return None
-    top = surface_top(scene)
+    top, trough = surface_top(scene), surface_trough(scene)
     return Contribution(
         why=f"crests up to {top:g} m against the sun",
         slots=(SlotFile("crest", "crest/translucent.glsl", needs=("shade/sun.glsl",)),),
         uniforms={
             "u_translucency": number(scene.water.translucency, "/water/translucency"),
-            "u_crest_height": number(1.0 / top if top > 1e-37 else 0.0),
+            "u_crest_trough": number(significant(trough)),
+            "u_crest_height": number(1.0 / (top - trough) if top - trough > 1e-37 else 0.0),
         },
         bound=Bound(
             crest_limit(scene),
@@ -59,8 +61,8 @@ EFFECT = Effect(
                 light=Light(sun_elevation=0.1),
                 water=Water(chop=Chop()),
             ),
-            guard="the share of the greatest height, 1/top in float64 (effects/crest.py)",
-            without="nothing here; H/top with top = 0 is NaN",
+            guard="the share of the greatest height, 1/height in float64 (effects/crest.py)",
+            without="nothing here; 0/0 where nothing is high is NaN",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),
         HardCase(
@@ -80,7 +82,7 @@ EFFECT = Effect(
             scene=Scene(
                 waves=(ParametricWave(amplitude=0.0),), water=Water(translucency=2.0), light=Light(sun_elevation=0.1)
             ),
-            guard="1/top taken as 0 where it is flat (effects/crest.py)",
+            guard="1/height taken as 0 where it is flat (effects/crest.py)",
             without="0 times 1/0: NaN in every sample toward the sun",
             camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         ),

@@ -3,7 +3,8 @@
 import math
 
 from seafoam.effects.light import lamp_angles, sky_irradiance, sun_irradiance
-from seafoam.scene.boats import LEAST_SPEED, wake_level
+from seafoam.scene.boats import LEAST_SPEED, wake_height
+from seafoam.scene.level import paper_level
 from seafoam.scene.models import (
     DriftSaturation,
     Foam,
@@ -17,7 +18,7 @@ from seafoam.scene.models import (
     SurfSaturation,
     WakeSaturation,
 )
-from seafoam.scene.ring_level import calm_level
+from seafoam.scene.ring_level import ring_height
 from seafoam.scene.sea import RAISED, cascades
 
 SATURATION_CAP = 4.0
@@ -25,27 +26,27 @@ SATURATION_CAP = 4.0
 
 
 def waves_top(scene: Scene) -> float:
-    """Greatest height of the parametric waves, m: every crest in one place."""
+    """Greatest height of the parametric waves over their troughs, m: every crest in one place."""
     return sum(wave.amplitude for wave in scene.waves)
 
 
 def surface_top(scene: Scene) -> float:
     """Greatest height of everything that raises the surface, m: all crests in one place."""
-    top = waves_top(scene) + 2.0 * (calm_level(scene) + wake_level(scene.boats))
-    if scene.sea is not None and scene.sea.wind > 0.0:
-        top += sum(2.0 * of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+    top = waves_top(scene) - paper_level(scene) + _swing(scene)
     return top if scene.shore is None else top + scene.shore.surf.height
 
 
-def mean_level(scene: Scene) -> float:
-    """Height about which the surface of the open sea rises and falls, m; the mean of u^K is Γ(K + ½)/(√π Γ(K + 1))."""
-    level = calm_level(scene) + wake_level(scene.boats)
-    for wave in scene.waves:
-        gammas = math.lgamma(wave.exponent + 0.5) - math.lgamma(wave.exponent + 1.0)
-        level += wave.amplitude * math.exp(gammas) / math.sqrt(math.pi)
+def surface_trough(scene: Scene) -> float:
+    """Lowest that the surface can be, m, at most 0: all troughs in one place."""
+    return -(paper_level(scene) + _swing(scene))
+
+
+def _swing(scene: Scene) -> float:
+    """Greatest height of what rises as far over still water as it falls under it: rings, wakes and open sea; m."""
+    swing = ring_height(scene) + wake_height(scene.boats)
     if scene.sea is not None and scene.sea.wind > 0.0:
-        level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return level
+        swing += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+    return swing
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
@@ -55,7 +56,7 @@ def front_limit(front: FrontSaturation, scene: Scene) -> float:
 
 def height_limit(height: HeightSaturation, scene: Scene) -> float:
     """Greatest height saturation: that of the greatest height."""
-    reached = (surface_top(scene) - height.base) / (height.full - height.base)
+    reached = (surface_top(scene) + paper_level(scene) - height.base) / (height.full - height.base)
     return min(max(reached, 0.0), SATURATION_CAP)
 
 

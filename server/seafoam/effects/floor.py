@@ -15,6 +15,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
+from seafoam.effects.extremes import surface_trough
 from seafoam.effects.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.quality import Quality
@@ -36,13 +37,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and
     # deep water differ by less than the floor at reflectance 1.
     ways = 1.0 if water.view_below else 2.0
+    least = max(water.depth + surface_trough(scene), 0.0)
     most = 0.0
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        passed = math.exp(-ways * water.depth * (1.0 / length + water.scattering))
+        passed = math.exp(-ways * least * (1.0 / length + water.scattering))
         most = max(most, passed * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
     looked_at = light.caustics is not None or water.floor_tile is not None
     return Contribution(
-        why=f"a floor {water.depth:g} m under the troughs" + (", by the refracted ray" if looked_at else ""),
+        why=f"a floor {water.depth:g} m under still water" + (", by the refracted ray" if looked_at else ""),
         slots=_slots(water, looked_at),
         uniforms={
             "u_floor_albedo": vector(water.floor_albedo, "/water/floor_albedo"),
@@ -53,7 +55,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bottom=-water.depth,
         bound=Bound(
             most,
-            f"no light comes back from {water.depth:g} m",
+            f"no light comes back from {least:g} m",
             ("/light/exposure", "/water/absorption_length", "/water/scattering"),
         ),
     )

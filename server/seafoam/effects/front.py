@@ -21,7 +21,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.effects.extremes import front_limit, waves_top
 from seafoam.effects.living import carries
-from seafoam.effects.parametric import profile_means, shares_phase
+from seafoam.effects.parametric import profile_square, shares_phase
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
 from seafoam.scene.models import (
@@ -195,7 +195,7 @@ def _relief(scene: Scene, spatial: float) -> float:
     """Slope amplitude of the sinusoid whose mean square slope is that of all waves together, wavenumbers scaled."""
     total = 0.0
     for wave in scene.waves:
-        square, _ = profile_means(wave.exponent)
+        square = profile_square(wave.exponent)
         total += (spatial * math.hypot(*wavevector(wave, scene.water.depth)) * wave.amplitude) ** 2 * square
     return math.sqrt(2.0 * total)
 
@@ -289,7 +289,7 @@ EFFECT = Effect(
             "(saturation/front_filtered.glsl)",
             without="nothing on llvmpipe; where neither falls nor rises anything, 0/0",
             times=(0.0, 1e9),
-            camera=Camera(position=(0.37, 0.7, -0.21), yaw=1.2, pitch=-0.05),
+            camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
         ),
     ),
 )

@@ -22,6 +22,7 @@ from seafoam.effects.extremes import height_limit
 from seafoam.effects.parametric import steepest_profile
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import wavevector
+from seafoam.scene.level import paper_level
 from seafoam.scene.models import (
     Camera,
     Foam,
@@ -38,7 +39,7 @@ _LENGTHS, _PLACES = 61, 384
 
 
 def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
-    """Mean height of the parametric waves (m), their greatest slope, and what falling rays see of them.
+    """Mean height of the parametric waves over their troughs (m), their greatest slope, and what falling rays see.
 
     Entry i: mean and deviation (m) of the heights that rays see which fall by (i / (NODES - 1))^2 of the greatest
     slope, all waves running one way. A place is seen if it stands over every ray that came over the places before it:
@@ -95,6 +96,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts=consts,
         uniforms={
             **uniforms,
+            "u_height_level": number(significant(paper_level(scene))),
             "u_height_base": number(height.base, f"{pointer}/base"),
             "u_height_full": number(height.full, f"{pointer}/full"),
         },
@@ -158,7 +160,7 @@ EFFECT = Effect(
             "at least a thousandth of the ramp (saturation/height_seen.glsl, saturation/level.glsl)",
             without="nothing on llvmpipe; right along the crests, right under the eye and where nothing is lost 0/0",
             times=(0.0, 1e9),
-            camera=Camera(position=(0.0, 1.0, 0.0), yaw=1.5707963, pitch=-0.05),
+            camera=Camera(position=(0.0, 0.6875, 0.0), yaw=1.5707963, pitch=-0.05),
         ),
     ),
 )

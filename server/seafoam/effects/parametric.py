@@ -13,12 +13,14 @@ from seafoam.effects.contribution import (
     Phase,
     SlotFile,
     array,
+    number,
     significant,
 )
 from seafoam.effects.extremes import crest_limit, slope_sensitivity, waves_top
 from seafoam.effects.living import carries
 from seafoam.quality import Quality
 from seafoam.scene.dispersion import angular_frequency, wavevector
+from seafoam.scene.level import paper_level, wave_level
 from seafoam.scene.models import (
     Camera,
     Chop,
@@ -64,12 +66,11 @@ def sharpest_profile(exponent: float) -> float:
     return (exponent - 0.5) * math.pow(u, exponent - 1.0)
 
 
-def profile_means(exponent: float) -> tuple[float, float]:
-    """Means of (d(u^K)/dθ)² and of u^K over a period, by the midpoint rule, spectrally exact for a smooth wave."""
+def profile_square(exponent: float) -> float:
+    """Mean of (d(u^K)/dθ)² over a period, by the midpoint rule, spectrally exact for a smooth wave."""
     count = 256
     angles = [(i + 0.5) * math.pi / (2 * count) for i in range(count)]
-    square = sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
-    return square, sum(math.sin(a) ** (2.0 * exponent) for a in angles) / count
+    return sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
 
 
 def _kind(exponent: float) -> int:
@@ -109,12 +110,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         k = math.hypot(kx, kz)
         data.append(Constant(value=(kx, kz, wave.amplitude, wave.exponent)))
         phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
-        square, level = profile_means(wave.exponent)
+        square = profile_square(wave.exponent)
         reach = orbit(wave, scene.water.depth) / k if carries(scene) else 0.0
-        values = ((k * wave.amplitude) ** 2 * square, wave.amplitude * level, reach)
+        values = ((k * wave.amplitude) ** 2 * square, wave_level(wave), reach)
         means.append(Constant(value=tuple(significant(value) for value in values)))
         steepest += k * wave.amplitude * steepest_profile(wave.exponent)
         curvature += k * k * wave.amplitude * sharpest_profile(wave.exponent)
+    level = paper_level(scene)
     shared = shares_place(scene)
     carry: tuple[SlotFile, ...] = ()
     if carries(scene):
@@ -134,9 +136,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric": array("vec4", data, len(waves)),
             "u_parametric_phase": array("float", phases, len(waves)),
             "u_parametric_mean": array("vec3", means, len(waves)),
+            "u_parametric_level": number(significant(level)),
         },
         bound=_bound(scene, steepest),
-        top=waves_top(scene),
+        top=waves_top(scene) - level,
+        trough=-level,
         steepest=steepest,
         curvature=min(significant(curvature), UNBOUNDED),
     )
@@ -274,7 +278,7 @@ EFFECT = Effect(
             "march's last gap allows (surface/march.glsl, newton.glsl)",
             without="one sample in 5000 off by 46 levels",
             times=(0.0, 2.7),
-            camera=Camera(position=(0.0, 1.62, 0.0), yaw=1.571, pitch=0.0),
+            camera=Camera(position=(0.0, 1.29, 0.0), yaw=1.571, pitch=0.0),
         ),
         HardCase(
             name="rays that double back on the mesh",
@@ -288,7 +292,7 @@ EFFECT = Effect(
             scene=Scene(waves=(ParametricWave(amplitude=1.0, wavelength=6.0, phase=math.pi / 2),), foam=Foam()),
             guard="the way never turns negative (surface/march.glsl)",
             without="26 % of samples off by more than 2 levels: places behind the eye",
-            camera=Camera(position=(0.0, 0.4, 0.0), pitch=-0.2),
+            camera=Camera(position=(0.0, 0.025, 0.0), pitch=-0.2),
         ),
         HardCase(
             name="eye far below the water",

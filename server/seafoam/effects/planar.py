@@ -13,12 +13,8 @@ from seafoam.effects.contribution import (
     Target,
     TargetInput,
     TextureInput,
-    Uniform,
-    number,
-    significant,
 )
 from seafoam.effects.cubemap import LIT_LAND, SHORE
-from seafoam.effects.extremes import mean_level
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
@@ -42,14 +38,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             slots=(SlotFile("reflection", "reflection/sky.glsl"),),
             bound=Bound(0.0, "nothing stands over the water"),
         )
-    level: dict[str, Uniform] = {"u_mirror_level": number(significant(mean_level(scene)))}
     boats = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else ("reflection/no_boats_met.glsl",)
     if quality.reflection == "traced":
         met = (*boats, *_land(scene, "reflection/prototypes.glsl"), "reflection/met.glsl")
         return Contribution(
             why=f"rays from the water to {_things(scene)}",
             slots=(SlotFile("reflection", "reflection/traced.glsl", needs=met),),
-            uniforms=level,
         )
     size = quality.reflection_size
     guess = (COURSE, "reflection/guess.glsl") if scene.boats else ("reflection/no_guess.glsl",)
@@ -66,7 +60,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "MIRROR_LOOKS": 0 if scene.shore is None else LOOKS,
             "MIRROR_FAR": 0.0 if scene.shore is None else scene.shore.size,
         },
-        uniforms=level,
         inputs={"u_mirror": TargetInput(target="mirror")},
         targets={"mirror": Target(size=FixedSize(width=size, height=size), format="RGBA16F")},
         passes=(
@@ -129,7 +122,7 @@ EFFECT = Effect(
             ),
             guard="water mirrors where the eye's ray met it, not where still water would be (surface/main.glsl)",
             without="4 % of samples off by more than 2 levels, the worst by 113",
-            camera=Camera(position=(0.0, 0.7, 12.0), pitch=0.0),
+            camera=Camera(position=(0.0, 0.4, 12.0), pitch=0.0),
         ),
         HardCase(
             name="eye under the mirror",
@@ -140,7 +133,7 @@ EFFECT = Effect(
             ),
             guard="a mirrored ray begins out of the water, never before its eye (reflection/map_pass.glsl)",
             without="nothing here: no boat lies between the mirrored eye and the water over it",
-            camera=Camera(position=(0.0, 0.2, 12.0), pitch=-0.05),
+            camera=Camera(position=(0.0, -0.1, 12.0), pitch=-0.05),
         ),
     ),
 )

@@ -32,7 +32,7 @@ from seafoam.effects.extremes import crest_limit, slope_sensitivity
 from seafoam.effects.measured import measured_bounds
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Foam, HeightSaturation, Scene, SlopeSaturation, Water
-from seafoam.scene.ring_level import FRONT, SOFT, Train, calm_level, ring_curvature, ring_slope, trains
+from seafoam.scene.ring_level import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring
 
 _FAR = 1e8
@@ -89,10 +89,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     every = trains(scene)
     shown = tuple(train for train in every if train.ring.life > 0.0) or every
-    level, steepest, curvature = calm_level(scene), ring_slope(scene), ring_curvature(scene)
+    height, steepest, curvature = ring_height(scene), ring_slope(scene), ring_curvature(scene)
     # Both slopes count in every step through both slabs: with a sea a ray near the horizon takes eight times as many.
     march = 1 if scene.sea is None else 8
-    bound = _bound(scene, level, steepest)
+    bound = _bound(scene, height, steepest)
     count = len(shown)
     consts: dict[str, Const] = {
         "RING_COUNT": count,
@@ -113,10 +113,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             uniforms={
                 "u_ring_now": _now(shown, (_to_eye(*train.ring.place) for train in shown)),
                 "u_ring_shape": _shapes(shown),
-                "u_ring_level": number(level),
             },
             bound=bound,
-            top=2.0 * level,
+            top=height,
+            trough=-height,
             steepest=steepest,
             curvature=curvature,
             march=march,
@@ -152,7 +152,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={
             "u_ring_corner": array("vec2", _to_eye(corner_x, corner_z), 1),
             "u_ring_side": number(side),
-            "u_ring_level": number(level),
         },
         inputs={
             "u_ring_map": TargetInput(target="rings"),
@@ -170,17 +169,18 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             *measured,
         ),
         bound=bound,
-        top=2.0 * level,
+        top=height,
+        trough=-height,
         steepest=steepest,
         curvature=curvature,
-        grain=level * HALF_FLOAT,
+        grain=height * HALF_FLOAT,
         march=march,
     )
 
 
-def _bound(scene: Scene, level: float, steepest: float) -> Bound | None:
+def _bound(scene: Scene, height: float, steepest: float) -> Bound | None:
     """As for waves: their slopes under a light, and their height where foam or a floor shows it."""
-    if level == 0.0:
+    if height == 0.0:
         return Bound(0.0, f"no ring is ever higher than {DEAD:g} m")
     ripples = scene.water.chop is not None and scene.light is not None
     if scene.foam is not None or ripples or scene.water.depth is not None or scene.boats:
@@ -188,7 +188,7 @@ def _bound(scene: Scene, level: float, steepest: float) -> Bound | None:
     if scene.light is None:
         return Bound(0.0, "nothing lies on them, and there is no light")
     return Bound(
-        slope_sensitivity(scene) * steepest + 0.2 * level + crest_limit(scene),
+        slope_sensitivity(scene) * steepest + 0.2 * height + crest_limit(scene),
         f"slopes are never above {steepest:.1g}",
         ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
     )
@@ -226,7 +226,7 @@ EFFECT = Effect(
         HardCase(
             name="a hundred rings at one point",
             scene=Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(chop=Chop())),
-            guard="level and slope bounded where rings meet (scene/ring_level.py)",
+            guard="height and slope bounded where rings meet (scene/ring_level.py)",
             without="bounded by the highest ring alone, crests of 0.39 m stand over a slab of 8 mm",
             times=(2.0,),
             camera=_VIEW,

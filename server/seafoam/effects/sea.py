@@ -29,7 +29,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
-from seafoam.effects.extremes import crest_limit, slope_sensitivity, surface_top
+from seafoam.effects.extremes import crest_limit, slope_sensitivity, surface_top, surface_trough
 from seafoam.effects.living import carries
 from seafoam.effects.measured import measured_bounds
 from seafoam.quality import Quality
@@ -248,7 +248,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             )
             for i, of in enumerate(raised)
         )
-    top = sum(2.0 * of.limit for of in raised)
+    top = sum(of.limit for of in raised)
     steepest = sum(of.steepest for of in raised)
     height = 4.0 * math.sqrt(sum(of.variance for of in tiles))
     waves = sum(len(of.waves) for of in tiles)
@@ -269,7 +269,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={
             **{f"u_sea_offset_{i}": _offset(of) for i, of in enumerate(tiles)},
             **{f"u_sea_size_{i}": number(of.size) for i, of in enumerate(tiles)},
-            "u_sea_level": number(significant(0.5 * top)),
         },
         inputs={
             **{f"u_sea_bounds_{i}": TargetInput(target=f"sea_tile_{i}_bounds") for i in range(RAISED)},
@@ -282,6 +281,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         passes=passes,
         bound=_bound(scene, sum(of.steepest for of in tiles)),
         top=top,
+        trough=-top,
         steepest=steepest,
         grain=sum(of.grain(size) + of.limit * HALF_FLOAT for of in raised),
         march=2,
@@ -296,7 +296,7 @@ def _bound(scene: Scene, steepest: float) -> Bound | None:
     if scene.light is None:
         return Bound(0.0, "nothing lies on it, and there is no light")
     return Bound(
-        slope_sensitivity(scene) * steepest + 0.1 * surface_top(scene) + crest_limit(scene),
+        slope_sensitivity(scene) * steepest + 0.1 * (surface_top(scene) - surface_trough(scene)) + crest_limit(scene),
         f"slopes are never above {steepest:.1g}",
         ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
     )

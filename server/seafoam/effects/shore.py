@@ -28,7 +28,7 @@ from seafoam.effects.contribution import (
     significant,
     vector,
 )
-from seafoam.effects.extremes import surface_top
+from seafoam.effects.extremes import surface_top, surface_trough
 from seafoam.effects.floor import bed_sun
 from seafoam.effects.light import sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
@@ -277,9 +277,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     surf = shore.surf
     slope, share, floor_slope, land_slope, land_top, curvature = _limits(shore, quality)
-    steepest = _up(slope + share * surface_top(scene))
+    swing = max(surface_top(scene) - surf.height, -surface_trough(scene))
+    steepest = _up(slope + share * swing)
     # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
-    bend = _up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * surface_top(scene))
+    bend = _up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * swing)
     lit = scene.light is not None
     cells = min(LAND_CELLS, quality.shore_floor)
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)

@@ -25,7 +25,7 @@ from seafoam.effects.contribution import (
 )
 from seafoam.effects.measured import BLOCK
 from seafoam.quality import Quality
-from seafoam.scene.boats import NEAR, Boat, wake_level, wake_slope, wakes
+from seafoam.scene.boats import NEAR, Boat, wake_height, wake_slope, wakes
 from seafoam.scene.models import Camera, Foam, Scene, SlopeSaturation
 
 ASIDE = 0.36
@@ -40,7 +40,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by any boat."""
     if not scene.boats:
         return None
-    level, steepest = wake_level(scene.boats), wake_slope(scene.boats)
+    height, steepest = wake_height(scene.boats), wake_slope(scene.boats)
     count, size = len(scene.boats), quality.wake_size
     forms = array(
         "vec4",
@@ -59,6 +59,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
     mapped = quality.wake == "map"
     bounds = [(significant(wake.steepest), *map(significant, wake.curvature)) for wake in wakes(scene.boats)]
+    declared = {
+        "u_wake_highest": number(height),
+        "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count),
+    }
     consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY}
     here = ("wake/map.glsl",) if mapped else ("wake/pattern.glsl", "wake/exact.glsl")
     passes = (
@@ -93,7 +97,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "wake_bounds": Target(size=FixedSize(width=len(AWAY), height=count), format="RGBA16F"),
     }
     return Contribution(
-        why=f"wakes up to {level:.2g} m high",
+        why=f"wakes up to {height:.2g} m high",
         slots=(
             SlotFile("waves", "wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),
             SlotFile("bounds", f"wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
@@ -101,15 +105,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         consts=consts,
         uniforms={
             "u_wake": forms,
-            "u_wake_level": number(level),
             "u_wake_boat": array("vec2", [Constant(value=(boat.length, boat.radius)) for boat in scene.boats], count),
-            **({} if mapped else {"u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count)}),
+            **({} if mapped else declared),
         },
         inputs={f"u_wake_{name}": TargetInput(target=target) for name, target in READ.items()} if mapped else {},
         targets=targets if mapped else {},
         passes=passes if mapped else (),
-        bound=Bound(0.0, "no boat moves, or none raises a wave") if level == 0.0 else None,
-        top=2.0 * level,
+        bound=Bound(0.0, "no boat moves, or none raises a wave") if height == 0.0 else None,
+        top=height,
+        trough=-height,
         steepest=steepest,
         curvature=sum(near for _, near, _ in bounds),
         grain=significant(sum(wake.grain(wake.length / size) for wake in wakes(scene.boats))) if mapped else 0.0,

@@ -102,6 +102,7 @@ class _Draft:
         self.targets: dict[str, Target] = {}
         self.passes: list[PassSpec] = []
         self.top = 0.0
+        self.trough = 0.0
         self.grain = 0.0
         self.steepest = 0.0
         self.bounds = [0.0, 0.0, 0.0]
@@ -131,6 +132,7 @@ class _Draft:
         self.slots += files
         self.passes += given.passes
         self.top += given.top
+        self.trough += given.trough
         self.grain += given.grain
         self.steepest += given.steepest
         if not any(file.slot == "bounds" for file in files):
@@ -423,7 +425,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         _refuse_too_many(program, draft.readers)
     for one in passes:
         _refuse_whole_numbers(one, targets)
-    camera = _camera_uniforms(draft.top, draft.steepest, draft.grain, draft.bounds)
+    camera = _camera_uniforms(draft.top, draft.trough, draft.steepest, draft.grain, draft.bounds)
     uniforms = {**draft.uniforms, **camera, **(spent.uniforms if spent else {})}
     textures = {name: _texture(use) for name, use in draft.textures.items()}
     timed, kept = with_setup([_bound(one, programs, uniforms) for one in passes], programs, uniforms, targets, textures)
@@ -453,7 +455,9 @@ def _kept(scene: Scene, count: int) -> Scene:
     return scene.model_copy(update={"waves": tuple(scene.waves[i] for i in sorted(order[:count]))})
 
 
-def _camera_uniforms(top: float, steepest: float, grain: float, bounds: Sequence[float]) -> dict[str, Uniform]:
+def _camera_uniforms(
+    top: float, trough: float, steepest: float, grain: float, bounds: Sequence[float]
+) -> dict[str, Uniform]:
     return {
         "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
         "u_eye_height": Uniform(type="float", rules=(CameraRule(what="eye_height"),)),
@@ -462,6 +466,7 @@ def _camera_uniforms(top: float, steepest: float, grain: float, bounds: Sequence
         "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
         "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
         "u_surface_top": number(top),
+        "u_surface_trough": number(significant(trough)),
         "u_surface_steepest": number(steepest),
         "u_surface_bounds": vector(tuple(bounds)),
         "u_surface_grain": number(significant(grain)),

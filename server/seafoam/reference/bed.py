@@ -14,8 +14,6 @@ import numpy as np
 
 from seafoam.scene.chop import ripples, tiles
 from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
-from seafoam.scene.ring_level import calm_level
-from seafoam.scene.sea import RAISED, cascades
 
 from .light import (
     BACKSCATTER,
@@ -29,7 +27,7 @@ from .light import (
 from .noise import corner
 from .shore import Coast
 from .types import Floats, dot, unit
-from .waves import reduced, wave_height
+from .waves import reduced
 
 MAP = 512
 """Texels along a side of the caustic map."""
@@ -89,7 +87,7 @@ def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOT
     assert light is not None
     assert light.caustics is not None
     assert water.chop is not None
-    depth = mean_level(scene) + (water.depth or 0.0)
+    depth = water.depth or 0.0
     return _photon_map(light, light.caustics, water.chop, depth, time, texels, photons)
 
 
@@ -137,17 +135,6 @@ def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     )
 
 
-def mean_level(scene: Scene) -> float:
-    """Mean height of waves, rings at rest and open sea over y = 0, m."""
-    theta = np.linspace(0.0, 2.0 * math.pi, 1 << 16, endpoint=False)
-    level: float = calm_level(scene) + sum(
-        float(wave_height(theta, w.amplitude, w.exponent).mean()) for w in scene.waves
-    )
-    if scene.sea is not None and scene.sea.wind > 0.0:
-        level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return level
-
-
 class Bed:
     """A level floor under a light, at one time around one origin."""
 
@@ -159,11 +146,10 @@ class Bed:
         self.depth = 1e6 if water.depth is None else water.depth
         self.origin = origin
         self.extinction = 1.0 / np.array(water.absorption_length) + water.scattering
-        self.level = mean_level(scene)
         self.map: Floats | None = None
         if light.caustics is not None and water.chop is not None and water.depth is not None:
             self.map = photon_map(scene, time)
-            flat = landing(made, water.depth + self.level, np.zeros(1), np.zeros(1), INDEX)
+            flat = landing(made, water.depth, np.zeros(1), np.zeros(1), INDEX)
             self.flat = float(flat[0][0]), float(flat[1][0])
 
     def seen(
@@ -174,7 +160,7 @@ class Bed:
         Its radiance (r, 3), the way up from it and straight down to it, (r,) m.
         """
         ray = refracted(d, n)
-        down = self.depth + H
+        down = np.maximum(self.depth + H, 0.0)
         way = down / np.maximum(-ray[:, 1], LEAST_FALL)
         radiance = self.light(x + way * ray[:, 0], z + way * ray[:, 2], down, feet)
         return radiance, way, down
@@ -249,9 +235,9 @@ class Bed:
 
     def below(self, x: Floats, z: Floats, y: Floats, d: Floats, reach: Floats, feet: tuple[Floats, Floats]) -> Floats:
         """Light (r, 3) of floor and water along rays d (r, 3) from places (x, z) at heights y to the floor."""
-        down = np.maximum(self.level - y - reach * d[:, 1], 0.0)
+        down = np.maximum(-y - reach * d[:, 1], 0.0)
         bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], down, feet)
-        result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(self.level - y, -d[:, 1], reach)
+        result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(-y, -d[:, 1], reach)
         return result
 
     def ceiling(

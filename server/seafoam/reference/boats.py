@@ -13,7 +13,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.scene.boats import Boat, Wake, wake_level, wake_slope, wakes
+from seafoam.scene.boats import Boat, Wake, wake_height, wake_slope, wakes
 from seafoam.scene.models import Scene, WakeSaturation
 
 from .light import Air, fresnel, sky_light
@@ -442,12 +442,12 @@ class WakeSet:
 
     wakes: tuple[Wake, ...]
     courses: tuple[Course, ...]
-    level: float
+    top: float
     slope: float
 
     @property
-    def top(self) -> float:
-        return 2.0 * self.level
+    def trough(self) -> float:
+        return -self.top
 
     @property
     def curvature(self) -> float:
@@ -458,7 +458,7 @@ class WakeSet:
         return min((1.0 / wake.shortest for wake in self.wakes if wake.shows), default=math.inf)
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        total = np.full_like(x, self.level)
+        total = np.zeros_like(x)
         for wake, at in zip(self.wakes, self.courses, strict=True):
             behind, aside, _, _ = along(wake.boat, at, x, z)
             total += pattern(wake, behind, np.abs(aside))[0]
@@ -591,7 +591,7 @@ def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
     found = wakes(scene.boats)
     courses = tuple(course(boat, time, origin) for boat in scene.boats)
-    return WakeSet(found, courses, wake_level(scene.boats), wake_slope(scene.boats))
+    return WakeSet(found, courses, wake_height(scene.boats), wake_slope(scene.boats))
 
 
 def fleet(scene: Scene, time: float, origin: tuple[float, float], height: Height, ground: Height | None) -> Fleet:

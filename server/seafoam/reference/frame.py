@@ -316,7 +316,7 @@ class _Shader:
                 white = FOAM_THROUGH * light.foam(bed.air, scene.foam.albedo, stiff)
                 light_up = self._laid(light_up, white, a)
                 amount[up] = np.minimum(a, 1.0)
-            glow = bed.glow(np.full(s.shape, bed.level - self.eye_y), -d[up, 1], s)
+            glow = bed.glow(np.full(s.shape, -self.eye_y), -d[up, 1], s)
             colour[up] = light_up * np.exp(-bed.extinction * s[:, None]) + glow
         if self.fleet is not None:
             self._sunk(self.fleet, bed, d, np.where(up, distance, to_floor), colour)
@@ -345,7 +345,7 @@ class _Shader:
         if seen.size:
             own = fleets.Hit(hit.t[seen], hit.normal[seen], hit.place[seen], hit.part[seen], hit.boat[seen])
             found = fleet.light(bed.air, eye, d[seen], own) * np.exp(-bed.extinction * own.t[:, None])
-            colour[seen] = found + bed.glow(np.full(own.t.shape, bed.level - self.eye_y), -d[seen, 1], own.t)
+            colour[seen] = found + bed.glow(np.full(own.t.shape, -self.eye_y), -d[seen, 1], own.t)
 
     def _laid(self, colour: Floats, white: Floats, a: Floats) -> Floats:
         """Foam (r, 3) laid over water (r, 3) by its amount (r,)."""
@@ -506,7 +506,7 @@ class _Shader:
             colour = light.water(
                 air,
                 scene.water,
-                self.relief.top,
+                (self.relief.trough, self.relief.top),
                 d,
                 n,
                 H,
@@ -544,6 +544,7 @@ class _Shader:
             cap=1.0 if filtered else CAP,
             footprints=feet,
             eye_height=self.eye_y,
+            level=self.waves.level,
             folds=[
                 fold_saturation(self.scene, source, self.sea, x, z)
                 for source in foam.saturation

@@ -149,7 +149,7 @@ Glint = Callable[[Floats, Floats, Floats, float], Floats]
 def water(
     of: Air,
     body: Water,
-    top: float,
+    span: tuple[float, float],
     d: Floats,
     n: Floats,
     H: Floats,
@@ -162,12 +162,12 @@ def water(
 ) -> Floats:
     """Radiance of the water toward the eye, before haze; (r, 3).
 
-    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``top`` ΣA, m. ``bed``:
-    way through the water to a shore's floor and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light
-    that comes from directions (r, 3) over the water; absent: the sky's. ``sun``: in place of the smooth glint. ``lit``:
-    a level floor that is lit by itself: its radiance (r, 3), the way from it up, and straight down to it, (r,) m.
-    ``saturation`` (r,): of the foam over the water, whose bubbles make it milky. ``past`` (r,): the share of the sun
-    that the foam beside leaves to it; absent: all.
+    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``span`` the least
+    and the greatest height of the surface, m. ``bed``: way through the water to a shore's floor and back (r,) m, and
+    the floor's reflectance (r, 3). ``mirrored``: light that comes from directions (r, 3) over the water; absent: the
+    sky's. ``sun``: in place of the smooth glint. ``lit``: a level floor that is lit by itself: its radiance (r, 3),
+    the way from it up, and straight down to it, (r,) m. ``saturation`` (r,): of the foam over the water, whose bubbles
+    make it milky. ``past`` (r,): the share of the sun that the foam beside leaves to it; absent: all.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
@@ -177,7 +177,7 @@ def water(
     within = _body(of, body, entering, H, cv, bed, lit)
     if saturation is not None and body.aeration > 0.0:
         within = _aerated(body, entering, cv, within, saturation)
-    inner = (1.0 - mirror) * (within + _crest(of, body, top, d, H))
+    inner = (1.0 - mirror) * (within + _crest(of, body, span, d, H))
     seen = of.mirrored if mirrored is None else mirrored
     glinting = partial(glint, of) if sun is None else sun
     return inner + mirror * seen(_reflected(d, n, sigma2)) + glinting(d, n, cv, sigma2)
@@ -283,7 +283,7 @@ def _body(
     if body.depth is None:
         return deep
     refracted = np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2)
-    path = (body.depth + H) * (1.0 + 1.0 / refracted)
+    path = np.maximum(body.depth + H, 0.0) * (1.0 + 1.0 / refracted)
     through = np.exp(-extinction * path[:, None])
     result: Floats = deep * (1.0 - through) + np.array(body.floor_albedo) * down / math.pi * through
     return result
@@ -315,12 +315,13 @@ def _aerated(body: Water, entering: Floats, cv: Floats, clear: Floats, saturatio
     return result
 
 
-def _crest(of: Air, body: Water, top: float, d: Floats, H: Floats) -> Floats:
+def _crest(of: Air, body: Water, span: tuple[float, float], d: Floats, H: Floats) -> Floats:
     """L_t: the sun through thin crests; (r, 3)."""
-    if top <= 0.0:
+    trough, top = span
+    if top <= trough:
         return np.zeros_like(d)
     toward = np.maximum(d[:, 0] * of.sun[0] + d[:, 2] * of.sun[2], 0.0)
-    share = body.translucency / math.pi * (H / top) ** 2 * toward
+    share = body.translucency / math.pi * ((H - trough) / (top - trough)) ** 2 * toward
     result: Floats = share[:, None] * of.sun_irradiance * np.exp(-CREST_PATH / np.array(body.absorption_length))
     return result
 

@@ -12,11 +12,15 @@ from .types import Floats
 
 
 class Part(Protocol):
-    """Something that raises the surface, at one time around one origin; heights in [0, top] m."""
+    """Something that raises the surface, at one time around one origin; heights in [trough, top] m."""
 
     @property
     def top(self) -> float:
         """No point is higher, m."""
+
+    @property
+    def trough(self) -> float:
+        """No point is lower, m; at most 0."""
 
     @property
     def slope(self) -> float:
@@ -51,6 +55,10 @@ class Relief:
     @cached_property
     def top(self) -> float:
         return sum(part.top for part in self.raised)
+
+    @cached_property
+    def trough(self) -> float:
+        return sum(part.trough for part in self.raised)
 
     @cached_property
     def slope(self) -> float:

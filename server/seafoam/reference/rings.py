@@ -13,7 +13,8 @@ from functools import cached_property
 import numpy as np
 
 from seafoam.scene.models import GRAVITY, Scene
-from seafoam.scene.ring_level import calm_level, ring_curvature, ring_slope
+from seafoam.scene.ring_level import ring_curvature, ring_slope
+from seafoam.scene.ring_level import ring_height as highest
 from seafoam.scene.rings import Ring
 
 from .types import Bools, Floats
@@ -57,13 +58,13 @@ class RingSet:
     """The rings of a scene as a part of its surface."""
 
     rings: tuple[OneRing, ...]
-    level: float
+    top: float
     slope: float
     curvature: float
 
     @property
-    def top(self) -> float:
-        return 2.0 * self.level
+    def trough(self) -> float:
+        return -self.top
 
     @cached_property
     def shape(self) -> float:
@@ -71,8 +72,8 @@ class RingSet:
         return min((1.0 / ring.k for ring in self.rings), default=math.inf)
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        """Still water's level and every η at (x, z), m from the origin; (r,) m."""
-        total = np.full_like(x, self.level)
+        """The sum of every η at (x, z), m from the origin; (r,) m."""
+        total = np.zeros_like(x)
         for ring in self.rings:
             here = np.flatnonzero(_reached(ring, x, z))
             if here.size:
@@ -95,7 +96,7 @@ def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
     """The scene's rings at a time (s) around an origin (x, z) in m; those that are alive."""
     found = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
     alive = tuple(ring for ring in found if ring.amplitude > 0.0 and ring.front > 0.0)
-    return RingSet(rings=alive, level=calm_level(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
+    return RingSet(rings=alive, top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
 
 
 def one_ring(ring: Ring, depth: float | None, time: float, origin: tuple[float, float]) -> OneRing:

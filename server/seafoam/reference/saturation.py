@@ -83,8 +83,8 @@ def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
     X, Y = np.zeros_like(x), np.zeros_like(x)
     slope_of_x, slope_of_y = np.zeros((*x.shape, 2)), np.zeros((*x.shape, 2))
     count = waves.amplitude.size
-    top = waves.top
-    weights = waves.amplitude / top if top > 0.0 else np.full(count, 1.0 / max(count, 1))
+    all_crests = float(waves.amplitude.sum())
+    weights = waves.amplitude / all_crests if all_crests > 0.0 else np.full(count, 1.0 / max(count, 1))
     for i, theta in enumerate(waves.theta(x, z)):
         psi = theta + (2.0 * delta - math.pi)
         cosine, sine = weights[i] * np.cos(psi), weights[i] * np.sin(psi)
@@ -248,6 +248,7 @@ def saturation(
     cap: float,
     footprints: tuple[Floats, Floats] | None,
     eye_height: float,
+    level: float,
     folds: list[Floats],
     surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
     drift: Callable[[DriftSaturation, Floats, Floats], Floats] | None = None,
@@ -258,7 +259,7 @@ def saturation(
 
     ``waves`` holds the waves for each kind of front constants, ``slopes`` is the gradient that light sees. With
     footprints (each (r, 2) m) fronts are averaged over what an eye at this height (m) over (0, 0) sees of them.
-    ``folds``: f of the fold sources, in their order. ``surf``
+    ``level``: still water over the waves' troughs, m. ``folds``: f of the fold sources, in their order. ``surf``
     gives the foam of a shore's surf, ``drift`` that a flow carries, ``wake`` that behind boats; without them there is
     none. ``history``: how foam that fronts leave moves with the water.
     """
@@ -266,7 +267,7 @@ def saturation(
     given = iter(folds)
     for source in sources:
         if isinstance(source, HeightSaturation):
-            parts.append(height_saturation(H, source.base, source.full))
+            parts.append(height_saturation(H + level, source.base, source.full))
             continue
         if isinstance(source, SlopeSaturation):
             parts.append(slope_saturation(slopes, x, z, source.gain, source.base, source.blur))
@@ -333,8 +334,8 @@ def living_front(
     gradient = phase_gradient(sum_of)
     way_x, way_z = waves.carry(x, z) if history.carried else (np.zeros_like(x), np.zeros_like(x))
     rates = waves.omega - waves.kx * history.drift[0] - waves.kz * history.drift[1]
-    top, count = waves.top, waves.amplitude.size
-    weights = waves.amplitude / top if top > 0.0 else np.full(count, 1.0 / count)
+    all_crests, count = float(waves.amplitude.sum()), waves.amplitude.size
+    weights = waves.amplitude / all_crests if all_crests > 0.0 else np.full(count, 1.0 / count)
     mean_rate = max(float(weights @ rates), LEAST_RATE)
     turn = 2.0 * math.pi
     life, born = mean_rate * decay, 2.0 * math.atan2(1.0, math.log(source.intensity))

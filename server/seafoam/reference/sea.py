@@ -155,8 +155,12 @@ class SeaSurface:
 
     @property
     def top(self) -> float:
-        """Twice the sum of the heights' limits, m."""
-        return sum(2.0 * of.limit for of in self.cascades[:RAISED])
+        """The sum of the heights' limits, m."""
+        return sum(of.limit for of in self.cascades[:RAISED])
+
+    @property
+    def trough(self) -> float:
+        return -self.top
 
     @cached_property
     def slope(self) -> float:
@@ -188,7 +192,7 @@ class SeaSurface:
         return self.tiles[:RAISED]
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        total = np.full_like(x, 0.5 * self.top)
+        total = np.zeros_like(x)
         for one in self._raised:
             total += self._at(one, one.height, x, z)
         return total

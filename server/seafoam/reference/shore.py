@@ -275,6 +275,10 @@ class Coast:
         """No point of the sea is higher, m."""
         return self.open_sea.top + self.shore.surf.height
 
+    @property
+    def trough(self) -> float:
+        return self.open_sea.trough
+
     def _change(self, values: Floats) -> Floats:
         """Greatest change a metre of a map's channel round each texel, that of its spline at most."""
         texel = self.shore.size / MAP
@@ -293,7 +297,8 @@ class Coast:
         rows = float(np.abs(np.diff(table, axis=0)).max()) * (table.shape[0] - 1)
         tall = ndimage.maximum_filter(height, 5)
         own = tall * (turn * self._change(phase) + rows * self._change(skew)) + self._change(height)
-        shared = self.open_sea.top * float(self._change(share).max()) if self.open_sea.top > 0.0 else 0.0
+        swing = max(self.open_sea.top, -self.open_sea.trough)
+        shared = swing * float(self._change(share).max()) if swing > 0.0 else 0.0
         return self.open_sea.slope + shared + 1.01 * float(own.max())
 
     @cached_property
@@ -495,6 +500,7 @@ class Land:
         step = coast.shore.size / FLOOR
         dry = np.maximum(heights, 0.0)
         self.top = float(dry.max())
+        self.trough = 0.0
         self.slope = 1.01 * math.hypot(*(float(np.abs(np.diff(dry, axis=axis)).max()) / step for axis in (0, 1)))
         self.curvature = 3.0 * max(
             float(np.abs(np.diff(heights[1:-1, 1:-1], 2, axis=axis)).max()) / step**2 for axis in (0, 1)

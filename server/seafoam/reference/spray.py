@@ -177,7 +177,7 @@ def from_waves(spray: Spray, scene: Scene, waves: WaveSet, time: float, origin: 
             steep -= change[:, None] * np.array([waves.kx[i], waves.kz[i]])
             rise += change * omega[i]
         faster = rise > best
-        best, height = np.where(faster, rise, best), np.where(faster, tall, height)
+        best, height = np.where(faster, rise, best), np.where(faster, tall - waves.level, height)
         at, slope = np.where(faster[:, None], p, at), np.where(faster[:, None], steep, slope)
     onward = -slope * (best / np.maximum(dot(slope, slope), CREST_SLOPE2))[:, None]
     aside = best[:, None] * (np.stack((_number(word, 2), _number(word, 3)), axis=-1) - 0.5)

@@ -42,7 +42,7 @@ def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
         met = slanted & (s > 0.0)
         distance[met] = s[met]
         return distance
-    low, high, inside = _slab(eye_y, relief.top, d[:, 1])
+    low, high, inside = _slab(eye_y, relief.trough, relief.top, d[:, 1])
     chosen = np.flatnonzero(inside)
     if chosen.size:
         search = _Search(relief, eye_y, d[chosen])
@@ -58,7 +58,7 @@ def land_crossing(land: Part, eye_y: float, d: Floats, low: Floats, high: Floats
     distance = np.full(d.shape[0], np.inf)
     if land.top <= 0.0:
         return distance
-    start, end, inside = _slab(eye_y, land.top, d[:, 1])
+    start, end, inside = _slab(eye_y, 0.0, land.top, d[:, 1])
     start, end = np.maximum(start, low), np.minimum(end, high)
     chosen = np.flatnonzero(inside & (start < end))
     if chosen.size:
@@ -89,12 +89,12 @@ def footprint(tau: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
     return result
 
 
-def _slab(eye_y: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:
-    """Where rays enter and leave 0 ≤ y ≤ top, m, and whether they pass through it at all; (r,) each."""
+def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:
+    """Where rays enter and leave bottom ≤ y ≤ top, m, and whether they pass through it at all; (r,) each."""
     slanted = np.abs(rise) >= LEVEL
     rise = np.where(slanted, rise, 1.0)
-    ends = np.sort(np.stack(((top - eye_y) / rise, -eye_y / rise)), axis=0)
-    within = 0.0 <= eye_y <= top
+    ends = np.sort(np.stack(((top - eye_y) / rise, (bottom - eye_y) / rise)), axis=0)
+    within = bottom <= eye_y <= top
     low = np.where(slanted, np.maximum(ends[0], 0.0), 0.0)
     high = np.where(slanted, ends[1], FAR)
     inside = np.where(slanted, ends[1] > 0.0, within)
@@ -132,7 +132,7 @@ class _Search:
         """First zero of G between the ends of the slab; (r,) m, infinite where there is none."""
         count = low.size
         # Rounding must not put an eye above all crests under one of them.
-        outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < 0.0 else 0.0
+        outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < self.relief.trough else 0.0
         side = np.where(self.value(low) >= 0.0, 1.0, -1.0) if outside == 0.0 else np.full(count, outside)
         before = np.full(count, np.inf)
         after = np.full(count, np.inf)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
+from scipy import special
 
 from seafoam.scene.chop import ripples
 from seafoam.scene.models import GRAVITY, Chop, ParametricWave, Scene
@@ -47,8 +48,17 @@ class WaveSet:
 
     @property
     def top(self) -> float:
-        """ΣA: no point of the surface is higher, m."""
-        return float(self.amplitude.sum())
+        """ΣA less the waves' mean: no point of the surface is higher, m."""
+        return float(self.amplitude.sum()) - self.level
+
+    @property
+    def trough(self) -> float:
+        return -self.level
+
+    @cached_property
+    def level(self) -> float:
+        """Mean of Σ A u^K, m: still water over the troughs. Of sin^2K over a period, B(K + ½, ½)/π."""
+        return sum(A * float(special.beta(K + 0.5, 0.5)) / math.pi for A, K, _ in self._shapes)
 
     @cached_property
     def _shapes(self) -> list[tuple[float, float, float]]:
@@ -85,8 +95,8 @@ class WaveSet:
         return result
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        """Σ y over the waves at (x, z); (r,) m."""
-        total = np.zeros_like(x)
+        """Σ y over the waves at (x, z), less its mean; (r,) m."""
+        total = np.full_like(x, -self.level)
         for i, theta in enumerate(self.theta(x, z)):
             total += wave_height(theta, self.amplitude[i], self.exponent[i])
         return total

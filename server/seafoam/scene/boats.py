@@ -69,7 +69,7 @@ class Boat(BaseModel):
 NEAR = 2.0
 """Beyond so many lengths from a boat's middle little is left of the window at its bow."""
 _OPENING = 2800.0
-"""Second derivative of a wake's window near the bow, in its level over its boat's length squared."""
+"""Second derivative of a wake's window near the bow, in its height over its boat's length squared."""
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class Wake:
         return min(12.0 * self.wavelength + 4.0 * self.boat.length, 5.0 * self.boat.radius)
 
     @property
-    def level(self) -> float:
+    def height(self) -> float:
         """No crest is higher and no trough deeper, m."""
         return 1.5 * self.boat.wake if self.shows else 0.0
 
@@ -116,7 +116,7 @@ class Wake:
         peak = max(self.k, self.shortest / math.sqrt(2.0))
         waves = 1.5 * self.boat.wake * peak * math.exp(-((peak / self.shortest) ** 2))
         # The windows at the bow and at the edge, where both systems open over a tenth of the way behind it.
-        windows = self.level * math.exp(-((self.k / self.shortest) ** 2)) * 5.0 / self.boat.length
+        windows = self.height * math.exp(-((self.k / self.shortest) ** 2)) * 5.0 / self.boat.length
         # Inside the circle a wake is drawn together, at most to 0.75 of its length.
         return (waves + windows) / 0.75
 
@@ -132,7 +132,7 @@ class Wake:
             return 0.0, 0.0
         peak = max(self.k, self.shortest)
         waves = 1.5 * self.boat.wake * peak**2 * math.exp(-((peak / self.shortest) ** 2))
-        window = _OPENING * self.level * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
+        window = _OPENING * self.height * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
         return (waves + window) / 0.75**2, (waves + window / NEAR**2) / 0.75**2
 
     def grain(self, texel: float) -> float:
@@ -141,7 +141,7 @@ class Wake:
         The unit is the second derivative of its shortest waves times texel²; the factor is measured, with a tenth to
         spare.
         """
-        return 0.013 * self.level * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
+        return 0.013 * self.height * math.exp(-((self.k / self.shortest) ** 2)) * (texel * self.shortest) ** 2
 
 
 def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:
@@ -149,9 +149,9 @@ def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:
     return tuple(Wake(boat) for boat in boats)
 
 
-def wake_level(boats: tuple[Boat, ...]) -> float:
-    """Height of still water over y = 0 where boats pass, m: no trough of their wakes together is deeper."""
-    return float(f"{sum(wake.level for wake in wakes(boats)):.7g}")
+def wake_height(boats: tuple[Boat, ...]) -> float:
+    """No crest of all wakes together is higher over still water and no trough deeper, m."""
+    return float(f"{sum(wake.height for wake in wakes(boats)):.7g}")
 
 
 def wake_slope(boats: tuple[Boat, ...]) -> float:

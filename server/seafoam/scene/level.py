@@ -1,10 +1,8 @@
-"""The mean height of the surface over its troughs."""
+"""Where still water lies among the paper's waves, which count from their troughs. y = 0 is still water everywhere."""
 
 import math
 
 from seafoam.scene.models import ParametricWave, Scene
-from seafoam.scene.ring_level import calm_level
-from seafoam.scene.sea import RAISED, cascades
 
 
 def wave_level(wave: ParametricWave) -> float:
@@ -16,9 +14,6 @@ def wave_level(wave: ParametricWave) -> float:
     )
 
 
-def mean_level(scene: Scene) -> float:
-    """Mean height of waves, rings at rest and open sea over y = 0, m; without a shore."""
-    level = sum(wave_level(wave) for wave in scene.waves) + calm_level(scene)
-    if scene.sea is not None and scene.sea.wind > 0.0:
-        level += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return level
+def paper_level(scene: Scene) -> float:
+    """Height of still water over the troughs of all parametric waves together, m: from there the paper's H₀ counts."""
+    return sum(wave_level(wave) for wave in scene.waves)

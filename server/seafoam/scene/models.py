@@ -127,9 +127,14 @@ class HeightSaturation(Part):
 
     source: Literal["height"] = "height"
     base: float = Field(
-        default=0.3, ge=-100.0, le=100.0, description="H0: height above the troughs where foam starts, m"
+        default=0.3,
+        ge=-100.0,
+        le=100.0,
+        description="H0: height over the parametric waves' troughs where foam starts, m",
     )
-    full: float = Field(default=0.9, ge=-100.0, le=200.0, description="Hmax: height where foam is full, m")
+    full: float = Field(
+        default=0.9, ge=-100.0, le=200.0, description="Hmax: height where foam is full, counted as H0 is, m"
+    )
 
     @model_validator(mode="after")
     def _ordered(self) -> "HeightSaturation":
@@ -320,7 +325,7 @@ class Water(Part):
     ] = Field(default=(7.0, 30.0, 70.0), description="Distance to 1/e for red, green, blue, m (Outerra: 7, 30, 70)")
     scattering: float = Field(default=0.005, ge=0.0, le=0.5, description="Scattering coefficient, 1/m (Outerra: 0.005)")
     depth: float | None = Field(
-        default=None, ge=0.05, le=11000.0, description="Depth of the floor under the troughs, m; absent: deep water"
+        default=None, ge=0.05, le=11000.0, description="Depth of the floor under still water, m; absent: deep water"
     )
     floor_albedo: Rgb = Field(default=(0.62, 0.54, 0.40), description="Reflectance of the floor")
     floor_tile: float | None = Field(
@@ -448,7 +453,7 @@ class Camera(Part):
         Annotated[float, Field(ge=-1e7, le=1e7)],
         Annotated[float, Field(ge=-1000.0, le=1e5)],
         Annotated[float, Field(ge=-1e7, le=1e7)],
-    ] = Field(default=(0.0, 6.0, 0.0), description="Eye, m; y is counted from the troughs")
+    ] = Field(default=(0.0, 6.0, 0.0), description="Eye, m; y is counted from still water")
     yaw: float = Field(
         default=0.0,
         ge=-6.2832,

@@ -74,8 +74,8 @@ def trains(scene: Scene) -> tuple[Train, ...]:
 
 
 @lru_cache(maxsize=64)
-def calm_level(scene: Scene) -> float:
-    """Height of still water over y = 0, m: no trough of all rings together is deeper. Rounded up."""
+def ring_height(scene: Scene) -> float:
+    """No crest of all rings together is higher over still water and no trough deeper, m. Rounded up."""
     return _rounded_up(_greatest(trains(scene), lambda train: 1.0))
 
 

@@ -38,7 +38,7 @@ export interface Pivot {
   distance: number;
 }
 
-/** What an orbit turns about: where the view meets the troughs, but neither at the feet nor at the horizon. */
+/** What an orbit turns about: where the view meets still water, but neither at the feet nor at the horizon. */
 export function pivot(camera: CameraState): Pivot {
   const { forward } = basis(camera);
   const reach = forward[1] < 0 ? camera.position[1] / -forward[1] : Infinity;

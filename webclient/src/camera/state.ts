@@ -3,7 +3,7 @@
 export type Vec3 = readonly [number, number, number];
 
 export interface CameraState {
-  /** Eye; y is counted from the troughs. */
+  /** Eye; y is counted from still water. */
   position: Vec3;
   /** Heading, from −z toward +x. */
   yaw: number;
