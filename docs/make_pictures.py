@@ -154,7 +154,7 @@ def pool(executor: Executor) -> None:
         (apart, close),
         (scene, Camera(position=(0.0, -1.2, 0.0), yaw=-2.6, pitch=1.15, fov=1.7)),
         (scene, Camera(position=(0.0, -1.1, 0.0), pitch=0.12, fov=1.1)),
-        (ocean, Camera(position=(0.0, -4.0, 0.0), yaw=-1.2, pitch=0.75, fov=1.5)),
+        (ocean, Camera(position=(0.0, -8.9, 0.0), yaw=-1.2, pitch=0.75, fov=1.5)),
     )
     quality = TIERS["high"].model_copy(update={"caustics_size": 1024})
     made = []

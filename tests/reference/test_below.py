@@ -80,6 +80,14 @@ VIEWS = {
         ),
         Camera(position=(-2.0, -1.5, 10.0), yaw=0.2, pitch=0.15),
     ),
+    "in a boat's wake, over caustics": (
+        Scene(
+            boats=(Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.6, speed=4.0, wake=0.3),),
+            water=POOL.water,
+            light=PLAIN,
+        ),
+        Camera(position=(0.3, -1.0, 0.2), pitch=-0.15),
+    ),
     "under an open sea": (
         Scene(sea=Sea(wind=7.0), light=Light(exposure=-1.0)),
         Camera(position=(0.0, -1.5, 0.0), pitch=0.6),

@@ -771,7 +771,7 @@ export interface components {
         Camera: {
             /**
              * Position
-             * @description Eye, m; y is counted from the troughs
+             * @description Eye, m; y is counted from still water
              * @default [
              *       0,
              *       6,
@@ -1583,13 +1583,13 @@ export interface components {
             source: "height";
             /**
              * Base
-             * @description H0: height above the troughs where foam starts, m
+             * @description H0: height over the parametric waves' troughs where foam starts, m
              * @default 0.3
              */
             base: number;
             /**
              * Full
-             * @description Hmax: height where foam is full, m
+             * @description Hmax: height where foam is full, counted as H0 is, m
              * @default 0.9
              */
             full: number;
@@ -3677,7 +3677,7 @@ export interface components {
             scattering: number;
             /**
              * Depth
-             * @description Depth of the floor under the troughs, m; absent: deep water
+             * @description Depth of the floor under still water, m; absent: deep water
              */
             depth?: number | null;
             /**
@@ -4314,7 +4314,7 @@ export interface operations {
                 height?: number | null;
                 /** @description Eye, m along +x; absent, like the rest of the camera: the preset's own */
                 x?: number | null;
-                /** @description Eye, m above the troughs */
+                /** @description Eye, m above still water */
                 y?: number | null;
                 /** @description Eye, m along +z */
                 z?: number | null;
