@@ -35,7 +35,10 @@ from seafoam.scene.rings import Ring
 from seafoam.scene.sea import RAISED, cascades
 
 Floats = NDArray[np.float64]
-TIMES = tuple(3.7 * i for i in range(12))
+TIMES = tuple(3.7 * i for i in range(8))
+TEXELS = 128
+"""A side of a sea's tile: as few as hold its waves."""
+QUALITY = EXACT.model_copy(update={"sea_size": TEXELS})
 SIDE, SPAN = 128, 4000.0
 """Places a side of the drawn grid, and its side, m."""
 TABLE = "Mean height of the surface over many places and times, m"
@@ -52,7 +55,7 @@ FAR = NEAR.model_copy(update={"centre": (6000.0, 0.0)})
 
 def heights(executor: Executor, scene: Scene, time: float) -> Floats:
     """The drawn surface at the places of a grid, SIDE² heights, m: of its program the ``main`` alone is another."""
-    plan = make_plan(scene, EXACT)
+    plan = make_plan(scene, QUALITY)
     shader = plan.programs["surface"].fragment
     text = shader.text.replace("void main() {", "void drawn() {") + (
         f"\nvoid main() {{\n    o_color = vec4(waves((gl_FragCoord.xy / {SIDE:.1f} - 0.5) * {SPAN:.1f}).x);\n}}\n"
@@ -75,7 +78,7 @@ def truth(scene: Scene, time: float) -> Floats:
     total = wave_set(scene, time, (0.0, 0.0)).height(x, z) + ring_set(scene, time, (0.0, 0.0)).height(x, z)
     if scene.boats:
         total += wake_set(scene, time, (0.0, 0.0)).height(x, z)
-    sea = sea_surface(scene, time, (0.0, 0.0))
+    sea = sea_surface(scene, time, (0.0, 0.0), TEXELS)
     return total if sea is None else total + sea.height(x, z)
 
 
@@ -110,7 +113,7 @@ def test_the_mean_height_is_still_water(executor: Executor, report: Report, way:
     found: Callable[[Scene, float], Floats] = partial(heights, executor) if way == "drawn" else truth
     means = np.array([found(scene, time).mean() for time in TIMES])
     error = float(means.std(ddof=1)) / math.sqrt(means.size)
-    top = make_plan(scene, EXACT).top
+    top = make_plan(scene, QUALITY).top
     lower = drawn_together(scene)
     report.add(
         TABLE,
@@ -129,9 +132,9 @@ def test_the_mean_height_is_still_water(executor: Executor, report: Report, way:
 def test_a_rising_wind_does_not_raise_the_sea(executor: Executor, way: str) -> None:
     """From a breeze to a storm the mean stays within a fortieth of the significant height."""
     found: Callable[[Scene, float], Floats] = partial(heights, executor) if way == "drawn" else truth
-    for wind in (3.0, 8.0, 16.0, 25.0):
+    for wind in (4.0, 12.0, 25.0):
         scene = Scene(sea=Sea(wind=wind))
-        values = np.concatenate([found(scene, time) for time in TIMES[:4]])
+        values = np.concatenate([found(scene, time) for time in TIMES[:3]])
         assert abs(float(values.mean())) <= 0.1 * float(values.std()), wind
 
 

@@ -277,7 +277,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     surf = shore.surf
     slope, share, floor_slope, land_slope, land_top, curvature = _limits(shore, quality)
-    swing = max(surface_top(scene) - surf.height, -surface_trough(scene))
+    swing = max(surface_top(scene), -surface_trough(scene))
     steepest = _up(slope + share * swing)
     # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
     bend = _up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * swing)
