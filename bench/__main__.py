@@ -30,7 +30,7 @@ from bench import (
 from bench.passes import Frame
 from bench.report import Table
 from bench.watch import Watch
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import preset_names
 
 DRAWN = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")

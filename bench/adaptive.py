@@ -10,10 +10,10 @@ from statistics import median
 from bench.frames import is_software, ratios, side_by_side
 from bench.report import Column, Table, ms, times
 from seafoam.accuracy.metrics import Picture, rmse
-from seafoam.plan import make_plan
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera
 from seafoam.scene.presets import load_preset, preset_names
 

@@ -8,10 +8,10 @@ from bench.watch import Watch
 from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store
 from seafoam.accuracy.sweep import Rig, Settings, Subject, make_sweep
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import Quality
-from seafoam.render.executor import Executor
-from seafoam.render.pool import measure as draw
+from seafoam.render.gl.executor import Executor
+from seafoam.render.service.pool import measure as draw
 
 PRESET = "default"
 SIZES = ((160, 90), (320, 180), (640, 360))

@@ -21,8 +21,8 @@ from bench import radv
 from bench.radv import CompilerError, Figures
 from bench.report import Column, Table, count, percent
 from bench.watch import Watch
-from seafoam.plan import make_plan
-from seafoam.plan.model import Program, Shader
+from seafoam.framegraph.shader import Program, Shader
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.models import Look
 from seafoam.scene.presets import load_preset, preset_names

@@ -15,11 +15,12 @@ from bench.report import Column, Table, count, extra, ms, ratio_columns, times
 from bench.uber import held_effects, slot_files, uber_plan
 from bench.watch import Watch
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import COMPONENTS, Constant
-from seafoam.plan import make_plan
-from seafoam.plan.model import FramePlan, Shader
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.rules import COMPONENTS, Constant
+from seafoam.framegraph.shader import Shader
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset, preset_names
 

@@ -5,9 +5,9 @@ from bench.frames import side_by_side
 from bench.report import Column, Spread, Table, count, ms
 from bench.watch import Watch
 from seafoam.effects import EFFECTS
-from seafoam.plan import make_plan
-from seafoam.plan.alone import switch
-from seafoam.render.executor import Executor
+from seafoam.planner import make_plan
+from seafoam.planner.isolation import switch
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 
 PRESET = "default"

@@ -7,9 +7,9 @@ from bench.compiler import Use, compiled, missing
 from bench.frames import SIZE, ratios, side_by_side
 from bench.report import Column, Table, count, extra, ms, percent, ratio_columns
 from bench.watch import Watch
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Foam, FoldSaturation, FrontSaturation, Saturation, Scene, SurfSaturation
 from seafoam.scene.presets import load_preset
 

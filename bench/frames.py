@@ -13,10 +13,10 @@ from bench.report import Column, Spread, Table, count, extra, ms, percent, ratio
 from bench.watch import Watch
 from seafoam.accuracy.metrics import Picture, coverage
 from seafoam.doctor import SOFTWARE
-from seafoam.plan import make_plan
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, HeightSaturation, Look, Scene
 from seafoam.scene.presets import load_preset, preset_names
 

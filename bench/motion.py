@@ -14,9 +14,9 @@ from rich.progress import Progress
 from bench.document import DOCS, fill
 from bench.report import Column, Table
 from seafoam.accuracy.motion import excess, flicker, shown
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera
 from seafoam.scene.presets import load_preset
 

@@ -11,10 +11,11 @@ from unittest.mock import patch
 from bench.frames import STEP, cost
 from bench.report import Column, Table, ms
 from bench.watch import Watch
-from seafoam.plan import make_plan
-from seafoam.plan.model import FramePlan, Pass
+from seafoam.framegraph.passes import Pass
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 
 SIZE = (1280, 720)

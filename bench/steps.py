@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from seafoam.plan.model import FramePlan, Shader
-from seafoam.plan.view import drawn_passes
-from seafoam.render.executor import Executor
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.shader import Shader
+from seafoam.framegraph.visibility import drawn_passes
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera
 
 COUNTER = "bench_evaluations"

@@ -13,23 +13,17 @@ from pathlib import Path
 from typing import get_args
 from unittest.mock import patch
 
-from seafoam.effects import EFFECTS, front
-from seafoam.effects.contribution import (
-    COMPONENTS,
-    Const,
-    Constant,
-    Contribution,
-    Fullscreen,
-    SlotFile,
-    TargetInput,
-    TextureInput,
-    Uniform,
-    number,
-)
-from seafoam.plan import make_plan
-from seafoam.plan.assemble import assemble, declared_uniforms, read_file
-from seafoam.plan.model import FramePlan, Pass, Program, State
-from seafoam.plan.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
+from seafoam.effects import EFFECTS
+from seafoam.effects.effect import Const, Contribution, Inline, SlotFile
+from seafoam.effects.foam import front
+from seafoam.framegraph.passes import Fullscreen, Pass, State
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import TargetInput, TextureInput
+from seafoam.framegraph.rules import COMPONENTS, Constant, Uniform, number
+from seafoam.framegraph.shader import Program, declared_uniforms
+from seafoam.planner import make_plan
+from seafoam.planner.glsl import assemble, read_file
+from seafoam.planner.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.models import Chop, Foam, FrontSaturation, HeightSaturation, Look, ParametricWave, Scene, Water
 
@@ -189,7 +183,7 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
     fixed = {name: value for name, value in consts.items() if name not in BY_SCENE}
     program = Program(
         vertex=assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
-        fragment=assemble([f"={text}"], fixed),
+        fragment=assemble([Inline(text)], fixed),
     )
     return _Uber(program, parts, tuple(plans), switches)
 

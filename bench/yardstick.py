@@ -13,9 +13,9 @@ from bench.server import HOST, REQUEST_SECONDS, ask
 from bench.steps import Steps, steps
 from bench.watch import Watch
 from bench.water_page import SIZE, Frames, WaterPage
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 
 ROUNDS = 3

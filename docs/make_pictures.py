@@ -8,9 +8,9 @@ from PIL import Image
 
 from seafoam.masks.catalogue import load_catalogue, load_mask
 from seafoam.masks.plots import contact_sheet, magnified_sheet
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import (
     Camera,
     Caustics,

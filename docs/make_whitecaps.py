@@ -1,4 +1,4 @@
-"""Whitecaps of the open sea against the wind: tables and plots of docs/whitecaps.md, factors of scene/sea.py.
+"""Whitecaps of the open sea against the wind: tables and plots of docs/whitecaps.md, factors of ocean/cascades.py.
 
 Run as ``python docs/make_whitecaps.py [--derive | --photographs | --patches]``; with ``--derive`` it prints what
 ``CLAMPED`` and ``LASTING_CLAMPED`` should be instead, with ``--photographs`` it draws the sea as from a ship and counts
@@ -25,11 +25,12 @@ from scipy import stats
 
 from seafoam.accuracy.metrics import displayed
 from seafoam.accuracy.whitecaps import Patches, Rule, awe_threshold, grey, patches
-from seafoam.plan import make_plan
+from seafoam.ocean import cascades as sea_tiles
+from seafoam.ocean import whitecaps as foam_of_sea
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.sea import fold_saturation, sea_surface
-from seafoam.render.executor import Executor
-from seafoam.scene import sea as model
+from seafoam.reference.waves.sea import fold_saturation, sea_surface
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, FoldSaturation, Light, Scene, Sea
 from seafoam.scene.presets import load_preset
 
@@ -52,7 +53,7 @@ SIZE = (480, 360)
 SMALL = (128, 96)
 """Of the frames without light in which foam alone is counted."""
 EYE, PITCH, FOV = 30.0, -0.6, 0.7
-"""Camera over the sea's mean level, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
+"""Camera over still water, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
 QUALITY = TIERS["standard"].model_copy(update={"sea_size": 128})
 """A tile of 128 texels still holds all waves, and is drawn sooner."""
 ROUND = 20
@@ -96,11 +97,11 @@ def derive(lasting: bool) -> tuple[tuple[float, float], ...]:
     factors = dict.fromkeys(WINDS, 1.0)
     for _ in range(3):
         if lasting:
-            model.LASTING_CLAMPED = tuple(factors.items())
+            foam_of_sea.LASTING_CLAMPED = tuple(factors.items())
         else:
-            model.CLAMPED = tuple(factors.items())
+            foam_of_sea.CLAMPED = tuple(factors.items())
         for wind, drawn in measured(DERIVED, lasting=lasting).items():
-            factors[wind] *= model.whitecaps(wind) / drawn
+            factors[wind] *= foam_of_sea.whitecaps(wind) / drawn
         print({wind: round(factor, 3) for wind, factor in factors.items()}, file=sys.stderr)
     return tuple((wind, round(factor, 3)) for wind, factor in factors.items())
 
@@ -112,7 +113,7 @@ def write(drawn: dict[float, float], gerstner: dict[float, float]) -> None:
         "|---|---|---|---|---|---|\n",
     ]
     for wind in WINDS:
-        wanted = model.whitecaps(wind)
+        wanted = foam_of_sea.whitecaps(wind)
         shares = " | ".join(f"{100 * of[wind]:.3f} | {of[wind] / wanted:.2f}" for of in (drawn, gerstner))
         rows.append(f"| {wind:g} | {100 * wanted:.3f} | {shares} |\n")
     before, _, after = PAGE.read_text(encoding="utf-8").split(MARK)
@@ -218,7 +219,7 @@ def photographed(executor: Executor, wind: float, progress: Progress) -> Album:
         plain, own = (seascape(wind, 100 + number, yaw, own=own) for own in (False, True))
         unlit = plain.model_copy(update={"light": None})
         for i in range(ROUND):
-            place = [float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, model.LOOP))]
+            place = [float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, sea_tiles.LOOP))]
             album.foam.append(float(view(executor, unlit, place, yaw, SMALL)[..., 3].mean(dtype=np.float64)))
             if i % LIT == 0:
                 album.plain.append(shot(view(executor, plain, place, yaw, SIZE)))
@@ -239,7 +240,7 @@ def write_photographs(albums: Mapping[float, Album]) -> None:
     ]
     columns: dict[str, list[float]] = {"drawn": [], "AWE": [], "AWE, least PIP": [], "drawn, own look": []}
     for wind, album in albums.items():
-        law = model.whitecaps(wind)
+        law = foam_of_sea.whitecaps(wind)
         drawn = float(np.mean(album.foam))
         scale = drawn / law / float(np.mean([one.drawn for one in album.plain]))
         awe, least = (scale * float(np.mean([one.counted[rule] for one in album.plain])) for rule in RULES)
@@ -278,7 +279,7 @@ def outlined(executor: Executor, progress: Progress, *, own: bool) -> Patches:
     found = []
     for i in progress.track(range(OUTLINED), description=f"patches, {'own look' if own else 'plain'}"):
         scene = seascape(OUTLINED_WIND, 200 + i, 0.0, own=own)
-        x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, model.LOOP)))
+        x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, sea_tiles.LOOP)))
         camera = Camera(position=(x, ABOVE, z), pitch=-0.5 * math.pi, fov=2.0 * math.atan(0.5))
         plan = make_plan(scene, QUALITY)
         side = OUTLINED_SIDE

@@ -10,7 +10,7 @@ import inputs
 from gpu import Probe
 from report import REPORT, Report
 from room import LIMIT, Room, give_back, resident
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 
 # llvmpipe compiles in half the time without LLVM's optimisations, and draws the same bytes (test_driver.py); most of
 # what tests draw is drawn once, and small. Servers that they start inherit it, browsers do not.

@@ -7,8 +7,9 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.plan.assemble import assemble
-from seafoam.render.executor import TEXTURE_FORMATS, Executor
+from seafoam.effects.effect import Inline
+from seafoam.planner.glsl import assemble
+from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
 from seafoam.textures import texture
 
 WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
@@ -42,8 +43,8 @@ class Probe:
         height = -(-count // width)
         packed = np.zeros((height * width, 4), np.float32)
         packed[:count, : inputs.shape[1]] = inputs
-        main = (
-            "=uniform sampler2D u_probe;\nout vec4 o_probe;\nvoid main() {\n"
+        main = Inline(
+            "uniform sampler2D u_probe;\nout vec4 o_probe;\nvoid main() {\n"
             "    vec4 x = texelFetch(u_probe, ivec2(gl_FragCoord.xy), 0);\n    vec4 y = vec4(0.0);\n"
             f"{body}\n    o_probe = y;\n}}\n"
         )

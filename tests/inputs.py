@@ -11,11 +11,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import seafoam.plan
+import seafoam.planner
 from browsers import COMMON, LANES, chromium
 from memo import Door, Memo
-from seafoam.plan import assemble, planner
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import glsl as assemble
+from seafoam.planner import planner
 from seafoam.quality import Quality
 from seafoam.scene import presets
 from seafoam.scene.models import Scene
@@ -28,14 +29,14 @@ DRIVERS = ("LIBGL_", "MESA_", "GALLIUM_", "GALLIVM_", "LP_", "EGL_", "__EGL_", "
 TABLES = frozenset({"EFFECTS"})
 ANSWERED = {
     ("inputs", ""),
-    ("seafoam.plan", "make_plan"),
-    ("seafoam.plan.planner", "make_plan"),
+    ("seafoam.planner", "make_plan"),
+    ("seafoam.planner.planner", "make_plan"),
     ("seafoam.effects", "EFFECTS"),
     ("seafoam.scene.presets", ""),
 }
 PLAIN_PAGE = ("plans", "presets", "textures")
 """Routers that give a page the plan, the scene and the textures of a picture."""
-NOT_PLAIN = {("seafoam.accuracy", ""), ("seafoam.api.workshop", ""), ("seafoam.render.pool", "")}
+NOT_PLAIN = {("seafoam.accuracy", ""), ("seafoam.api.workshop", ""), ("seafoam.render.service.pool", "")}
 """What those routers' modules name, and a page that draws one picture never runs."""
 SHARED = {"executor", "probe", "report", "server", "playwright", "llvmpipe", "swiftshader", "page", "other"}
 
@@ -103,7 +104,7 @@ def doors() -> dict[str, Door]:
         return make(Scene.model_validate_json(scene), Quality.model_validate_json(quality), economy=economy)
 
     return {
-        "plan": Door((planner, seafoam.plan), "make_plan", _plan_key, plan_again, lambda plan: plan.sha256),
+        "plan": Door((planner, seafoam.planner), "make_plan", _plan_key, plan_again, lambda plan: plan.sha256),
         "preset": Door((presets,), "load_preset", lambda name: [name], load, _preset_hash),
         "presets": Door((presets,), "preset_names", lambda: [], names, json.dumps),
         "glsl": Door((assemble,), "read_file", lambda path: [path], read, _text_hash),

@@ -6,8 +6,8 @@ from itertools import combinations, product
 from typing import get_args
 
 from exact import UNFILTERED
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.model import Program
+from seafoam.framegraph.shader import Program
+from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.boats import Boat
 from seafoam.scene.drift import Drift, Vortex

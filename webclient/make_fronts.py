@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from PIL import Image
 from scipy.optimize import nnls
 
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality, Tier
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import Preset, load_preset, preset_names
 
 FILE = Path(__file__).parent / "public/fronts.json"

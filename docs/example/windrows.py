@@ -6,17 +6,8 @@ CONTRIBUTING.md walks through this file and ``windrows.glsl``; a test runs both 
 import math
 from pathlib import Path
 
-from seafoam.effects.contribution import (
-    Bound,
-    Contribution,
-    Effect,
-    HardCase,
-    Phase,
-    SlotFile,
-    array,
-    number,
-    vector,
-)
+from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, SlotFile
+from seafoam.framegraph.rules import Phase, array, number, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Camera, Chop, Foam, ParametricWave, Scene, Water
 
@@ -55,7 +46,7 @@ EFFECT = Effect(
         HardCase(
             name="windrows ten thousand kilometres away",
             scene=Scene(waves=(ParametricWave(),), water=Water(chop=Chop()), foam=Foam(look="halftone")),
-            guard="the eye's place across the wind reduced in float64 (plan/rules.py)",
+            guard="the eye's place across the wind reduced in float64 (framegraph/evaluation.py)",
             without="in float32: lines in steps of a metre, saturation off by up to 0.5",
             camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.5),
         ),

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from seafoam.accuracy.model import Sweep
     from seafoam.accuracy.sweep import Settings, Subject
     from seafoam.masks.catalogue import Mask
-    from seafoam.render.executor import Executor
+    from seafoam.render.gl.executor import Executor
 
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
@@ -129,11 +129,11 @@ def render(
     from seafoam.api.errors import ApiError
     from seafoam.api.parameters import FrameParameters
     from seafoam.api.routers.presets import find_preset
-    from seafoam.plan import PlanError
+    from seafoam.planner import PlanError
     from seafoam.quality import TIERS
     from seafoam.render.encode import FRAME_FORMATS
-    from seafoam.render.executor import Executor, NoRendererError
-    from seafoam.render.pool import FrameJob, FrameLimits, FrameTooLargeError, render_frame
+    from seafoam.render.gl.executor import Executor, NoRendererError
+    from seafoam.render.service.pool import FrameJob, FrameLimits, FrameTooLargeError, render_frame
     from seafoam.scene.presets import preset_names
 
     if preset not in preset_names():
@@ -208,7 +208,7 @@ def accuracy(
 
     from seafoam.accuracy import report
     from seafoam.accuracy.sweep import Settings, Subject
-    from seafoam.render.executor import Executor, NoRendererError
+    from seafoam.render.gl.executor import Executor, NoRendererError
     from seafoam.scene.presets import preset_names
 
     if (preset is None) != every:
@@ -274,7 +274,7 @@ def _measured(executor: "Executor", subject: "Subject", settings: "Settings", *,
 
     from seafoam.accuracy.cache import Store
     from seafoam.accuracy.sweep import Rig, Watcher, make_sweep
-    from seafoam.render.pool import measure
+    from seafoam.render.service.pool import measure
 
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     rig = Rig(partial(measure, executor), executor.info, threads)

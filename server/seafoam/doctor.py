@@ -36,10 +36,10 @@ class Finding:
 def probe_renderer() -> dict[str, str]:
     """Draw a small picture in this process and report the GL; runs in a process of its own, which GL may kill.
 
-    Raises :class:`seafoam.render.executor.NoRendererError`.
+    Raises :class:`seafoam.render.gl.executor.NoRendererError`.
     """
-    from seafoam.render.executor import Executor
-    from seafoam.render.pool import draw_canary
+    from seafoam.render.gl.executor import Executor
+    from seafoam.render.service.pool import draw_canary
 
     executor = Executor()
     draw_canary(executor)

@@ -5,7 +5,7 @@ from pydantic import BaseModel, ValidationError
 
 from seafoam.accuracy.knobs import SPINE_KNOBS, all_knobs, every_knob, idealised, value_at, with_value
 from seafoam.accuracy.points import chains, points_of
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names

@@ -51,7 +51,7 @@ def test_flip_sees_what_is_displayed():
 
 
 def test_displayed_pictures_are_what_the_screen_gets(executor):
-    from seafoam.plan import make_plan
+    from seafoam.planner import make_plan
     from seafoam.quality import TIERS
     from seafoam.scene.presets import load_preset
 

@@ -16,7 +16,7 @@ from seafoam.accuracy.station import FailedError, Station
 from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, beating, front, make_sweep
 from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
 from seafoam.quality import Quality
-from seafoam.render.pool import measure
+from seafoam.render.service.pool import measure
 from seafoam.scene.models import Scene
 
 SETTINGS = Settings(32, 18, 2, 3)

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from report import Report
 from seafoam.accuracy.motion import excess, flicker, shown
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 

@@ -8,7 +8,7 @@ from zlib import crc32
 
 import numpy as np
 
-from seafoam.render.executor import NoRendererError
+from seafoam.render.gl.executor import NoRendererError
 
 HANG = 777.0
 CRASH = 666.0

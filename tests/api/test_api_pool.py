@@ -9,7 +9,7 @@ import pytest
 from api_fakes import CRASH, HANG, RAISE, REMEDY, SLOW, SLOW_SECONDS, BlankRenderer, DyingRenderer, FakeRenderer
 
 from seafoam.quality import TIERS
-from seafoam.render.pool import (
+from seafoam.render.service.pool import (
     DeadlineError,
     FrameJob,
     FrameLimits,

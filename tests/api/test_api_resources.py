@@ -13,7 +13,7 @@ from prometheus_client.parser import text_string_to_metric_families
 
 from seafoam.api.routers.presets import _summary, warm
 from seafoam.api.workshop import Workshop
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Group, preset_names

@@ -13,10 +13,10 @@ from browsers import Lane, opened
 from exact import UNFILTERED
 from report import REPORT
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import HardCase
-from seafoam.plan import FramePlan, make_plan
+from seafoam.effects.effect import HardCase
+from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera
 from seafoam.scene.presets import load_preset
 

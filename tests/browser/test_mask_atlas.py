@@ -8,16 +8,18 @@ import pytest
 
 from browsers import Lane, opened
 from gpu import WHOLE
-from seafoam.effects.contribution import Fullscreen, TargetInput, TextureInput
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
-from seafoam.plan.model import Pass, Program, Texture
+from seafoam.effects.effect import Inline
+from seafoam.framegraph.passes import Fullscreen, Pass
+from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
+from seafoam.framegraph.shader import Program
+from seafoam.planner import FramePlan, make_plan
+from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
 from seafoam.textures import texture
 
-COMPARE = """=uniform usampler2D u_drawn;
+COMPARE = Inline("""uniform usampler2D u_drawn;
 uniform usampler2D u_made;
 out vec4 o_color;
 void main() {
@@ -26,7 +28,7 @@ void main() {
     bool same = drawn == texelFetch(u_made, at, 0).rg;
     o_color = vec4(same ? 0.0 : 1.0, float(drawn.x & 255u) / 255.0, float(drawn.y & 255u) / 255.0, 1.0);
 }
-"""
+""")
 
 
 def comparing(mask: str) -> FramePlan:

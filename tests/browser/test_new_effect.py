@@ -10,10 +10,10 @@ import pytest
 from playwright.sync_api import Page
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import Effect
-from seafoam.plan import FramePlan, make_plan, planner
+from seafoam.effects.effect import Effect
+from seafoam.planner import FramePlan, make_plan, planner
 from seafoam.quality import TIERS, Tier
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 

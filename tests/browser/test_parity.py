@@ -14,9 +14,9 @@ from playwright.sync_api import Page
 from browsers import Lane, opened
 from exact import UNFILTERED
 from report import REPORT
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, SurfaceQuality
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset, preset_names
 
 TIMES = (0.0, 2.7, 1e9)

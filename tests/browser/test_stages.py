@@ -9,10 +9,11 @@ import pytest
 from playwright.sync_api import Page
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import ABOVE, Blend, Contribution, Effect, PassSpec, Points
-from seafoam.plan import FramePlan, make_plan, planner
+from seafoam.effects.effect import ABOVE, Contribution, Effect, PassSpec
+from seafoam.framegraph.passes import Blend, Points
+from seafoam.planner import FramePlan, make_plan, planner
 from seafoam.quality import TIERS, Quality
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Light, Scene
 
 SIZE = (32, 16)

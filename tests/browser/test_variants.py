@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from seafoam.plan.model import Program, Shader
-from seafoam.render.executor import Executor, ShaderError
+from seafoam.framegraph.shader import Program, Shader
+from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.resources import data_dir
 from variants import covering, every_program, traits
 

@@ -20,7 +20,7 @@ from seafoam.doctor import Finding
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct import make_mask
 from seafoam.masks.formats import to_u16
-from seafoam.render.executor import NoRendererError
+from seafoam.render.gl.executor import NoRendererError
 from seafoam.scene.presets import load_preset, preset_names
 
 COMMAND = [sys.executable, "-c", "from seafoam.cli import main; main()"]
@@ -76,7 +76,7 @@ def test_render_with_gl_without_a_server(tmp_path):
 
 @pytest.mark.parametrize(("name", "format"), [("a.png", "PNG"), ("a.WEBP", "WEBP"), ("a.npy", None)])
 def test_render_writes_the_format_of_the_extension(seafoam, monkeypatch, tmp_path, name, format):
-    monkeypatch.setattr("seafoam.render.executor.Executor", Recorder)
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", Recorder)
     code, _, err = seafoam("render", "default", "-o", tmp_path / name, "--size", "48x27")
     assert code == 0, err
     if format is None:
@@ -86,7 +86,7 @@ def test_render_writes_the_format_of_the_extension(seafoam, monkeypatch, tmp_pat
 
 
 def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):
-    monkeypatch.setattr("seafoam.render.executor.Executor", Recorder)
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", Recorder)
     output = ("-o", tmp_path / "a.png")
     changes = ("--look", "halftone", "--mask", "vac:3:64:1", "--yaw", "1", "--y", "9", "--time", "-1e9")
     assert seafoam("render", "default", *output, "--size", "8x9", *changes)[0] == 0
@@ -126,7 +126,7 @@ def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):
     ],
 )
 def test_bad_input_of_render(seafoam, monkeypatch, arguments, said):
-    monkeypatch.setattr("seafoam.render.executor.Executor", lambda: None)
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", lambda: None)
     code, _, err = seafoam("render", *arguments)
     assert code == 2
     assert err.count("\n") == 1
@@ -145,7 +145,7 @@ def test_render_without_gl_says_what_to_install(seafoam, monkeypatch, tmp_path):
     def fail():
         raise NoRendererError("no OpenGL context; install a driver")
 
-    monkeypatch.setattr("seafoam.render.executor.Executor", fail)
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", fail)
     code, _, err = seafoam("render", "default", "-o", tmp_path / "a.png", "--size", "8x8")
     assert code == 1
     assert err == "seafoam: no OpenGL context; install a driver\n"

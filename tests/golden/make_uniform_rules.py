@@ -4,8 +4,8 @@ import json
 import math
 from pathlib import Path
 
-from seafoam.effects.contribution import CameraRule, Constant, Held, Loop, PassIndex, Phase, Rule, Viewport, Wrap
-from seafoam.plan.rules import FrameState, evaluate_rule
+from seafoam.framegraph.evaluation import FrameState, evaluate_rule
+from seafoam.framegraph.rules import CameraRule, Constant, Held, Loop, PassIndex, Phase, Rule, Viewport, Wrap
 from seafoam.scene.models import Camera
 
 PATH = Path(__file__).with_name("uniform_rules.json")

@@ -4,10 +4,10 @@ import json
 import math
 from pathlib import Path
 
-from seafoam.effects.contribution import TargetInput
-from seafoam.plan import make_plan
-from seafoam.plan.model import FramePlan
-from seafoam.plan.view import drawn_passes
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import TargetInput
+from seafoam.framegraph.visibility import drawn_passes
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Camera
 from seafoam.scene.presets import load_preset

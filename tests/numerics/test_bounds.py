@@ -10,12 +10,12 @@ import pytest
 
 from exact import UNFILTERED
 from report import Report
-from seafoam.effects.contribution import FixedSize, Target
-from seafoam.plan import make_plan
-from seafoam.plan.assemble import read_file
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import FixedSize, Target
+from seafoam.planner import make_plan
+from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names

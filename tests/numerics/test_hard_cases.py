@@ -10,12 +10,12 @@ from exact import EXACT
 from gpu import Probe
 from report import Report
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import Effect, HardCase
-from seafoam.plan import make_plan
+from seafoam.effects.effect import Effect, HardCase
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.reference import render as reference
-from seafoam.reference import saturation
-from seafoam.render.executor import Executor
+from seafoam.reference.foam import saturation
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, ParametricWave, Scene
 from seafoam.scene.presets import load_preset
 

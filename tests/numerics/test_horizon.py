@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from gpu import WHOLE
-from seafoam.plan import FramePlan, make_plan
+from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset
 

@@ -18,12 +18,13 @@ from pydantic import BaseModel
 
 from exact import UNFILTERED
 from report import Report
-from seafoam.effects.light import sky_irradiance, sun_irradiance
-from seafoam.plan import make_plan
+from seafoam.effects.light.light import sky_irradiance, sun_irradiance
+from seafoam.ocean.dispersion import angular_frequency
+from seafoam.ocean.rings import trains
+from seafoam.ocean.ripples import TILES, ripples
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.render.executor import Executor
-from seafoam.scene.chop import TILES, ripples
-from seafoam.scene.dispersion import angular_frequency
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import (
     Camera,
     Chop,
@@ -36,7 +37,6 @@ from seafoam.scene.models import (
     Scene,
     Water,
 )
-from seafoam.scene.ring_level import trains
 from seafoam.scene.rings import Ring
 
 SIZE = (32, 18)

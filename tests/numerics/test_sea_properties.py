@@ -7,10 +7,10 @@ import numpy as np
 from hypothesis import given, settings
 
 from report import Report
+from seafoam.ocean.cascades import cascades
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, FoldSaturation, Light, Scene, Sea, Water
-from seafoam.scene.sea import cascades
 
 from .test_properties import (
     CAMERAS,

@@ -9,10 +9,10 @@ import pytest
 from numpy.typing import NDArray
 
 from report import Report
-from seafoam.plan import make_plan
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset, preset_names
 

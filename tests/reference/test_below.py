@@ -7,11 +7,11 @@ import pytest
 
 from exact import EXACT
 from report import Report
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
-from seafoam.reference.light import INDEX
-from seafoam.render.executor import Executor
+from seafoam.reference.light.light import INDEX
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
 from seafoam.scene.drift import Drift
 from seafoam.scene.models import (

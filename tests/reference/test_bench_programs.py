@@ -12,10 +12,10 @@ from bench.uber import uber_plan
 from bench.watch import Watch
 from rich.progress import Progress
 
-from seafoam.plan import make_plan
-from seafoam.plan.view import drawn_passes
+from seafoam.framegraph.visibility import drawn_passes
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset
 

@@ -9,19 +9,21 @@ from numpy.typing import NDArray
 from exact import EXACT, UNFILTERED
 from gpu import WHOLE, Probe
 from report import Report
-from seafoam.effects import boat as effect
-from seafoam.effects.wake import ASIDE
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
-from seafoam.plan.view import everywhere
+from seafoam.effects.boats import boat as effect
+from seafoam.effects.boats.wake import ASIDE
+from seafoam.effects.effect import Inline
+from seafoam.framegraph.visibility import everywhere
+from seafoam.ocean.wakes import Wake, wake_height, wake_slope
+from seafoam.planner import FramePlan, make_plan
+from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import boats as reference
-from seafoam.reference import camera as cameras
 from seafoam.reference import render
-from seafoam.reference import surface as surfaces
-from seafoam.reference.frame import _Shader
-from seafoam.render.executor import Executor
-from seafoam.scene.boats import Boat, Wake, wake_height, wake_slope
+from seafoam.reference.boats import boat as reference
+from seafoam.reference.renderer import camera as cameras
+from seafoam.reference.renderer import intersect as surfaces
+from seafoam.reference.renderer.frame import _Shader
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.boats import Boat
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Light, ParametricWave, Scene, Sea, Water
 from seafoam.scene.presets import load_preset
 from seafoam.scene.rings import Ring
@@ -81,7 +83,7 @@ def drawn_heights(
     changed = plan.programs["surface"].model_copy(
         update={
             "vertex": WHOLE,
-            "fragment": shader.model_copy(update={"text": text, "sha256": assemble(["=" + text], {}).sha256}),
+            "fragment": shader.model_copy(update={"text": text, "sha256": assemble([Inline(text)], {}).sha256}),
         }
     )
     # Drawn for any eye, whether crests may cover it or not.
@@ -186,7 +188,7 @@ def test_hulls_equal_their_float64_form(probe: Probe, report: Report, kind: str)
     for seed in range(12):
         eye, d = rays(seed, 4000)
         got = probe(
-            ("=uniform vec3 u_eye;\nuniform vec2 u_rig;\n", "boat/hull.glsl"),
+            (Inline("uniform vec3 u_eye;\nuniform vec2 u_rig;\n"), "boat/hull.glsl"),
             body,
             d,
             consts={"BOAT_SAILS": True, "BOAT_MOTORS": True},
@@ -268,7 +270,7 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
         at = (rng.random((20000, 2)) * (1.05 * wake.length, 1.1 * ASIDE * wake.length)).astype(np.float32)
         at[:100, 1] = 0.0
         got = probe(
-            ("common/numbers.glsl", "=uniform vec4 u_wake;\nuniform vec2 u_form;\n", "wake/pattern.glsl"),
+            ("common/numbers.glsl", Inline("uniform vec4 u_wake;\nuniform vec2 u_form;\n"), "wake/pattern.glsl"),
             "y = wake_pattern(x.xy, u_wake, u_form.x, u_form.y);",
             at,
             uniforms={

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from report import Report
-from seafoam.plan import make_plan
+from seafoam.ocean.ripples import REPEATING_TILES
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import bed
-from seafoam.reference.light import INDEX, air
-from seafoam.render.executor import Executor
-from seafoam.scene.chop import REPEATING_TILES
+from seafoam.reference.light.light import INDEX, air
+from seafoam.reference.water import seafloor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
 from seafoam.scene.shore import Shore
 
@@ -65,7 +65,7 @@ def test_grid_and_photons_converge_to_one_photon_trace(
     most: float,
 ) -> None:
     """The mean difference of light from float64's trace of 2048² photons, mean light 1."""
-    truth = means(bed.photon_map(POOL, TIME, texels, 2048), over)
+    truth = means(seafloor.photon_map(POOL, TIME, texels, 2048), over)
     errors = []
     for count in counts:
         light = drawn(executor, POOL, wanted(caustics=kind, caustics_size=texels, **{knob: count}))
@@ -86,7 +86,7 @@ def test_grid_and_photons_converge_to_one_photon_trace(
 @pytest.mark.parametrize(("knob", "kind"), [("caustics_photons", "photons"), ("caustics_cells", "grid")])
 def test_no_seam_shows(executor: Executor, kind: str, knob: str) -> None:
     """Where the tile ends the map is as exact as elsewhere."""
-    truth = bed.photon_map(POOL, TIME, TEXELS, 1024)
+    truth = seafloor.photon_map(POOL, TIME, TEXELS, 1024)
     away = np.abs(drawn(executor, POOL, wanted(caustics=kind, **{knob: 256})) - truth).mean(axis=-1)
     rim = np.concatenate([away[:2], away[-2:], away[:, :2].T, away[:, -2:].T])
     assert rim.mean() <= 1.3 * away.mean()
@@ -94,23 +94,23 @@ def test_no_seam_shows(executor: Executor, kind: str, knob: str) -> None:
 
 def test_the_trace_itself_converges() -> None:
     """Photons of half as many a side: far below what is asked of shaders."""
-    truth = bed.photon_map(POOL, TIME, 128, 1024)
+    truth = seafloor.photon_map(POOL, TIME, 128, 1024)
     assert abs(truth.mean() - 1.0) <= 1e-6
     assert truth.max() > 2.5
-    errors = [float(np.abs(bed.photon_map(POOL, TIME, 128, count) - truth).mean()) for count in (64, 128, 256)]
+    errors = [float(np.abs(seafloor.photon_map(POOL, TIME, 128, count) - truth).mean()) for count in (64, 128, 256)]
     assert errors[0] > 5.0 * errors[1] > 25.0 * errors[2]
 
 
 def test_level_water_spreads_light_evenly() -> None:
     calm = POOL.model_copy(update={"water": POOL.water.model_copy(update={"chop": Chop(slope=0.0)})})
-    assert np.abs(bed.photon_map(calm, 0.0, 64, 128) - 1.0).max() <= 1e-9
+    assert np.abs(seafloor.photon_map(calm, 0.0, 64, 128) - 1.0).max() <= 1e-9
 
 
 def test_rays_bend_by_snells_law() -> None:
     rng = np.random.default_rng(5)
     d, n = (v / np.linalg.norm(v, axis=1)[:, None] for v in rng.normal(size=(2, 4000, 3)))
     n *= -np.sign(np.einsum("ij,ij->i", d, n))[:, None]
-    r = bed.refracted(d, n)
+    r = seafloor.refracted(d, n)
     assert np.abs(np.linalg.norm(r, axis=1) - 1.0).max() <= 1e-12
     assert np.abs(np.cross(d, n) - INDEX * np.cross(r, n)).max() <= 1e-12
 
@@ -119,7 +119,7 @@ def test_a_ray_lands_where_its_slope_sends_it() -> None:
     """Small slopes under a sun at the zenith: beside its entrance by depth × slope × (1 − 1/index), uphill."""
     zenith = air(Light(sun_elevation=math.pi / 2))
     slope = np.array([1e-4])
-    x, z, share = bed.landing(zenith, 3.0, slope, np.zeros(1), INDEX)
+    x, z, share = seafloor.landing(zenith, 3.0, slope, np.zeros(1), INDEX)
     assert x[0] == pytest.approx(3.0 * 1e-4 * (1.0 - 1.0 / INDEX), rel=1e-6)
     assert abs(z[0]) <= 1e-12
     assert share[0] == pytest.approx(1.0)
@@ -129,7 +129,7 @@ def test_colours_part_as_their_indices_do(executor: Executor) -> None:
     """With dispersion each colour is the map of its own index; without, all are one."""
     apart = POOL.model_copy(update={"light": PLAIN.model_copy(update={"caustics": Caustics(dispersion=5.0)})})
     light = drawn(executor, apart, wanted(caustics="photons", caustics_photons=256))
-    truth = bed.photon_map(apart, TIME, TEXELS, 512)
+    truth = seafloor.photon_map(apart, TIME, TEXELS, 512)
     assert np.abs(truth[..., 0] - truth[..., 2]).mean() > 0.1
     assert np.abs(light - truth).mean() <= 0.03
     same = drawn(executor, POOL, wanted())
@@ -145,7 +145,7 @@ def test_colours_by_grid_part_as_the_trace_has_them(
     quality = wanted(caustics_cells=512)
     names = [one.name for one in make_plan(apart, quality).passes if one.name.endswith(" light")]
     assert len(names) == grids
-    light, truth = drawn(executor, apart, quality), bed.photon_map(apart, TIME, TEXELS, 1024)
+    light, truth = drawn(executor, apart, quality), seafloor.photon_map(apart, TIME, TEXELS, 1024)
     wide = np.abs(truth[..., 0] - truth[..., 2]).mean()
     error = np.abs((light[..., 0] - light[..., 2]) - (truth[..., 0] - truth[..., 2])).mean() / wide
     report.add(

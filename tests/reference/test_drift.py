@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
-from seafoam.effects import drift as effect
-from seafoam.effects.contribution import Contribution, PlanError
-from seafoam.plan import make_plan
-from seafoam.plan.rules import FrameState, evaluate
+from seafoam.effects.effect import Contribution, PlanError
+from seafoam.effects.foam import drift as effect
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.ocean import stokes
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import drift as truth
-from seafoam.render.executor import Executor
-from seafoam.scene import stokes
+from seafoam.reference.foam import drift as truth
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.models import Camera, DriftSaturation, Foam, ParametricWave, Scene, Sea, Water
 

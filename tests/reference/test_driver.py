@@ -7,16 +7,16 @@ import sys
 
 import pytest
 
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 
 DRAW = """
 import sys
 sys.path.insert(0, sys.argv[2])
 import test_driver
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 executor = Executor()
 print(test_driver.drawn(executor, sys.argv[1]))
 """

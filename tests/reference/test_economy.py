@@ -8,12 +8,12 @@ import pytest
 from exact import EXACT
 from report import Report
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import Effect
-from seafoam.plan import make_plan
-from seafoam.plan.planner import NEGLIGIBLE
-from seafoam.plan.view import drawn_passes, everywhere
+from seafoam.effects.effect import Effect
+from seafoam.framegraph.visibility import drawn_passes, everywhere
+from seafoam.planner import make_plan
+from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene, Water
 from seafoam.scene.presets import load_preset, preset_names
 

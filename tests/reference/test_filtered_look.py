@@ -9,9 +9,9 @@ from scipy import ndimage
 from scipy.ndimage import gaussian_filter
 
 from report import Report
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Look, Scene
 from seafoam.scene.presets import load_preset
 

@@ -6,9 +6,9 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Chop, Foam, FrontSaturation, Light, Look, ParametricWave, Scene, Water
 from seafoam.scene.presets import load_preset, preset_names
 

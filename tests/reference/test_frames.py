@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from exact import UNFILTERED
 from report import Report
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import camera as cameras
 from seafoam.reference import load_truth, render, truth_is_current
 from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
-from seafoam.render.executor import Executor
+from seafoam.reference.renderer import camera as cameras
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
 from seafoam.scene.presets import load_preset, preset_names
 

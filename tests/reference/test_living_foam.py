@@ -9,14 +9,16 @@ from numpy.typing import NDArray
 
 from exact import EXACT
 from report import Report
-from seafoam.plan import make_plan
+from seafoam.ocean.stokes import first_harmonic, foam_drift
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import living, render
-from seafoam.reference.relief import Relief
-from seafoam.reference.saturation import History, living_front
-from seafoam.reference.shore import Coast
-from seafoam.reference.waves import wave_set
-from seafoam.render.executor import Executor
+from seafoam.reference import render
+from seafoam.reference.foam import living
+from seafoam.reference.foam.saturation import History, living_front
+from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.shore.shore import Coast
+from seafoam.reference.waves.parametric import wave_set
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.living import FoamLife
 from seafoam.scene.models import (
     Camera,
@@ -30,7 +32,6 @@ from seafoam.scene.models import (
 )
 from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore
-from seafoam.scene.stokes import first_harmonic, foam_drift
 
 HALF = (HeightSaturation(base=-0.45, full=0.55),)
 """0.45 on still water."""

@@ -5,9 +5,9 @@ import pytest
 
 from exact import EXACT
 from report import Report
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.reference import render
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
 from seafoam.scene.shore import Shore, Surf

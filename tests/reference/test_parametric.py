@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
-from seafoam.effects import chop, parametric
-from seafoam.effects.contribution import Effect
-from seafoam.plan.rules import FrameState, evaluate
-from seafoam.reference.waves import ripple_set, wave_set
+from seafoam.effects.effect import Effect
+from seafoam.effects.waves import parametric
+from seafoam.effects.waves import ripples as chop
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.reference.waves.parametric import ripple_set, wave_set
 from seafoam.scene.models import Camera, Chop, ParametricWave, Scene, Water
 
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))

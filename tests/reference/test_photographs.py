@@ -5,10 +5,10 @@ import pytest
 from docs.make_whitecaps import EYE, FOV, PITCH, QUALITY, seascape, shot, spread
 
 from report import Report
-from seafoam.plan import make_plan
-from seafoam.render.executor import Executor
+from seafoam.ocean.cascades import LOOP
+from seafoam.planner import make_plan
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera
-from seafoam.scene.sea import LOOP
 
 HEIGHT = 200.0
 """Of an aeroplane, m: a photograph from a ship holds so few whitecaps that hundreds of them are needed

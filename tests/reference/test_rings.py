@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
-from seafoam.effects import rings as effect
-from seafoam.effects.contribution import Contribution
-from seafoam.plan import make_plan
-from seafoam.plan.rules import FrameState, evaluate
+from seafoam.effects.effect import Contribution
+from seafoam.effects.waves import rings as effect
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.ocean.rings import ring_curvature, ring_height, ring_slope, trains
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.rings import RingSet, ring_set
-from seafoam.render.executor import Executor
+from seafoam.reference.waves.rings import RingSet, ring_set
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene, Water
 from seafoam.scene.presets import load_preset
-from seafoam.scene.ring_level import ring_curvature, ring_height, ring_slope, trains
 from seafoam.scene.rings import RINGS_MOST, Ring
 
 FILES = ("common/numbers.glsl", "rings/ring.glsl", "rings/exact.glsl")

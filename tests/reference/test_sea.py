@@ -10,13 +10,15 @@ from numpy.typing import NDArray
 
 from exact import EXACT
 from report import Report
-from seafoam.effects.sea import displaced_target
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.rules import FrameState, evaluate
+from seafoam.effects.waves.sea import displaced_target
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.ocean import cascades as sea_tiles
+from seafoam.ocean import spectrum as sea_spectrum
+from seafoam.ocean import whitecaps as foam_of_sea
+from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import sea as truth
-from seafoam.render.executor import Executor
-from seafoam.scene import sea as model
+from seafoam.reference.waves import sea as truth
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, FoldSaturation, Scene, Sea, Water
 from seafoam.scene.presets import load_preset
 from seafoam.textures import texture
@@ -66,7 +68,7 @@ def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name
     """The tiles that the GPU drew: each texel, and read as the shader reads them at 10,000 places round each origin."""
     scene = seen(SEAS[name])
     plan = make_plan(scene, EXACT)
-    tiles = [target(executor, plan, f"sea_tile_{i}", time) for i in range(model.RAISED)]
+    tiles = [target(executor, plan, f"sea_tile_{i}", time) for i in range(sea_tiles.RAISED)]
     random = np.random.default_rng(7)
     p = random.uniform(-500.0, 500.0, (POINTS, 2)).astype(np.float32)
     origin_surface = truth.sea_surface(scene, time, (0.0, 0.0))
@@ -77,8 +79,8 @@ def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name
         assert surface is not None
         camera = Camera(position=(origin[0], 6.0, origin[1]))
         state = FrameState(time, camera, 16, 16, 16, 16, 0)
-        offsets = [evaluate(plan.uniforms[f"u_sea_offset_{i}"], state) for i in range(model.RAISED)]
-        sides = [evaluate(plan.uniforms[f"u_sea_size_{i}"], state)[0] for i in range(model.RAISED)]
+        offsets = [evaluate(plan.uniforms[f"u_sea_offset_{i}"], state) for i in range(sea_tiles.RAISED)]
+        sides = [evaluate(plan.uniforms[f"u_sea_size_{i}"], state)[0] for i in range(sea_tiles.RAISED)]
         sums = np.zeros((POINTS, 4))
         for tile, offset, side in zip(tiles, offsets, sides, strict=True):
             sums += bilinear(tile, p / side + offset)
@@ -145,7 +147,7 @@ def _check_texels(
         assert away[1] <= 1e-3
         assert fold <= 1e-3
     drawn = target(executor, plan, "age_tiles", time).astype(np.float64)
-    side, rows = drawn.shape[1], model.AGE_STEPS // 4
+    side, rows = drawn.shape[1], foam_of_sea.AGE_STEPS // 4
     for i, then in enumerate(surface.earlier):
         for row in range(rows):
             got = drawn[(i * rows + row) * (side + 1) :][: side + 1]
@@ -158,7 +160,7 @@ def test_the_reference_is_the_sum_of_its_waves(report: Report, name: str) -> Non
     """The grids, splines and Newton steps of the reference against direct sums over every wave, at 10,000 places."""
     sea = SEAS[name]
     random = np.random.default_rng(3)
-    for i, of in enumerate(model.cascades(sea, None)):
+    for i, of in enumerate(sea_tiles.cascades(sea, None)):
         count = POINTS if i == 0 else 1000
         x, z = random.uniform(0.0, of.size, (2, count))
         wanted = truth.direct(of, 12.5, x, z)
@@ -202,7 +204,7 @@ def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) 
     plan = make_plan(seen(sea, foam=False), quality)
     atlas = target(executor, plan, displaced_target(seen(sea, foam=False), quality), 12.5).astype(np.float64)
     response = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(size))) / 3.0
-    for i, of in enumerate(model.cascades(sea, None)[:3]):
+    for i, of in enumerate(sea_tiles.cascades(sea, None)[:3]):
         block = atlas[:, i * size : (i + 1) * size]
         spectrum = np.fft.fft2(block[..., 0]) / size**2 * response[:, None] * response[None, :]
         number = np.fft.fftfreq(size, 1.0 / size).round().astype(int)
@@ -210,9 +212,10 @@ def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) 
         moved = truth.amplitudes(of, 12.5)
         for j, iz in enumerate(number):
             for m, ix in enumerate(number):
-                if max(abs(ix), abs(iz)) < min(model.BAND, size // 2):
-                    row, column = iz + model.BAND, ix + model.BAND
-                    wanted[j, m] = moved[row, column] + np.conj(moved[2 * model.BAND - row, 2 * model.BAND - column])
+                if max(abs(ix), abs(iz)) < min(sea_tiles.BAND, size // 2):
+                    row, column = iz + sea_tiles.BAND, ix + sea_tiles.BAND
+                    middle = 2 * sea_tiles.BAND
+                    wanted[j, m] = moved[row, column] + np.conj(moved[middle - row, middle - column])
         scale = np.abs(wanted).max()
         parseval = float(np.mean(np.fft.ifft2(spectrum * size**2).real ** 2) / (np.abs(wanted) ** 2).sum())
         report.add(
@@ -235,9 +238,9 @@ def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) 
 def test_significant_height(executor: Executor, report: Report, wind: float, name: str) -> None:
     """From the spectrum, from the waves, and from the field that is drawn: within 2 %."""
     sea = SEAS[name].model_copy(update={"wind": wind, "fetch": 5e5})
-    omega = np.geomspace(0.3, 60.0, 20001) * model.peak_frequency(wind, sea.fetch)
-    wanted = 4.0 * math.sqrt(np.trapezoid(model.frequency_spectrum(omega, wind, sea.fetch), omega))
-    drawn = model.cascades(sea, None)
+    omega = np.geomspace(0.3, 60.0, 20001) * sea_spectrum.peak_frequency(wind, sea.fetch)
+    wanted = 4.0 * math.sqrt(np.trapezoid(sea_spectrum.frequency_spectrum(omega, wind, sea.fetch), omega))
+    drawn = sea_tiles.cascades(sea, None)
     waves = 4.0 * math.sqrt(sum(of.variance for of in drawn))
     quality = QUICK.model_copy(update={"sea_size": 128})
     calm = sea.model_copy(update={"choppiness": 0.0})
@@ -275,7 +278,7 @@ def test_a_tile_has_no_seam(executor: Executor, name: str) -> None:
         edge = np.abs(np.take(tile, 0, axis) - np.take(tile, -1, axis)).reshape(-1, 3)
         assert (edge.max(axis=0) <= inside.max(axis=0)).all()
         assert (edge.mean(axis=0) <= 2.0 * inside.mean(axis=0)).all()
-    of = model.cascades(SEAS[name], None)[0]
+    of = sea_tiles.cascades(SEAS[name], None)[0]
     x = np.linspace(0.0, of.size, 50)
     here, there = truth.direct(of, 5.0, x, 0.3 * x), truth.direct(of, 5.0, x + of.size, 0.3 * x - of.size)
     assert np.abs(here.h - there.h).max() <= 1e-9
@@ -283,19 +286,19 @@ def test_a_tile_has_no_seam(executor: Executor, name: str) -> None:
 
 def test_no_wave_is_counted_twice() -> None:
     ends = []
-    for of in model.cascades(SEAS["fft"], None):
+    for of in sea_tiles.cascades(SEAS["fft"], None):
         there = of.k[np.abs(of.h0) > 0.0]
         ends.append((float(there.min()), float(there.max())))
     for (_, high), (low, _) in pairwise(ends):
         assert high < low
-    sizes = [of.size for of in model.cascades(SEAS["fft"], None)]
+    sizes = [of.size for of in sea_tiles.cascades(SEAS["fft"], None)]
     for a, b in pairwise(sizes):
         assert abs(a / b - round(a / b)) > 0.1
 
 
 def test_dc_and_nyquist_are_empty(executor: Executor) -> None:
-    for of in model.cascades(Sea(wind=60.0, fetch=1e7), None):
-        assert of.h0[model.BAND, model.BAND] == 0.0
+    for of in sea_tiles.cascades(Sea(wind=60.0, fetch=1e7), None):
+        assert of.h0[sea_tiles.BAND, sea_tiles.BAND] == 0.0
         assert not of.h0[0].any()
         assert not of.h0[:, 0].any()
     quality = QUICK.model_copy(update={"sea_size": 64})
@@ -306,10 +309,10 @@ def test_dc_and_nyquist_are_empty(executor: Executor) -> None:
 
 def test_a_seed_is_a_sea() -> None:
     names = [sea_spectrum_name(SEAS["fft"].model_copy(update={"seed": seed}), None) for seed in (1, 1, 2)]
-    model.cascades.cache_clear()
+    sea_tiles.cascades.cache_clear()
     texture.cache_clear()
     first = texture(names[0]).sha256
-    model.cascades.cache_clear()
+    sea_tiles.cascades.cache_clear()
     texture.cache_clear()
     assert texture(names[1]).sha256 == first
     assert texture(names[2]).sha256 != first
@@ -318,9 +321,9 @@ def test_a_seed_is_a_sea() -> None:
 def test_a_river_has_no_wave_against_its_wind() -> None:
     for name, sea in SEAS.items():
         river = sea.model_copy(update={"against": 0.0, "wind": 6.0, "fetch": 2e3})
-        for of in model.cascades(river, 3.0):
+        for of in sea_tiles.cascades(river, 3.0):
             rows, columns = np.nonzero(of.h0)
-            along = (columns - model.BAND) * math.cos(river.wind_direction) + (rows - model.BAND) * math.sin(
+            along = (columns - sea_tiles.BAND) * math.cos(river.wind_direction) + (rows - sea_tiles.BAND) * math.sin(
                 river.wind_direction
             )
             assert (along > -1e-9).all(), name
@@ -331,7 +334,7 @@ def test_slopes_stay_under_the_marchs_bound(wind: float) -> None:
     """The bound is a quantile: over these tiles no pair of neighbouring texels passes it, and no height its limit."""
     for seed in (1, 2):
         sea = SEAS["fft"].model_copy(update={"wind": wind, "seed": seed, "choppiness": 1.0})
-        for of in model.cascades(sea, None)[: model.RAISED]:
+        for of in sea_tiles.cascades(sea, None)[: sea_tiles.RAISED]:
             tile = truth.tile(of, 40.0 * seed, 1.0, 256)
             step = of.size / 256
             across = [np.diff(tile.height, axis=axis, append=np.take(tile.height, [0], axis)) / step for axis in (0, 1)]
@@ -340,11 +343,11 @@ def test_slopes_stay_under_the_marchs_bound(wind: float) -> None:
 
 
 def test_shallow_water_lowers_and_shortens_the_sea() -> None:
-    deep, shallow = (model.cascades(Sea(wind=15.0), depth) for depth in (None, 4.0))
+    deep, shallow = (sea_tiles.cascades(Sea(wind=15.0), depth) for depth in (None, 4.0))
     assert sum(of.variance for of in shallow) < 0.5 * sum(of.variance for of in deep)
     assert shallow[0].size < deep[0].size
     k = np.geomspace(1e-3, 10.0, 200)
-    omega, group, factor = model.dispersion(k, 4.0)
+    omega, group, factor = sea_spectrum.dispersion(k, 4.0)
     assert np.abs(omega**2 - 9.81 * k * np.tanh(4.0 * k)).max() <= 1e-9 * omega.max() ** 2
     numeric = np.gradient(omega, k, edge_order=2)
     assert np.abs(numeric / group - 1.0).max() <= 5e-3
@@ -366,7 +369,7 @@ def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
     """The sea a whole loop later is the same; 1e9 s is as any other time."""
     plan = make_plan(seen(SEAS["fft"], foam=False), QUICK)
     first = target(executor, plan, "sea_tile_0", 11.0)
-    later = target(executor, plan, "sea_tile_0", 11.0 + 1000.0 * model.LOOP)
+    later = target(executor, plan, "sea_tile_0", 11.0 + 1000.0 * sea_tiles.LOOP)
     assert np.array_equal(first, later)
     other = target(executor, plan, "sea_tile_0", 11.1)
     assert np.abs(first - other).max() > 1e-3

@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from gpu import Probe
-from seafoam.effects.contribution import Const
-from seafoam.effects.height import NODES as HEIGHT_NODES
-from seafoam.effects.height import seen_heights
+from seafoam.effects.effect import Const, Inline
+from seafoam.effects.foam.height import NODES as HEIGHT_NODES
+from seafoam.effects.foam.height import seen_heights
 from seafoam.masks import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
-from seafoam.reference import Assets, frame, looks, sampling, saturation, waves
-from seafoam.scene.dispersion import wavevector
+from seafoam.ocean.dispersion import wavevector
+from seafoam.reference import Assets, sampling
+from seafoam.reference.foam import looks, saturation
+from seafoam.reference.renderer import frame
+from seafoam.reference.waves import parametric as waves
 from seafoam.scene.models import Foam, HeightSaturation, ParametricWave, Scene
 from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
@@ -24,7 +27,7 @@ NUMBERS = "common/numbers.glsl"
 PHASE = ("saturation/front_own.glsl", "saturation/front_gate.glsl", "saturation/front_profile.glsl")
 FILTERED_FRONT = (
     NUMBERS,
-    "=uniform float u_eye_height;",
+    Inline("uniform float u_eye_height;"),
     *PHASE,
     "saturation/front_seen.glsl",
     "saturation/front_filtered.glsl",
@@ -200,7 +203,7 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     sides = f"vec2({0.3 * long:.9g}, {0.1 * long:.9g}), vec2(0.0)"
     level = f"Footprint level_footprint(vec2 p, float height) {{ return Footprint({sides}); }}"
     got = probe(
-        [NUMBERS, "=uniform float u_eye_height;", f"={level}", "saturation/height_seen.glsl"],
+        [NUMBERS, Inline("uniform float u_eye_height;"), Inline(level), "saturation/height_seen.glsl"],
         "y.x = height_saturation(vec2(0.6, 0.8) * x.x, x.y, Footprint(vec2(0.0), vec2(0.0)));",
         x,
         consts={"HEIGHT_NODES": HEIGHT_NODES, "SURFACE_FILTER": True},
@@ -361,8 +364,8 @@ def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
         np.concatenate([[0.5 / 262144, 1 - 0.5 / 262144], np.linspace(0.01, 0.99, 50)]),
         np.linspace(0, 1, 6),
     )
-    stand_ins = (
-        "=vec4 given;\n"
+    stand_ins = Inline(
+        "vec4 given;\n"
         "float mask_threshold(vec2 p) {\n    return given.y;\n}\n"
         "float foam_texture(vec2 p, Footprint fp) {\n    return given.z;\n}\n"
     )
@@ -410,7 +413,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
         [
             NUMBERS,
             "foam/mask_coordinates.glsl",
-            "=float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n",
+            Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
             "look/filtered.glsl",
         ],
         "y.x = filtered_coverage(x.x, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
@@ -449,10 +452,10 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
     u, v = rng.integers(0, 65536, (2, count)) / 65536.0
     s = rng.choice([0.0, 1e-3, 0.02, 0.3, 0.6, 0.97, 1.0], count)
     inputs = np.column_stack([s, u, v, texels / 512]).astype(np.float32)
-    stand_in = (
-        "=vec4 given;\nvec2 mask_uv(vec2 p) {\n    return given.yz;\n}\nvec2 mask_turn(vec2 p) {\n    return p;\n}\n"
+    stand_in = Inline(
+        "vec4 given;\nvec2 mask_uv(vec2 p) {\n    return given.yz;\n}\nvec2 mask_turn(vec2 p) {\n    return p;\n}\n"
     )
-    texture = "=float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"
+    texture = Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n")
     got = probe(
         [NUMBERS, stand_in, texture, "look/filtered.glsl"],
         "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",

@@ -20,17 +20,18 @@ from scipy import ndimage
 from exact import EXACT
 from gpu import WHOLE
 from report import Report
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.model import Program, Shader
+from seafoam.framegraph.shader import Program, Shader
+from seafoam.ocean.seabed import floor_grid
+from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import Quality
-from seafoam.reference import shore as truth
-from seafoam.reference.light import unit
-from seafoam.reference.relief import Relief
-from seafoam.reference.waves import wave_set
-from seafoam.render import executor as executors
-from seafoam.render.executor import Executor
+from seafoam.reference.light.light import unit
+from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.shore import shore as truth
+from seafoam.reference.waves.parametric import wave_set
+from seafoam.render.gl import executor as executors
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, ParametricWave, Scene, SurfSaturation
-from seafoam.scene.shore import Shore, Surf, floor_grid
+from seafoam.scene.shore import Shore, Surf
 from seafoam.textures import TextureData, shore_floor_name, shore_profiles, texture
 
 SIDE = 100

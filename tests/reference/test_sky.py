@@ -11,13 +11,15 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
-from seafoam.effects.light import sky_irradiance, sun_direction, sun_irradiance
-from seafoam.plan import make_plan
+from seafoam.effects.effect import Inline
+from seafoam.effects.light.light import sky_irradiance, sun_direction, sun_irradiance
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import heaven, load_truth, noise
-from seafoam.reference import light as reference_light
+from seafoam.reference import load_truth, noise
 from seafoam.reference.bake import same_size, truth_file
-from seafoam.render.executor import Executor
+from seafoam.reference.light import atmosphere
+from seafoam.reference.light import light as reference_light
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Light, Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.sky import Clouds, Day, Moon, Sky, sun_angles
@@ -81,7 +83,7 @@ def test_clouds_cover_their_share(report: Report, cover: float) -> None:
     clouds = Clouds(cover=cover, softness=1.0)
     rng = np.random.default_rng(6)
     drawn = noise.fractal(rng.uniform(0.0, 256.0, (60_000, 3)), np.zeros(60_000), 6, 64)
-    share = float((heaven.Heaven._density(clouds, drawn) > 0.156).mean())
+    share = float((atmosphere.Heaven._density(clouds, drawn) > 0.156).mean())
     report.add("Share of the layer that clouds cover", asked=f"{cover:.2f}", measured=f"{share:.3f}")
     assert abs(share - cover) <= 0.03
 
@@ -146,12 +148,12 @@ def test_the_sun_goes_round() -> None:
     rng = np.random.default_rng(3)
     for hour, date, latitude in rng.uniform((0, 1, -1.57), (24, 366, 1.57), (200, 3)):
         day = Day(hour=hour, date=date, latitude=latitude, north=0.4)
-        one, other = heaven.toward(*sun_angles(day)), heaven.toward(*heaven.sun_angles(day))
+        one, other = atmosphere.toward(*sun_angles(day)), atmosphere.toward(*atmosphere.sun_angles(day))
         assert np.abs(one - other).max() <= 1e-7
 
 
 CUBE = ["common/cube_face.glsl", "reflection/cube.glsl"]
-SMOOTH = "=vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
+SMOOTH = Inline("vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n")
 SMOOTH += (
     "    vec3 d = normalize(cube_direction(face, side));\n    return vec3(d.x * d.y, d.z, sin(3.0 * d.x + d.z));\n}\n"
 )

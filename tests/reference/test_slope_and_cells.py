@@ -9,16 +9,17 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
-from seafoam.effects import parametric
-from seafoam.effects.foam_look import CELLS
-from seafoam.plan import make_plan
-from seafoam.plan.rules import FrameState, evaluate
+from seafoam.effects.effect import Inline
+from seafoam.effects.foam.look import CELLS
+from seafoam.effects.waves import parametric
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render as reference
-from seafoam.reference.cells import corners
-from seafoam.reference.saturation import slope_saturation
-from seafoam.reference.waves import wave_set
-from seafoam.render.executor import Executor
+from seafoam.reference.foam.cells import corners
+from seafoam.reference.foam.saturation import slope_saturation
+from seafoam.reference.waves.parametric import wave_set
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, ParametricWave, Scene, SlopeSaturation
 
 SIDE, TILE_PIXELS, HEIGHT, TILE = 256, 32, 200.0, 12.8
@@ -44,7 +45,7 @@ def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur
         [
             "common/numbers.glsl",
             "waves/parametric.glsl",
-            "=vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n",
+            Inline("vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n"),
             "saturation/slope_lack.glsl",
             f"saturation/{name}.glsl",
         ],

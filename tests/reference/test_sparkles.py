@@ -8,19 +8,22 @@ from numpy.typing import NDArray
 
 from gpu import Probe
 from report import Report
-from seafoam.effects.sparkles import density
-from seafoam.plan import make_plan
+from seafoam.effects.effect import Inline
+from seafoam.effects.light.sparkles import density
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
-from seafoam.reference import light as reference_light
-from seafoam.reference.sparkles import EPOCHS, Field
-from seafoam.render.executor import Executor
+from seafoam.reference.light import light as reference_light
+from seafoam.reference.light.sparkles import EPOCHS, Field
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Sparkles, Water
 
 SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
 FILES = (
     "common/numbers.glsl",
     "common/camera.glsl",
-    "=uniform vec3 u_sun_irradiance;\nvec3 smooth_glitter(vec3 d, vec3 n, float s, float c) { return vec3(0.0); }\n",
+    Inline(
+        "uniform vec3 u_sun_irradiance;\nvec3 smooth_glitter(vec3 d, vec3 n, float s, float c) { return vec3(0.0); }\n"
+    ),
     "noise/hash.glsl",
     "glitter/sparkles.glsl",
 )
@@ -152,7 +155,7 @@ def test_the_lakes_highlight_equals_its_float64_form(probe: Probe, power: float,
     got = probe(
         [
             "common/numbers.glsl",
-            "=uniform vec3 u_sun_direction;\n",
+            Inline("uniform vec3 u_sun_direction;\n"),
             "shade/sun.glsl",
             "glitter/blinn_phong.glsl",
         ],

@@ -9,19 +9,20 @@ from numpy.typing import NDArray
 from exact import UNFILTERED
 from gpu import Probe
 from report import Report
-from seafoam.effects.spray import contribute, fastest_rise
-from seafoam.plan import make_plan
-from seafoam.plan.rules import FrameState, evaluate
+from seafoam.effects.spray.spray import contribute, fastest_rise
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.ocean.rocks import ROCKS, rocks
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference import spray as flying
-from seafoam.reference.relief import Relief
-from seafoam.reference.shore import Coast
-from seafoam.reference.waves import wave_set
-from seafoam.render.executor import Executor
+from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.shore.shore import Coast
+from seafoam.reference.spray import spray as flying
+from seafoam.reference.waves.parametric import wave_set
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, ParametricWave, Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.spray import DROPS, ROCKS, Spray, rocks
+from seafoam.scene.spray import DROPS, Spray
 
 WAVES = (
     ParametricWave(amplitude=1.5, wavelength=20.0, direction=1.6, exponent=2.0),

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 
 SIZE = (320, 180)
@@ -67,8 +67,8 @@ def test_same_bytes_twice_and_in_another_process(executor: Executor) -> None:
     ]
     assert frames[0] == frames[1]
     code = (
-        "import hashlib; from seafoam.plan import make_plan; from seafoam.quality import TIERS; "
-        "from seafoam.render.executor import Executor; from seafoam.scene.presets import load_preset; "
+        "import hashlib; from seafoam.planner import make_plan; from seafoam.quality import TIERS; "
+        "from seafoam.render.gl.executor import Executor; from seafoam.scene.presets import load_preset; "
         "s = load_preset('default').scene; "
         "p = make_plan(s, TIERS['standard']); "
         "r = Executor().render(p, time=7.25, camera=s.camera, width=160, height=90); "

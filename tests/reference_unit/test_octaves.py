@@ -5,7 +5,9 @@ import pytest
 
 from seafoam.masks import load_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP, ramp_threshold
-from seafoam.reference import Assets, frame, looks
+from seafoam.reference import Assets
+from seafoam.reference.foam import looks
+from seafoam.reference.renderer import frame
 from seafoam.scene.models import Foam
 
 SIDE = 160

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from seafoam.masks import custom_mask
-from seafoam.reference import Assets, frame, looks, sampling
-from seafoam.reference.relief import Relief
-from seafoam.reference.saturation import (
+from seafoam.reference import Assets, sampling
+from seafoam.reference.foam import looks
+from seafoam.reference.foam.saturation import (
     CAP,
     FRONT_CONSTANTS,
     front_integral,
@@ -23,7 +23,9 @@ from seafoam.reference.saturation import (
     saturation,
     seen_phases,
 )
-from seafoam.reference.waves import wave_set
+from seafoam.reference.renderer import frame
+from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.waves.parametric import wave_set
 from seafoam.scene.models import FrontSaturation, ParametricWave, Scene
 
 WAVE = ParametricWave(amplitude=0.8, wavelength=11.0, direction=0.4, exponent=2.0, phase=0.3)

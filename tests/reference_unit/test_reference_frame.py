@@ -81,7 +81,7 @@ def test_sides(assets: Assets) -> None:
 def test_chunks_do_not_show(assets: Assets, monkeypatch: pytest.MonkeyPatch) -> None:
     settings = {"time": 2.0, "width": 14, "height": 9, "samples": 3, "mode": "converged", "assets": assets}
     whole = render(SEA, **settings)
-    monkeypatch.setattr("seafoam.reference.frame.CHUNK", 100)
+    monkeypatch.setattr("seafoam.reference.renderer.frame.CHUNK", 100)
     np.testing.assert_allclose(render(SEA, **settings).rgb, whole.rgb, rtol=1e-9)
 
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.reference import light
+from seafoam.reference.light import light
 from seafoam.reference.types import unit
 from seafoam.scene.models import Light, Water
 

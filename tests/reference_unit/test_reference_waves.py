@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.reference import surface
+from seafoam.reference.renderer import intersect
 from seafoam.reference.types import unit
-from seafoam.reference.waves import reduced, ripple_set, wave_derivative, wave_height, wave_set, wavenumber
+from seafoam.reference.waves.parametric import reduced, ripple_set, wave_derivative, wave_height, wave_set, wavenumber
 from seafoam.scene.models import Chop, ParametricWave, Scene, Water
 
 SEA = Scene(
@@ -119,7 +119,7 @@ def test_flat_water_is_a_plane() -> None:
     d = directions(np.random.default_rng(1), 500, -1.5, 0.5)
     still = SEA.model_copy(update={"waves": (ParametricWave(amplitude=0.0),)})
     for scene in (Scene(), still):
-        s = surface.first_crossing(wave_set(scene, 0.0, (0.0, 0.0)), 3.0, d)
+        s = intersect.first_crossing(wave_set(scene, 0.0, (0.0, 0.0)), 3.0, d)
         down = d[:, 1] < 0.0
         np.testing.assert_allclose(s[down], -3.0 / d[down, 1], rtol=1e-15)
         assert np.isinf(s[~down]).all()
@@ -129,7 +129,7 @@ def test_flat_water_is_a_plane() -> None:
 def test_crossings_lie_on_the_surface(K: float) -> None:
     waves = wave_set(Scene(waves=(ParametricWave(amplitude=1.3, wavelength=9.0, exponent=K),)), 1.0, (0.0, 0.0))
     d = directions(np.random.default_rng(2), 4000, -1.57, -0.02)
-    s = surface.first_crossing(waves, 2.5, d)
+    s = intersect.first_crossing(waves, 2.5, d)
     assert np.isfinite(s).all()
     residual = 2.5 + d[:, 1] * s - waves.height(d[:, 0] * s, d[:, 2] * s)
     assert np.abs(residual).max() < 1e-9
@@ -140,8 +140,8 @@ def test_crossings_are_the_first(eye_y: float) -> None:
     waves = wave_set(SEA, 2.7, (0.0, 0.0))
     rng = np.random.default_rng(3)
     d = directions(rng, 40, -0.25, -0.02) if eye_y > 0.0 else directions(rng, 40, 0.02, 0.25)
-    s = surface.first_crossing(waves, eye_y, d)
-    start = max(eye_y - waves.top, 0.0, waves.trough - eye_y)
+    s = intersect.first_crossing(waves, eye_y, d)
+    start = max(eye_y - waves.top, 0.0, -eye_y)
     for i in range(d.shape[0]):
         low = start / abs(d[i, 1])
         along = np.linspace(low, min(s[i], low + 200.0), 40_000)[1:-1]
@@ -152,7 +152,7 @@ def test_crossings_are_the_first(eye_y: float) -> None:
 def test_far_rays_meet_the_water() -> None:
     waves = wave_set(SEA, 2.7, (0.0, 0.0))
     d = directions(np.random.default_rng(4), 200, -0.01, -1e-6)
-    s = surface.first_crossing(waves, 6.0, d)
+    s = intersect.first_crossing(waves, 6.0, d)
     assert np.isfinite(s).all()
     assert (s >= (6.0 - waves.top) / -d[:, 1] * (1.0 - 1e-12)).all()
     assert (s <= (6.0 - waves.trough) / -d[:, 1] * (1.0 + 1e-12)).all()
@@ -161,7 +161,7 @@ def test_far_rays_meet_the_water() -> None:
 def test_level_rays_inside_the_waves_meet_a_crest() -> None:
     waves = wave_set(SEA, 2.7, (0.0, 0.0))
     d = unit(np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [1.0, 1e-12, 1.0]]))
-    assert np.isfinite(surface.first_crossing(waves, 0.6, d)).all()
+    assert np.isfinite(intersect.first_crossing(waves, 0.6, d)).all()
 
 
 def test_footprint_is_the_shift_on_the_plane_of_the_normal() -> None:
@@ -171,12 +171,12 @@ def test_footprint_is_the_shift_on_the_plane_of_the_normal() -> None:
     plane = float((tau[0] * D[0]) @ N[0])
     other = D[0] + step
     moved = other * (plane / (other @ N[0])) - tau[0] * D[0]
-    foot = surface.footprint(tau, D, N, step)[0]
+    foot = intersect.footprint(tau, D, N, step)[0]
     np.testing.assert_allclose(foot, moved[[0, 2]], rtol=2e-3)
 
 
 def test_footprint_is_finite_edge_on() -> None:
-    foot = surface.footprint(
+    foot = intersect.footprint(
         np.array([5.0]), np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 1.0, 0.0]]), np.array([0.0, 1e-3, 0.0])
     )
     assert np.isfinite(foot).all()

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset, preset_names
 
 SIZE = (64, 36)

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.contribution import Fullscreen, ViewportSize
-from seafoam.plan import make_plan
-from seafoam.plan.adaptive import GREATEST, PARTS, RATIO
-from seafoam.plan.model import FramePlan, Shader
+from seafoam.framegraph.passes import Fullscreen
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import ViewportSize
+from seafoam.framegraph.shader import Shader
+from seafoam.planner import make_plan
+from seafoam.planner.adaptive import GREATEST, PARTS, RATIO
 from seafoam.quality import TIERS, Quality, SurfaceQuality
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Scene
 from seafoam.scene.presets import load_preset, preset_names
 

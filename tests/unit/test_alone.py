@@ -6,9 +6,9 @@ from typing import Any
 import pytest
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import Effect
-from seafoam.plan import alone, make_plan, planner
-from seafoam.plan.alone import Switch, running, switch
+from seafoam.effects.effect import Effect
+from seafoam.planner import isolation, make_plan, planner
+from seafoam.planner.isolation import Switch, running, switch
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
@@ -82,7 +82,7 @@ def test_what_a_bound_leaves_out_leaves_a_note_alone(monkeypatch: pytest.MonkeyP
 
 
 def test_fields_that_are_not_scenes_do_not_stop_the_search() -> None:
-    assert alone.switch(EFFECTS[0], Scene(), STANDARD) is not None
+    assert isolation.switch(EFFECTS[0], Scene(), STANDARD) is not None
 
 
 def _but_for_notes(plan: bytes) -> Any:

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from seafoam.framegraph.passes import State
 from seafoam.masks import load_catalogue
 from seafoam.masks.families import SIZES
-from seafoam.plan import PlanError, make_plan, planner
-from seafoam.plan.model import State
+from seafoam.planner import AssemblyError, PlanError, link, make_plan
 from seafoam.quality import TIERS
-from seafoam.render.executor import Executor
+from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
 from seafoam.textures import texture
 
@@ -47,9 +47,9 @@ def test_a_scene_with_the_look_loads_the_mask_and_not_the_atlas() -> None:
 def test_whole_numbers_are_not_cleared_blended_or_tested(state: State) -> None:
     plan = make_plan(scene("vac-24"), TIERS["standard"])
     (atlas,) = [one for one in plan.passes if one.name == "mask: atlas"]
-    planner._refuse_whole_numbers(atlas, plan.targets)
-    with pytest.raises(planner.AssemblyError, match="whole numbers"):
-        planner._refuse_whole_numbers(atlas.model_copy(update={"state": state}), plan.targets)
+    link.refuse_integers(atlas, plan.targets)
+    with pytest.raises(AssemblyError, match="integers"):
+        link.refuse_integers(atlas.model_copy(update={"state": state}), plan.targets)
 
 
 def test_a_mask_that_cannot_be_made_names_its_field() -> None:

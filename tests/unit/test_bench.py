@@ -16,7 +16,7 @@ from bench.water_page import Frames
 from bench.yardstick import GROUPS, Measured
 from PIL import Image
 
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset, preset_names
 

@@ -10,7 +10,7 @@ from bench.compiler import Compiled, Use, compiled, gone, not_admitted, read_tab
 from bench.radv import CompilerError, Figures
 
 from report import Report
-from seafoam.plan.model import Program
+from seafoam.framegraph.shader import Program
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.presets import preset_names
 

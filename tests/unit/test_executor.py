@@ -5,12 +5,12 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from seafoam.effects.contribution import PlanPart
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.model import Shader
+from seafoam.framegraph.rules import PlanPart
+from seafoam.framegraph.shader import Shader
+from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS, SurfaceQuality
-from seafoam.render import executor as module
-from seafoam.render.executor import Executor, ShaderError
+from seafoam.render.gl import executor as module
+from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.scene.presets import load_preset
 
 

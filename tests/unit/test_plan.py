@@ -8,9 +8,9 @@ from typing import Any, get_args
 
 import pytest
 
-from seafoam.effects.contribution import COMPONENTS
-from seafoam.plan import FramePlan, PlanError, make_plan
-from seafoam.plan.assemble import declared_uniforms
+from seafoam.framegraph.rules import COMPONENTS
+from seafoam.framegraph.shader import declared_uniforms
+from seafoam.planner import FramePlan, PlanError, make_plan
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
 from seafoam.scene.drift import Drift
@@ -40,7 +40,7 @@ STANDARD = TIERS["standard"]
 def test_same_bytes_in_another_process(preset: str) -> None:
     plan = make_plan(load_preset(preset).scene, STANDARD)
     code = (
-        "from seafoam.plan import make_plan; from seafoam.quality import TIERS; "
+        "from seafoam.planner import make_plan; from seafoam.quality import TIERS; "
         "from seafoam.scene.presets import load_preset; "
         f"print(make_plan(load_preset({preset!r}).scene, TIERS['standard']).sha256)"
     )

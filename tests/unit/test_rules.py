@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from seafoam.effects.contribution import CameraRule, Constant, Held, Loop, Phase, Uniform, Wrap
-from seafoam.plan.rules import FrameState, axes, evaluate, evaluate_rule
+from seafoam.framegraph.evaluation import FrameState, axes, evaluate, evaluate_rule
+from seafoam.framegraph.rules import CameraRule, Constant, Held, Loop, Phase, Uniform, Wrap
 from seafoam.scene.models import Camera
 
 GOLDEN = Path(__file__).parent.parent / "golden" / "uniform_rules.json"

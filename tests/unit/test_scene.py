@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 from scipy.optimize import brentq
 
-from seafoam.scene.chop import TILES, WAVES_PER_TILE, ripples
-from seafoam.scene.dispersion import angular_frequency, wavenumber, wavevector
-from seafoam.scene.models import GRAVITY, Chop, ParametricWave, Scene
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.dispersion import angular_frequency, wavenumber, wavevector
+from seafoam.ocean.ripples import TILES, WAVES_PER_TILE, ripples
+from seafoam.scene.models import Chop, ParametricWave, Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 

@@ -5,28 +5,17 @@ from collections.abc import Callable
 import pytest
 
 from gpu import WHOLE
-from seafoam.effects.contribution import (
-    Fullscreen,
-    Held,
-    Loop,
-    Phase,
-    Points,
-    Rule,
-    Target,
-    TargetInput,
-    Uniform,
-    Viewport,
-    ViewportSize,
-    Wrap,
-    number,
-)
-from seafoam.plan import FramePlan, make_plan
-from seafoam.plan.assemble import assemble
-from seafoam.plan.model import Pass, Program, State
-from seafoam.plan.setup import with_setup
+from seafoam.effects.effect import Inline
+from seafoam.framegraph.passes import Fullscreen, Pass, Points, State
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
+from seafoam.framegraph.rules import Held, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
+from seafoam.framegraph.shader import Program
+from seafoam.planner import FramePlan, make_plan
+from seafoam.planner.glsl import assemble
+from seafoam.planner.schedule import with_setup
 from seafoam.quality import TIERS
-from seafoam.render import executor as module
-from seafoam.render.executor import Executor, ShaderError
+from seafoam.render.gl import executor as module
+from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
@@ -37,9 +26,9 @@ FLOWING = ("flow of drift", "drift, quarters of a brood back", "drift, two brood
 
 FIXED = Target.model_validate({"size": {"rule": "fixed", "width": 4, "height": 4}, "format": "RGBA16F"})
 SHADER = assemble(
-    ["=uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n"], {}
+    [Inline("uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n")], {}
 )
-BLIND = assemble(["=uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n"], {})
+BLIND = assemble([Inline("uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n")], {})
 PROGRAMS = {
     "read": Program(vertex=WHOLE, fragment=SHADER),
     "blind": Program(vertex=WHOLE, fragment=BLIND),

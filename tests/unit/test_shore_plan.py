@@ -2,7 +2,7 @@
 
 import pytest
 
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Foam, ParametricWave, Scene, SurfSaturation, Water
 from seafoam.scene.presets import load_preset, preset_names

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from seafoam.effects.contribution import Ball
-from seafoam.plan import make_plan
-from seafoam.plan.model import FramePlan
-from seafoam.plan.view import drawn_passes, in_view
+from seafoam.framegraph.passes import Ball
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.visibility import drawn_passes, in_view
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.boats import Boat
 from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water

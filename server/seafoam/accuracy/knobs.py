@@ -3,8 +3,8 @@
 from typing import Any
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.contribution import Cause, Knob
-from seafoam.plan import make_plan
+from seafoam.effects.effect import Cause, Knob
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 
@@ -35,7 +35,7 @@ def every_knob() -> tuple[tuple[str, Knob], ...]:
 def all_knobs(scene: Scene) -> tuple[tuple[str, Knob], ...]:
     """The spine's knobs and those of the effects that run in this scene, each with the name of its owner.
 
-    Raises :class:`seafoam.plan.PlanError` for a scene that cannot be planned.
+    Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned.
     """
     running = {SPINE} | {effect.name for effect in make_plan(scene, TIERS["standard"]).effects}
     return tuple((owner, knob) for owner, knob in every_knob() if owner in running)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.accuracy.model import Errors
-from seafoam.reference.light import srgb, tone
+from seafoam.reference.light.light import srgb, tone
 
 LEVEL = 255.0
 """Errors are quoted in 8-bit levels of linear light: display white = 255."""

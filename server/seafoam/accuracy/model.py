@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from seafoam.effects.contribution import Cause
+from seafoam.effects.effect import Cause
 from seafoam.quality import Quality, Tier
 
 FORMAT = 4

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from seafoam.accuracy.knobs import all_knobs, with_value
 from seafoam.accuracy.model import KnobChoice, KnobValue, Point
-from seafoam.plan import make_plan
+from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 
@@ -14,7 +14,7 @@ from seafoam.scene.models import Scene
 def points_of(scene: Scene) -> tuple[Point, ...]:
     """Every quality that is measured for a scene, no two with the same plan; tiers first, from the fastest.
 
-    Raises :class:`seafoam.plan.PlanError` for a scene that cannot be planned.
+    Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned.
     """
     seen = {plan_sha256(scene, TIERS["standard"])}
     points = []

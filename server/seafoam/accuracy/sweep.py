@@ -38,10 +38,10 @@ from seafoam.accuracy.model import (
 )
 from seafoam.accuracy.points import chains, plan_sha256, points_of, shown
 from seafoam.accuracy.truth import StoppedError, make_truth
-from seafoam.effects.contribution import Cause
+from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
-from seafoam.render.pool import Draw, Drawn, MeasureJob
+from seafoam.render.service.pool import Draw, Drawn, MeasureJob
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
@@ -165,7 +165,7 @@ def make_sweep(
 ) -> Sweep:
     """Measure a scene, or find the measurement; ``again``: measure all the same.
 
-    Raises :class:`seafoam.plan.PlanError`, what drawing raises, and :class:`StoppedError` where it was called off.
+    Raises :class:`seafoam.planner.PlanError`, what drawing raises, and :class:`StoppedError` where it was called off.
     """
     watcher = watcher or Watcher()
     machine = rig.machine

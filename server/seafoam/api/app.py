@@ -22,8 +22,8 @@ from seafoam.api.parameters import one_value_each
 from seafoam.api.routers import accuracy, frames, health, masks, plans, presets, textures
 from seafoam.api.settings import Settings
 from seafoam.api.workshop import Workshop
-from seafoam.render.executor import Executor
-from seafoam.render.pool import Renderer, RenderPool
+from seafoam.render.gl.executor import Executor
+from seafoam.render.service.pool import Renderer, RenderPool
 
 GZIP_LEVEL = 4
 """Plans are a tenth of their size at level 4 and hardly less at 9."""

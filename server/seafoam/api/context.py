@@ -9,7 +9,7 @@ from seafoam.accuracy.station import Station
 from seafoam.api.metrics import Metrics
 from seafoam.api.settings import Settings
 from seafoam.api.workshop import Workshop
-from seafoam.render.pool import RenderPool
+from seafoam.render.service.pool import RenderPool
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from seafoam.accuracy.sweep import Rig
 from seafoam.accuracy.sweep import Settings as SweepSettings
 from seafoam.accuracy.truth import StoppedError
 from seafoam.api.settings import Settings
-from seafoam.render.pool import Drawn, MeasureJob, RendererUnavailableError, RenderPool
+from seafoam.render.service.pool import Drawn, MeasureJob, RendererUnavailableError, RenderPool
 
 _POLL_SECONDS = 0.2
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from seafoam.api.errors import BadRequestError, FieldProblem
-from seafoam.plan import PlanError, make_plan
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import PlanError, make_plan
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 

@@ -1,51 +1,26 @@
 """The effects, in the order in which they are asked. A new effect is one module here, its GLSL, and a line below."""
 
-from seafoam.effects import (
-    aeration,
-    below,
-    boat,
-    caustics,
-    chop,
-    clouds,
-    crest,
-    cubemap,
-    drift,
-    floor,
-    foam_look,
-    fold,
-    front,
-    glitter,
-    height,
-    light,
-    living,
-    night,
-    parametric,
-    planar,
-    relief,
-    rings,
-    sea,
-    shore,
-    slope,
-    sparkles,
-    spray,
-    surf,
-    wake,
-    wake_foam,
-    water,
-)
-from seafoam.effects.contribution import Effect
+from seafoam.effects.boats import boat, wake
+from seafoam.effects.effect import Effect
+from seafoam.effects.foam import aeration, drift, fold, front, height, living, look, relief, slope, surf, wake_foam
+from seafoam.effects.light import clouds, glitter, light, night, sparkles, subsurface
+from seafoam.effects.reflection import cubemap, planar
+from seafoam.effects.shore import shore
+from seafoam.effects.spray import spray
+from seafoam.effects.water import caustics, seafloor, underside, water
+from seafoam.effects.waves import parametric, rings, ripples, sea
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
     sea.EFFECT,
     rings.EFFECT,
     wake.EFFECT,
-    chop.EFFECT,
+    ripples.EFFECT,
     front.EFFECT,
     height.EFFECT,
     slope.EFFECT,
     fold.EFFECT,
-    foam_look.EFFECT,
+    look.EFFECT,
     living.EFFECT,
     light.EFFECT,
     clouds.EFFECT,
@@ -54,14 +29,14 @@ EFFECTS: tuple[Effect, ...] = (
     glitter.EFFECT,
     sparkles.EFFECT,
     water.EFFECT,
-    floor.EFFECT,
+    seafloor.EFFECT,
     caustics.EFFECT,
-    below.EFFECT,
+    underside.EFFECT,
     shore.EFFECT,
     surf.EFFECT,
     cubemap.EFFECT,
     drift.EFFECT,
-    crest.EFFECT,
+    subsurface.EFFECT,
     aeration.EFFECT,
     relief.EFFECT,
     spray.EFFECT,

@@ -4,7 +4,7 @@ The plots are in :mod:`seafoam.masks.plots`, which alone needs matplotlib, and t
 :mod:`seafoam.masks.bake`.
 """
 
-from .catalogue import (
+from seafoam.masks.catalogue import (
     Mask,
     MaskEntry,
     MaskTables,
@@ -16,18 +16,27 @@ from .catalogue import (
     mask_by_name,
     rank_sha256,
 )
-from .construct import estimated_seconds, make_mask
-from .families import FAMILIES, METHODS, SIZES, Family, Method, check_parameters, parse_parameters, sigma_range
-from .formats import to_dds, to_npy, to_png8, to_png16, to_u16
-from .morphology import FoamShapes, MaskMorphology, measure_morphology
-from .prefilter import (
+from seafoam.masks.construct import estimated_seconds, make_mask
+from seafoam.masks.families import (
+    FAMILIES,
+    METHODS,
+    SIZES,
+    Family,
+    Method,
+    check_parameters,
+    parse_parameters,
+    sigma_range,
+)
+from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
+from seafoam.masks.morphology import FoamShapes, MaskMorphology, measure_morphology
+from seafoam.masks.prefilter import (
     bspline_weights,
     footprint_deviations,
     quantile_lookup,
     quantile_position,
     quantile_table,
 )
-from .spectrum import GREY_LEVELS, GreySpectrum, MaskSpectrum, measure_spectrum
+from seafoam.masks.spectrum import GREY_LEVELS, GreySpectrum, MaskSpectrum, measure_spectrum
 
 __all__ = [
     "FAMILIES",

@@ -11,12 +11,12 @@ from pathlib import Path
 
 from rich.progress import Progress as ProgressBar
 
-from .catalogue import CATALOGUE_FILE, MaskTables, describe, rank_file
-from .construct import build, estimated_seconds
-from .families import check_parameters
-from .formats import decode_ranks, encode_ranks
-from .shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
-from .torus import Progress, no_progress
+from seafoam.masks.catalogue import CATALOGUE_FILE, MaskTables, describe, rank_file
+from seafoam.masks.construct import build, estimated_seconds
+from seafoam.masks.families import check_parameters
+from seafoam.masks.formats import decode_ranks, encode_ranks
+from seafoam.masks.shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
+from seafoam.masks.torus import Progress, no_progress
 
 MEASURING_SECONDS = 1.0
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import void_cluster
-from .filtered import band_passed
-from .torus import Field, Progress, Ranks, rank
+from seafoam.masks import void_cluster
+from seafoam.masks.filtered import band_passed
+from seafoam.masks.torus import Field, Progress, Ranks, rank
 
 SITE_SIGMA = 1.5
 """Void-and-cluster Gaussian that orders the sites, in cells (Ulichney's constant)."""

@@ -13,11 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from seafoam.resources import data_dir
-
-from . import prefilter
-from .construct import build, estimated_seconds
-from .families import (
+from seafoam.masks import prefilter
+from seafoam.masks.construct import build, estimated_seconds
+from seafoam.masks.families import (
     GENERATOR,
     LICENSE,
     VALUE_RULE,
@@ -27,11 +25,12 @@ from .families import (
     check_parameters,
     parse_parameters,
 )
-from .formats import decode_ranks
-from .morphology import MaskMorphology, measure_morphology
-from .shipped import FAMILY_SUMMARIES, FAMILY_TITLES
-from .spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
-from .torus import Field, Ranks
+from seafoam.masks.formats import decode_ranks
+from seafoam.masks.morphology import MaskMorphology, measure_morphology
+from seafoam.masks.shipped import FAMILY_SUMMARIES, FAMILY_TITLES
+from seafoam.masks.spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
+from seafoam.masks.torus import Field, Ranks
+from seafoam.resources import data_dir
 
 CATALOGUE_FILE = "catalogue.json"
 ON_REQUEST_SECONDS = 5.0

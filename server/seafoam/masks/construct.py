@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import bubble, filtered, lace, void_cluster
-from .families import MaskParameters, Method, check_method, check_parameters
-from .torus import Progress, Ranks, no_progress
+from seafoam.masks import bubble, filtered, lace, void_cluster
+from seafoam.masks.families import MaskParameters, Method, check_method, check_parameters
+from seafoam.masks.torus import Progress, Ranks, no_progress
 
 
 def make_mask(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .torus import Field, Ranks, filter_noise, gaussian_response, rank
+from seafoam.masks.torus import Field, Ranks, filter_noise, gaussian_response, rank
 
 WIDE_PER_NARROW = 4.0
 """Wide over narrow Gaussian of a difference of Gaussians."""

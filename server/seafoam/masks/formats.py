@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from .torus import Ranks
+from seafoam.masks.torus import Ranks
 
 DXGI_FORMAT_R16_UNORM = 56
 RANK_BITS = 18

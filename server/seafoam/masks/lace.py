@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from .torus import Field, Progress, Ranks, filter_noise, gaussian_response, rank
+from seafoam.masks.torus import Field, Progress, Ranks, filter_noise, gaussian_response, rank
 
 COARSE: tuple[float, ...] = (4.0, 2.0, 1.0)
 FINE: tuple[float, ...] = (1.4, 0.8, 0.5)

@@ -15,7 +15,7 @@ from scipy.ndimage import label
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from .torus import Ranks
+from seafoam.masks.torus import Ranks
 
 SATURATIONS: tuple[float, ...] = (0.15, 0.3, 0.5, 0.7, 0.9)
 HOLE_SHARES: tuple[float, ...] = (0.1, 0.5, 0.9)

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .formats import quantised
-from .torus import Field, Ranks
+from seafoam.masks.formats import quantised
+from seafoam.masks.torus import Field, Ranks
 
 Level = NDArray[np.float32]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .families import Family, Method
+from seafoam.masks.families import Family, Method
 
 SHIPPED_SIZE = 512
 SHIPPED_SEED = 2011

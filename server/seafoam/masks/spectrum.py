@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .torus import Field, Ranks
+from seafoam.masks.torus import Field, Ranks
 
 GREY_LEVELS: tuple[float, ...] = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 3 / 4)
 SIGNIFICANT_DIGITS = 5

@@ -19,7 +19,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from .torus import Field, Progress, Ranks, local_minima, wrapped_gaussian
+from seafoam.masks.torus import Field, Progress, Ranks, local_minima, wrapped_gaussian
 
 SEED_POINTS = 128
 SEED_POINTS_LEAST = 8

@@ -10,11 +10,10 @@ from typing import get_args
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+from seafoam.reference.renderer.frame import Mode, render
+from seafoam.reference.truth import save_truth, truth_is_current
 from seafoam.scene.models import Look, Scene
 from seafoam.scene.presets import load_preset, preset_names
-
-from .frame import Mode, render
-from .truth import save_truth, truth_is_current
 
 TIMES = (0.0, 2.7, 1000003.5)
 """Times of same-samples frames, s."""

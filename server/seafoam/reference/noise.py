@@ -5,7 +5,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from .types import Floats, Indices, smoothstep
+from seafoam.reference.types import Floats, Indices, smoothstep
 
 KEY = 0x9031965F
 """Of the noise that grounds and foam are torn by."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .types import Floats, Indices, Ranks
+from seafoam.reference.types import Floats, Indices, Ranks
 
 QUANTILE_ENTRIES = 65
 

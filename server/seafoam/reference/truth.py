@@ -13,10 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.reference.renderer.frame import Frame, Mode
+from seafoam.reference.types import Bools, Floats
 from seafoam.scene.models import Scene
-
-from .frame import Frame, Mode
-from .types import Bools, Floats
 
 _LATER: dict[str, dict[str, Any]] = {
     "": {"rings": [], "sea": None, "shore": None, "drift": None, "spray": None, "boats": []},

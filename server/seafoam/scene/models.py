@@ -16,11 +16,10 @@ from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Day, Gusts, Sky, sun_angles
 from seafoam.scene.spray import Spray
 
-GRAVITY = 9.81
-"""Gravitational acceleration, m/s²."""
-
 Finite = Annotated[float, Field(allow_inf_nan=False)]
+
 Share = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
+
 Rgb = tuple[Share, Share, Share]
 
 

@@ -3,7 +3,6 @@
 import base64
 import binascii
 import io
-import math
 from functools import lru_cache
 from typing import Annotated, Literal
 
@@ -12,11 +11,12 @@ from numpy.typing import NDArray
 from PIL import Image
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from seafoam.scene.chance import chance
-
 Floats = NDArray[np.float64]
+
 _Place = Annotated[float, Field(ge=-1e7, le=1e7)]
+
 _Share = Annotated[float, Field(ge=0.0, le=1.0)]
+
 _Rgb = tuple[_Share, _Share, _Share]
 
 STEPS = 1024
@@ -161,143 +161,4 @@ def _picture(encoded: str) -> Floats:
         raise ValueError("image: not a PNG that can be read") from error
     result: Floats = np.clip(grey, 0.0, 1.0)
     result.setflags(write=False)
-    return result
-
-
-def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
-    """The quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
-    taps = []
-    for place, count in ((z, grey.shape[0]), (x, grey.shape[1])):
-        at = place * count - 0.5
-        base = np.floor(at + 0.5)
-        t = at + 0.5 - base
-        index = [np.clip(base.astype(np.int64) + i, 0, count - 1) for i in (-1, 0, 1)]
-        taps.append((index, (0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t)))
-    total = np.zeros_like(x)
-    for row, down in zip(*taps[0], strict=True):
-        for column, along in zip(*taps[1], strict=True):
-            total += down * along * grey[row, column]
-    return total
-
-
-def floor_grid(shore: Shore, texels: int) -> Floats:
-    """(texels, texels, 2): height of floor or land over y = 0 (m) and a tint in [0, 1]; row z, column x, texel centres.
-
-    Sums, products, quotients and square roots alone (and one sine and cosine), rounded to 1/1024: the same bytes
-    everywhere.
-    """
-    return _floor_grid(shore.ground, texels)
-
-
-@lru_cache(maxsize=16)
-def _floor_grid(ground: str, texels: int) -> Floats:
-    shore = Shore.of_ground(ground)
-    half = 0.5 * shore.size
-    centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
-    x, z = np.meshgrid(centres, centres, indexing="xy")
-    if shore.image is not None:
-        grey = _pictured(_picture(shore.image), x / shore.size + 0.5, z / shore.size + 0.5)
-        return _finished(shore, x, z, grey * (shore.depth + shore.height) - shore.depth)
-    strays = shore.roughness * 0.3 * min(shore.size, 8.0 * shore.radius if shore.kind != "beach" else shore.size)
-    e = _plain(shore, x, z) + strays * (_fbm(x, z, 0.3 * shore.size, shore.seed, 5) - 0.5)
-    # Whatever the shape, the sea is all round: the floor is level where the square ends.
-    edge = np.maximum(np.abs(x), np.abs(z)) - 0.84 * half
-    e = 0.5 * (e + edge + np.sqrt((e - edge) ** 2 + (0.04 * shore.size) ** 2))
-    sea, land = np.maximum(e, 0.0), np.maximum(-e, 0.0)
-    depth = np.full_like(x, shore.depth)
-    if shore.kind == "lagoon":
-        r = np.sqrt(x * x + z * z)
-        depth = shore.inner_depth + (shore.depth - shore.inner_depth) * _smoothstep(0.9, 1.15, r / shore.radius)
-    fall = shore.slope * sea / depth
-    floor = -depth * fall / np.sqrt(1.0 + fall * fall)
-    dune = max(0.3 * shore.height, 1e-3)
-    rise = shore.slope * land / dune
-    hills = _fbm(x, z, 0.22 * shore.size, shore.seed + 101, 5)
-    inland = _smoothstep(0.0, 0.12 * shore.size if shore.kind == "beach" else 0.8 * shore.radius, land)
-    rest = shore.height - 0.3 * shore.height
-    floor += dune * rise / np.sqrt(1.0 + rise * rise) + rest * inland * (0.25 + 1.1 * hills * hills)
-    # Sand ripples and bars, gone at the water's edge and in the deep.
-    floor += (
-        0.25
-        * shore.roughness
-        * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
-        * _smoothstep(0.0, 30.0, np.abs(e))
-    )
-    # Off the coast it sinks to the deep long before the square ends, and in the round: no edge shows from the air.
-    out = np.sqrt(np.sqrt(x**4 + z**4)) / half
-    floor += (-shore.depth - floor) * _smoothstep(0.5, 0.95, out) * _smoothstep(0.0, 0.14 * shore.size, e)
-    return _finished(shore, x, z, floor)
-
-
-def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
-    """The floor made level where the square ends, with its tint; rounded, read-only."""
-    half = 0.5 * shore.size
-    # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
-    ends = _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
-    floor = floor + (-shore.depth - floor) * ends
-    tint = _fbm(x, z, 0.09 * shore.size, shore.seed + 307, 5)
-    tint += (0.4 - tint) * ends
-    both = np.stack((floor + shore.level, tint), axis=-1)
-    result: Floats = np.round(both * STEPS) / STEPS
-    result.setflags(write=False)
-    return result
-
-
-def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
-    """Distance to the plain coast, m: positive at sea."""
-    c, s = math.cos(shore.heading), math.sin(shore.heading)
-    r = np.sqrt(x * x + z * z)
-    match shore.kind:
-        case "beach":
-            return -(x * c + z * s)
-        case "island":
-            return r - shore.radius
-        case "islands":
-            e = np.full_like(x, 2.0 * shore.size)
-            for i in range(7):
-                draws = [chance(shore.seed + 401, i, k) for k in range(3)]
-                at_x, at_z = (0.62 * shore.size * (float(draw) - 0.5) for draw in draws[:2])
-                size = shore.radius * (0.35 + 0.65 * float(draws[2]))
-                one = np.sqrt((x - at_x) ** 2 + (z - at_z) ** 2) - size
-                # Two that come near grow together.
-                blend = 0.5 * shore.radius
-                share = np.clip(0.5 + 0.5 * (e - one) / blend, 0.0, 1.0)
-                e = e + (one - e) * share - blend * share * (1.0 - share)
-            return e
-        case _:
-            width = 0.16 * shore.radius
-            along = (x * c + z * s) / np.maximum(r, 1e-6)
-            gap: Floats = np.abs(r - shore.radius) - width + 2.2 * width * _smoothstep(0.90, 0.985, along)
-            return gap
-
-
-def _smoothstep(low: float, high: float, x: Floats) -> Floats:
-    q = np.clip((x - low) / (high - low), 0.0, 1.0)
-    result: Floats = q * q * (3.0 - 2.0 * q)
-    return result
-
-
-def _value_noise(x: Floats, z: Floats, seed: int) -> Floats:
-    """Value noise in [0, 1] with a cell of 1, twice smooth."""
-    i, j = np.floor(x), np.floor(z)
-    u, v = x - i, z - j
-    u = u * u * u * (u * (6.0 * u - 15.0) + 10.0)
-    v = v * v * v * (v * (6.0 * v - 15.0) + 10.0)
-    a, b = i.astype(np.int64), j.astype(np.int64)
-    near = chance(seed, a, b) * (1.0 - u) + chance(seed, a + 1, b) * u
-    far = chance(seed, a, b + 1) * (1.0 - u) + chance(seed, a + 1, b + 1) * u
-    result: Floats = near * (1.0 - v) + far * v
-    return result
-
-
-def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
-    """Octaves of value noise, the largest ``cell`` m wide; in [0, 1], about ½ in the mean."""
-    total, weight, sum_of_weights = np.zeros_like(x), 1.0, 0.0
-    for octave in range(octaves):
-        # Each octave is turned against the last (3-4-5), so that no lattice shows.
-        x, z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
-        total += weight * _value_noise(x / cell, z / cell, seed + 17 * octave)
-        sum_of_weights += weight
-        weight, cell = 0.5 * weight, 0.47 * cell
-    result: Floats = total / sum_of_weights
     return result

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from seafoam.ocean.cascades import cascades
 from seafoam.scene.models import Sea, Water
-from seafoam.scene.sea import cascades
 
 ROOTS = 512
 

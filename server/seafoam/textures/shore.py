@@ -5,7 +5,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.scene.shore import Shore, floor_grid
+from seafoam.ocean.seabed import floor_grid
+from seafoam.scene.shore import Shore
 
 ROWS = 16
 """Profiles: γ from 1 (row 0) to the skew of a breaking wave (last row)."""

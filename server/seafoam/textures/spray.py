@@ -5,8 +5,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.ocean.rocks import rocks
 from seafoam.scene.shore import Shore
-from seafoam.scene.spray import rocks
 
 
 def spray_rocks_name(shore: Shore, steep: float) -> str:
@@ -15,7 +15,7 @@ def spray_rocks_name(shore: Shore, steep: float) -> str:
 
 
 def spray_rocks(steep: str, ground: str) -> NDArray[np.float32]:
-    """(1, ROCKS, 4) float32, see :func:`seafoam.scene.spray.rocks`. Raises ``ValueError`` where there are none."""
+    """(1, ROCKS, 4) float32, see :func:`seafoam.ocean.rocks.rocks`. Raises ``ValueError`` where there are none."""
     least = float(steep)
     if not (math.isfinite(least) and 0.0 <= least <= 2.0):
         raise ValueError(steep)

@@ -1,7 +1,7 @@
 /**
  * Which passes a picture needs: those that can show something in it, and what these read.
  *
- * The server carries the same few lines (plan/view.py); tests/golden/views.json pins both.
+ * The server carries the same few lines (framegraph/visibility.py); tests/golden/views.json pins both.
  */
 import { basis, type CameraState } from "../camera/state";
 import type { Ball, FramePlan, Pass } from "../generated/api";

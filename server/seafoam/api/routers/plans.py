@@ -11,7 +11,7 @@ from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import PlanParameters, PlanRequest, knobs_of, strictly
 from seafoam.api.planning import CompiledPlan, compile_scene
 from seafoam.api.routers.presets import PresetName, find_preset
-from seafoam.plan.model import FramePlan
+from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 
 router = APIRouter(prefix="/api", tags=["plans"])

@@ -1,0 +1,149 @@
+"""The waves that boats leave behind them: from a map drawn each frame, or worked out at each place.
+
+docs/formulae.md, section 15.
+"""
+
+import math
+
+from seafoam.effects.boats.boat import COURSE
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Inline, Knob, PassSpec, SlotFile
+from seafoam.effects.waves.measured import BLOCK
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput
+from seafoam.framegraph.rules import Constant, array, number, significant
+from seafoam.ocean.wakes import NEAR, wake_height, wake_slope, wakes
+from seafoam.quality import Quality
+from seafoam.scene.boats import Boat
+from seafoam.scene.models import Camera, Foam, Scene, SlopeSaturation
+
+ASIDE = 0.36
+"""A wake is so wide to each side, in its lengths: just more than Kelvin's tan 19.47 degrees."""
+AWAY = (0, 2, 4, 8)
+"""Lengths from a boat's middle from which on its wake's curvature is told: the window at the bow bends it most."""
+WAY = (COURSE, "wake/way.glsl")
+READ = {"map": "wake", "bounds": "wake_bounds"}
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by any boat."""
+    if not scene.boats:
+        return None
+    height, steepest = wake_height(scene.boats), wake_slope(scene.boats)
+    count, size = len(scene.boats), quality.wake_size
+    forms = array(
+        "vec4",
+        [
+            Constant(
+                value=(
+                    significant(wake.k),
+                    wake.boat.wake if wake.shows else 0.0,
+                    significant(wake.length),
+                    significant(wake.shortest),
+                )
+            )
+            for wake in wakes(scene.boats)
+        ],
+        count,
+    )
+    mapped = quality.wake == "map"
+    bounds = [(significant(wake.steepest), *map(significant, wake.curvature)) for wake in wakes(scene.boats)]
+    declared = {
+        "u_wake_highest": number(height),
+        "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count),
+    }
+    consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY}
+    here = ("wake/map.glsl",) if mapped else ("wake/pattern.glsl", "wake/exact.glsl")
+    passes = (
+        PassSpec(
+            name=f"wakes, {size} texels along",
+            program="wake",
+            fragment=("common/numbers.glsl", "wake/form.glsl", "wake/pattern.glsl", "wake/map_pass.glsl"),
+            target="wake",
+        ),
+        PassSpec(
+            name="wakes, greatest of blocks",
+            program="wake_blocks",
+            fragment=(
+                Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"),
+                "wake/form.glsl",
+                "wake/bounds_blocks_pass.glsl",
+            ),
+            target="wake_blocks",
+            inputs={"u_wake_map": TargetInput(target="wake")},
+        ),
+        PassSpec(
+            name="wakes, greatest of all",
+            program="wake_bounds",
+            fragment=("wake/form.glsl", "wake/bounds_join_pass.glsl"),
+            target="wake_bounds",
+            inputs={"u_wake_blocks": TargetInput(target="wake_blocks")},
+        ),
+    )
+    targets = {
+        "wake": Target(size=FixedSize(width=size, height=size // 2 * count), format="RGBA16F", filter="linear"),
+        "wake_blocks": Target(size=FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count), format="RGBA16F"),
+        "wake_bounds": Target(size=FixedSize(width=len(AWAY), height=count), format="RGBA16F"),
+    }
+    return Contribution(
+        why=f"wakes up to {height:.2g} m high",
+        slots=(
+            SlotFile("waves", "wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),
+            SlotFile("bounds", f"wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
+        ),
+        consts=consts,
+        uniforms={
+            "u_wake": forms,
+            "u_wake_boat": array("vec2", [Constant(value=(boat.length, boat.radius)) for boat in scene.boats], count),
+            **({} if mapped else declared),
+        },
+        inputs={f"u_wake_{name}": TargetInput(target=target) for name, target in READ.items()} if mapped else {},
+        targets=targets if mapped else {},
+        passes=passes if mapped else (),
+        bound=Bound(0.0, "no boat moves, or none raises a wave") if height == 0.0 else None,
+        top=height,
+        trough=-height,
+        steepest=steepest,
+        curvature=sum(near for _, near, _ in bounds),
+        grain=significant(sum(wake.grain(wake.length / size) for wake in wakes(scene.boats))) if mapped else 0.0,
+        march=2,
+    )
+
+
+_FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
+_ABOVE = Camera(position=(0.0, 30.0, -20.0), pitch=-math.pi / 2)
+
+EFFECT = Effect(
+    "wakes",
+    contribute,
+    invisible=(
+        Scene(boats=(_FAST.model_copy(update={"speed": 0.0}),)),
+        Scene(boats=(_FAST.model_copy(update={"wake": 0.0}),)),
+    ),
+    knobs=(
+        Knob("/wake", "wakes", ("map", "exact"), "geometry"),
+        Knob("/wake_size", "texels along the map of a wake", (128, 256, 512, 1024), "geometry"),
+    ),
+    hard_cases=(
+        HardCase(
+            name="the edge of a wake, where both systems meet",
+            scene=Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
+            guard="the wake opens where the root is no longer 0 (wake/pattern.glsl)",
+            without="2.6 % of samples off by more than 2 levels, the worst by 213: a wall of water at the wake's edge",
+            camera=_ABOVE,
+        ),
+        HardCase(
+            name="the centre of a boat's circle, and straight behind it",
+            scene=Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
+            guard="at least a tenth of the radius, a tangent of at most 5000 (wake/way.glsl, wake/pattern.glsl)",
+            without="nothing on llvmpipe: no sample of the frame is there to its last bit",
+            camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
+        ),
+        HardCase(
+            name="a wake from thirty years ago",
+            scene=Scene(boats=(_FAST,)),
+            guard="the bearing on the course reduced in float64 (framegraph/evaluation.py)",
+            without="in float32 at 1e9 s bearings are 8 rad apart: the wake is anywhere on the circle",
+            times=(-1e9, 1e9),
+            camera=_ABOVE,
+        ),
+    ),
+)

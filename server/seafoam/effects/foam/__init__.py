@@ -1,0 +1,1 @@
+"""Effects of foam: saturations, looks, its life and what it lies on."""

@@ -1,0 +1,124 @@
+"""The atlas that the filtered look reads, made of its masks by passes that are drawn once. docs/masks.md.
+
+A mask travels as 16 bits a texel; its atlas, :func:`seafoam.masks.prefilter.atlas`, takes ten times as much and is the
+same to the last bit. Where foam lives it has several masks: their atlases and tables lie over one another.
+"""
+
+from collections.abc import Sequence
+
+from seafoam.effects.effect import PassSpec, TextureUse
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.rules import number
+from seafoam.masks.catalogue import Mask
+
+ATLAS = "mask_atlas"
+MOMENTS = "mask_moments"
+
+
+def consts(mask: Mask) -> dict[str, int]:
+    """``MASK_STEP``: thresholds stand half of so many 65536ths over what the texels hold."""
+    return {"MASK_STEP": max(65536 // mask.ranks.size, 1)}
+
+
+def tables(masks: int, kind: str) -> str:
+    """The texture whose tables the look reads: ``quantiles`` or ``ramps``, of all masks over one another."""
+    return f"mask_{kind}" if masks == 1 else "mask_tables"
+
+
+def textures(names: Sequence[str], kind: str) -> dict[str, TextureUse]:
+    """The textures that the passes and the look read."""
+    used: dict[str, TextureUse] = {}
+    for i, name in enumerate(names):
+        used[f"mask_ranks{_of(i)}"] = TextureUse(f"mask/{name}/ranks")
+        # The atlas is made with the quantiles whatever the look itself reads.
+        used[f"mask_quantiles{_of(i)}"] = TextureUse(f"mask/{name}/quantiles", wrap="clamp_to_edge")
+    used[tables(len(names), kind)] = TextureUse(f"mask/{'+'.join(names)}/{kind}", wrap="clamp_to_edge")
+    return used
+
+
+def targets(masks: Sequence[Mask]) -> dict[str, Target]:
+    """The atlas, and what it is made by way of."""
+
+    def whole(width: int, height: int) -> Target:
+        return Target(size=FixedSize(width=width, height=height), format="RG32UI")
+
+    size = masks[0].ranks.shape[0]
+    made: dict[str, Target] = {}
+    for index in range(len(masks)):
+        made[MOMENTS + _of(index)] = whole(size, size)
+        made |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
+    if len(masks) > 1:
+        made |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
+    return {ATLAS: whole(5 * size // 2, size * len(masks)), **made}
+
+
+def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
+    """Mean and variance of the thresholds in a texel, then level by level, then the atlas; mask by mask.
+
+    They read what :func:`textures` names.
+    """
+    if len(masks) == 1:
+        return _passes(masks[0], 0, ATLAS)
+    alone = [f"{ATLAS}{_of(i)}_alone" for i in range(len(masks))]
+    # The last stands in for those that there are not.
+    which = [min(i, len(masks) - 1) for i in range(3)]
+    return (
+        *(one for i, mask in enumerate(masks) for one in _passes(mask, i, alone[i])),
+        PassSpec(
+            name="mask: atlases of all ages",
+            program="mask_stack",
+            fragment=("mask/stack_pass.glsl",),
+            target=ATLAS,
+            inputs={f"u_mask_atlas_{i}": TargetInput(target=alone[of]) for i, of in enumerate(which)},
+        ),
+    )
+
+
+def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
+    size, moments = mask.ranks.shape[0], MOMENTS + _of(index)
+    ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_of(index)}")}
+    made = [
+        PassSpec(
+            name="mask: moments",
+            program="mask_moments",
+            fragment=("mask/moments_pass.glsl",),
+            target=moments,
+            inputs={**ranks, "u_mask_quantiles": TextureInput(texture=f"mask_quantiles{_of(index)}")},
+        )
+    ]
+    source, side, row, level = moments, size // 2, 0, 0
+    while side >= 1:
+        level += 1
+        made.append(
+            PassSpec(
+                name=f"mask: moments, level {level}",
+                program="mask_halve",
+                fragment=("mask/halve_pass.glsl",),
+                target=_levels(level % 2) + _of(index),
+                inputs={"u_mask_moments": TargetInput(target=source)},
+                uniforms={"u_mask_side": number(float(side)), "u_mask_finer_row": number(float(row))},
+            )
+        )
+        source, row, side = _levels(level % 2) + _of(index), size - 2 * side, side // 2
+    made.append(
+        PassSpec(
+            name="mask: atlas",
+            program="mask_atlas",
+            fragment=("mask/atlas_pass.glsl",),
+            target=atlas,
+            inputs={
+                **ranks,
+                "u_mask_moments": TargetInput(target=moments),
+                "u_mask_levels": TargetInput(target=source),
+            },
+        )
+    )
+    return tuple(made)
+
+
+def _of(index: int) -> str:
+    return f"_{index}" if index else ""
+
+
+def _levels(number: int) -> str:
+    return f"mask_levels_{number}"

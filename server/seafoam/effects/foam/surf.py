@@ -1,0 +1,99 @@
+"""Foam of the surf. docs/formulae.md, section 8."""
+
+from seafoam.effects.bounds import SATURATION_CAP
+from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, SlotFile
+from seafoam.framegraph.rules import number, significant
+from seafoam.quality import Quality
+from seafoam.scene.models import Camera, Foam, HeightSaturation, Light, Scene, SurfSaturation
+from seafoam.scene.shore import Shore, Surf
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by a saturation with source ``surf``."""
+    if scene.foam is None:
+        return None
+    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, SurfSaturation)]
+    if not found:
+        return None
+    index, surf = found[0]
+    pointer = f"/foam/saturation/{index}"
+    if scene.shore is None:
+        return Contribution(
+            why="no shore to break on",
+            bound=Bound(0.0, "there is no shore to break on"),
+        )
+    height = scene.shore.surf.height
+    filtered = scene.foam.look == "filtered"
+    name, torn = ("surf_filtered", ("saturation/torn.glsl",)) if filtered else ("surf", ())
+    needs = ("saturation/surf_patches.glsl", *torn)
+    return Contribution(
+        why=f"foam of the surf, {surf.life:g} periods to 1/e",
+        slots=(
+            SlotFile("saturation", f"saturation/{name}.glsl", prefix="surf", needs=needs),
+            *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
+        ),
+        consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},
+        uniforms={
+            "u_surf_foam": number(surf.amount),
+            "u_surf_life": number(surf.life, f"{pointer}/life"),
+            "u_surf_veil": number(surf.veil),
+            "u_surf_line": number(surf.line),
+            "u_surf_scale": number(significant(1.0 / max(height, 1e-6))),
+        },
+        bound=Bound(0.0, "no wave breaks") if height == 0.0 or surf.amount + surf.veil + surf.line == 0.0 else None,
+    )
+
+
+_BEACH = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)
+_FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
+_LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0)
+_VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
+
+EFFECT = Effect(
+    "surf foam",
+    contribute,
+    invisible=(
+        Scene(foam=_FOAM),
+        Scene(shore=_BEACH.model_copy(update={"surf": Surf(height=0.0)}), foam=_FOAM),
+    ),
+    hard_cases=(
+        HardCase(
+            name="foam that is gone in a fiftieth of a period",
+            scene=Scene(
+                light=_LIGHT,
+                shore=_BEACH,
+                foam=Foam(saturation=(SurfSaturation(amount=4.0, life=0.02, veil=1.0),), look="halftone"),
+            ),
+            guard="f held at 4 (saturation/surf.glsl)",
+            without="nothing in the frame: thresholds end at 1; f itself reaches 11.6",
+            times=(0.0, 2.3),
+            camera=_VIEW,
+        ),
+        HardCase(
+            name="surf foam and height foam multiplied",
+            scene=Scene(
+                light=_LIGHT,
+                shore=_BEACH,
+                foam=Foam(
+                    saturation=(SurfSaturation(), HeightSaturation(base=-0.5, full=0.5)),
+                    combine="product",
+                    mask="clump",
+                ),
+            ),
+            guard="the filtered look clamps each at 1 first (saturation/surf_filtered.glsl)",
+            without="nothing here: the product is under 1 wherever the surf is over it",
+            camera=_VIEW,
+        ),
+        HardCase(
+            name="foam where no way leads to the shore",
+            scene=Scene(
+                light=_LIGHT,
+                shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
+                foam=_FOAM,
+            ),
+            guard="the way to the shore divided by at least 1e-6 (saturation/surf.glsl)",
+            without="nothing on llvmpipe: no point has a way of 0 to the last digit",
+            camera=_VIEW,
+        ),
+    ),
+)

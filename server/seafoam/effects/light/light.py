@@ -1,0 +1,248 @@
+"""Sun, sky and haze. docs/formulae.md, section 6."""
+
+import math
+from functools import lru_cache
+
+from seafoam.effects.effect import Contribution, Effect, HardCase, SlotFile
+from seafoam.effects.light import atmosphere
+from seafoam.framegraph.rules import number, significant, vector
+from seafoam.quality import Quality
+from seafoam.scene.models import (
+    Camera,
+    Chop,
+    Foam,
+    HeightSaturation,
+    Light,
+    ParametricWave,
+    Scene,
+    Water,
+)
+from seafoam.scene.sky import Moon, Sky, direction
+
+Rgb = tuple[float, float, float]
+
+_RAYLEIGH: Rgb = (0.055, 0.108, 0.215)
+_E0 = 20.0
+_G = 0.76
+
+
+def _rgb(values: list[float]) -> Rgb:
+    red, green, blue = (significant(value) for value in values)
+    return red, green, blue
+
+
+def _mie(light: Light) -> float:
+    return 0.01 + 0.04 * (light.turbidity - 1.0)
+
+
+def _air_mass(y: float) -> float:
+    return 1.0 / (max(y, 0.0) + 0.03)
+
+
+def _view_air_mass(y: float) -> float:
+    return 1.0 / (y + 0.09)
+
+
+def lamp_angles(light: Light) -> tuple[float, float]:
+    """Azimuth and elevation of what lights the water, rad: the sun, or a moon once the sun is well down."""
+    if light.sky is not None and light.sky.moon is not None and atmosphere.moon_is_lamp(light):
+        return light.sky.moon.azimuth, light.sky.moon.elevation
+    return light.sun
+
+
+def sun_direction(light: Light) -> Rgb:
+    """Unit vector toward the lamp, the sun or the moon."""
+    return direction(*lamp_angles(light))
+
+
+def sun_irradiance(light: Light) -> Rgb:
+    """E_s: the lamp's irradiance on a surface that faces it, less what clouds take in the mean."""
+    if light.sky is not None:
+        left = 1.0 - atmosphere.cloud_mean(light.sky.clouds)
+        return _rgb([left * value for value in atmosphere.direct(light)])
+    y = math.sin(light.sun[1])
+    t = min(max((y + 0.02) / 0.04, 0.0), 1.0)
+    up = t * t * (3.0 - 2.0 * t)
+    return _rgb([_E0 * math.exp(-(tau + _mie(light)) * _air_mass(y)) * up for tau in _RAYLEIGH])
+
+
+def sun_disc(light: Light) -> Rgb:
+    """Radiance of the sun's disc, held at 3000, well inside half floats."""
+    if light.sky is not None:
+        # Clouds hide the disc where they are; the moon has a face of its own.
+        bright = (0.0, 0.0, 0.0) if atmosphere.moon_is_lamp(light) else atmosphere.direct(light)
+        return _rgb([min(value / 6.8e-5, 3000.0) for value in bright])
+    return _rgb([min(value / 6.8e-5, 3000.0) for value in sun_irradiance(light)])
+
+
+def air_light(light: Light) -> Rgb:
+    """E_a: irradiance of the light that the air scatters."""
+    y = math.sin(light.sun[1])
+    return _rgb(
+        [
+            _E0 * math.exp(-0.5 * (tau + _mie(light)) * _air_mass(y)) * math.exp(12.0 * min(y, 0.0)) + 0.002
+            for tau in _RAYLEIGH
+        ]
+    )
+
+
+def air_parts(light: Light) -> dict[str, list[float]]:
+    """What the sky's radiance is put together from, in ``sky/analytic.glsl``: numbers of which no direction is part."""
+    mie, air = _mie(light), air_light(light)
+    depth = [tau + mie for tau in _RAYLEIGH]
+    whole = [e / tau for e, tau in zip(air, depth, strict=True)]
+    return {
+        "rayleigh": [3.0 / (16.0 * math.pi) * tau * e for e, tau in zip(whole, _RAYLEIGH, strict=True)],
+        "mie": [(1.0 - _G * _G) / (4.0 * math.pi) * mie * e for e in whole],
+        "even": [0.04 * e for e in air],
+        "depth": depth,
+        "horizon": [1.0 - math.exp(-tau * _view_air_mass(0.0)) for tau in depth],
+    }
+
+
+@lru_cache(maxsize=64)
+def sky_irradiance(light: Light) -> Rgb:
+    """E_sky: irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
+    if light.sky is not None:
+        return _rgb(list(atmosphere.irradiance(light)))
+    sun = sun_direction(light)
+    parts = air_parts(light)
+    count = 96
+    total = [0.0, 0.0, 0.0]
+    for i in range(count):
+        # Even steps in sin² of the elevation angle weigh by the cosine of incidence: dΩ cos = ½ d(y²) dφ.
+        y = math.sqrt((i + 0.5) / count)
+        level = math.sqrt(1.0 - y * y)
+        mass = _view_air_mass(y)
+        ring = [0.0, 0.0, 0.0]
+        for j in range(count):
+            phi = (j + 0.5) * math.pi / count
+            gamma = level * math.hypot(sun[0], sun[2]) * math.cos(phi) + y * sun[1]
+            rayleigh = 1.0 + gamma * gamma
+            mie = max(1.0 + _G * _G - 2.0 * _G * gamma, (1.0 - _G) ** 2) ** -1.5
+            for channel in range(3):
+                ring[channel] += (
+                    parts["even"][channel] + rayleigh * parts["rayleigh"][channel] + mie * parts["mie"][channel]
+                )
+        for channel, depth in enumerate(parts["depth"]):
+            total[channel] += ring[channel] / count * (1.0 - math.exp(-depth * mass))
+    return _rgb([math.pi * value / count for value in total])
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by ``light``."""
+    light = scene.light
+    if light is None:
+        return None
+    if light.sky is None:
+        sky: tuple[SlotFile, ...] = (SlotFile("sky", "sky/analytic.glsl", needs=("sky/exposure.glsl",)),)
+        air = {f"u_air_{name}": vector(_rgb(value)) for name, value in air_parts(light).items()}
+    else:
+        toward = atmosphere.sun(light)
+        sky = (
+            SlotFile("layered", "sky/layered.glsl", needs=("sky/exposure.glsl",)),
+            SlotFile("sky", "sky/whole.glsl"),
+            SlotFile("sky main", "sky/main_layered.glsl"),
+        )
+        air = {
+            "u_haze_depth": number(light.sky.haze),
+            "u_rayleigh_depth": vector(_RAYLEIGH),
+            "u_mie_depth": number(significant(_mie(light))),
+            "u_sky_sun": vector(_rgb(list(toward))),
+            "u_sky_sun_path": vector(_rgb(list(atmosphere.path(light, toward[1])))),
+            "u_sky_sun_power": number(significant(atmosphere.sun_power(light))),
+        }
+    return Contribution(
+        why=f"sun {math.degrees(light.sun[1]):.0f}° over the horizon, sky, haze",
+        slots=(
+            *sky,
+            SlotFile("shade", "shade/lit.glsl", needs=("shade/fresnel.glsl", "shade/sun.glsl", "shade/optics.glsl")),
+            SlotFile("tone", "tone/filmic.glsl"),
+        ),
+        uniforms={
+            "u_sun_direction": vector(_rgb(list(sun_direction(light)))),
+            "u_sun_irradiance": vector(sun_irradiance(light)),
+            "u_sky_irradiance": vector(sky_irradiance(light)),
+            **air,
+            "u_visibility": number(light.visibility, "/light/visibility"),
+            "u_exposure": number(light.exposure, "/light/exposure"),
+        },
+    )
+
+
+EFFECT = Effect(
+    "sun and sky",
+    contribute,
+    always_visible="it is the light that everything else is seen by; without it a scene is drawn white on black",
+    hard_cases=(
+        HardCase(
+            name="sun at the horizon",
+            scene=Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(chop=Chop())),
+            guard="the air masses' offsets, 0.03 and 0.09 (docs/formulae.md, section 6)",
+            without="sky off by up to 0.8 levels at the horizon",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="sun under the horizon",
+            scene=Scene(light=Light(sun_elevation=-0.3, turbidity=10.0), water=Water(chop=Chop())),
+            guard="the air masses' offsets, 0.03 and 0.09 (docs/formulae.md, section 6)",
+            without="sky off by up to 0.03 levels at the horizon",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="sun at the zenith",
+            scene=Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(chop=Chop())),
+            guard="the air masses' offsets, 0.03 and 0.09 (docs/formulae.md, section 6)",
+            without="1/0 at the horizon; sky off by 15 levels in the mean",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="straight up and straight down, no heading",
+            scene=Scene(
+                light=Light(sun_elevation=math.pi / 2),
+                foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured"),
+            ),
+            guard="level directions divided by at least 1e-6 (sky/analytic.glsl)",
+            without="NaN straight down; no sample of the frame is exactly there, since cos(pi/2) is 6e-17",
+            camera=Camera(position=(0.0, 3.0, 0.0), pitch=-math.pi / 2, roll=1.0, fov=0.01),
+        ),
+        HardCase(
+            name="the brightest disc, ten stops up",
+            scene=Scene(light=Light(sun_elevation=0.1, exposure=10.0)),
+            guard="light held at 65504, the greatest half float (sky/main.glsl, surface/main.glsl)",
+            without="a black sun: SwiftShader stores NaN for what half floats cannot hold; llvmpipe stores 65504",
+            camera=Camera(position=(0.0, 5.0, 0.0), yaw=math.pi / 2, pitch=0.1, fov=0.1),
+        ),
+        HardCase(
+            name="ten stops down at night",
+            scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(chop=Chop())),
+            guard="a floor of 0.002 in the air's light (effects/light/light.py)",
+            without="67 % of samples below what half floats hold, 0 there: 2e-5 levels",
+            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        ),
+        HardCase(
+            name="sun setting through 0 degrees under a layered sky",
+            scene=Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(chop=Chop())),
+            guard="the haze's offset, 0.02 (sky/layered.glsl)",
+            without="0/0 along the horizon: 85 % of samples off by more than 2 levels",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
+        ),
+        HardCase(
+            name="no lamp at all: the sun down, the moon not yet counted",
+            scene=Scene(
+                light=Light(sun_elevation=-0.06, exposure=2.0, sky=Sky(moon=Moon(), stars=1.0)),
+                water=Water(chop=Chop()),
+            ),
+            guard="moonlight rises from nothing where the sun's has ended (effects/light/atmosphere.py)",
+            without="water and sky jump by 16 levels in the mean as the sun sinks by a hundredth of a degree",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.4, pitch=0.0),
+        ),
+        HardCase(
+            name="fog on the eye",
+            scene=Scene(light=Light(visibility=50.0), waves=(ParametricWave(),)),
+            guard="Newton never steps back before the slab that holds the waves (surface/march.glsl)",
+            without="Newton threw 0.2 % of samples back to the eye: off by 233 levels",
+            camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
+        ),
+    ),
+)

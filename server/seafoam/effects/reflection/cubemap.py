@@ -1,0 +1,138 @@
+"""Reflection of sky and land from a cube map around the place under the eye. docs/formulae.md, section 10."""
+
+import math
+
+from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, SlotRef
+from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradiance
+from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.quality import Quality
+from seafoam.scene.models import Camera, Light, ParametricWave, Scene
+from seafoam.scene.shore import Shore
+from seafoam.scene.sky import Clouds, Sky
+
+SHORE = (
+    "shore/place.glsl",
+    "shore/square.glsl",
+    "shore/spline.glsl",
+    "shore/floor.glsl",
+    *VALUE_NOISE,
+    "shore/ground.glsl",
+    "shore/maxima.glsl",
+)
+"""Where land is, and what colour."""
+LIT_LAND = ("shore/land_lit.glsl", "reflection/land.glsl")
+"""Land under sun and sky, along any ray."""
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Called for by ``light.reflection`` "cubemap"."""
+    light = scene.light
+    if light is None or light.reflection != "cubemap":
+        return None
+    shore = scene.shore is not None
+    if quality.cube == "exact":
+        around: tuple[str, ...] = ("reflection/open.glsl",)
+        if shore:
+            lit = ("shade/sun.glsl", "shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
+            around = (*SHORE, *lit, "reflection/land_around.glsl")
+        return Contribution(
+            why="mirrors what stands around, found for each sample",
+            slots=(SlotFile("reflection", "reflection/exact.glsl", needs=around),),
+            bound=_bound(scene, light),
+        )
+    land = (
+        *SHORE,
+        "shade/sun.glsl",
+        "shade/fresnel.glsl",
+        "reflection/around_shade.glsl",
+        *LIT_LAND,
+        "reflection/land_around.glsl",
+    )
+    inputs: dict[str, TextureInput | TargetInput] = {}
+    if shore:
+        inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
+    return Contribution(
+        why=f"mirrors sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
+        slots=(
+            SlotFile(
+                "reflection",
+                "reflection/cubemap.glsl",
+                needs=("common/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
+            ),
+        ),
+        consts={"CUBE_SIZE": quality.cube_size},
+        inputs={"u_cube": TargetInput(target="cube")},
+        targets={
+            "cube": Target(size=FixedSize(width=3 * quality.cube_size, height=2 * quality.cube_size), format="RGBA16F")
+        },
+        passes=(
+            PassSpec(
+                name="cube map",
+                program="cube",
+                fragment=(
+                    "common/numbers.glsl",
+                    "common/camera.glsl",
+                    SlotRef("sky"),
+                    *(land if shore else ("reflection/open.glsl",)),
+                    "common/cube_face.glsl",
+                    "reflection/cube.glsl",
+                    "reflection/cube_pass.glsl",
+                ),
+                target="cube",
+                inputs=inputs,
+            ),
+        ),
+        bound=_bound(scene, light),
+    )
+
+
+def _bound(scene: Scene, light: Light) -> Bound | None:
+    """What is mirrored is no brighter than land in full light or the brightest sky."""
+    factor = 2.0**light.exposure
+    if light.sky is not None:
+        return None
+    land = max(sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True)) / math.pi
+    # The sky's brightest place: all of it scattered forward.
+    brightest = max(air_light(light)) * 2.6
+    return Bound(factor * max(land, brightest), "there is no light to mirror", ("/light/exposure",))
+
+
+EFFECT = Effect(
+    "cube map",
+    contribute,
+    invisible=(Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),),
+    knobs=(
+        Knob("/cube", "surroundings", ("map", "exact"), "geometry"),
+        Knob("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
+    ),
+    hard_cases=(
+        HardCase(
+            name="a mirror with nothing to mirror",
+            scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
+            guard="without a shore no land is looked for (reflection/open.glsl)",
+            without="no plan: the pass asks for a floor that the scene does not have",
+            camera=Camera(position=(0.0, 2.0, 0.0), pitch=-0.2),
+        ),
+        HardCase(
+            name="the cube map's own corners and edges",
+            scene=Scene(
+                waves=(ParametricWave(amplitude=1.0, wavelength=3.0, exponent=3.0),),
+                light=Light(exposure=-2.0, sun_elevation=0.3, reflection="cubemap", sky=Sky(clouds=Clouds(cover=0.5))),
+            ),
+            guard="the last texel of a face is read with the one before (reflection/cubemap.glsl)",
+            without="nothing seen: the texel beyond has no weight, and out of the picture it is undefined",
+            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=-0.6),
+        ),
+        HardCase(
+            name="the middle of the cube map inside a hill",
+            scene=Scene(
+                shore=Shore(kind="island", size=240.0, radius=40.0, height=30.0, slope=0.4, smoothing=3.0),
+                light=Light(exposure=-2.0, reflection="cubemap"),
+            ),
+            guard="it stands a metre over the ground at least (reflection/land_around.glsl)",
+            without="57 % of samples off by more than 2 levels: water mirrors the inside of the hill",
+            camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.5),
+        ),
+    ),
+)

@@ -1,0 +1,1 @@
+"""Effects of drops in the air."""

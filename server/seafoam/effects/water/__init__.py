@@ -1,0 +1,1 @@
+"""Effects of the water's body and of what lies under it."""

@@ -1,0 +1,115 @@
+"""Uniform rules in float64: what turns a plan, a time and a camera into numbers. The web client carries the same rules;
+``tests/golden/uniform_rules.json`` pins both."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.framegraph.rules import COMPONENTS, CameraRule, Constant, Held, Loop, Phase, Rule, Uniform, Viewport, Wrap
+from seafoam.scene.models import Camera
+
+TAU = 2.0 * math.pi
+
+
+@dataclass(frozen=True)
+class FrameState:
+    """What a frame is drawn for: time (s), camera, the picture's size and the pass's target size (pixels)."""
+
+    time: float
+    camera: Camera
+    width: int
+    height: int
+    target_width: int
+    target_height: int
+    pass_index: int
+
+
+def evaluate(uniform: Uniform, state: FrameState) -> NDArray[np.float32]:
+    """The uniform's values, flat float32. Raises ``ValueError`` where the rules do not fill it exactly."""
+    values = [value for rule in uniform.rules for value in evaluate_rule(rule, state)]
+    if len(values) != COMPONENTS[uniform.type] * uniform.count:
+        raise ValueError(f"{len(values)} values for {uniform.count} × {uniform.type}")
+    return np.array(values, np.float32)
+
+
+def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
+    """The values of one rule, float64."""
+    match rule:
+        case Constant():
+            return rule.value
+        case Phase():
+            x, _, z = state.camera.position
+            phase = math.fmod(rule.offset + rule.rate * state.time + (rule.k[0] * x + rule.k[1] * z), TAU)
+            if phase > math.pi:
+                phase -= TAU
+            elif phase < -math.pi:
+                phase += TAU
+            return (phase,)
+        case Wrap():
+            x, _, z = state.camera.position
+            return (_modulo(rule.k[0] * x + rule.k[1] * z + rule.offset, rule.period),)
+        case Loop():
+            return (_modulo(state.time + rule.offset, rule.period),)
+        case Held():
+            x, _, z = state.camera.position
+            value = rule.offset + rule.rate * state.time + (rule.k[0] * x + rule.k[1] * z)
+            return (min(max(value, rule.low), rule.high),)
+        case CameraRule():
+            return _camera(rule, state)
+        case Viewport():
+            picture = rule.of == "picture"
+            width = state.width if picture else state.target_width
+            height = state.height if picture else state.target_height
+            return float(rule.times * width), float(rule.times * height)
+        case _:
+            return (float(state.pass_index),)
+
+
+def _modulo(value: float, period: float) -> float:
+    rest = math.fmod(value, period)
+    if rest < 0.0:
+        rest += period
+    # A tiny negative rest rounds up to the period itself.
+    return 0.0 if rest >= period else rest
+
+
+def _camera(rule: CameraRule, state: FrameState) -> tuple[float, ...]:
+    camera = state.camera
+    eye = camera.position[1]
+    if rule.what == "eye_height":
+        return (eye,)
+    right, up, forward = axes(camera)
+    tangent = math.tan(0.5 * camera.fov)
+    aspect = state.width / state.height
+    match rule.what:
+        case "ray_x":
+            return tuple(tangent * aspect * value for value in right)
+        case "ray_y":
+            return tuple(tangent * value for value in up)
+        case "ray_z":
+            return forward
+        case _:
+            near = max(0.02, 0.5 * (eye - rule.top))
+            rows = (
+                tuple(value / (tangent * aspect) for value in right),
+                tuple(value / tangent for value in up),
+                forward,
+                forward,
+            )
+            lift = [-eye * row[1] for row in rows]
+            lift[2] -= 2.0 * near
+            return tuple(value for column in range(3) for value in (row[column] for row in rows)) + tuple(lift)
+
+
+def axes(camera: Camera) -> tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]:
+    """Right, up and forward of a camera; unit vectors, with no pole at any pitch."""
+    sy, cy = math.sin(camera.yaw), math.cos(camera.yaw)
+    sp, cp = math.sin(camera.pitch), math.cos(camera.pitch)
+    sr, cr = math.sin(camera.roll), math.cos(camera.roll)
+    right = (cy, 0.0, sy)
+    up = (-sy * sp, cp, cy * sp)
+    rolled = tuple(a * cr + b * sr for a, b in zip(right, up, strict=True))
+    raised = tuple(b * cr - a * sr for a, b in zip(right, up, strict=True))
+    return (rolled[0], rolled[1], rolled[2]), (raised[0], raised[1], raised[2]), (sy * cp, sp, -cy * cp)

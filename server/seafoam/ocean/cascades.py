@@ -1,0 +1,237 @@
+"""Periodic tiles of a wind sea: the random components that effect and reference both draw.
+
+docs/formulae.md, section 2."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.hash import chance
+from seafoam.ocean.spectrum import (
+    Floats,
+    _shallow,
+    dispersion,
+    frequency_spectrum,
+    peak_frequency,
+    spreading,
+    wave_spectrum,
+)
+from seafoam.scene.models import Sea
+
+BAND = 64
+"""Wavenumbers of a tile stay under so many waves along its side."""
+
+LOOP = 2048.0
+"""Seconds after which the sea repeats: every angular frequency is a whole multiple of 2π/LOOP."""
+
+RATIOS = (1.0, 5.23, 4.87, 4.61)
+"""Side of each tile's predecessor over its own; no small whole numbers, so the tiles never line up again."""
+
+PEAKS = 8.0
+"""Waves of the spectrum's peak along the largest tile."""
+
+SMALLEST_TILE = 24.0
+"""The largest tile is at least so large, m."""
+
+SHORTEST = 0.1
+"""No wave is shorter, m: ripples (``Chop``) stand for those."""
+
+RAISED = 2
+"""So many tiles, the largest, raise the surface; what is smaller tilts it alone."""
+
+GERSTNER_WAVES = 48
+
+GERSTNER_RATIO = 1.618
+"""Of the sides of the two tiles that hold these waves."""
+
+CREST = 4.5
+"""Heights are held within so many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
+
+TILT = 0.24
+"""Greatest root mean square slope of a tile times choppiness: one point in 60 000 of a Gaussian sea folds then."""
+
+LEAST_JACOBIAN = 0.3
+"""What stands for a smaller Jacobian where one divides by it: at a fold the sea turns over, a height field cannot."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cascade:
+    """A square tile of sea: h(x, t) = Σ 2 Re(h₀ e^{i(k·x − ωt)}) over the wavevectors.
+
+    Arrays are (2·BAND, 2·BAND), row iz + BAND, column ix + BAND, for −BAND … BAND − 1 waves along z and x.
+    """
+
+    size: float
+    """Side, m."""
+    h0: NDArray[np.complex128]
+    """Complex amplitude of the wave that runs along +k, m: half its real amplitude, with its phase."""
+    turns: NDArray[np.int64]
+    """Periods in LOOP seconds."""
+
+    @cached_property
+    def k(self) -> Floats:
+        """Wavenumbers, rad/m."""
+        i = np.arange(-BAND, BAND)
+        result: Floats = 2.0 * math.pi / self.size * np.hypot(i[None, :], i[:, None])
+        return result
+
+    @cached_property
+    def variance(self) -> float:
+        """Mean square height, m²."""
+        return float(2.0 * (np.abs(self.h0) ** 2).sum())
+
+    @cached_property
+    def mean_square_slope(self) -> float:
+        """Mean square slope, both directions together."""
+        return float(2.0 * (np.abs(self.k * self.h0) ** 2).sum())
+
+    @cached_property
+    def limit(self) -> float:
+        """Heights are held in ± this, m."""
+        return min(CREST * math.sqrt(self.variance), 2.0 * float(np.abs(self.h0).sum()))
+
+    @property
+    def steepest(self) -> float:
+        """Bound of the drawn height's slope."""
+        return slope_limit(math.sqrt(self.mean_square_slope))
+
+    def grain(self, texels: int) -> float:
+        """How far the tile's height, read bilinearly between ``texels``² texels, stands over what its slopes and its
+        curvature say, m. Its unit is second derivative times texel²; the factor is measured, with a tenth to spare."""
+        deviation = math.sqrt(float(2.0 * (np.abs(self.k**2 * self.h0) ** 2).sum()))
+        return 0.085 * deviation * (self.size / texels) ** 2
+
+    def choppiness(self, wanted: float) -> float:
+        """``wanted``, lowered where the tile would fold too often."""
+        slope = math.sqrt(self.mean_square_slope)
+        return wanted if wanted * slope <= TILT else TILT / slope
+
+    def fold_variance(self, wanted: float, texels: int, read: Literal["spline", "bilinear", "halves"]) -> float:
+        """Mean square of the fold F = λ div D on ``texels``² texels, read by B-spline, bilinearly or at halves alone.
+
+        ``halves``: bilinearly at the texels and half way between them.
+        """
+        i = np.arange(-BAND, BAND)
+        cosine = np.cos(2.0 * math.pi * i / texels)
+        # The spline of the texels themselves weakens a wave by its response; bilinear ones its mean square.
+        response = {
+            "spline": ((2.0 + cosine) / 3.0) ** 2,
+            "bilinear": (2.0 + cosine) / 3.0,
+            "halves": (3.0 + cosine) / 4.0,
+        }
+        power = response[read] * (np.abs(i) < min(BAND, texels // 2))
+        square = np.abs(self.k * self.h0) ** 2 * power[:, None] * power[None, :]
+        return self.choppiness(wanted) ** 2 * float(2.0 * square.sum())
+
+    @property
+    def waves(self) -> list[tuple[int, int]]:
+        """(iz, ix) rows and columns of the waves that are there."""
+        rows, columns = np.nonzero(self.h0)
+        return list(zip(rows.tolist(), columns.tolist(), strict=True))
+
+
+def slope_limit(root_mean_square: float) -> float:
+    """Slope that texel pairs of a tile of this root mean square slope do not pass but for one in ten thousand."""
+    return min(5.0 * root_mean_square, 3.0)
+
+
+def largest_tile(sea: Sea, depth: float | None) -> float:
+    """Side of the largest tile, m."""
+    if sea.wind <= 0.0:
+        return SMALLEST_TILE
+    omega = peak_frequency(sea.wind, sea.fetch)
+    k = omega * omega / GRAVITY
+    if depth is not None:
+        # k tanh(kd) = ω²/g by Newton from Eckart's estimate; a tile's side needs no more than some digits.
+        deep = k
+        k = deep / math.sqrt(math.tanh(min(deep * depth, 30.0)))
+        for _ in range(20):
+            tanh = math.tanh(min(k * depth, 30.0))
+            k -= (k * tanh - deep) / (tanh + k * depth * (1.0 - tanh * tanh))
+    return max(float(f"{PEAKS * 2.0 * math.pi / k:.6g}"), SMALLEST_TILE)
+
+
+@lru_cache(maxsize=32)
+def cascades(sea: Sea, depth: float | None) -> tuple[Cascade, ...]:
+    """The tiles of a sea over water of a depth (m; absent: deep), the largest first: four, or two for ``gerstner``."""
+    sea = sea.model_copy(update={"choppiness": 0.0})
+    largest = largest_tile(sea, depth)
+    if sea.model == "gerstner":
+        return _gerstner(sea, depth, (largest, float(f"{largest / GERSTNER_RATIO:.6g}")))
+    made = []
+    size, low = largest, 0.0
+    for number, ratio in enumerate(RATIOS):
+        size = float(f"{size / ratio:.6g}")
+        made.append(_fft(sea, depth, number, size, low))
+        low = BAND * 2.0 * math.pi / size
+    return tuple(made)
+
+
+def _wavevectors(size: float) -> tuple[NDArray[np.int64], NDArray[np.int64], Floats]:
+    i = np.arange(-BAND, BAND)
+    ix, iz = np.meshgrid(i, i)
+    k: Floats = 2.0 * math.pi / size * np.hypot(ix, iz)
+    return ix, iz, k
+
+
+def _turns(k: Floats, depth: float | None) -> NDArray[np.int64]:
+    omega, _, _ = dispersion(np.maximum(k, 1e-9), depth)
+    result: NDArray[np.int64] = np.round(omega * (LOOP / (2.0 * math.pi))).astype(np.int64)
+    return result
+
+
+def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) -> Cascade:
+    ix, iz, k = _wavevectors(size)
+    there = (k >= low) & (k < min(BAND * 2.0 * math.pi / size, 2.0 * math.pi / SHORTEST)) & (k > 0.0)
+    h0 = np.zeros(k.shape, np.complex128)
+    step = 2.0 * math.pi / size
+    if sea.wind > 0.0 and there.any():
+        kx, kz = step * ix[there].astype(np.float64), step * iz[there].astype(np.float64)
+        energy = wave_spectrum(kx, kz, sea, depth) * step * step
+        phase = 2.0 * math.pi * chance(sea.seed, number, ix[there] + BAND, iz[there] + BAND)
+        # Phases are random and amplitudes are the spectrum's, so that every seed has the sea's exact height.
+        h0[there] = np.sqrt(0.5 * energy) * np.exp(1j * phase)
+    return Cascade(size, h0, np.where(there, _turns(k, depth), 0))
+
+
+def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tuple[Cascade, Cascade]:
+    """Waves on the tiles' whole wavevectors, one in each of many equal steps of log k, with its step's energy.
+
+    They lie on the two tiles in turn: the tiles have no common period, so no pattern of waves comes back.
+    """
+    tiles = [np.zeros((2 * BAND, 2 * BAND), np.complex128) for _ in sizes]
+    steps = [2.0 * math.pi / size for size in sizes]
+    if sea.wind > 0.0:
+        edges = np.geomspace(0.6 * PEAKS, 0.98 * BAND, GERSTNER_WAVES + 1) * steps[0]
+        around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720) - math.pi
+        share = np.cumsum(spreading(around, sea.spread, sea.against)) * (2.0 * math.pi / 720)
+        for wave in range(GERSTNER_WAVES):
+            inner = np.linspace(edges[wave], edges[wave + 1], 33)
+            omega, group, shallow = dispersion(inner, depth)
+            density = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
+            energy = float(np.trapezoid(density, inner))
+            draws = [float(chance(sea.seed, 7 + n, wave + BAND, BAND)) for n in range(3)]
+            # Headings by the golden ratio: even over the spread whatever the seed.
+            angle = sea.wind_direction + float(np.interp((draws[0] + 0.618034 * wave) % 1.0, share, around))
+            h0, step = tiles[wave % 2], steps[wave % 2]
+            middle = math.sqrt(edges[wave] * edges[wave + 1]) / step
+            ix, iz = round(middle * math.cos(angle)), round(middle * math.sin(angle))
+            if sea.against == 0.0 and ix * math.cos(sea.wind_direction) + iz * math.sin(sea.wind_direction) < 0.0:
+                continue
+            if energy > 0.0 and (ix, iz) != (0, 0):
+                h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
+        drawn = 2.0 * sum(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
+        omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind, sea.fetch)
+        total = float(np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * _shallow(omega, depth), omega))
+        # The few waves have the height of all.
+        tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]
+    first, second = (
+        Cascade(size, h0, np.where(h0 != 0.0, _turns(_wavevectors(size)[2], depth), 0))
+        for size, h0 in zip(sizes, tiles, strict=True)
+    )
+    return first, second

@@ -1,0 +1,36 @@
+"""Linear dispersion of gravity waves."""
+
+import math
+
+from seafoam.ocean.constants import GRAVITY
+from seafoam.scene.models import ParametricWave
+
+
+def wavenumber(deep: float, depth: float | None) -> float:
+    """k with k tanh(k·depth) = ``deep``, the wavenumber (rad/m) that the same frequency has in deep water.
+
+    ``depth`` in m, positive; absent or large: ``deep`` itself. Newton's method from Eckart's (1952) estimate, to the
+    last digits of float64.
+    """
+    if depth is None or deep * depth > 20.0:
+        return deep
+    k = deep / math.sqrt(math.tanh(deep * depth))
+    for _ in range(30):
+        tanh = math.tanh(k * depth)
+        step = (k * tanh - deep) / (tanh + k * depth * (1.0 - tanh * tanh))
+        k -= step
+        if abs(step) <= 1e-15 * k:
+            break
+    return k
+
+
+def angular_frequency(wave: ParametricWave) -> float:
+    """ω = 2πs/λ, rad/s, with the deep-water speed √(gλ/2π) where the wave names none."""
+    deep = 2.0 * math.pi / wave.wavelength
+    return math.sqrt(GRAVITY * deep) if wave.speed is None else wave.speed * deep
+
+
+def wavevector(wave: ParametricWave, depth: float | None) -> tuple[float, float]:
+    """k along the heading of travel, (x, z), rad/m; θ = ωt − k·x + phase."""
+    k = wavenumber(2.0 * math.pi / wave.wavelength, depth)
+    return k * math.cos(wave.direction), k * math.sin(wave.direction)

@@ -1,0 +1,80 @@
+"""The ripples that a ``Chop`` stands for: two cascades of sines with whole wavenumbers on incommensurate tiles."""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.hash import chance
+from seafoam.scene.models import Chop
+
+TILES = (18.9, 4.1)
+"""Sides of the two tiles, m: without a common measure, so that ripples never repeat."""
+REPEATING_TILES = (9.3, 3.1)
+"""Sides of the two tiles of ripples that repeat, as the light under them must to be drawn as a tile."""
+WAVES_PER_TILE = 14
+BANDS = 2
+"""Ripples of a tile are split by wavenumber into so many bands of equal count; a band is filtered as one."""
+SURFACE_TENSION = 7.4e-5
+"""Surface tension over density of water, m³/s²."""
+
+_RANGES = ((1.1, 6.5), (0.16, 1.05))
+
+
+@dataclass(frozen=True)
+class Ripple:
+    """θ = ωt − k·x + phase; slope is the amplitude of the slope along k."""
+
+    kx: float
+    kz: float
+    omega: float
+    phase: float
+    slope: float
+
+    @property
+    def k(self) -> float:
+        """Wavenumber, rad/m."""
+        return math.hypot(self.kx, self.kz)
+
+
+def tiles(repeats: bool) -> tuple[float, float]:
+    """Sides of the two tiles, m."""
+    return REPEATING_TILES if repeats else TILES
+
+
+@lru_cache(maxsize=64)
+def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]:
+    """The ripples of each cascade, by rising wavenumber. Their slopes' mean square adds up to ``chop.slope``²."""
+    cascades = []
+    weights = []
+    for cascade, tile in enumerate(tiles(repeats)):
+        longest, shortest = _RANGES[cascade][1], _RANGES[cascade][0]
+        drawn: list[tuple[float, float, float, float]] = []
+        taken: set[tuple[int, int]] = set()
+        for index in range(WAVES_PER_TILE):
+            share = (index + float(chance(chop.seed, cascade, index, 0))) / WAVES_PER_TILE
+            wavelength = longest * (shortest / longest) ** share
+            normal = math.sqrt(-2.0 * math.log(float(chance(chop.seed, cascade, index, 1)))) * math.cos(
+                2.0 * math.pi * float(chance(chop.seed, cascade, index, 2))
+            )
+            heading = chop.wind_direction + chop.spread * normal
+            number = tile / wavelength
+            ix, iz = round(number * math.cos(heading)), round(number * math.sin(heading))
+            # Two ripples on one wavevector would add up or cancel; the next free whole number takes the second.
+            while (ix, iz) in taken or (ix == 0 and iz == 0):
+                ix += 1
+            taken.add((ix, iz))
+            kx, kz = 2.0 * math.pi * ix / tile, 2.0 * math.pi * iz / tile
+            k = math.hypot(kx, kz)
+            drawn.append((k, kx, kz, 2.0 * math.pi * float(chance(chop.seed, cascade, index, 3))))
+            # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
+            weights.append(1.0)
+        cascades.append(sorted(drawn))
+    amplitude = chop.slope * math.sqrt(2.0 / sum(weights))
+    return tuple(
+        tuple(
+            Ripple(kx, kz, math.sqrt(GRAVITY * k + SURFACE_TENSION * k**3), phase, amplitude)
+            for k, kx, kz, phase in drawn
+        )
+        for drawn in cascades
+    )

@@ -1,0 +1,85 @@
+"""The spectrum of a wind sea.
+
+JONSWAP (Hasselmann et al. 1973) with the fully developed limits of Pierson and Moskowitz (1964), the finite-depth
+factor of Kitaigorodskii et al. (1975; TMA, Bouws et al. 1985), spreading cos^2s of half the angle (Longuet-Higgins
+et al. 1963). docs/formulae.md, section 2.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.ocean.constants import GRAVITY
+from seafoam.scene.models import Sea
+
+GAMMA = 3.3
+"""Peak enhancement of JONSWAP."""
+
+Floats = NDArray[np.float64]
+
+
+def peak_frequency(wind: float, fetch: float) -> float:
+    """Angular frequency of the spectrum's peak, rad/s; wind in m/s above 0, fetch in m."""
+    growing = 22.0 * math.pow(GRAVITY * GRAVITY / (wind * fetch), 1.0 / 3.0)
+    return max(growing, 0.855 * GRAVITY / wind)
+
+
+def frequency_spectrum(omega: Floats, wind: float, fetch: float) -> Floats:
+    """JONSWAP S(ω) in deep water, m²·s/rad, at ω > 0 rad/s; 0 without wind."""
+    if wind <= 0.0:
+        return np.zeros_like(omega)
+    peak = peak_frequency(wind, fetch)
+    alpha = max(0.076 * (wind * wind / (fetch * GRAVITY)) ** 0.22, 0.0081)
+    ratio = omega / peak
+    width = np.where(ratio <= 1.0, 0.07, 0.09)
+    enhanced = GAMMA ** np.exp(-((ratio - 1.0) ** 2) / (2.0 * width * width))
+    # Under a third of the peak exp underflows anyway, and the powers of a tiny ratio must not overflow.
+    held = np.maximum(ratio, 0.05)
+    result: Floats = alpha * GRAVITY**2 * (held * peak) ** -5.0 * np.exp(-1.25 * held**-4.0) * enhanced
+    return np.where(ratio < 0.05, 0.0, result)
+
+
+def dispersion(k: Floats, depth: float | None) -> tuple[Floats, Floats, Floats]:
+    """ω (rad/s), dω/dk (m/s) and the depth factor of the spectrum, at k > 0 rad/m; depth in m, absent: deep."""
+    if depth is None:
+        omega = np.sqrt(GRAVITY * k)
+        return omega, 0.5 * omega / k, np.ones_like(k)
+    kd = np.minimum(k * depth, 30.0)
+    tanh = np.tanh(kd)
+    omega = np.sqrt(GRAVITY * k * tanh)
+    share = 0.5 * (1.0 + 2.0 * kd / np.sinh(2.0 * kd))
+    return omega, share * omega / k, tanh * tanh / (2.0 * share)
+
+
+def spreading(angle: Floats, exponent: float, against: float) -> Floats:
+    """Share of the energy a radian, at an angle to the wind, rad; waves against the wind weighted by ``against``."""
+
+    def shape(angles: Floats) -> Floats:
+        weight = np.where(np.cos(angles) < 0.0, against, 1.0)
+        result: Floats = weight * np.abs(np.cos(0.5 * angles)) ** (2.0 * exponent)
+        return result
+
+    around: Floats = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)
+    result: Floats = shape(angle) / float(shape(around).sum() * (2.0 * math.pi / 720))
+    return result
+
+
+def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floats:
+    """Ψ(k), m⁴: its integral over the plane of wavevectors (rad/m, not 0) is the mean square height."""
+    k = np.hypot(kx, kz)
+    omega, group, shallow = dispersion(k, depth)
+    angle = np.arctan2(kz, kx) - sea.wind_direction
+    energy = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group / k
+    result: Floats = energy * spreading(angle, sea.spread, sea.against)
+    return result
+
+
+def _shallow(omega: Floats, depth: float | None) -> Floats:
+    """The depth factor by frequency."""
+    if depth is None:
+        return np.ones_like(omega)
+    k = np.geomspace(1e-7, 1e3, 20001)
+    of_k, _, factor = dispersion(k, depth)
+    result: Floats = np.interp(omega, of_k, factor)
+    return result

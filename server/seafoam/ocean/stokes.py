@@ -1,0 +1,90 @@
+"""The drift that waves give to what floats on them (Stokes 1847). docs/formulae.md, section 14."""
+
+import math
+
+import numpy as np
+
+from seafoam.ocean.cascades import SHORTEST
+from seafoam.ocean.dispersion import angular_frequency, wavenumber
+from seafoam.ocean.spectrum import dispersion, frequency_spectrum, spreading
+from seafoam.scene.living import FoamLife
+from seafoam.scene.models import ParametricWave, Scene, Sea
+
+SHALLOW = 0.5
+"""Least k·depth in the factor of finite depth: nearer to 0 the theory of small waves has no end."""
+
+
+def steady_drift(scene: Scene) -> tuple[float, float]:
+    """Current and waves' drift together, (x, z) m/s; what carries foam where no vortex is."""
+    drift = scene.drift
+    if drift is None:
+        return 0.0, 0.0
+    x, z = waves_drift(scene)
+    return drift.current[0] + drift.waves * x, drift.current[1] + drift.waves * z
+
+
+def waves_drift(scene: Scene) -> tuple[float, float]:
+    """Drift of the waves and of the open sea at the surface, (x, z) m/s."""
+    x, z = 0.0, 0.0
+    for wave in scene.waves:
+        k = wavenumber(2.0 * math.pi / wave.wavelength, scene.water.depth)
+        speed = first_harmonic(wave.amplitude, wave.exponent) ** 2 * angular_frequency(wave) * k
+        speed *= _shallow(k, scene.water.depth)
+        x, z = x + speed * math.cos(wave.direction), z + speed * math.sin(wave.direction)
+    if scene.sea is not None and scene.sea.wind > 0.0:
+        speed = sea_drift(scene.sea, scene.water.depth)
+        x += speed * math.cos(scene.sea.wind_direction)
+        z += speed * math.sin(scene.sea.wind_direction)
+    return x, z
+
+
+def foam_life(scene: Scene) -> FoamLife | None:
+    """What becomes of the scene's foam; None where it lies still, as in all looks but the filtered."""
+    return scene.foam.life if scene.foam is not None and scene.foam.look == "filtered" else None
+
+
+def foam_drift(scene: Scene) -> tuple[float, float]:
+    """How foam drifts, (x, z) m/s, in whole micrometres: with the waves and with the wind; not at all off a coast."""
+    life = foam_life(scene)
+    if life is None or scene.shore is not None:
+        return 0.0, 0.0
+    x, z = waves_drift(scene) if life.carried else (0.0, 0.0)
+    x += life.wind_drift * math.cos(life.wind_direction)
+    z += life.wind_drift * math.sin(life.wind_direction)
+    return round(x, 6), round(z, 6)
+
+
+def orbit(wave: ParametricWave, depth: float | None) -> float:
+    """How far a wave carries the water of the surface to and fro along its heading, m: a coth(kh), first harmonic."""
+    a = first_harmonic(wave.amplitude, wave.exponent)
+    if depth is None:
+        return a
+    k = wavenumber(2.0 * math.pi / wave.wavelength, depth)
+    return a / math.tanh(max(k * depth, SHALLOW))
+
+
+def first_harmonic(amplitude: float, exponent: float) -> float:
+    """Amplitude of the first harmonic of A((sin θ + 1)/2)^K, in the unit of A."""
+    log = math.lgamma(2.0 * exponent + 1.0) - math.lgamma(exponent + 2.0) - math.lgamma(exponent)
+    return amplitude * math.pow(2.0, 1.0 - 2.0 * exponent) * math.exp(log)
+
+
+def sea_drift(sea: Sea, depth: float | None) -> float:
+    """2∫ ω k S(ω) dω of the sea's spectrum, with the wind, m/s; waves no shorter than the shortest that is drawn."""
+    k = np.geomspace(1e-4, 2.0 * math.pi / SHORTEST, 4096)
+    omega, group, shallow = dispersion(k, depth)
+    energy = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
+    factor = np.array([_shallow(one, depth) for one in k])
+    values = 2.0 * omega * k * energy * factor
+    total = float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(k)))
+    angles = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)
+    along = float((spreading(angles, sea.spread, sea.against) * np.cos(angles)).sum() * (2.0 * math.pi / 720))
+    return total * along
+
+
+def _shallow(k: float, depth: float | None) -> float:
+    """cosh(2kd)/(2 sinh²(kd)): what a floor makes of the drift at the surface; 1 in deep water."""
+    if depth is None or k * depth > 20.0:
+        return 1.0
+    sinh = math.sinh(max(k * depth, SHALLOW))
+    return 1.0 + 0.5 / (sinh * sinh)

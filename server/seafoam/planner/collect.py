@@ -1,0 +1,125 @@
+"""What the effects of a scene give to its plan, joined."""
+
+from collections.abc import Sequence
+
+from seafoam.effects.effect import Const, Contribution, Effect, PassSpec, SlotFile, SlotRef, TextureUse, path_of
+from seafoam.framegraph.plan import EffectNote
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
+from seafoam.framegraph.rules import Uniform
+from seafoam.planner.glsl import COMMON
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+
+NEGLIGIBLE = 0.5 / 255.0
+"""Half a level of exposed linear light: what can change a pixel by less is left out."""
+
+START_TILE = 4
+"""Pixels along a side of the tiles for whose rays one start is found."""
+
+LOWEST = -100.0
+"""Where there is no floor an eye may dive so deep, m: there is nothing more to see."""
+
+
+class AssemblyError(RuntimeError):
+    """The effects contradict each other or their GLSL: a mistake in Seafoam, never in a scene."""
+
+
+class Collection:
+    """The contributions of a scene's effects, joined.
+
+    ``economy``: leave out effects whose bound is below :data:`NEGLIGIBLE`.
+    """
+
+    def __init__(self, effects: Sequence[Effect], scene: Scene, quality: Quality, *, economy: bool) -> None:
+        self.effects: list[EffectNote] = []
+        self.skipped: list[EffectNote] = []
+        self.slots: list[SlotFile] = []
+        self.consts: dict[str, Const] = {}
+        self.uniforms: dict[str, Uniform] = {}
+        self.inputs: dict[str, TextureInput | TargetInput] = {}
+        self.textures: dict[str, TextureUse] = {}
+        self.targets: dict[str, Target] = {}
+        self.passes: list[PassSpec] = []
+        self.top = 0.0
+        self.trough = 0.0
+        self.grain = 0.0
+        self.steepest = 0.0
+        self.bounds = [0.0, 0.0, 0.0]
+        """Height, slope and curvature at most of what does not measure its own."""
+        self.bottom = LOWEST
+        self.march = 1
+        self.bound_fields: set[str] = set()
+        self.readers: dict[str, str] = {}
+        """Sampler -> the effect that brings it."""
+        for effect in effects:
+            contribution = effect.contribute(scene, quality)
+            if contribution is None:
+                continue
+            bound = contribution.bound
+            if economy and bound is not None and bound.value < NEGLIGIBLE:
+                self.skipped.append(EffectNote(name=effect.name, why=bound.why, bound=bound.value))
+                self.bound_fields.update(bound.fields)
+            else:
+                self._add(effect.name, contribution)
+
+    def fills(self, slot: str) -> bool:
+        """Whether an effect fills the slot."""
+        return any(file.slot == slot for file in self.slots)
+
+    def _add(self, name: str, given: Contribution) -> None:
+        pieces = [piece for file in given.slots for piece in (*file.needs, file.path)]
+        pieces += [piece for spec in given.passes for piece in (*spec.vertex, *spec.fragment)]  # type: ignore[misc]
+        paths = {path for path in map(path_of, pieces) if path is not None}
+        self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
+        self.readers |= dict.fromkeys(given.inputs, name)
+        self.slots += given.slots
+        self.passes += given.passes
+        self.top += given.top
+        self.trough += given.trough
+        self.grain += given.grain
+        self.steepest += given.steepest
+        if not any(file.slot == "bounds" for file in given.slots):
+            more = (given.top, given.steepest, given.curvature)
+            self.bounds = [a + b for a, b in zip(self.bounds, more, strict=True)]
+        self.bottom = given.bottom if given.bottom is not None else self.bottom
+        self.march = max(self.march, given.march)
+        for mine, theirs in (
+            (self.consts, given.consts),
+            (self.uniforms, given.uniforms),
+            (self.inputs, given.inputs),
+            (self.textures, given.textures),
+            (self.targets, given.targets),
+        ):
+            taken = mine.keys() & theirs.keys()
+            if taken:
+                raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
+            mine.update(theirs)  # type: ignore[arg-type]
+
+    def add_starts(self, side: int) -> None:
+        """The pass that finds, for tiles of the picture, where their rays may begin to look for water and land.
+
+        ``side``: samples along each side of a pixel.
+        """
+        waves, bounds = SlotRef("waves"), SlotRef("bounds")
+        self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA16F")
+        self.inputs["u_start"] = TargetInput(target="start")
+        if self.fills("bounds"):
+            self.targets["surface_now"] = Target(size=FixedSize(width=1, height=1), format="RGBA16F")
+            self.inputs["u_surface_now"] = TargetInput(target="surface_now")
+            self.slots.append(SlotFile("now", "surface/now_measured.glsl"))
+            self.passes.append(
+                PassSpec(
+                    name="bounds of the surface",
+                    program="surface_now",
+                    fragment=(*COMMON, waves, bounds, SlotRef("short bounds"), "surface/now_pass.glsl"),
+                    target="surface_now",
+                )
+            )
+        self.passes.append(
+            PassSpec(
+                name="where rays begin",
+                program="start",
+                fragment=(*COMMON, waves, SlotRef("beyond"), bounds, SlotRef("start"), "surface/start_pass.glsl"),
+                target="start",
+            )
+        )

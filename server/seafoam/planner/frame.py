@@ -1,0 +1,343 @@
+"""The frame's own programs, targets and passes: surface, land, sky, what lies over them, samples and tone."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+from seafoam.effects.effect import ABOVE, BENEATH, Const, PassSpec, Piece, SlotFile, SlotRef, Source
+from seafoam.framegraph.passes import Eye, Fullscreen, Grid, Mesh, Pass, State
+from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
+from seafoam.framegraph.rules import Uniform
+from seafoam.framegraph.shader import Program
+from seafoam.planner.adaptive import PLACE, SPREAD, Seen, spend
+from seafoam.planner.collect import Collection
+from seafoam.planner.glsl import COMMON, FULLSCREEN, assemble, slot_pieces
+from seafoam.planner.slots import (
+    LAND,
+    LAND_COLOR,
+    LAND_FOAM,
+    MAIN,
+    SKY_PASS_SLOTS,
+    TONE,
+    UNDER_SLOTS,
+    WAVES,
+    land_slots,
+    slots_named,
+    surface_slots,
+)
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+
+START_SHARE = 0.25
+"""Of its tile's height: a shorter step ends the search for a start."""
+
+LOW_EYE = "surface, low eye"
+"""The program of the surface for eyes that crests may cover."""
+
+_MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl",))
+_MARCH_START = SlotFile(
+    "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
+)
+_SAMPLED: tuple[Piece, ...] = (*COMMON, PLACE)
+_FALLING: tuple[Piece, ...] = (*COMMON, "vertex/horizon.glsl", "vertex/falling.glsl")
+_RISING: tuple[Piece, ...] = (*COMMON, "vertex/horizon.glsl", "vertex/rising.glsl")
+_AT_FRONT = {"FULLSCREEN_DEPTH": 0.0}
+_HORIZON_DEPTH = 0.9999995
+"""Clip-space depth of the sky: behind all water, before the cleared depth."""
+
+
+class FrameBuilder:
+    """Programs, targets, uniforms and passes of the frame that a scene's effects make up.
+
+    Each method adds what it needs to ``programs`` and ``targets`` and returns its passes; :meth:`passes` calls them in
+    the order in which they are drawn.
+    """
+
+    def __init__(self, collection: Collection, scene: Scene, quality: Quality) -> None:
+        self.collection, self.scene, self.quality = collection, scene, quality
+        self.side = math.isqrt(quality.samples)
+        self.level = collection.top == 0.0
+        self.shore, self.below = collection.fills("shore"), collection.fills("below")
+        # Land stands above the horizon, where no mesh of the sea reaches.
+        self.mesh = quality.surface.method == "mesh" and not self.level and not self.shore
+        if not self.level or self.shore:
+            collection.add_starts(self.side)
+        self.consts: dict[str, Const] = {
+            **collection.consts,
+            "SURFACE_FILTER": quality.surface.filter,
+            "REFINE": quality.surface.refine,
+            "MARCH_STEPS": quality.surface.steps * collection.march,
+            "MARCH_TOLERANCE": quality.surface.tolerance,
+            "START_SHARE": START_SHARE,
+            "SAMPLE_SIDE": self.side,
+        }
+        self.chosen, self.marched = self._chosen(), self._marched()
+        self.fragments = self._fragments()
+        self.programs: dict[str, Program] = {}
+        self.uniforms: dict[str, Uniform] = {}
+        self.targets = {
+            **collection.targets,
+            "samples": Target(size=ViewportSize(scale=self.side), format=quality.target, depth=True),
+        }
+        self.drawn = "samples"
+        """The target of surface, land and sky."""
+        self.linear = "samples"
+        """The target that holds the finished linear frame."""
+
+    def passes(self) -> list[Pass]:
+        """Every pass of the frame, in drawing order."""
+        self._surface_programs()
+        self._effect_programs()
+        before = self._effect_passes("before")
+        overlay = self._overlay()
+        search, scenery = self._search(), self._scenery()
+        resolve = self._resolve()
+        more_samples = self._more_samples([one for one in scenery if one.name != "land"])
+        tone = self._fullscreen("tone", "present", "screen", {"u_linear": self.linear})
+        return [*before, *search, *scenery, *overlay, *resolve, *more_samples, tone]
+
+    def _chosen(self) -> list[SlotFile]:
+        """What fills the slots of the surface's shader."""
+        find = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
+        # Where there is land, a pass before the surface's finds which of them a ray meets.
+        of_land = (LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
+        files = [file for file in self.collection.slots if file.slot not in of_land]
+        files.append(SlotFile("find", f"surface/{find}.glsl"))
+        return [*files, _MARCH] if find == "march" else files
+
+    def _marched(self) -> list[SlotFile]:
+        """The same for passes and for eyes that crests may cover: without a mesh they march to the surface."""
+        return [
+            *self.collection.slots,
+            SlotFile("find", f"surface/{'plane' if self.level else 'march'}.glsl"),
+            SlotFile("ceiling", f"below/{'plane' if self.level else 'find'}.glsl"),
+            SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
+            *(() if self.level else (_MARCH, _MARCH_START)),
+        ]
+
+    def _fragments(self) -> dict[str, list[Piece]]:
+        """Texts of the fragment shaders of surface and sky; ``surface, marched`` is for single pixels."""
+        surface, marched, low = [*_SAMPLED], [*_SAMPLED], [*_SAMPLED]
+        for slot in surface_slots(self._combine, self.shore):
+            surface += slot_pieces(slot, self.chosen)
+            pieces = slot_pieces(slot, self.marched)
+            marched += pieces
+            if slot is MAIN:
+                main = pieces.pop()
+                assert isinstance(main, str)
+                pieces.append(Source(main, (("main", "seen_from_above"),)))
+            low += pieces
+        for slot in UNDER_SLOTS if self.below else ():
+            low += slot_pieces(slot, self.marched)
+        sky = [*_SAMPLED, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, self.chosen))]
+        return {"surface": surface, "surface, marched": marched, LOW_EYE: low, "sky": sky}
+
+    @property
+    def _combine(self) -> Literal["max", "product"]:
+        return self.scene.foam.combine if self.scene.foam else "max"
+
+    def _pieces(self, parts: Sequence[Piece | SlotRef]) -> list[Piece]:
+        """Files as they are, and slots as they are filled where rays march."""
+        pieces: list[Piece] = []
+        for part in parts:
+            if isinstance(part, SlotRef):
+                for slot in slots_named(part.slot, self.shore):
+                    pieces += slot_pieces(slot, self.marched)
+            else:
+                pieces.append(part)
+        return pieces
+
+    def _program(
+        self, name: str, fragment: Sequence[Piece | SlotRef], vertex: Sequence[Piece | SlotRef] = FULLSCREEN
+    ) -> None:
+        self.programs[name] = Program(
+            vertex=assemble(self._pieces(vertex), {**self.consts, **_AT_FRONT}),
+            fragment=assemble(self._pieces(fragment), self.consts),
+        )
+
+    def _surface_programs(self) -> None:
+        grid = [*COMMON, *slot_pieces(WAVES, self.chosen), "vertex/polar_grid.glsl"]
+        self._program("surface", self.fragments["surface"], grid if self.mesh else _FALLING)
+        self.programs["sky"] = Program(
+            vertex=assemble(FULLSCREEN, {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
+            fragment=assemble(self.fragments["sky"], self.consts),
+        )
+        self._program("present", [*slot_pieces(TONE, self.chosen), "output/present.glsl"])
+        if self.below:
+            self._program(LOW_EYE, self.fragments[LOW_EYE])
+        if self.shore:
+            met = [*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")]
+            land = [*_SAMPLED]
+            for slot in land_slots(self._combine, self.collection.fills(LAND_FOAM.name)):
+                land += slot_pieces(slot, self.marched)
+            self._program("met", [*met, "surface/met_pass.glsl"], _FALLING)
+            self._program("met, rising", [*met, "surface/met_rising_pass.glsl"], _RISING)
+            self._program("land", [*land, "shore/land_pass.glsl"])
+
+    def _effect_programs(self) -> None:
+        for spec in self.collection.passes:
+            self._program(spec.program, spec.fragment, spec.vertex)
+            if self.below and spec.under:
+                self._program(f"{spec.program}, low eye", spec.under, spec.vertex)
+
+    def _effect_passes(self, stage: str) -> list[Pass]:
+        return [one for spec in self.collection.passes if spec.stage == stage for one in self._passes_of(spec)]
+
+    def _passes_of(self, spec: PassSpec) -> list[Pass]:
+        """The pass of a spec, or one for each kind of eye where they differ."""
+        shared = any(isinstance(part, SlotRef) for part in (*spec.vertex, *spec.fragment))
+        one = Pass(
+            name=spec.name,
+            when="frame",
+            program=spec.program,
+            target=spec.target,
+            mesh=spec.mesh,
+            inputs={**self.collection.inputs, **spec.inputs} if shared else spec.inputs,
+            uniforms=spec.uniforms,
+            view=spec.view,
+            state=State(clear=spec.clear, blend=spec.blend),
+        )
+        if not self.below or not spec.under:
+            return [one]
+        low = {"eye": "under", "program": f"{spec.program}, low eye"}
+        return [one.model_copy(update={"eye": "over"}), one.model_copy(update=low)]
+
+    def _fullscreen(self, name: str, program: str, target: str, reads: Mapping[str, str]) -> Pass:
+        inputs: dict[str, TextureInput | TargetInput] = {key: TargetInput(target=of) for key, of in reads.items()}
+        return Pass(name=name, when="frame", program=program, target=target, mesh=Fullscreen(), inputs=inputs)
+
+    def _overlay(self) -> list[Pass]:
+        """Passes over surface and sky, and the one that lays their light over them."""
+        after = self._effect_passes("after")
+        if not after:
+            return []
+        self.drawn = BENEATH
+        self.targets[BENEATH] = self.targets["samples"]
+        self.targets[ABOVE] = Target(size=ViewportSize(scale=self.side), format="RGBA16F")
+        self.targets["samples"] = Target(size=ViewportSize(scale=self.side), format=self.quality.target)
+        self.programs["compose"] = Program(
+            vertex=assemble(FULLSCREEN, _AT_FRONT),
+            fragment=assemble(["common/numbers.glsl", "output/compose.glsl"], {}),
+        )
+        first = next(one for one in after if one.target == ABOVE).name
+        return [
+            *(_cleared(one) if one.name == first else one for one in after),
+            self._fullscreen(
+                "what stands before the water", "compose", "samples", {"u_beneath": BENEATH, "u_above": ABOVE}
+            ),
+        ]
+
+    @property
+    def _surfaces(self) -> list[tuple[Eye, str, Mesh]]:
+        """For which eyes the surface is drawn, by which program, over which mesh."""
+        cells = self.quality.surface.cells
+        own: Mesh = Grid(rows=cells, columns=cells) if self.mesh else Fullscreen()
+        return [("over", "surface", own), ("under", LOW_EYE, Fullscreen())] if self.below else [("any", "surface", own)]
+
+    def _ashore(self, name: str, program: str, target: str, state: State) -> Pass:
+        return Pass(
+            name=name,
+            when="frame",
+            eye=self._surfaces[0][0],
+            program=program,
+            target=target,
+            mesh=Fullscreen(),
+            inputs=self.collection.inputs,
+            state=state,
+        )
+
+    def _search(self) -> list[Pass]:
+        """Passes that find which of water and land a ray meets first."""
+        if not self.shore:
+            return []
+        self.targets["met"] = Target(size=ViewportSize(scale=self.side), format="RGBA32F")
+        self.collection.inputs["u_met"] = TargetInput(target="met")
+        return [
+            self._ashore("what rising rays meet", "met, rising", "met", State()),
+            self._ashore("what rays meet", "met", "met", State()),
+        ]
+
+    def _scenery(self) -> list[Pass]:
+        """Surface, land and sky."""
+        surfaces = [
+            Pass(
+                name="surface",
+                when="frame",
+                eye=eye,
+                # Land rises over the horizon.
+                view="any" if self.shore else "falling",
+                program=program,
+                target=self.drawn,
+                mesh=mesh,
+                inputs=self.collection.inputs,
+                state=State(depth=True, clear=True),
+            )
+            for eye, program, mesh in self._surfaces
+        ]
+        land = [self._ashore("land", "land", self.drawn, State(depth=True))] if self.shore else []
+        sky = Pass(
+            name="sky",
+            when="frame",
+            # A mesh ends before the horizon, and a march may go between crests that an eye is among.
+            view="any" if self.mesh else "rising",
+            program="sky",
+            target=self.drawn,
+            mesh=Fullscreen(),
+            state=State(depth=True),
+        )
+        return [*surfaces, *land, sky]
+
+    def _resolve(self) -> list[Pass]:
+        """The mean of each pixel's samples."""
+        if self.side == 1:
+            return []
+        self.linear = "linear"
+        self.targets[self.linear] = Target(size=ViewportSize(), format="RGBA32F")
+        self._program("resolve", ["output/resolve.glsl"])
+        return [self._fullscreen("mean of the samples", "resolve", self.linear, {"u_samples": "samples"})]
+
+    def _more_samples(self, scenery: Sequence[Pass]) -> list[Pass]:
+        """Passes that give more samples to the pixels that need them."""
+        # Without light a sample costs less than its choice.
+        if not self.quality.chosen_samples or self.scene.light is None:
+            return []
+        fragments = {**self.fragments, "surface": self.fragments["surface, marched"]}
+        depths = {"sky": _HORIZON_DEPTH}
+        seen = tuple(Seen(one, tuple(fragments[one.program]), depths.get(one.program, 0.0)) for one in scenery)
+        laid, layers = self._laid()
+        for layer in layers:
+            self.targets[layer.target] = self.targets[ABOVE]
+        spent = spend(self.quality, self.linear, "finished", seen, laid, self.consts)
+        self.programs |= spent.programs
+        self.targets |= spent.targets
+        self.uniforms |= spent.uniforms
+        self.linear = "finished"
+        return [*layers, *spent.passes]
+
+    def _laid(self) -> tuple[tuple[Seen, ...], list[Pass]]:
+        """What lies over surface and sky, as chosen pixels draw it again, and passes that draw points alone for that.
+
+        Points cannot be drawn where chosen samples lie: these read them from where they were drawn over the whole
+        picture.
+        """
+        specs = [spec for spec in self.collection.passes if spec.stage == "after" and spec.target == ABOVE]
+        seen: list[Seen] = []
+        layers: list[Pass] = []
+        for spec in specs:
+            for one in self._passes_of(spec):
+                if isinstance(one.mesh, Fullscreen):
+                    files = spec.fragment if one.program == spec.program else spec.under
+                    seen.append(Seen(one, tuple(self._pieces(files))))
+                    continue
+                layer = ABOVE
+                if len(specs) > 1:
+                    layer = f"{spec.name}, alone"
+                    layers.append(_cleared(one).model_copy(update={"name": layer, "target": layer}))
+                reads = {"program": "points", "inputs": {"u_points": TargetInput(target=layer)}, "uniforms": {}}
+                seen.append(Seen(one.model_copy(update=reads), SPREAD))
+        return tuple(seen), layers
+
+
+def _cleared(one: Pass) -> Pass:
+    """The pass into a target that is cleared first."""
+    return one.model_copy(update={"state": one.state.model_copy(update={"clear": True})})

@@ -1,0 +1,94 @@
+"""GLSL assembly: files and joining functions, in order, under one prologue with the compile-time numbers."""
+
+import hashlib
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache, lru_cache
+
+from seafoam.effects.effect import Const, Inline, Piece, SlotFile, Source
+from seafoam.framegraph.shader import Shader, SourceFile
+from seafoam.planner.slots import Slot
+from seafoam.resources import data_dir
+
+PROLOGUE = (
+    "#version 300 es\n"
+    "precision highp float;\n"
+    "precision highp int;\n"
+    "precision highp sampler2D;\n"
+    "precision highp usampler2D;\n"
+)
+
+COMMON = ("common/numbers.glsl", "common/camera.glsl")
+"""Files that most fragment shaders begin with."""
+FULLSCREEN = ("vertex/fullscreen.glsl",)
+"""The vertex shader of a triangle that covers its target."""
+
+_WORD = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
+
+Consts = Mapping[str, Const]
+
+
+@cache
+def read_file(path: str) -> str:
+    """Text of a file of ``shaders/``. Raises ``FileNotFoundError``."""
+    return (data_dir("shaders") / path).read_text(encoding="utf-8")
+
+
+def const_line(name: str, value: Const) -> str:
+    """A GLSL constant; floats with the 9 digits that float32 needs."""
+    if isinstance(value, tuple):
+        kind = f"int[{len(value)}]"
+        return f"const {kind} {name} = {kind}({', '.join(map(str, value))});\n"
+    if isinstance(value, bool):
+        return f"const bool {name} = {'true' if value else 'false'};\n"
+    if isinstance(value, int):
+        return f"const int {name} = {value};\n"
+    digits = f"{value:.9g}"
+    return f"const float {name} = {digits if any(mark in digits for mark in '.e') else digits + '.0'};\n"
+
+
+def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[Piece]:
+    """The files and joining functions that make up a slot."""
+    files = [file for file in chosen if file.slot == slot.name]
+    pieces: list[Piece] = []
+    for file in files:
+        pieces += [*file.needs, file.path]
+    if slot.under and not any(file.slot == slot.under for file in chosen):
+        return pieces
+    if not files and slot.default is not None:
+        pieces.append(slot.default)
+    return pieces + [Inline(join.glsl([file.prefix for file in files])) for join in slot.joins]
+
+
+def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
+    """A shader from files of ``shaders/``, each once, and text in between.
+
+    Only the constants that the text names are defined.
+    """
+    parts: list[tuple[str, str]] = []
+    seen: set[Source] = set()
+    for piece in pieces:
+        if isinstance(piece, Inline):
+            parts.append(("", piece.text))
+            continue
+        source = piece if isinstance(piece, Source) else Source(piece)
+        if source not in seen:
+            seen.add(source)
+            text = read_file(source.path)
+            for old, new in source.rename:
+                text = re.sub(rf"\b{old}\b", new, text)
+            parts.append((source.path, text))
+    words = frozenset[str]().union(*(_words(text) for _, text in parts))
+    text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
+    files: list[SourceFile] = []
+    for path, part in parts:
+        text += "\n"
+        if path:
+            files.append(SourceFile(path=path, line=text.count("\n") + 1))
+        text += part
+    return Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=tuple(files))
+
+
+@lru_cache(maxsize=1024)
+def _words(text: str) -> frozenset[str]:
+    return frozenset(_WORD.findall(text))

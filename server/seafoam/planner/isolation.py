@@ -1,0 +1,190 @@
+"""Each effect alone: of a scene, the nearest one that runs an effect and the nearest one that does not.
+
+The switch is found, not listed: some preset shows the effect and its hard cases call for it, and of the fields in
+which those differ from the scene only what the effect needs is taken.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import ValidationError
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.effect import Effect, PlanError
+from seafoam.planner.collect import NEGLIGIBLE
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+Json = dict[str, Any]
+Path = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Switch:
+    """An effect switched on in a scene, and everything but that as it was."""
+
+    effect: str
+    on: Scene
+    off: Scene
+    fields: tuple[str, ...]
+    """JSON pointers of what differs."""
+    needs: tuple[str, ...]
+    """Of what both have beside the scene itself, since the effect needs it."""
+    given: bool
+    """Whether the scene itself runs the effect: then it is ``on``, and ``off`` was found."""
+    others: tuple[str, ...]
+    """Effects that come and go with it, since they hang on it or stand in its place."""
+
+
+def running(scene: Scene, quality: Quality) -> frozenset[str]:
+    """The effects that a plan of the scene would run. Raises ``PlanError`` as planning does."""
+    return frozenset(effect.name for effect in EFFECTS if _shows(effect, scene, quality))
+
+
+def _shows(effect: Effect, scene: Scene, quality: Quality) -> bool:
+    given = effect.contribute(scene, quality)
+    return given is not None and (given.bound is None or given.bound.value >= NEGLIGIBLE)
+
+
+def switch(effect: Effect, scene: Scene, quality: Quality) -> Switch | None:
+    """The effect's switch in a scene; None where the fields of no preset and no hard case switch it on there."""
+    usual = running(scene, quality)
+    if effect.name in usual:
+        return _removed(effect, scene, quality, usual)
+    base = _json(scene)
+    best: Switch | None = None
+    presets = (load_preset(name).scene for name in preset_names())
+    for other in (*presets, *(case.scene for case in effect.hard_cases)):
+        if best is not None and not best.others and not best.needs:
+            # The effect alone by one field: there is nothing nearer.
+            break
+        if not _runs(effect, _json(other), quality):
+            continue
+        found = _added(effect, base, _json(other), quality)
+        if found is not None and (best is None or _rank(found) < _rank(best)):
+            best = found
+    return best
+
+
+def _rank(found: Switch) -> tuple[int, int]:
+    return len(found.others), len(found.needs)
+
+
+def _added(effect: Effect, base: Json, donor: Json, quality: Quality) -> Switch | None:
+    """The base with as few of the donor's parts as run the effect, against the same without the one that counts."""
+    kept = list(_differences(base, donor))
+    if not _runs(effect, _merged(base, donor, kept), quality):
+        return None
+    for path in list(kept):
+        fewer = [other for other in kept if other != path]
+        if _runs(effect, _merged(base, donor, fewer), quality):
+            kept = fewer
+    on = _scene(_merged(base, donor, kept))
+    assert on is not None
+    now = running(on, quality)
+    best: Switch | None = None
+    for path in kept:
+        needs = [other for other in kept if other != path]
+        off = _scene(_merged(base, donor, needs))
+        if off is None:
+            continue
+        others = tuple(sorted((now ^ running(off, quality)) - {effect.name}))
+        found = Switch(effect.name, on, off, _pointers([path]), _pointers(needs), False, others)
+        if best is None or _rank(found) < _rank(best):
+            best = found
+    return best
+
+
+def _removed(effect: Effect, scene: Scene, quality: Quality, usual: frozenset[str]) -> Switch | None:
+    """The scene with one field emptied so that the effect is gone, and as few others as can be."""
+    base = _json(scene)
+    best: tuple[int, Scene, Path, frozenset[str]] | None = None
+    for path, value in _emptied(base):
+        off = _scene(_with(base, path, value))
+        if off is None or _shows(effect, off, quality):
+            continue
+        now = running(off, quality)
+        rank = 10 * len(now ^ usual) + len(path)
+        if best is None or rank < best[0]:
+            best = rank, off, path, now
+    if best is None:
+        return None
+    _, off, path, now = best
+    others = tuple(sorted((now ^ usual) - {effect.name}))
+    return Switch(effect.name, scene, off, _pointers([path]), (), True, others)
+
+
+def _emptied(document: Json) -> Iterator[tuple[Path, Any]]:
+    """Every part with what stands for its absence: null, an empty list, 0, or the least angle."""
+    for name, value in document.items():
+        if name == "camera":
+            continue
+        nothing: tuple[Any, ...] = (None, [])
+        yield from (((name,), empty) for empty in nothing if value != empty)
+        if isinstance(value, dict):
+            for inner, held in value.items():
+                least: tuple[Any, ...] = () if isinstance(held, str) else (None, 0.0, -1.5)
+                yield from (((name, inner), empty) for empty in least if held != empty)
+
+
+def _differences(base: Json, donor: Json) -> Iterator[Path]:
+    for name, value in donor.items():
+        if name == "camera" or base.get(name) == value:
+            continue
+        mine = base.get(name)
+        if isinstance(mine, dict) and isinstance(value, dict):
+            yield from ((name, inner) for inner, held in value.items() if mine.get(inner) != held)
+        else:
+            yield (name,)
+
+
+def _merged(base: Json, donor: Json, paths: Sequence[Path]) -> Json:
+    """The base with the donor's parts; lists are joined where both have items."""
+    result = base
+    for path in paths:
+        mine, theirs = _at(base, path), _at(donor, path)
+        if isinstance(mine, list) and isinstance(theirs, list) and path[-1] in ("waves", "rings", "saturation"):
+            known = {item.get("source") for item in mine}
+            own = [item for item in theirs if "source" not in item or item["source"] not in known]
+            theirs = [*mine, *own]
+        result = _with(result, path, theirs)
+    return result
+
+
+def _at(document: Json, path: Path) -> Any:
+    found: Any = document
+    for name in path:
+        found = found[name]
+    return found
+
+
+def _with(document: Json, path: Path, value: Any) -> Json:
+    if len(path) == 1:
+        return {**document, path[0]: value}
+    return {**document, path[0]: _with(document[path[0]], path[1:], value)}
+
+
+def _pointers(paths: Sequence[Path]) -> tuple[str, ...]:
+    return tuple("/" + "/".join(path) for path in paths)
+
+
+def _json(scene: Scene) -> Json:
+    result: Json = scene.model_dump(mode="json")
+    return result
+
+
+def _scene(document: Json) -> Scene | None:
+    try:
+        return Scene.model_validate(document)
+    except ValidationError:
+        return None
+
+
+def _runs(effect: Effect, document: Json, quality: Quality) -> bool:
+    scene = _scene(document)
+    try:
+        return scene is not None and _shows(effect, scene, quality)
+    except PlanError:
+        return False

@@ -1,0 +1,112 @@
+"""Linking: each pass gets the textures that its program reads, each declared uniform its rule."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+from seafoam.effects.effect import PlanError, TextureUse
+from seafoam.framegraph.passes import Fullscreen, Pass, State
+from seafoam.framegraph.resources import Target, Texture
+from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
+from seafoam.framegraph.shader import Program, declared_uniforms
+from seafoam.planner.collect import AssemblyError
+from seafoam.textures import texture
+
+MOST_SAMPLERS = 16
+"""Textures that one fragment shader may read: no WebGL2 promises more (MAX_TEXTURE_IMAGE_UNITS)."""
+
+
+def camera_uniforms(
+    top: float, trough: float, steepest: float, grain: float, bounds: Sequence[float]
+) -> dict[str, Uniform]:
+    """Uniforms of the camera and of the surface's bounds, which any shader may declare."""
+    return {
+        "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
+        "u_eye_height": Uniform(type="float", rules=(CameraRule(what="eye_height"),)),
+        "u_ray_x": Uniform(type="vec3", rules=(CameraRule(what="ray_x"),)),
+        "u_ray_y": Uniform(type="vec3", rules=(CameraRule(what="ray_y"),)),
+        "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
+        "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
+        "u_surface_top": number(top),
+        "u_surface_trough": number(significant(trough)),
+        "u_surface_steepest": number(steepest),
+        "u_surface_bounds": vector(tuple(bounds)),
+        "u_surface_grain": number(significant(grain)),
+    }
+
+
+def texture_entry(use: TextureUse) -> Texture:
+    """The plan's entry for a texture of the store."""
+    data = texture(use.source)
+    return Texture(
+        url=f"/api/textures/{use.source}",
+        sha256=data.sha256,
+        format=data.format,
+        width=data.width,
+        height=data.height,
+        levels=data.levels,
+        filter=use.filter,
+        wrap=use.wrap,
+    )
+
+
+def with_inputs(of: Pass, programs: Mapping[str, Program], uniforms: Mapping[str, Uniform]) -> Pass:
+    """The pass with the inputs that its program reads.
+
+    Raises :class:`AssemblyError` where a uniform has no rule or a sampler no input.
+    """
+    program = programs[of.program]
+    declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
+    samplers = {name for name, sampler in declared.items() if sampler}
+    for name in sorted(declared.keys() - samplers):
+        if name not in uniforms and name not in of.uniforms:
+            raise AssemblyError(f"pass {of.name}: uniform {name} has no rule")
+    missing = samplers - of.inputs.keys()
+    if missing:
+        raise AssemblyError(f"pass {of.name}: nothing to read for {sorted(missing)}")
+    return of.model_copy(update={"inputs": {name: source for name, source in of.inputs.items() if name in samplers}})
+
+
+def declared_in(uniforms: Mapping[str, Uniform], programs: Mapping[str, Program]) -> dict[str, Uniform]:
+    """The uniforms that some program declares."""
+    declared: set[str] = set()
+    for program in programs.values():
+        declared |= declared_uniforms(program.vertex).keys() | declared_uniforms(program.fragment).keys()
+    return {name: uniform for name, uniform in sorted(uniforms.items()) if name in declared}
+
+
+def live_fields(uniforms: Mapping[str, Uniform]) -> set[str]:
+    """JSON pointers of the scene fields that stand in constants: they may change without a new plan."""
+    return {
+        rule.field
+        for uniform in uniforms.values()
+        for rule in uniform.rules
+        if rule.rule == "constant" and rule.field is not None
+    }
+
+
+def refuse_too_many_samplers(program: Program, readers: Mapping[str, str]) -> None:
+    """Raises :class:`PlanError` where a shader reads more than :data:`MOST_SAMPLERS` textures.
+
+    ``readers``: sampler -> the effect that brings it.
+    """
+    samplers = [name for name, sampler in declared_uniforms(program.fragment).items() if sampler]
+    if len(samplers) > MOST_SAMPLERS:
+        shares = Counter(readers.get(name, "other") for name in samplers)
+        most = ", ".join(f"{name} {count}" for name, count in shares.most_common())
+        raise PlanError(
+            "",
+            f"too many effects together: one shader would read {len(samplers)} textures, and WebGL2 guarantees "
+            f"{MOST_SAMPLERS} ({most}); leave out one of these",
+        )
+
+
+def refuse_integers(of: Pass, targets: Mapping[str, Target]) -> None:
+    """Raises :class:`AssemblyError` where a pass clears, blends or filters integers: GL leaves that open."""
+    target = targets.get(of.target)
+    if target is None or target.format != "RG32UI":
+        return
+    if of.state != State() or of.mesh != Fullscreen() or target.depth or target.filter != "nearest":
+        raise AssemblyError(
+            f"pass {of.name}: a target of integers must be drawn over its whole area, without depth or blending, and "
+            "read texel by texel"
+        )

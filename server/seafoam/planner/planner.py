@@ -1,0 +1,73 @@
+"""The planner: a scene and a quality become a frame plan, here and nowhere else."""
+
+from functools import lru_cache
+
+from seafoam.effects import EFFECTS
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.visibility import everywhere
+from seafoam.planner.collect import Collection
+from seafoam.planner.frame import FrameBuilder
+from seafoam.planner.link import (
+    camera_uniforms,
+    declared_in,
+    live_fields,
+    refuse_integers,
+    refuse_too_many_samplers,
+    texture_entry,
+    with_inputs,
+)
+from seafoam.planner.schedule import with_setup
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+
+
+@lru_cache(maxsize=256)
+def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
+    """The frame plan of a scene at a quality.
+
+    ``economy``: leave out what can change no pixel by more than :data:`seafoam.planner.collect.NEGLIGIBLE`, and say of
+    passes where they can be seen; without it everything that the scene names is drawn from everywhere, which is how
+    both are tested. Pure: the same arguments give the same bytes. Raises :class:`seafoam.effects.effect.PlanError`
+    where the scene asks for what does not exist, such as an unknown mask, or for more effects together than one shader
+    can read the textures of.
+    """
+    scene = _with_steepest_waves(scene, quality.waves)
+    collection = Collection(EFFECTS, scene, quality, economy=economy)
+    frame = FrameBuilder(collection, scene, quality)
+    passes = frame.passes()
+    for program in frame.programs.values():
+        refuse_too_many_samplers(program, collection.readers)
+    for each in passes:
+        refuse_integers(each, frame.targets)
+    camera = camera_uniforms(
+        collection.top, collection.trough, collection.steepest, collection.grain, collection.bounds
+    )
+    uniforms = {**collection.uniforms, **camera, **frame.uniforms}
+    textures = {name: texture_entry(use) for name, use in collection.textures.items()}
+    linked = [with_inputs(each, frame.programs, uniforms) for each in passes]
+    timed, kept = with_setup(linked, frame.programs, uniforms, frame.targets, textures)
+    used = declared_in(uniforms, frame.programs)
+    plan = FramePlan(
+        effects=tuple(collection.effects),
+        skipped=tuple(collection.skipped),
+        programs=frame.programs,
+        textures=textures,
+        targets=frame.targets,
+        passes=timed,
+        kept=kept,
+        uniforms=used,
+        linear=frame.linear,
+        samples=quality.samples,
+        top=collection.top,
+        bottom=collection.bottom,
+        live=tuple(sorted(live_fields(used) - collection.bound_fields)),
+    )
+    return plan if economy else everywhere(plan)
+
+
+def _with_steepest_waves(scene: Scene, count: int) -> Scene:
+    """The scene with its ``count`` steepest waves, in their own order."""
+    if len(scene.waves) <= count:
+        return scene
+    order = sorted(range(len(scene.waves)), key=lambda i: -scene.waves[i].amplitude / scene.waves[i].wavelength)
+    return scene.model_copy(update={"waves": tuple(scene.waves[i] for i in sorted(order[:count]))})

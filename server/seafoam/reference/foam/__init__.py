@@ -1,0 +1,1 @@
+"""Sections 4, 5 and 14: saturations, looks, foam that lives or drifts."""

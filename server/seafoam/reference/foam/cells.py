@@ -1,0 +1,104 @@
+"""Section 5: the mask turned and shifted anew in each cell of a lattice of triangles."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from seafoam.reference.noise import pcg, share
+from seafoam.reference.types import Floats, smoothstep
+from seafoam.scene.models import Foam
+
+COUNT = 4096
+LEAST = 0.25
+"""Cells with a smaller share of a place do not count there."""
+LAST = 1.0 / 256.0
+"""Below this share left free, what is left is led to 0 evenly."""
+
+
+@dataclass(frozen=True, eq=False)
+class Corner:
+    """One of the three cells around each of r places."""
+
+    weight: Floats
+    """(r,), the weights of the three add up to 1."""
+    u: Floats
+    v: Floats
+    """Mask coordinates, 1 a tile; (r,) each."""
+    cosine: Floats
+    sine: Floats
+    """The cell's turn; (r,) each."""
+
+    def turned(self, foot: Floats) -> Floats:
+        """Footprints (r, 2) in tiles, turned with the cell; (r, 2)."""
+        x, y = foot[:, 0], foot[:, 1]
+        result: Floats = np.stack((self.cosine * x + self.sine * y, self.cosine * y - self.sine * x), axis=-1)
+        return result
+
+
+def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
+    """The cells around places (u, v) in tiles, turned as the mask is, counted from the world's origin; three.
+
+    Not ``blended``: the nearest has all the weight.
+    """
+    a, b = u - v / math.sqrt(3.0), 2.0 / math.sqrt(3.0) * v
+    i, j = np.floor(a), np.floor(b)
+    s, t = a - i, b - j
+    upper = s + t > 1.0
+    shares = [
+        np.where(upper, s + t - 1.0, 1.0 - s - t),
+        np.where(upper, 1.0 - t, s),
+        np.where(upper, 1.0 - s, t),
+    ]
+    one, none = np.ones_like(s), np.zeros_like(s)
+    both = np.where(upper, 1.0, 0.0)
+    offsets = [(both, both), (one, none), (none, one)]
+    if blended:
+        weights = [np.maximum(share - LEAST, 0.0) ** 4 for share in shares]
+    else:
+        nearest = np.argmax(shares, axis=0)
+        weights = [np.where(nearest == index, 1.0, 0.0) for index in range(3)]
+    total = weights[0] + weights[1] + weights[2]
+    return [
+        _corner(weight / total, i + di, j + dj, s - di, t - dj)
+        for weight, (di, dj) in zip(weights, offsets, strict=True)
+    ]
+
+
+def part(s: Floats, weight: Floats) -> Floats:
+    """What a cell of this weight covers where the saturation is s in [0, 1]: 1 − (1 − s)^w, led to 1 at s = 1; (r,)."""
+    left = 1.0 - np.clip(s, 0.0, 1.0)
+    result: Floats = 1.0 - np.maximum(left, LAST) ** weight * smoothstep(0.0, LAST, left)
+    return result
+
+
+def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:
+    """Places x, z (m from the origin) in tiles of the mask from the world's, turned; (r,) each.
+
+    Whole periods of the lattice of cells are taken off the origin: 4096 steps along either side.
+    """
+    cosine, sine = math.cos(foam.mask_angle), math.sin(foam.mask_angle)
+    far_u = (origin[0] * cosine + origin[1] * sine) / foam.mask_tile
+    far_v = (origin[1] * cosine - origin[0] * sine) / foam.mask_tile
+    rows = math.floor(far_v / (COUNT * math.sqrt(3.0) / 2.0))
+    far_v -= rows * COUNT * math.sqrt(3.0) / 2.0
+    far_u = math.fmod(far_u - rows * COUNT / 2.0, COUNT)
+    u = (x * cosine + z * sine) / foam.mask_tile + far_u
+    v = (z * cosine - x * sine) / foam.mask_tile + far_v
+    return u, v
+
+
+def _corner(weight: Floats, i: Floats, j: Floats, s: Floats, t: Floats) -> Corner:
+    first = np.mod(i, COUNT).astype(np.uint64)
+    second = np.mod(j, COUNT).astype(np.uint64)
+    word = pcg(pcg(first) ^ second)
+    angle = 2.0 * math.pi * share(pcg(word))
+    cosine, sine = -np.cos(angle), -np.sin(angle)
+    x, y = s + 0.5 * t, 0.5 * math.sqrt(3.0) * t
+    return Corner(
+        weight=weight,
+        u=cosine * x + sine * y + share(pcg(word + np.uint64(1))),
+        v=cosine * y - sine * x + share(pcg(word + np.uint64(2))),
+        cosine=cosine,
+        sine=sine,
+    )

@@ -1,0 +1,204 @@
+"""Section 14: foam that a steady flow carries over a square, followed back in float64.
+
+The flow's steady part (``ocean/stokes.py``) is the scene's own, as rings' level is; a test holds it to orbits of water.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from statistics import NormalDist
+
+import numpy as np
+
+from seafoam.ocean.stokes import steady_drift
+from seafoam.reference.noise import pcg, value
+from seafoam.reference.types import Floats, smoothstep
+from seafoam.scene.drift import Vortex
+from seafoam.scene.models import DriftSaturation, Scene
+
+BROODS = 4
+COUNTED = 1024
+PEAK = 1.2564312086261697
+"""y with e^y = 1 + 2y."""
+LONGEST = 0.125
+"""Longest step, s."""
+TURN = 0.2
+"""Longest step, rad of the fastest vortex."""
+FADE, REACH = 3.0, 6.0
+"""Radii from which a vortex fades, and where it ends."""
+OCTAVES = ((0.55, 1.0, False), (0.3, 2.3, True), (0.15, 5.1, False))
+"""Weight, frequency and whether turned, of each octave of a patch."""
+DEVIATION = 0.138
+HALF_CUT = 0.1
+APART = (3.37, 5.61)
+"""Between the two copies of a mask, in tiles."""
+BESIDE = 1e-3
+"""Ways are compared so far apart, m."""
+RIM = 0.8
+"""Share of the half side from which foam fades out."""
+
+
+@dataclass(frozen=True)
+class Flow:
+    """A flow over a square; places in m from its middle."""
+
+    steady: tuple[float, float]
+    """m/s"""
+    half: float
+    """Half the square's side, m."""
+    vortices: tuple[tuple[float, float, float, float], ...]
+    """Centre (x, z), radius (m), speed there (m/s)."""
+
+    def velocity(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """(u, w) at (x, z); (r,) m/s each."""
+        u, w = np.full_like(x, self.steady[0]), np.full_like(z, self.steady[1])
+        x, z = np.clip(x, -self.half, self.half), np.clip(z, -self.half, self.half)
+        for c_x, c_z, radius, speed in self.vortices:
+            r_x, r_z = x - c_x, z - c_z
+            square = (r_x * r_x + r_z * r_z) / radius**2
+            near = np.flatnonzero(square < REACH * REACH)
+            omega = angular_velocity(square[near], radius, speed)
+            u[near] -= omega * r_z[near]
+            w[near] += omega * r_x[near]
+        return u, w
+
+    @property
+    def fastest(self) -> float:
+        """Greatest angular velocity of a vortex, rad/s."""
+        zero = np.zeros(1)
+        return max((abs(float(angular_velocity(zero, a, v)[0])) for _, _, a, v in self.vortices), default=0.0)
+
+    def back(self, x: Floats, z: Floats, seconds: float, longest: float = LONGEST) -> tuple[Floats, Floats]:
+        """Where the water at (x, z) was ``seconds`` ago, by Runge and Kutta's steps no longer than ``longest`` s."""
+        count = max(math.ceil(seconds / min(longest, TURN / max(self.fastest, 1e-9))), 1)
+        h = seconds / count
+        for _ in range(count):
+            a = self.velocity(x, z)
+            b = self.velocity(x - 0.5 * h * a[0], z - 0.5 * h * a[1])
+            c = self.velocity(x - 0.5 * h * b[0], z - 0.5 * h * b[1])
+            d = self.velocity(x - h * c[0], z - h * c[1])
+            x = x - h / 6.0 * (a[0] + 2.0 * b[0] + 2.0 * c[0] + d[0])
+            z = z - h / 6.0 * (a[1] + 2.0 * b[1] + 2.0 * c[1] + d[1])
+        return x, z
+
+
+def angular_velocity(square: Floats, radius: float, speed: float) -> Floats:
+    """Ω of a vortex at (r/a)² = ``square``, rad/s: V/a · κ (1 − e^−y)/(y/β), faded from 3 to 6 radii; (r,)."""
+    y = PEAK * square
+    # expm1 keeps the digits; at the centre itself the limit is 1.
+    share = np.where(y > 0.0, -np.expm1(-y) / np.where(y > 0.0, y, 1.0), 1.0)
+    whole = speed / radius * PEAK / -math.expm1(-PEAK)
+    result: Floats = whole * share * (1.0 - smoothstep(FADE, REACH, np.sqrt(square)))
+    return result
+
+
+def flow_of(scene: Scene) -> Flow:
+    """The flow of a scene that has a drift."""
+    drift = scene.drift
+    assert drift is not None
+    return Flow(steady_drift(scene), 0.5 * drift.size, tuple(_vortex(one, drift.place) for one in drift.vortices))
+
+
+def _vortex(one: Vortex, place: tuple[float, float]) -> tuple[float, float, float, float]:
+    return (*(float(Fraction(a) - Fraction(b)) for a, b in zip(one.place, place, strict=True)), one.radius, one.speed)  # type: ignore[return-value]
+
+
+def drift_saturation(
+    scene: Scene, source: DriftSaturation, time: float, origin: tuple[float, float], x: Floats, z: Floats
+) -> Floats:
+    """f of drifting foam at (x, z), m from the origin, at a time (s); (r,), not capped."""
+    drift = scene.drift
+    if drift is None:
+        return np.zeros_like(x)
+    flow = flow_of(scene)
+    q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
+    q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
+    rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
+    result = np.zeros_like(x)
+    inside = np.flatnonzero(rim > 0.0)
+    brood = Fraction(source.life) / BROODS
+    number = math.floor(Fraction(time) / brood)
+    youngest = float(Fraction(time) - number * brood)
+    at_x, at_z = q_x[inside], q_z[inside]
+    for j in range(BROODS):
+        at_x, at_z = flow.back(at_x, at_z, youngest if j == 0 else float(brood))
+        age = youngest + j * float(brood)
+        share = math.sin(math.pi * age / source.life) ** 2
+        result[inside] += share * patch(source, (number - j) % COUNTED, at_x, at_z)
+    return source.amount * rim * result
+
+
+@dataclass(frozen=True, eq=False)
+class Copy:
+    """One of the two copies of a mask that the flow carries, at r places."""
+
+    weight: Floats
+    """(r,), the weights of the two add up to 1."""
+    x: Floats
+    z: Floats
+    """Where it is looked at, m from the origin; (r,) each."""
+    turn: Floats
+    """(r, 2, 2): what becomes of a way (x, z) there."""
+
+    def turned(self, foot: Floats) -> Floats:
+        """Footprints (r, 2) m as the copy sees them; (r, 2)."""
+        result: Floats = np.einsum("rij,rj->ri", self.turn, foot)
+        return result
+
+
+def copies(
+    scene: Scene, source: DriftSaturation, tile: float, time: float, origin: tuple[float, float], x: Floats, z: Floats
+) -> list[Copy]:
+    """The two copies of a mask with tiles of a side ``tile`` (m) at (x, z), m from the origin, at a time (s)."""
+    drift = scene.drift
+    assert drift is not None
+    flow = flow_of(scene)
+    q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
+    q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
+    rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
+    brood = Fraction(source.life) / BROODS
+    number = math.floor(Fraction(time) / brood)
+    youngest = float(Fraction(time) - number * brood)
+    inside = np.flatnonzero(rim > 0.0)
+    grown = math.sin(0.5 * math.pi * youngest / float(brood)) ** 2
+    # Of the copy of the odd brood; beyond the square the other is left alone.
+    share = rim * (grown if number % 2 == 1 else 1.0 - grown)
+    made = []
+    for i, seconds in enumerate((youngest, youngest + float(brood))):
+        odd = (number - i) % 2 == 1
+        apart = tuple(share * tile if odd else 0.0 for share in APART)
+        away, turn = np.zeros((x.size, 2)), np.tile(np.eye(2), (x.size, 1, 1))
+        if inside.size:
+            at = q_x[inside], q_z[inside]
+            here = _way(flow, *at, seconds)
+            away[inside] = rim[inside, None] * here
+            for axis, (d_x, d_z) in enumerate(((BESIDE, 0.0), (0.0, BESIDE))):
+                change = (_way(flow, at[0] + d_x, at[1] + d_z, seconds) - here) / BESIDE
+                turn[inside, :, axis] += rim[inside, None] * change
+        made.append(Copy(share if odd else 1.0 - share, x + away[:, 0] + apart[0], z + away[:, 1] + apart[1], turn))
+    return made
+
+
+def _way(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
+    """From places to where their water was, (r, 2) m."""
+    back = flow.back(x, z, seconds)
+    return np.column_stack((back[0] - x, back[1] - z))
+
+
+def _rim(share: Floats) -> Floats:
+    return 1.0 - smoothstep(RIM, 1.0, np.abs(share))
+
+
+def patch(source: DriftSaturation, brood: int, x: Floats, z: Floats) -> Floats:
+    """What came up of a brood at (x, z), m from the square's middle; (r,) in [0, 1]."""
+    key = int(pcg(np.uint64(source.seed) ^ pcg(np.array([brood], np.uint64)))[0])
+    total = np.zeros_like(x)
+    for i, (weight, frequency, turned) in enumerate(OCTAVES):
+        u, v = x / source.patch, z / source.patch
+        if turned:
+            u, v = 0.8 * u - 0.6 * v, 0.6 * u + 0.8 * v
+        total += weight * value(key + i, u * frequency, v * frequency)
+    middle = 0.5 + DEVIATION * NormalDist().inv_cdf(1.0 - source.coverage)
+    return smoothstep(middle - HALF_CUT, middle + HALF_CUT, total)

@@ -1,0 +1,77 @@
+"""Section 5: foam that lives, in float64. Where it lies, how it gathers, and of which masks it is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from seafoam.ocean.stokes import foam_drift, foam_life
+from seafoam.reference.foam.cells import part
+from seafoam.reference.noise import PERIOD, perlin
+from seafoam.reference.types import Floats, smoothstep
+from seafoam.reference.waves.parametric import reduced
+from seafoam.scene.models import Scene
+
+AGE = 0.8
+"""e-folds of the saturation from mask to mask."""
+ROW_LENGTH = 8.0
+RIDGE = 7.781
+ROW_SEED = 1938
+
+
+@dataclass(frozen=True, eq=False)
+class Share:
+    """What one mask covers."""
+
+    mask: int
+    """Which; 0 is the foam's own."""
+    weight: Floats
+    """(r,), 0 where this mask has none."""
+    s: Floats
+    """Share of the plane, (r,)."""
+
+
+def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, x: Floats, z: Floats) -> Floats:
+    """The share s (r,) at (x, z), m from the origin, gathered in rows along the wind; (r,)."""
+    life = foam_life(scene)
+    if life is None or life.windrows == 0.0:
+        return s
+    cosine, sine = math.cos(life.wind_direction), math.sin(life.wind_direction)
+    across = 1.0 / life.windrow_spacing
+    rows = ((cosine * across / ROW_LENGTH, sine * across / ROW_LENGTH), (-sine * across, cosine * across))
+    drift, turn, cells = foam_drift(scene), 2.0 * math.pi / PERIOD, PERIOD / (2.0 * math.pi)
+    place = []
+    for a, b in rows:
+        at_eye = reduced((turn * a, origin[0]), (turn * b, origin[1]), (-turn * (a * drift[0] + b * drift[1]), time))
+        place.append(cells * at_eye + a * x + b * z)
+    ridge = np.maximum(1.0 - RIDGE * np.abs(perlin(np.column_stack(place), ROW_SEED)), -1.0)
+    result: Floats = s + life.windrows * ridge * s * (1.0 - s)
+    return result
+
+
+def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
+    """How the share s (r,) of foam of saturation f (r,) in [0, 1] is given to so many masks by its age."""
+    if masks == 1:
+        return [Share(0, np.ones_like(s), s)]
+    age = np.clip(-np.log(np.maximum(f, 1e-6)) / AGE, 0.0, masks - 1.0)
+    young = np.minimum(np.floor(age), masks - 2.0)
+    older = smoothstep(0.35, 0.65, age - young)
+    result = []
+    for mask in range(masks):
+        weight = np.where(young == mask, 1.0 - older, np.where(young + 1.0 == mask, older, 0.0))
+        result.append(Share(mask, weight, part(s, weight)))
+    return result
+
+
+def drifted(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
+    """The mask's place (u, v) under the origin, tiles: moved back along the drift; in [0, 1)."""
+    foam = scene.foam
+    assert foam is not None
+    drift, turn = foam_drift(scene), 2.0 * math.pi
+    cosine, sine = math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
+    rates = -turn * (cosine * drift[0] + sine * drift[1]), -turn * (cosine * drift[1] - sine * drift[0])
+    u = reduced((turn * cosine, origin[0]), (turn * sine, origin[1]), (rates[0], time))
+    v = reduced((-turn * sine, origin[0]), (turn * cosine, origin[1]), (rates[1], time))
+    return u / turn, v / turn

@@ -1,0 +1,116 @@
+"""Section 12: the sun's reflection broken up into sparkles, at one time; its mean is the smooth reflection."""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.reference.light.light import Air, Glint, blinn_phong, glint
+from seafoam.reference.noise import pcg, share
+from seafoam.reference.types import Floats, dot, smoothstep
+from seafoam.scene.models import Light, Sparkles
+
+EPOCHS = 65536
+MOST = 0.25
+"""Greatest radius, rad."""
+PIXELS = 0.75
+"""Least radius, in steps from sample to sample in the middle of the picture."""
+LIGHT_LEAST = 1e-20
+SOFT = 0.25
+SOFT_LEAST = 1e-3
+"""Half the width of the ramp about a chance, over the chance."""
+_Words = NDArray[np.uint64]
+_LOW = np.uint64(0xFFFFFFFF)
+
+
+@dataclass(frozen=True)
+class Field:
+    """The sparkles of a light at a time."""
+
+    of: Sparkles
+    epoch: int
+    turn: float
+    """Whole lives since time 0, modulo EPOCHS, and what is left of the last, in lives."""
+    radius: float
+    side: float
+    """Of a sparkle (rad) and of a cell on the octahedron."""
+
+    @staticmethod
+    def at(of: Sparkles, time: float, step: float) -> "Field":
+        """``step``: from sample to sample in the middle of the picture, rad; 0 for no least size."""
+        lives = Fraction(time) / Fraction(of.life)
+        whole = math.floor(lives)
+        asked = 0.5 * of.size
+        radius = min(max(PIXELS * step, asked), MOST)
+        doubled = math.ceil(math.log2(radius / asked) - 1e-3)
+        return Field(of, whole % EPOCHS, float(lives - whole), radius, 4.0 * asked * 2.0**doubled)
+
+    @property
+    def density(self) -> float:
+        """Sparkles alight in a steradian where w = 1."""
+        return math.pi * self.of.rate * (180.0 / math.pi) ** 2 * self.of.life
+
+    def light(self, d: Floats, w: Floats) -> Floats:
+        """Light of the sparkles over the sun's irradiance, toward −d (r, 3), where the smooth glint is w (r,); (r,)."""
+        q = d * np.where(d[:, 1:2] < 0.0, [[1.0, -1.0, 1.0]], 1.0)
+        folded = q[:, [0, 2]] / (np.abs(q).sum(axis=1, keepdims=True) * self.side)
+        first = np.floor(folded - 0.5)
+        total = np.zeros_like(w)
+        for across in (0.0, 1.0):
+            for along in (0.0, 1.0):
+                cell = first + np.array([across, along])
+                total += self._one(q, w, cell)
+        return total
+
+    def _one(self, q: Floats, w: Floats, cell: Floats) -> Floats:
+        i, j = (cell[:, k].astype(np.int64).astype(np.uint64) & _LOW for k in (0, 1))
+        own = pcg(pcg(i) ^ j)
+        age = self.turn + share(pcg(own))
+        passed = np.floor(age)
+        word = pcg(own ^ ((self.epoch + passed.astype(np.int64)) % EPOCHS).astype(np.uint64))
+        s = age - passed
+        inside = np.stack([share(pcg((word + np.uint64(k)) & _LOW)) for k in (1, 2)], axis=-1)
+        centre = (cell + inside) * self.side
+        C = np.stack((centre[:, 0], 1.0 - np.abs(centre).sum(axis=1), centre[:, 1]), axis=-1)
+        length = np.sqrt(dot(C, C))
+        away = q - C / length[:, None]
+        shape = np.maximum(1.0 - dot(away, away) / self.radius**2, 0.0) ** 2
+        solid = self.side**2 / length**3
+        mean = math.pi * self.radius**2 / 3.0
+        chance = np.minimum(self.density * w * solid, 1.0)
+        soft = np.maximum(np.minimum(SOFT * chance, 1.0 - chance), SOFT_LEAST * chance)
+        lit = np.clip(0.5 + 0.5 * (chance - share(word)) / soft, 0.0, 1.0)
+        swell = 30.0 * (s * (1.0 - s)) ** 2
+        # Each is as bright as it must be for its mean to be w: w over the chance that it is alight.
+        bright = np.maximum(w, 1.0 / (self.density * solid))
+        result: Floats = lit * swell * shape * bright * solid / mean
+        return result
+
+    def broken(self, air: Air, d: Floats, smooth: Floats) -> Floats:
+        """The reflection (r, 3) toward −d (r, 3) whose mean over all hashes is ``smooth`` (r, 3)."""
+        total = max(float(air.sun_irradiance.sum()), LIGHT_LEAST)
+        w = np.maximum(smooth.sum(axis=1) / total, LIGHT_LEAST)
+        here = self.side**2 * np.abs(d).sum(axis=1) ** 3
+        apart = self.of.share * (1.0 - smoothstep(0.5, 2.0, self.density * w * here))
+        result: Floats = smooth * (1.0 - apart + apart / w * self.light(d, w))[:, None]
+        return result
+
+
+def sun(of: Light, air: Air, time: float, step: float) -> Glint:
+    """The sun on the water of a light at a time (s); ``step`` as for :meth:`Field.at`."""
+    smooth: Glint = (
+        partial(glint, air)
+        if of.specular == "glint"
+        else partial(blinn_phong, air, of.specular_power, of.specular_perturb)
+    )
+    if of.sparkles is None:
+        return smooth
+    field = Field.at(of.sparkles, time, step)
+
+    def sparkling(d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
+        return field.broken(air, d, smooth(d, n, cv, sigma2))
+
+    return sparkling

@@ -1,0 +1,1 @@
+"""Rays through pixels, where they meet the surface, and the frame."""

@@ -1,0 +1,241 @@
+"""Section 3: where rays meet the waves, the normals there, and the footprints of samples.
+
+How exact the search is: a ray's height over the surface, G, is sampled at steps that cannot pass a crossing (by the
+greatest slope) or, where those are small, at a quarter of the finest shape; every sampled minimum low enough to
+hide a double crossing (by the greatest curvature) is then searched. So the first crossing is found as long as steps
+stay fine, that is for the first ``FINE_STEPS`` of them in the slab that holds the waves: for any ray more than about a
+degree below the horizon in common scenes. Later steps grow by ``GROWTH``, where waves are far smaller than a pixel;
+such a ray still gets a crossing, of the waves as it samples them. The bounds fail for exponents below ½ (below 1 from
+under the surface), whose troughs are cusps; no crossing from above hides there. A found crossing is refined to the last
+few digits of float64.
+"""
+
+import math
+
+import numpy as np
+
+from seafoam.reference.renderer.relief import Part
+from seafoam.reference.types import Bools, Floats, Indices, dot
+
+LEVEL = 1e-9
+"""Rays with |d.y| below this are horizontal: they meet no plane."""
+FAR = 1e7
+"""Rays inside the waves' slab are followed so far, m."""
+FINE_STEPS = 1500
+GROWTH = 1.02
+SHAPE_SHARE = 0.25
+"""Step over the finest feature."""
+REFINEMENTS = 80
+GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+GOLDEN_STEPS = 40
+
+
+def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
+    """Distance along unit rays d (r, 3) from (0, eye_y, 0) to the surface, m; (r,), infinite where they miss it.
+
+    A crossing in either direction counts: an eye under water meets the surface from below.
+    """
+    distance = np.full(d.shape[0], np.inf)
+    if relief.top <= 0.0:
+        slanted = np.abs(d[:, 1]) >= LEVEL
+        s: Floats = -eye_y / np.where(slanted, d[:, 1], 1.0)
+        met = slanted & (s > 0.0)
+        distance[met] = s[met]
+        return distance
+    low, high, inside = _slab(eye_y, relief.trough, relief.top, d[:, 1])
+    chosen = np.flatnonzero(inside)
+    if chosen.size:
+        search = _Search(relief, eye_y, d[chosen])
+        distance[chosen] = search.first(low[chosen], high[chosen])
+    return distance
+
+
+def land_crossing(land: Part, eye_y: float, d: Floats, low: Floats, high: Floats) -> Floats:
+    """Distance along unit rays d (r, 3) to what stands over y = 0, m; (r,), infinite where they miss it.
+
+    Only between ``low`` and ``high`` (r,) m is anything looked for.
+    """
+    distance = np.full(d.shape[0], np.inf)
+    if land.top <= 0.0:
+        return distance
+    start, end, inside = _slab(eye_y, 0.0, land.top, d[:, 1])
+    start, end = np.maximum(start, low), np.minimum(end, high)
+    chosen = np.flatnonzero(inside & (start < end))
+    if chosen.size:
+        search = _Search(land, eye_y, d[chosen])
+        found = search.first(start[chosen], end[chosen])
+        # A ray that leaves where the search ends is taken to have crossed there: only what lies on dry land counts.
+        met = np.isfinite(found)
+        s = np.where(met, found, 0.0)
+        height = land.height(d[chosen, 0] * s, d[chosen, 2] * s)
+        met &= (height > 0.0) & (np.abs(eye_y + d[chosen, 1] * s - height) <= 1e-6)
+        distance[chosen] = np.where(met, found, np.inf)
+    return distance
+
+
+def normal(h_x: Floats, h_z: Floats) -> Floats:
+    """(−h_x, 1, −h_z), not normalised; (r, 3)."""
+    return np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1)
+
+
+def footprint(tau: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
+    """∂P/∂X = τ(δ − D (N·δ)/(N·D)) for the step δ (3,) of D from sample to sample; its (x, z) part, (r, 2) m.
+
+    N·D is held at −10⁻³ |N||D| or below.
+    """
+    facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
+    moved = tau[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
+    result: Floats = moved[:, [0, 2]]
+    return result
+
+
+def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:
+    """Where rays enter and leave bottom ≤ y ≤ top, m, and whether they pass through it at all; (r,) each."""
+    slanted = np.abs(rise) >= LEVEL
+    rise = np.where(slanted, rise, 1.0)
+    ends = np.sort(np.stack(((top - eye_y) / rise, (bottom - eye_y) / rise)), axis=0)
+    within = bottom <= eye_y <= top
+    low = np.where(slanted, np.maximum(ends[0], 0.0), 0.0)
+    high = np.where(slanted, ends[1], FAR)
+    inside = np.where(slanted, ends[1] > 0.0, within)
+    # Only rays that start in the slab can run along it without end.
+    return low, np.minimum(high, FAR) if within else high, inside
+
+
+class _Search:
+    """G along r rays."""
+
+    def __init__(self, relief: Part, eye_y: float, d: Floats) -> None:
+        self.relief = relief
+        self.eye_y = eye_y
+        self.rise = d[:, 1]
+        self.across = d[:, [0, 2]].T
+        self.level = np.hypot(d[:, 0], d[:, 2])
+
+    def value(self, s: Floats, rays: Indices | None = None) -> Floats:
+        """G at distances s of rays (all of them unless told); (r,) m."""
+        across, rise = (self.across, self.rise) if rays is None else (self.across[:, rays], self.rise[rays])
+        return self._value(s, across, rise)
+
+    def _value(self, s: Floats, across: Floats, rise: Floats) -> Floats:
+        x, z = across * s
+        above: Floats = self.eye_y + rise * s - self.relief.height(x, z)
+        return above
+
+    def _derivative(self, s: Floats, across: Floats, rise: Floats) -> Floats:
+        x, z = across * s
+        h_x, h_z = self.relief.gradient(x, z)
+        change: Floats = rise - across[0] * h_x - across[1] * h_z
+        return change
+
+    def first(self, low: Floats, high: Floats) -> Floats:
+        """First zero of G between the ends of the slab; (r,) m, infinite where there is none."""
+        count = low.size
+        # Rounding must not put an eye above all crests under one of them.
+        outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < self.relief.trough else 0.0
+        side = np.where(self.value(low) >= 0.0, 1.0, -1.0) if outside == 0.0 else np.full(count, outside)
+        before = np.full(count, np.inf)
+        after = np.full(count, np.inf)
+        # No ray leaves the slab on the other side without a crossing, whatever rounding says of G there.
+        sure = (np.abs(self.rise) >= LEVEL) & (side * self.rise < 0.0) & ((high < FAR) | (outside != 0.0))
+        # Steeper than any slope: one crossing, between the ends.
+        steep = sure & (side > 0.0) & (-self.rise > self.relief.slope * self.level)
+        before[steep], after[steep] = low[steep], high[steep]
+        dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
+        self._search_dips(dips, side, before, after)
+        found = np.flatnonzero(np.isfinite(after))
+        result = np.full(count, np.inf)
+        if found.size:
+            result[found] = self._refine(found, before[found], after[found], side[found])
+        return result
+
+    def _march(
+        self, rays: Indices, low: Floats, high: Floats, side: Floats, sure: Bools, before: Floats, after: Floats
+    ) -> list[tuple[Indices, Floats, Floats]]:
+        """Bracket the first sign change of each ray in ``before`` and ``after``; return the suspect minima.
+
+        A minimum is (rays, from, to): G stays above zero where it was sampled and may not between.
+        """
+        dips: list[tuple[Indices, Floats, Floats]] = []
+        if rays.size == 0:
+            return dips
+        across, rise, level = self.across[:, rays], self.rise[rays], self.level[rays]
+        sign, s, end, certain = side[rays], low[rays], high[rays], sure[rays]
+        g = sign * self._value(s, across, rise)
+        s_old, g_old = s, np.full(s.shape, np.inf)
+        closing = self.relief.slope * level - sign * rise
+        live = np.ones(rays.size, np.bool_)
+        fine = SHAPE_SHARE * self.relief.shape / np.maximum(level, 1e-12)
+        steps = 0
+        while True:
+            steps += 1
+            if steps > FINE_STEPS:
+                fine = fine * GROWTH
+            # At infinite slopes or nowhere closing, the quotient says 0 or nothing.
+            safe = np.where(closing > 0.0, g / np.where(closing > 0.0, closing, 1.0), np.inf)
+            s_new = np.minimum(s + np.maximum(fine, safe), end)
+            g_new = sign * self._value(s_new, across, rise)
+            crossed = live & ((g_new <= 0.0) | (certain & (s_new >= end)))
+            where = rays[crossed]
+            before[where], after[where] = s[crossed], s_new[crossed]
+            width = np.maximum(s - s_old, s_new - s) * level
+            suspect = live & ~crossed & (g <= g_old) & (g <= g_new) & (g <= 0.5 * self.relief.curvature * width * width)
+            if suspect.any():
+                dips.append((rays[suspect], s_old[suspect], s_new[suspect]))
+            live &= ~crossed & (s_new < end)
+            left = int(np.count_nonzero(live))
+            if left == 0:
+                return dips
+            s_old, g_old, s, g = s, g, s_new, g_new
+            if left < 0.75 * live.size:
+                rays, across, rise, level = rays[live], across[:, live], rise[live], level[live]
+                sign, end, closing, fine = sign[live], end[live], closing[live], fine[live]
+                certain = certain[live]
+                s, g, s_old, g_old = s[live], g[live], s_old[live], g_old[live]
+                live = np.ones(left, np.bool_)
+
+    def _search_dips(
+        self, dips: list[tuple[Indices, Floats, Floats]], side: Floats, before: Floats, after: Floats
+    ) -> None:
+        """Find the least G of each suspect minimum by golden section; below zero, it ends an earlier bracket."""
+        if not dips:
+            return
+        rays = np.concatenate([dip[0] for dip in dips])
+        start = np.concatenate([dip[1] for dip in dips])
+        a, b = start, np.concatenate([dip[2] for dip in dips])
+        early = start < np.minimum(after[rays], np.finfo(np.float64).max)
+        rays, start, a, b = rays[early], start[early], a[early], b[early]
+        sign, across, rise = side[rays], self.across[:, rays], self.rise[rays]
+        for _ in range(GOLDEN_STEPS):
+            left, right = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
+            keep_left = sign * self._value(left, across, rise) < sign * self._value(right, across, rise)
+            a, b = np.where(keep_left, a, left), np.where(keep_left, right, b)
+        middle = 0.5 * (a + b)
+        below = np.flatnonzero(sign * self._value(middle, across, rise) < 0.0)
+        # Several dips of one ray: the last assignment wins, so the nearest goes last.
+        for i in below[np.argsort(-middle[below], kind="stable")]:
+            if middle[i] < after[rays[i]]:
+                before[rays[i]], after[rays[i]] = start[i], middle[i]
+
+    def _refine(self, rays: Indices, a: Floats, b: Floats, side: Floats) -> Floats:
+        """The zero between a (G·side ≥ 0) and b (G·side ≤ 0): Newton steps, bisection where they leave the bracket."""
+        result = np.empty(rays.size)
+        place = np.arange(rays.size)
+        across, rise = self.across[:, rays], self.rise[rays]
+        s = 0.5 * (a + b)
+        for _ in range(REFINEMENTS):
+            g = side * self._value(s, across, rise)
+            slope = side * self._derivative(s, across, rise)
+            a, b = np.where(g > 0.0, s, a), np.where(g > 0.0, b, s)
+            falling = slope < 0.0
+            newton = s - g / np.where(falling, slope, 1.0)
+            good = falling & (newton > a) & (newton < b)
+            following = np.where(good, newton, 0.5 * (a + b))
+            done = (np.abs(following - s) <= 1e-14 * (s + abs(self.eye_y))) | (g == 0.0)
+            result[place] = np.where(g == 0.0, s, following)
+            left = ~done
+            if not left.any():
+                break
+            s, a, b, side, place = following[left], a[left], b[left], side[left], place[left]
+            across, rise = across[:, left], rise[left]
+        return result

@@ -1,0 +1,87 @@
+"""The surface as a height field: the sum of everything that raises it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from seafoam.reference.types import Floats
+
+
+class Part(Protocol):
+    """Something that raises the surface, at one time around one origin; heights in [trough, top] m."""
+
+    @property
+    def top(self) -> float:
+        """No point is higher, m."""
+
+    @property
+    def trough(self) -> float:
+        """No point is lower, m; at most 0."""
+
+    @property
+    def slope(self) -> float:
+        """Greatest slope, rounded up."""
+
+    @property
+    def curvature(self) -> float:
+        """Greatest second derivative along any line, rounded up, 1/m."""
+
+    @property
+    def shape(self) -> float:
+        """Size of the finest feature, m."""
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """Height at (x, z), m from the origin, shape (r,); (r,) m."""
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """(h_x, h_z) at (x, z); (r,) each."""
+
+
+@dataclass(frozen=True)
+class Relief:
+    """The sum of parts, itself a part."""
+
+    parts: tuple[Part, ...]
+
+    @cached_property
+    def raised(self) -> tuple[Part, ...]:
+        """The parts that are not flat."""
+        return tuple(part for part in self.parts if part.top > 0.0)
+
+    @cached_property
+    def top(self) -> float:
+        return sum(part.top for part in self.raised)
+
+    @cached_property
+    def trough(self) -> float:
+        return sum(part.trough for part in self.raised)
+
+    @cached_property
+    def slope(self) -> float:
+        return sum(part.slope for part in self.raised)
+
+    @cached_property
+    def curvature(self) -> float:
+        return sum(part.curvature for part in self.raised)
+
+    @cached_property
+    def shape(self) -> float:
+        return min((part.shape for part in self.raised), default=float("inf"))
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        total = np.zeros_like(x)
+        for part in self.raised:
+            total += part.height(x, z)
+        return total
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+        for part in self.raised:
+            part_x, part_z = part.gradient(x, z)
+            h_x += part_x
+            h_z += part_z
+        return h_x, h_z

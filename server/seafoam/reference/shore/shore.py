@@ -1,0 +1,535 @@
+"""Section 8: a shore at one time, around one origin: its map, its waves, its land, its foam, its colours.
+
+Distances come from SciPy's exact Euclidean transform, where the shaders flood. Everything else is written from the
+page. The map, the floor and the profiles live on grids of texels with quadratic splines between: that is part of the
+model, so this has the same grids, those of the ``reference`` quality.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from scipy import ndimage
+
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.seabed import floor_grid
+from seafoam.reference.foam.torn import Feet, spread, torn, torn_step
+from seafoam.reference.light.light import INDEX
+from seafoam.reference.noise import KEY, value
+from seafoam.reference.renderer.relief import Part
+from seafoam.reference.types import Bools, Floats, Indices, dot, smoothstep
+from seafoam.reference.waves.parametric import reduced
+from seafoam.scene.models import SurfSaturation
+from seafoam.scene.shore import Shore
+from seafoam.textures import shore_profiles
+
+MAP = 256
+"""Texels along a side of the map."""
+FLOOR = 512
+"""Texels along a side of the height field."""
+NODES = 256
+"""Nodes of a profile."""
+PERIOD = 2.0**18
+"""Shores stand once in so many metres."""
+BREAKS = 0.78
+"""Height over depth of a wave that breaks (McCowan 1894)."""
+SWASH = 0.3
+"""Share of its height that a wave keeps on the beach."""
+LEAST = 0.05
+MASK = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
+"""Wavelength (m), heading (rad) and period (s) of the sines that break the rhythm; the i-th starts at 1.7 i rad."""
+GRAIN_CELL = 9.0
+GRAIN_OCTAVES = 5
+GRAIN_STEP = 0.31
+FILM_ROUGHNESS2 = 0.02
+FALL_LEAST = 0.25
+REFRACTION_STEPS = 16
+SAFE_STEPS = 20000
+WEED = np.array([0.08, 0.085, 0.05])
+
+
+def step_between(low: float, high: float, x: Floats) -> Floats:
+    """The smoothstep whose ends may meet; they are 10⁻⁶ apart at least."""
+    return smoothstep(low, low + max(high - low, 1e-6), x)
+
+
+def signed_distance(land: Bools) -> Floats:
+    """Distance of texels to the nearest of the other kind, less ½, in texels: positive at sea, negative on land.
+
+    Where there is no other kind: the side of the map. Exact.
+    """
+    if land.all() or not land.any():
+        return np.where(land, -1.0, 1.0) * float(land.shape[1])
+    inland: Floats = ndimage.distance_transform_edt(land)
+    offshore: Floats = ndimage.distance_transform_edt(~land)
+    result: Floats = np.where(land, 0.5 - inland, offshore - 0.5)
+    return result
+
+
+def gaussian(values: Floats, deviation: float) -> Floats:
+    """Values (n, n) smoothed by a Gaussian of so many texels, cut at 3 deviations, its ends repeated."""
+    reach = min(max(math.ceil(3.0 * deviation), 1), 48)
+    offset = np.arange(-reach, reach + 1) / max(deviation, 0.01)
+    weight = np.exp(-0.5 * np.minimum(offset * offset, 160.0))
+    weight /= weight.sum()
+    first: Floats = ndimage.correlate1d(values, weight, axis=1, mode="nearest")
+    result: Floats = ndimage.correlate1d(first, weight, axis=0, mode="nearest")
+    return result
+
+
+def sobel(values: Floats) -> tuple[Floats, Floats]:
+    """Gradient a texel along x (axis 1) and z (axis 0) by Sobel's filter; the ends repeated."""
+    return (
+        ndimage.sobel(values, axis=1, mode="nearest") / 8.0,
+        ndimage.sobel(values, axis=0, mode="nearest") / 8.0,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Spline:
+    """A quadratic B-spline of texels (n, n, c) over a square, texel centres at (i + ½)/n."""
+
+    texels: Floats
+    size: float
+
+    def _places(self, x: Floats, z: Floats) -> tuple[list[Indices], Floats, Floats, Floats, Floats]:
+        count = self.texels.shape[0]
+        result = []
+        for place in (x, z):
+            at = np.clip(place / self.size + 0.5, 0.0, 1.0) * count - 0.5
+            base = np.floor(at + 0.5)
+            t = at + 0.5 - base
+            weights = np.stack((0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t))
+            slopes = np.stack((t - 1.0, 1.0 - 2.0 * t, t))
+            index = [np.clip(base.astype(np.intp) + i, 0, count - 1) for i in (-1, 0, 1)]
+            result.append((index, weights, slopes))
+        (columns, w_x, s_x), (rows, w_z, s_z) = result
+        places = [row * count + column for row in rows for column in columns]
+        return places, w_x, s_x, w_z, s_z
+
+    def value(self, x: Floats, z: Floats) -> Floats:
+        """(r, c) at (x, z), m from the middle of the square; outside it what is nearest inside."""
+        places, w_x, _, w_z, _ = self._places(x, z)
+        flat = self.texels.reshape(-1, self.texels.shape[2])
+        total = np.zeros((x.size, flat.shape[1]))
+        for k, place in enumerate(places):
+            total += (w_z[k // 3] * w_x[k % 3])[:, None] * flat[place]
+        return total
+
+    def all(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
+        """Value and its changes a metre along x and z; (r, c) each. Outside the square nothing changes."""
+        places, w_x, s_x, w_z, s_z = self._places(x, z)
+        flat = self.texels.reshape(-1, self.texels.shape[2])
+        total, along_x, along_z = (np.zeros((x.size, flat.shape[1])) for _ in range(3))
+        for k, place in enumerate(places):
+            here = flat[place]
+            total += (w_z[k // 3] * w_x[k % 3])[:, None] * here
+            along_x += (w_z[k // 3] * s_x[k % 3])[:, None] * here
+            along_z += (s_z[k // 3] * w_x[k % 3])[:, None] * here
+        scale = self.texels.shape[0] / self.size
+        along_x *= scale * (np.abs(x) <= 0.5 * self.size)[:, None]
+        along_z *= scale * (np.abs(z) <= 0.5 * self.size)[:, None]
+        return total, along_x, along_z
+
+
+@lru_cache(maxsize=8)
+def _floor(shore: Shore) -> Spline:
+    return Spline(floor_grid(shore, FLOOR), shore.size)
+
+
+@lru_cache(maxsize=8)
+def _smooth(shore: Shore) -> tuple[Floats, Floats, Floats, Floats]:
+    """Distance (m), depth (m) and the gradient of the distance, smoothed; (MAP, MAP) each."""
+    centres = ((np.arange(MAP) + 0.5) / MAP - 0.5) * shore.size
+    x, z = np.meshgrid(centres, centres, indexing="xy")
+    heights = _floor(shore).value(x.ravel(), z.ravel())[:, 0].reshape(MAP, MAP)
+    texel = shore.size / MAP
+    deviation = min(shore.smoothing / texel, MAP / 12.0)
+    d = gaussian(signed_distance(heights >= 0.0) * texel, deviation)
+    depth = gaussian(-heights, deviation)
+    g_x, g_z = sobel(d)
+    return d, depth, g_x / texel, g_z / texel
+
+
+def travel(shore: Shore, d: Floats) -> Floats:
+    """Periods that a wave takes from a distance d (m) to the shore, at √(g h) over a floor of even slope."""
+    least = max(SWASH * shore.surf.height, LEAST)
+    out, inward = np.maximum(d, 0.0), np.minimum(d, 0.0)
+    seconds = 2.0 * out / (math.sqrt(least) + np.sqrt(least + shore.slope * out)) + inward / math.sqrt(least)
+    result: Floats = seconds / (math.sqrt(GRAVITY) * shore.surf.period)
+    return result
+
+
+def shore_map(shore: Shore, time: float) -> Floats:
+    """(MAP, MAP, 4): phase (periods), height (m), skew (0 to 1) and share of the open sea's waves."""
+    d, depth, g_x, g_z = _smooth(shore)
+    surf = shore.surf
+    centres = ((np.arange(MAP) + 0.5) / MAP - 0.5) * shore.size
+    x, z = np.meshgrid(centres, centres, indexing="xy")
+    steep = np.hypot(g_x, g_z)
+    ridge = step_between(0.3, 0.8, steep)
+    met = -(g_x * math.cos(surf.heading) + g_z * math.sin(surf.heading)) / np.maximum(steep, 1e-6)
+    exposed = 1.0 - surf.exposure + surf.exposure * step_between(-0.3, 0.7, met)
+    open_ = np.ones_like(d)
+    if shore.kind == "lagoon":
+        open_ = step_between(0.85 * shore.radius, 1.1 * shore.radius, np.hypot(x, z))
+    breaks = max(surf.height, LEAST) / BREAKS
+    beach = SWASH + (1.0 - SWASH) * step_between(0.0, breaks, depth)
+    shoal = np.where(depth >= breaks, (breaks / np.maximum(depth, breaks)) ** 0.25, beach)
+    near = 1.0 - step_between(0.45 * shore.deep, 0.9 * shore.deep, depth)
+    inland = step_between(-1.2 * max(surf.height, LEAST) / shore.slope, 0.0, d)
+    total = np.zeros_like(d)
+    for i, (wavelength, heading, period) in enumerate(MASK):
+        k = 2.0 * math.pi / wavelength
+        phase = reduced((2.0 * math.pi / period, time), plus=1.7 * i)
+        total += np.sin(phase + k * (math.cos(heading) * x + math.sin(heading) * z))
+    rhythm = 1.0 - surf.variation * step_between(-0.8, 0.8, 0.5 * total)
+    return np.stack(
+        (
+            travel(shore, d),
+            surf.height * shoal * near * inland * ridge * exposed * open_ * rhythm,
+            1.0 - step_between(breaks, 2.5 * breaks, depth),
+            step_between(0.0, 0.6 * shore.deep, depth) * (0.1 + 0.9 * open_),
+        ),
+        axis=-1,
+    )
+
+
+class Profiles:
+    """The table of profiles: quadratic splines along a wave, straight lines between rows."""
+
+    def __init__(self, skew: float, sharpness: float) -> None:
+        self.table = shore_profiles(NODES, skew, sharpness).astype(np.float64)
+
+    def __call__(self, turn: Floats, skew: Floats) -> tuple[Floats, Floats, Floats]:
+        """Height in [0, 1], its change a period and its change with skew; (r,) each."""
+        rows, nodes = self.table.shape
+        at = turn * nodes - 0.5
+        base = np.floor(at + 0.5)
+        t = at + 0.5 - base
+        y = np.clip(skew, 0.0, 1.0) * (rows - 1)
+        row = np.minimum(y.astype(np.intp), rows - 2)
+        share = y - row
+        value, slope = np.zeros((2, turn.size)), np.zeros((2, turn.size))
+        weights = (0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t)
+        slopes = (t - 1.0, 1.0 - 2.0 * t, t)
+        for i in range(3):
+            node = (base.astype(np.intp) + i - 1) % nodes
+            for j in range(2):
+                here = self.table[row + j, node]
+                value[j] += weights[i] * here
+                slope[j] += slopes[i] * here
+        mixed: Floats = value[0] + share * (value[1] - value[0])
+        turned: Floats = (slope[0] + share * (slope[1] - slope[0])) * nodes
+        return mixed, turned, (value[1] - value[0]) * (rows - 1)
+
+
+@lru_cache(maxsize=8)
+def _profiles(skew: float, sharpness: float) -> Profiles:
+    return Profiles(skew, sharpness)
+
+
+TORN = 0.25, 0.72
+"""Noise from which patches begin, and in which they are whole."""
+
+
+def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
+    """What patches of the surf are torn by at (x, z) m from the middle of the square: shares, cells (m) and values."""
+    t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
+    return [
+        (0.4, 6.0, value(KEY, t_x / 6.0, t_z / 6.0)),
+        (0.35, 1.7, value(KEY, x / 1.7, z / 1.7)),
+        (0.25, 0.5, value(KEY, t_x / 0.5, t_z / 0.5)),
+    ]
+
+
+def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> tuple[Floats, Floats]:
+    """How far the surf carries its foam along the gradient of the phase, m; (r,) each."""
+    length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
+    swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
+    return swing * map_x[:, 0], swing * map_z[:, 0]
+
+
+def _patches(x: Floats, z: Floats) -> Floats:
+    """Patches that foam of the surf tears into, at (x, z) m from the middle of the square; (r,) in [0, 1]."""
+    return smoothstep(*TORN, np.sum([share * noise for share, _, noise in _noises(x, z)], axis=0))
+
+
+class Coast:
+    """The shore of a scene at a time, x and z counted from an origin (m); the sea with its waves is a part."""
+
+    def __init__(self, shore: Shore, time: float, origin: tuple[float, float], open_sea: Part) -> None:
+        self.shore = shore
+        self.open_sea = open_sea
+        self.offset = tuple(math.remainder(a - b, PERIOD) for a, b in zip(origin, shore.place, strict=True))
+        self.floor = _floor(shore)
+        self.field = Spline(shore_map(shore, time), shore.size)
+        self.profiles = _profiles(shore.surf.skew, shore.surf.sharpness)
+        self.time = reduced((-2.0 * math.pi / shore.surf.period, time)) / (2.0 * math.pi)
+        self.land = Land(self)
+
+    @property
+    def top(self) -> float:
+        """No point of the sea is higher, m."""
+        return self.open_sea.top + self.shore.surf.height
+
+    @property
+    def trough(self) -> float:
+        return self.open_sea.trough
+
+    def _change(self, values: Floats) -> Floats:
+        """Greatest change a metre of a map's channel round each texel, that of its spline at most."""
+        texel = self.shore.size / MAP
+        both = [
+            ndimage.maximum_filter(np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))), 5)
+            for axis in (0, 1)
+        ]
+        result: Floats = np.hypot(both[0], both[1]) / texel
+        return result
+
+    @cached_property
+    def slope(self) -> float:
+        phase, height, skew, share = np.moveaxis(self.field.texels, -1, 0)
+        table = self.profiles.table
+        turn = float(np.abs(np.diff(table, axis=1, append=table[:, :1])).max()) * NODES
+        rows = float(np.abs(np.diff(table, axis=0)).max()) * (table.shape[0] - 1)
+        tall = ndimage.maximum_filter(height, 5)
+        own = tall * (turn * self._change(phase) + rows * self._change(skew)) + self._change(height)
+        swing = max(self.open_sea.top, -self.open_sea.trough)
+        shared = swing * float(self._change(share).max()) if swing > 0.0 else 0.0
+        return self.open_sea.slope + shared + 1.01 * float(own.max())
+
+    @cached_property
+    def curvature(self) -> float:
+        phase, height = self.field.texels[..., 0], self.field.texels[..., 1]
+        table = self.profiles.table
+        bend = float(np.abs(np.diff(table, 2, axis=1)).max()) * NODES * NODES
+        tall = ndimage.maximum_filter(height, 5)
+        return self.open_sea.curvature + 1.3 * float((tall * bend * self._change(phase) ** 2).max())
+
+    @cached_property
+    def shape(self) -> float:
+        height = self.field.texels[..., 1]
+        steps = self._change(self.field.texels[..., 0])[ndimage.maximum_filter(height, 5) > 0.0]
+        return min(self.open_sea.shape, 0.1 / float(steps.max())) if steps.size else self.open_sea.shape
+
+    def place(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Metres from the middle of the square."""
+        return x + self.offset[0], z + self.offset[1]
+
+    def within(self, d: Floats, x: Floats | float = 0.0, z: Floats | float = 0.0) -> tuple[Floats, Floats]:
+        """Where unit rays d (r, 3) from (x, z) enter and leave the square, m; (r,), out of order where they miss it."""
+        low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
+        for axis, offset, start in zip((0, 2), self.offset, (x, z), strict=True):
+            way = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
+            ends = np.sort(np.stack([(side * self.shore.size - offset - start) / way for side in (-0.5, 0.5)]), axis=0)
+            low, high = np.maximum(low, ends[0]), np.minimum(high, ends[1])
+        return low, high
+
+    def turn(self, phase: Floats) -> Floats:
+        """Where in its wave a place is, in periods: 0 on the crest, rising toward the shore."""
+        of = self.time - phase
+        result: Floats = of - np.floor(of)
+        return result
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """Height of the sea at (x, z); (r,) m."""
+        total = self.open_sea.height(x, z) if self.open_sea.top > 0.0 else np.zeros_like(x)
+        q_x, q_z = self.place(x, z)
+        # At the square's edge waves of the shore are gone and those of the sea whole.
+        inside = np.flatnonzero((np.abs(q_x) <= 0.5 * self.shore.size) & (np.abs(q_z) <= 0.5 * self.shore.size))
+        if inside.size:
+            here = self.field.value(q_x[inside], q_z[inside])
+            own = np.zeros(inside.size)
+            up = np.flatnonzero(here[:, 1] > 0.0)
+            profile, _, _ = self.profiles(self.turn(here[up, 0]), here[up, 2])
+            own[up] = here[up, 1] * profile
+            total[inside] = total[inside] * here[:, 3] + own
+        return total
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """(h_x, h_z) of the sea at (x, z); (r,) each."""
+        sea = self.open_sea
+        H = sea.height(x, z) if sea.top > 0.0 else np.zeros_like(x)
+        along = sea.gradient(x, z) if sea.top > 0.0 else (np.zeros_like(x), np.zeros_like(x))
+        q_x, q_z = self.place(x, z)
+        beyond = (np.abs(q_x) > 0.5 * self.shore.size) | (np.abs(q_z) > 0.5 * self.shore.size)
+        here, map_x, map_z = self.field.all(q_x, q_z)
+        profile, turned, skewed = self.profiles(self.turn(here[:, 0]), here[:, 2])
+        result = []
+        for rise, change in zip(along, (map_x, map_z), strict=True):
+            own = change[:, 1] * profile + here[:, 1] * (skewed * change[:, 2] - turned * change[:, 0])
+            joined = rise * here[:, 3] + H * change[:, 3] + np.where(here[:, 1] > 0.0, own, 0.0)
+            result.append(np.where(beyond, rise, joined))
+        return result[0], result[1]
+
+    def carry(self, way: tuple[Floats, Floats], x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """The open sea's ``way`` from (x, z) to where its water rests, as the coast leaves it, m; (r,) each."""
+        here, map_x, map_z = self.field.all(*self.place(x, z))
+        swing_x, swing_z = _swing(here, map_x, map_z, self.turn(here[:, 0]))
+        return here[:, 3] * way[0] + swing_x, here[:, 3] * way[1] + swing_z
+
+    def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, feet: Feet | None) -> Floats:
+        """Saturation of the surf's foam at (x, z) where the sea stands at H, averaged over footprints; (r,)."""
+        q_x, q_z = self.place(x, z)
+        here, map_x, map_z = self.field.all(q_x, q_z)
+        turn = self.turn(here[:, 0])
+        front = np.maximum(1.0 - smoothstep(0.01, 0.09, turn), smoothstep(0.8, 1.0, turn))
+        age = np.exp((turn - 1.0) / source.life)
+        if feet is not None:
+            turns = np.minimum(spread((map_x[:, 0], map_z[:, 0]), feet), 0.04)
+            front = torn_step(0.8, 1.0, turn, turns) - torn_step(1.01, 1.09, turn, turns)
+            front += torn_step(0.8, 1.0, turn + 1.0, turns) - torn_step(1.01, 1.09, turn + 1.0, turns)
+            even = source.life * (1.0 - math.exp(-1.0 / source.life))
+            age = age + smoothstep(0.0, 0.04, turns) * (even - age)
+        scale = max(self.shore.surf.height, 1e-6)
+        breaking = smoothstep(0.45, 0.9, here[:, 2]) * smoothstep(0.12, 0.4, here[:, 1] / scale)
+        swing_x, swing_z = _swing(here, map_x, map_z, turn)
+        c_x, c_z = q_x + swing_x, q_z + swing_z
+        patches = _patches(c_x, c_z) if feet is None else torn_step(*TORN, *torn(_noises(c_x, c_z), feet))
+        film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
+        torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
+        left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)
+        result: Floats = breaking * (left + 2.0 * source.veil * patches)
+        return result
+
+    def left(self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats) -> Floats:
+        """Saturation of what the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
+        q_x, q_z = self.place(x, z)
+        here = self.field.value(q_x, q_z)
+        reach = ground / np.maximum(here[:, 1], 1e-3)
+        since = self.turn(here[:, 0]) - 1.0
+        swept = (1.0 - smoothstep(0.85, 1.0, reach)) * np.exp(since / source.life)
+        turned = smoothstep(0.55, 0.9, reach) * (1.0 - smoothstep(0.95, 1.05, reach))
+        turned = turned * np.exp(since / (3.0 * source.life))
+        ran_up = smoothstep(0.02, 0.1, here[:, 1] / max(self.shore.surf.height, 1e-6))
+        result: Floats = source.line * ran_up * (0.3 + 0.9 * _patches(q_x, q_z)) * (swept + turned)
+        return result
+
+    def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """Height of the ground (m), its gradient, its tint; (r,) each. Metres from the middle of the square."""
+        here, along_x, along_z = self.floor.all(q_x, q_z)
+        return here[:, 0], along_x[:, 0], along_z[:, 0], here[:, 1]
+
+    def crossing(self, x: Floats, y: Floats, z: Floats, d: Floats, farthest: float) -> Floats:
+        """Way along rays d (r, 3) from (x, y, z) to the ground, m; (r,), ``farthest`` where they meet none.
+
+        By steps that cannot pass it, until they are a billionth of the way.
+        """
+        way = np.zeros_like(x)
+        result = np.full_like(x, farthest)
+        left = np.arange(x.size)
+        closing = np.maximum(self.steepest * np.hypot(d[:, 0], d[:, 2]) - d[:, 1], 1e-9)
+        for _ in range(SAFE_STEPS):
+            s, ray = way[left], d[left]
+            here = self.ground(*self.place(x[left] + s * ray[:, 0], z[left] + s * ray[:, 2]))[0]
+            gap = y[left] + s * ray[:, 1] - here
+            met = gap <= 1e-9 * (1.0 + s)
+            result[left[met]] = s[met]
+            gone = (s > farthest) | ((ray[:, 1] > 0.0) & (y[left] + s * ray[:, 1] > self.highest))
+            way[left] = s + gap / closing[left]
+            left = left[~met & ~gone]
+            if left.size == 0:
+                return result
+        result[left] = way[left]
+        return np.minimum(result, farthest)
+
+    @cached_property
+    def highest(self) -> float:
+        """Of the ground, m."""
+        return float(self.floor.texels[..., 0].max())
+
+    @cached_property
+    def steepest(self) -> float:
+        """Slope of the ground at most."""
+        heights, step = self.floor.texels[..., 0], self.floor.size / self.floor.texels.shape[0]
+        return 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
+
+    def bed(
+        self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, foot_x: Floats, foot_y: Floats
+    ) -> tuple[Floats, Floats]:
+        """Way of the light through the water (r,) m, down and back, and the reflectance (r, 3) of the floor it meets.
+
+        d (r, 3) looks from the eye, n (r, 3) is the unit normal of the water.
+        """
+        q_x, q_z = self.place(x, z)
+        c = dot(n, d)
+        root = np.sqrt(1.0 - (1.0 - c * c) / INDEX**2)
+        r = d / INDEX - (c / INDEX + root)[:, None] * n
+        fall = np.maximum(-r[:, 1], FALL_LEAST)
+        at_x, at_z = q_x, q_z
+        under = np.maximum(H - self.floor.value(q_x, q_z)[:, 0], 0.0)
+        for _ in range(REFRACTION_STEPS):
+            at_x, at_z = q_x + r[:, 0] * under / fall, q_z + r[:, 2] * under / fall
+            under = np.maximum(H - self.floor.value(at_x, at_z)[:, 0], 0.0)
+        return under * (1.0 + 1.0 / fall), self.albedo(at_x, at_z, foot_x, foot_y)
+
+    def albedo(self, q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
+        """Reflectance of the ground; (r, 3)."""
+        shore = self.shore
+        height, g_x, g_z, tint = self.ground(q_x, q_z)
+        fine = grain(q_x, q_z, foot_x, foot_y)
+        rocky = smoothstep(0.35, 0.6, np.hypot(g_x, g_z) + 0.25 * (fine - 0.5))
+        above = height + 4.0 * (tint - 0.5) + 1.5 * (fine - 0.5)
+        grown = smoothstep(shore.plants_from, 1.25 * shore.plants_from + 0.5, above)
+        reef = shore.reef * smoothstep(0.52, 0.6, tint + 0.12 * (fine - 0.5)) * smoothstep(0.4, 2.0, -height)
+        colour = np.array(shore.sand) * (0.8 + 0.4 * fine)[:, None]
+        for share, other in (
+            (reef, WEED * (0.5 + fine)[:, None]),
+            (grown, np.array(shore.plants) * (0.4 + 1.2 * fine)[:, None]),
+            (rocky, np.array(shore.rock) * (0.5 + fine)[:, None]),
+        ):
+            colour = colour + share[:, None] * (other - colour)
+        result: Floats = colour * (1.0 - 0.45 * self.wet(height))[:, None]
+        return result
+
+    def wet(self, height: Floats) -> Floats:
+        """How wet ground of a height (m) is: 1 where every wave reaches it; of the shape of ``height``."""
+        reach = SWASH * self.shore.surf.height
+        return 1.0 - smoothstep(0.5 * reach, 1.1 * reach + 0.05, height)
+
+
+class Land:
+    """What stands over y = 0, as a part."""
+
+    def __init__(self, coast: Coast) -> None:
+        self.coast = coast
+        heights = coast.floor.texels[..., 0]
+        step = coast.shore.size / FLOOR
+        dry = np.maximum(heights, 0.0)
+        self.top = float(dry.max())
+        self.trough = 0.0
+        self.slope = 1.01 * math.hypot(*(float(np.abs(np.diff(dry, axis=axis)).max()) / step for axis in (0, 1)))
+        self.curvature = 3.0 * max(
+            float(np.abs(np.diff(heights[1:-1, 1:-1], 2, axis=axis)).max()) / step**2 for axis in (0, 1)
+        )
+        self.shape = 2.0 * step
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """Height of the land, 0 where there is none; (r,) m."""
+        result: Floats = np.maximum(self.coast.floor.value(*self.coast.place(x, z))[:, 0], 0.0)
+        return result
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """(h_x, h_z); (r,) each."""
+        height, g_x, g_z, _ = self.coast.ground(*self.coast.place(x, z))
+        dry = height > 0.0
+        return np.where(dry, g_x, 0.0), np.where(dry, g_z, 0.0)
+
+
+def grain(q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
+    """Grain of the ground in [0, 1]: octaves of noise, each gone before it is smaller than the footprint; (r,)."""
+    reach = np.sqrt(np.maximum(dot(foot_x, foot_x), dot(foot_y, foot_y)))
+    total = np.full(q_x.shape, 0.5)
+    cell = GRAIN_CELL
+    for _ in range(GRAIN_OCTAVES):
+        q_x, q_z = 0.8 * q_x - 0.6 * q_z, 0.6 * q_x + 0.8 * q_z
+        kept = 1.0 - smoothstep(0.15 * cell, 0.6 * cell, reach)
+        seen = np.flatnonzero(kept > 0.0)
+        total[seen] += (value(KEY, q_x[seen] / cell, q_z[seen] / cell) - 0.5) * 0.45 * kept[seen]
+        cell *= GRAIN_STEP
+    result: Floats = np.clip(total, 0.0, 1.0)
+    return result

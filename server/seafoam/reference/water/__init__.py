@@ -1,0 +1,1 @@
+"""Section 11: the seafloor, caustics and the view from below."""

@@ -1,0 +1,299 @@
+"""Section 11: a level floor seen by the refracted ray, caustics on it by a photon trace, and the view from below.
+
+The caustic map's texels and the bilinear reading between them are part of the model; the reference has the map of the
+``reference`` quality. Photons enter on a regular grid over a tile and are counted where they land, each spread by the
+uniform cubic B-spline over the texels around it.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+
+from seafoam.ocean.ripples import ripples, tiles
+from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, INDEX, Air, air, fresnel
+from seafoam.reference.noise import corner
+from seafoam.reference.shore.shore import Coast
+from seafoam.reference.types import Floats, dot, unit
+from seafoam.reference.waves.parametric import reduced
+from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
+
+MAP = 512
+"""Texels along a side of the caustic map."""
+PHOTONS = 1024
+"""Photons along a side of the tile: the map is off by a thousandth of the mean light, root mean square."""
+COLOURS = (-0.0033, 0.0, 0.0042)
+"""Index of red, green and blue less that of green (Daimon and Masumura 2007)."""
+LEAST_FALL = 0.25
+LEAST_SUN = 0.05
+JOINT = 0.05
+TILE_KEY = 0x9E3779B9
+JOINT_ALBEDO = 0.72
+TILES_APART = 256
+NARROWEST = 1e-3
+FOAM_THROUGH = 0.5
+FARTHEST = 1e6
+"""Ways to the floor are held there, m."""
+
+
+def refracted(d: Floats, n: Floats, index: float = INDEX) -> Floats:
+    """Directions d (..., 3) in air, refracted into water at normals n (..., 3); unit vectors."""
+    c = np.maximum(-dot(d, n), 0.0)[..., None]
+    result: Floats = d / index + (c / index - np.sqrt(1.0 - (1.0 - c * c) / index**2)) * n
+    return result
+
+
+def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> tuple[Floats, Floats, Floats]:
+    """Where the sun's light lands that enters at slopes (h_x, h_z): beside its entrance, (x, z) m; and its share."""
+    n = unit(np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1))
+    ray = refracted(np.broadcast_to(-air_.sun, n.shape), n, index)
+    way = depth / np.maximum(-ray[..., 1], LEAST_FALL)
+    share = np.maximum(dot(n, air_.sun), 0.0) / (n[..., 1] * max(float(air_.sun[1]), LEAST_SUN))
+    return ray[..., 0] * way, ray[..., 2] * way, share
+
+
+def tile_slopes(chop: Chop, time: float, count: int) -> tuple[Floats, Floats]:
+    """Slopes of repeating ripples at the corners of a tile's grid, (count, count) each, rows along z."""
+    drawn = [wave for cascade in ripples(chop, True) for wave in cascade]
+    at = np.arange(count) * (tiles(True)[0] / count)
+    phase = np.array([reduced((wave.omega, time), plus=wave.phase) for wave in drawn])
+    kx, kz = np.array([wave.kx for wave in drawn]), np.array([wave.kz for wave in drawn])
+    slope = np.array([wave.slope for wave in drawn]) / np.hypot(kx, kz)
+    # cos(phase - kx x - kz z) is a sum of products of functions of x and of z.
+    along = np.exp(-1j * np.outer(kx, at))
+    across = np.exp(1j * (phase[:, None] - np.outer(kz, at)))
+    both = [-((across * (slope * k)[:, None]).T @ along).real for k in (kx, kz)]
+    return both[0], both[1]
+
+
+def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOTONS) -> Floats:
+    """Light on the floor over that under level water, (texels, texels, 3), rows along z.
+
+    Texel (0, 0) lies at the tile's corner, moved by the way of green light under level water. ``scene`` has light,
+    caustics, ripples and a depth.
+    """
+    light, water = scene.light, scene.water
+    assert light is not None
+    assert light.caustics is not None
+    assert water.chop is not None
+    depth = water.depth or 0.0
+    return _photon_map(light, light.caustics, water.chop, depth, time, texels, photons)
+
+
+@lru_cache(maxsize=8)
+def _photon_map(
+    light: Light, caustics: Caustics, chop: Chop, depth: float, time: float, texels: int, photons: int
+) -> Floats:
+    made = air(light)
+    h_x, h_z = tile_slopes(chop, time, photons)
+    flat_x, flat_z = (float(part[0]) for part in landing(made, depth, np.zeros(1), np.zeros(1), INDEX)[:2])
+    start = np.arange(photons) * (texels / photons)
+    per_metre = texels / tiles(True)[0]
+    sheets: list[Floats] = []
+    for bent in COLOURS:
+        if caustics.dispersion == 0.0 and sheets:
+            sheets.append(sheets[0])
+            continue
+        x, z, share = landing(made, depth, h_x, h_z, INDEX + caustics.dispersion * bent)
+        u = start[None, :] + (x - flat_x) * per_metre
+        v = start[:, None] + (z - flat_z) * per_metre
+        sheets.append(_splat(u.ravel(), v.ravel(), share.ravel() * (texels / photons) ** 2, texels))
+    return np.stack(sheets, axis=-1)
+
+
+def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
+    """Sum of weights spread by the cubic B-spline over a periodic grid of texels, whose centres lie at i + ½."""
+    column, row = np.floor(u - 0.5).astype(np.int64), np.floor(v - 0.5).astype(np.int64)
+    along, across = _spline(u - 0.5 - column), _spline(v - 0.5 - row)
+    total = np.zeros(texels * texels)
+    for j in range(4):
+        line = ((row + j - 1) % texels) * texels
+        for i in range(4):
+            place = line + (column + i - 1) % texels
+            total += np.bincount(place, weights=weight * along[i] * across[j], minlength=texels * texels)
+    return total.reshape(texels, texels)
+
+
+def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """Weights of the four nodes around a place t in [0, 1) between the middle two."""
+    return (
+        (1.0 - t) ** 3 / 6.0,
+        (3.0 * t**3 - 6.0 * t**2 + 4.0) / 6.0,
+        (-3.0 * t**3 + 3.0 * t**2 + 3.0 * t + 1.0) / 6.0,
+        t**3 / 6.0,
+    )
+
+
+class Bed:
+    """A level floor under a light, at one time around one origin."""
+
+    def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float]) -> None:
+        water, light = scene.water, scene.light
+        assert light is not None
+        self.air = made
+        self.water: Water = water
+        self.depth = 1e6 if water.depth is None else water.depth
+        self.origin = origin
+        self.extinction = 1.0 / np.array(water.absorption_length) + water.scattering
+        self.map: Floats | None = None
+        if light.caustics is not None and water.chop is not None and water.depth is not None:
+            self.map = photon_map(scene, time)
+            flat = landing(made, water.depth, np.zeros(1), np.zeros(1), INDEX)
+            self.flat = float(flat[0][0]), float(flat[1][0])
+
+    def seen(
+        self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, feet: tuple[Floats, Floats]
+    ) -> tuple[Floats, Floats, Floats]:
+        """What rays d (r, 3) see of the floor through a surface of height H and normals n at (x, z).
+
+        Its radiance (r, 3), the way up from it and straight down to it, (r,) m.
+        """
+        ray = refracted(d, n)
+        down = np.maximum(self.depth + H, 0.0)
+        way = down / np.maximum(-ray[:, 1], LEAST_FALL)
+        radiance = self.light(x + way * ray[:, 0], z + way * ray[:, 2], down, feet)
+        return radiance, way, down
+
+    def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
+        """Radiance (r, 3) of the floor at (x, z) m from the origin, ``down`` metres under the surface."""
+        if self.water.depth is None:
+            return np.zeros((x.size, 3))
+        return self.lit(self.albedo(x, z, feet), self.sunlight(x, z), down)
+
+    def lit(self, albedo: Floats, sunlight: Floats, down: Floats) -> Floats:
+        """Radiance (r, 3) of ground of an albedo (r, 3) under the sun's light, over that under level water (r, 3)."""
+        upright = float(self.air.sun[1])
+        slant = math.sqrt(1.0 - (1.0 - upright**2) / INDEX**2)
+        sun = self.air.sun_irradiance * max(upright, 0.0) * np.exp(-self.extinction * (down / slant)[:, None])
+        sky = self.air.sky_irradiance * np.exp(-self.extinction * down[:, None])
+        result: Floats = ENTERS / math.pi * albedo * (sun * sunlight + sky)
+        return result
+
+    def sunlight(self, x: Floats, z: Floats) -> Floats:
+        """The sun's light over that under level water, (r, 3): the map, bilinear."""
+        if self.map is None:
+            return np.ones((x.size, 3))
+        tile = tiles(True)[0]
+        count = self.map.shape[0]
+        u = ((x - self.flat[0] + math.fmod(self.origin[0], tile)) / tile % 1.0) * count - 0.5
+        v = ((z - self.flat[1] + math.fmod(self.origin[1], tile)) / tile % 1.0) * count - 0.5
+        i, j = np.floor(u).astype(np.int64), np.floor(v).astype(np.int64)
+        s, t = (u - i)[:, None], (v - j)[:, None]
+        corner = [[self.map[(j + b) % count, (i + a) % count] for a in (0, 1)] for b in (0, 1)]
+        first = corner[0][0] * (1.0 - s) + corner[0][1] * s
+        second = corner[1][0] * (1.0 - s) + corner[1][1] * s
+        result: Floats = first * (1.0 - t) + second * t
+        return result
+
+    def albedo(self, x: Floats, z: Floats, feet: tuple[Floats, Floats]) -> Floats:
+        """Reflectance (r, 3): bare, or tiles and the share of joints in the box that holds the footprint."""
+        bare = np.broadcast_to(np.array(self.water.floor_albedo), (x.size, 3))
+        side = self.water.floor_tile
+        if side is None:
+            return bare
+        open_share = np.ones_like(x)
+        wide = np.zeros_like(x)
+        cells = []
+        for i, (at, start) in enumerate(((x, self.origin[0]), (z, self.origin[1]))):
+            place = at / side + math.fmod(start, TILES_APART * side) / side
+            width = np.maximum((np.abs(feet[0][:, i]) + np.abs(feet[1][:, i])) / side, NARROWEST)
+            open_share *= 1.0 - (_joints(place + 0.5 * width) - _joints(place - 0.5 * width)) / width
+            wide = np.maximum(wide, width)
+            cells.append(np.floor(place).astype(np.int64) % TILES_APART)
+        q = np.clip(wide - 0.5, 0.0, 1.0)
+        shade = (corner(TILE_KEY, cells[0], cells[1]) - 0.5) * (1.0 - q * q * (3.0 - 2.0 * q))
+        held = np.clip(open_share, 0.0, 1.0)[:, None]
+        result: Floats = JOINT_ALBEDO * (1.0 - held) + bare * (1.0 + 0.24 * shade)[:, None] * held
+        return result
+
+    def glow(self, depth: Floats, fall: Floats, reach: Floats) -> Floats:
+        """Light (r, 3) that water sends along ways (r,) that start ``depth`` metres down and go down by ``fall``."""
+        lit = ENTERS / math.pi * (self.air.sun_irradiance * max(float(self.air.sun[1]), 0.0) + self.air.sky_irradiance)
+        deep = BACKSCATTER * self.water.scattering / self.extinction * lit
+        both = np.maximum(1.0 + fall, 1e-12)[:, None]
+        gone = -np.expm1(-self.extinction * both * reach[:, None]) / both
+        result: Floats = 2.0 * deep * np.exp(-self.extinction * np.maximum(depth, 0.0)[:, None]) * gone
+        return result
+
+    def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
+        """Way to the floor along rays d (r, 3) from places (x, z) at heights y, m; (r,), at most FARTHEST."""
+        if self.water.depth is None:
+            return np.full_like(x, FARTHEST)
+        result: Floats = np.minimum(np.maximum(self.depth + y, 0.0) / np.maximum(-d[:, 1], 1e-6), FARTHEST)
+        return result
+
+    def below(self, x: Floats, z: Floats, y: Floats, d: Floats, reach: Floats, feet: tuple[Floats, Floats]) -> Floats:
+        """Light (r, 3) of floor and water along rays d (r, 3) from places (x, z) at heights y to the floor."""
+        down = np.maximum(-y - reach * d[:, 1], 0.0)
+        bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], down, feet)
+        result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(-y, -d[:, 1], reach)
+        return result
+
+    def ceiling(
+        self, x: Floats, z: Floats, y: Floats, d: Floats, n: Floats, reach: Floats, feet: tuple[Floats, Floats]
+    ) -> Floats:
+        """Light (r, 3) that comes through the surface along −d, or is mirrored in it; (x, z, y) the place."""
+        sigma2 = self.water.roughness**2
+        nv = np.maximum(dot(n, d), 0.0)
+        cv2 = np.minimum(nv * nv + sigma2 * (1.0 - nv * nv), 1.0)
+        out2 = 1.0 - INDEX**2 * (1.0 - cv2)
+        out = np.sqrt(np.maximum(out2, 0.0))
+        mirror = np.where(out2 > 0.0, fresnel(out), 1.0)[:, None]
+        through = INDEX * d + (out - INDEX * nv)[:, None] * n
+        through[:, 1] = np.sqrt(np.maximum(through[:, 1], 0.0) ** 2 + sigma2)
+        through = unit(through)
+        away = through - self.air.sun
+        spread = 0.5 * (INDEX - 1.0) ** 2 * sigma2
+        lobe = np.exp(-dot(away, away) / (2.0 * spread)) / (2.0 * math.pi * spread)
+        sun = self.air.sun_irradiance * np.minimum(lobe, GLITTER_MOST)[:, None]
+        back = d - 2.0 * dot(d, n)[:, None] * n
+        back[:, 1] = -np.sqrt(np.maximum(-back[:, 1], 0.0) ** 2 + sigma2)
+        back = unit(back)
+        way = self.reach(x, z, y, back)
+        wider = (1.0 + way / np.maximum(reach, 1e-3))[:, None]
+        down = self.below(x, z, y, back, way, (feet[0] * wider, feet[1] * wider))
+        result: Floats = (1.0 - mirror) * (self.air.sky(through) + sun) + mirror * down
+        return result
+
+
+class ShoreBed(Bed):
+    """The floor of a shore."""
+
+    def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float], coast: Coast) -> None:
+        super().__init__(scene, made, time, origin)
+        self.coast = coast
+
+    def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
+        """Way to the ground along rays d (r, 3), m; (r,), at most FARTHEST."""
+        return self.coast.crossing(x, y, z, d, FARTHEST)
+
+    def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
+        """Radiance (r, 3) of the floor at (x, z) m from the origin, ``down`` metres under the surface."""
+        return self.lit(self.coast.albedo(*self.coast.place(x, z), *feet), np.ones((x.size, 3)), down)
+
+
+def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Bed | None:
+    """The level floor of a scene whose places tell apart; None without one."""
+    water, light = scene.water, scene.light
+    if light is None or made is None or scene.shore is not None or water.depth is None:
+        return None
+    looked_at = light.caustics is not None or water.floor_tile is not None
+    return Bed(scene, made, time, origin) if looked_at else None
+
+
+def under_of(
+    scene: Scene, made: Air | None, time: float, origin: tuple[float, float], coast: Coast | None
+) -> Bed | None:
+    """What an eye under the surface looks at; None without light."""
+    if made is None:
+        return None
+    return Bed(scene, made, time, origin) if coast is None else ShoreBed(scene, made, time, origin, coast)
+
+
+def _joints(x: Floats) -> Floats:
+    """Width of the joints left of x, in tiles."""
+    whole = np.floor(x)
+    result: Floats = JOINT * whole + np.maximum(x - whole - (1.0 - JOINT), 0.0)
+    return result

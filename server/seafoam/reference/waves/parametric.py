@@ -1,0 +1,255 @@
+"""Section 2: parametric waves and ripples, at one time, around one origin.
+
+Phases of far times and places are reduced exactly: ω, k, t and the origin are taken as the numbers their float64 are,
+ωt − k·origin + phase is a fraction, and 2π has 50 digits. What is left to float64 is the way from the origin.
+"""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+from scipy import special
+
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.ripples import ripples
+from seafoam.ocean.stokes import orbit
+from seafoam.reference.types import Floats
+from seafoam.scene.models import Chop, ParametricWave, Scene
+
+_TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
+
+BOUND_SAMPLES = 8192
+RELIEF_SAMPLES = 256
+"""Phases whose slopes are averaged; their number tells where K < ½: all but the trough has a mean square there."""
+STEEPEST = 1e9
+"""Stands for an infinite slope."""
+TROUGH = 1e-4
+"""Least |p| in the derivative of waves of exponent below ½, whose slope is infinite at the trough."""
+
+
+@dataclass(frozen=True)
+class WaveSet:
+    """n waves as arrays of shape (n,). θ = phase − kx·x − kz·z with x, z counted from the origin."""
+
+    amplitude: Floats
+    exponent: Floats
+    orbit: Floats
+    """How far each carries the water of the surface to and fro, m."""
+    k: Floats
+    """Wavenumbers, rad/m."""
+    kx: Floats
+    kz: Floats
+    omega: Floats
+    """Angular frequencies, rad/s."""
+    phase: Floats
+    """θ at the origin at the time asked for, in [0, 2π)."""
+
+    @property
+    def top(self) -> float:
+        """ΣA less the waves' mean: no point of the surface is higher, m."""
+        return float(self.amplitude.sum()) - self.level
+
+    @property
+    def trough(self) -> float:
+        return -self.level
+
+    @cached_property
+    def level(self) -> float:
+        """Mean of Σ A u^K, m: still water over the troughs. Of sin^2K over a period, B(K + ½, ½)/π."""
+        return sum(A * float(special.beta(K + 0.5, 0.5)) / math.pi for A, K, _ in self._shapes)
+
+    @cached_property
+    def _shapes(self) -> list[tuple[float, float, float]]:
+        """(A, K, k) of the waves that are not flat."""
+        shapes = zip(self.amplitude.tolist(), self.exponent.tolist(), self.k.tolist(), strict=True)
+        return [shape for shape in shapes if shape[0] > 0.0]
+
+    @cached_property
+    def slope(self) -> float:
+        """Greatest slope, rounded up."""
+        return sum(k * slope_bound(A, K) for A, K, k in self._shapes)
+
+    @cached_property
+    def relief(self) -> float:
+        """Slope amplitude of the sinusoid whose mean square slope is that of all waves together."""
+        angles = np.linspace(0.0, 0.5 * math.pi, 2 * RELIEF_SAMPLES + 1)[1::2]
+        theta: Floats = 2.0 * angles - 0.5 * math.pi
+        squares = [float(np.mean((k * wave_derivative(theta, A, K)) ** 2)) for A, K, k in self._shapes]
+        return math.sqrt(2.0 * sum(squares))
+
+    @cached_property
+    def curvature(self) -> float:
+        """Greatest second derivative, rounded up, 1/m; short of the infinite one at the cusp of K < 1."""
+        return sum(k * k * curvature_bound(A, K) for A, K, k in self._shapes)
+
+    @cached_property
+    def shape(self) -> float:
+        """Size of the finest crest, √(2/K)/k (1/k for K < 2), m."""
+        return min((math.sqrt(2.0 / max(K, 2.0)) / k for _, K, k in self._shapes), default=math.inf)
+
+    def theta(self, x: Floats, z: Floats) -> Floats:
+        """Phases at (x, z), m from the origin, shape (r,): (n, r) rad, not reduced."""
+        result: Floats = self.phase[:, None] - self.kx[:, None] * x - self.kz[:, None] * z
+        return result
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """Σ y over the waves at (x, z), less its mean; (r,) m."""
+        total = np.full_like(x, -self.level)
+        for i, theta in enumerate(self.theta(x, z)):
+            total += wave_height(theta, self.amplitude[i], self.exponent[i])
+        return total
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """(h_x, h_z) of the sum at (x, z); (r,) each."""
+        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+        for i, theta in enumerate(self.theta(x, z)):
+            slope = wave_derivative(theta, self.amplitude[i], self.exponent[i])
+            h_x -= self.kx[i] * slope
+            h_z -= self.kz[i] * slope
+        return h_x, h_z
+
+    def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """From (x, z) to where the water that is there rests, to first order in the slope, m; (r,) each."""
+        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
+        for i, theta in enumerate(self.theta(x, z)):
+            way = self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i])
+            way_x += self.kx[i] * way
+            way_z += self.kz[i] * way
+        return way_x, way_z
+
+
+@dataclass(frozen=True)
+class RippleSet:
+    """n ripples as arrays of shape (n,), with θ as in :class:`WaveSet`."""
+
+    slope: Floats
+    kx: Floats
+    kz: Floats
+    phase: Floats
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """(c_x, c_z) = −Σ s k̂ cos θ at (x, z); (r,) each."""
+        c_x, c_z = np.zeros_like(x), np.zeros_like(x)
+        for i in range(self.slope.size):
+            wave = np.cos(self.phase[i] - self.kx[i] * x - self.kz[i] * z)
+            k = math.hypot(self.kx[i], self.kz[i])
+            c_x -= self.slope[i] * self.kx[i] / k * wave
+            c_z -= self.slope[i] * self.kz[i] / k * wave
+        return c_x, c_z
+
+
+def wave_height(theta: Floats, A: float, K: float) -> Floats:
+    """y = A((sin θ + 1)/2)^K, in [0, A]; of the shape of ``theta``."""
+    # (sin θ + 1)/2 is sin²(θ/2 + π/4), which keeps its digits at the trough.
+    p = np.sin(0.5 * theta + 0.25 * math.pi)
+    u = p * p
+    result: Floats = A * (_whole_power(u, int(K)) if int(K) == K and K <= 16 else np.power(u, K))
+    return result
+
+
+def wave_derivative(theta: Floats, A: float, K: float) -> Floats:
+    """dy/dθ = A K |p|^(2K−1) sign(p) c, m/rad; of the shape of ``theta``."""
+    half = 0.5 * theta + 0.25 * math.pi
+    p = np.sin(half)
+    magnitude = np.abs(p)
+    if K < 0.5:
+        magnitude = np.maximum(magnitude, TROUGH)
+    result: Floats = A * K * np.power(magnitude, 2.0 * K - 1.0) * np.sign(p) * np.cos(half)
+    return result
+
+
+def slope_bound(A: float, K: float) -> float:
+    """Greatest |dy/dθ| of a wave, by sampling, rounded up; STEEPEST for K < ½."""
+    if K < 0.5:
+        return STEEPEST
+    return 1.001 * float(np.abs(wave_derivative(_cycle(), A, K)).max())
+
+
+def curvature_bound(A: float, K: float) -> float:
+    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up; short of the infinite one at the cusp of K < 1."""
+    slopes = wave_derivative(_cycle(), A, K)
+    return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
+
+
+def _cycle() -> Floats:
+    return np.linspace(0.0, 2.0 * math.pi, BOUND_SAMPLES + 1)
+
+
+def reduced(*terms: tuple[float, float], plus: float = 0.0) -> float:
+    """Σ ab + plus modulo 2π, exact up to the last rounding; in [0, 2π)."""
+    value = sum((Fraction(a) * Fraction(b) for a, b in terms), Fraction(plus))
+    return float(value % _TWO_PI)
+
+
+def angular_frequency(wave: ParametricWave) -> float:
+    """ω = 2πs/λ, s = √(gλ/2π) unless given; rad/s."""
+    speed = math.sqrt(GRAVITY * wave.wavelength / (2.0 * math.pi)) if wave.speed is None else wave.speed
+    return 2.0 * math.pi * speed / wave.wavelength
+
+
+def wavenumber(wavelength: float, depth: float | None) -> float:
+    """k with k tanh(kh) = 2π/λ, rad/m; 2π/λ where the depth is None."""
+    deep = 2.0 * math.pi / wavelength
+    if depth is None:
+        return deep
+    # k tanh(kh) rises with k, is below k, and is k²h/(1 + kh) or more: its root bounds k from above.
+    low, high = deep, 0.5 * (deep + math.sqrt(deep * deep + 4.0 * deep / depth))
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        if middle * math.tanh(middle * depth) < deep:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: float = 1.0) -> WaveSet:
+    """The scene's waves at a time (s) around an origin (x, z) in m; ``spatial`` scales the wavenumbers."""
+    k = np.array([wavenumber(wave.wavelength, scene.water.depth) * spatial for wave in scene.waves], np.float64)
+    heading = np.array([wave.direction for wave in scene.waves], np.float64)
+    kx, kz = k * np.cos(heading), k * np.sin(heading)
+    phase = [
+        reduced((angular_frequency(wave), time), (-a, origin[0]), (-b, origin[1]), plus=wave.phase)
+        for wave, a, b in zip(scene.waves, kx.tolist(), kz.tolist(), strict=True)
+    ]
+    return WaveSet(
+        amplitude=np.array([wave.amplitude for wave in scene.waves], np.float64),
+        exponent=np.array([wave.exponent for wave in scene.waves], np.float64),
+        orbit=np.array([orbit(wave, scene.water.depth) for wave in scene.waves], np.float64),
+        k=k,
+        kx=kx,
+        kz=kz,
+        omega=np.array([angular_frequency(wave) for wave in scene.waves], np.float64),
+        phase=np.array(phase, np.float64),
+    )
+
+
+def ripple_set(chop: Chop | None, time: float, origin: tuple[float, float], repeats: bool = False) -> RippleSet:
+    """The ripples of a chop at a time (s) around an origin (x, z) in m; empty without one."""
+    drawn = [] if chop is None else [ripple for cascade in ripples(chop, repeats) for ripple in cascade]
+    phase = [
+        reduced((ripple.omega, time), (-ripple.kx, origin[0]), (-ripple.kz, origin[1]), plus=ripple.phase)
+        for ripple in drawn
+    ]
+    return RippleSet(
+        slope=np.array([ripple.slope for ripple in drawn], np.float64),
+        kx=np.array([ripple.kx for ripple in drawn], np.float64),
+        kz=np.array([ripple.kz for ripple in drawn], np.float64),
+        phase=np.array(phase, np.float64),
+    )
+
+
+def _whole_power(base: Floats, exponent: int) -> Floats:
+    """base^exponent by repeated squaring, several times faster than np.power."""
+    result = None
+    while exponent:
+        if exponent & 1:
+            result = base if result is None else result * base
+        exponent >>= 1
+        if exponent:
+            base = base * base
+    return np.ones_like(base) if result is None else result

@@ -1,0 +1,160 @@
+"""Section 2: rings of stones, drops and blasts, at one time, around one origin.
+
+Ages and ways are differences of the numbers that float64 holds, exact up to their last rounding. The level of still
+water and the bounds are the scene's own (``ocean/rings.py``), as the ripples are; the search relies on them, and
+tests hold them.
+"""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.rings import ring_curvature, ring_slope
+from seafoam.ocean.rings import ring_height as highest
+from seafoam.reference.types import Bools, Floats
+from seafoam.reference.waves.parametric import wavenumber
+from seafoam.scene.models import Scene
+from seafoam.scene.rings import Ring
+
+LEAST = 1e-4
+LEAST_SHARE = 1.0 / 256.0
+"""A ring's amplitude is lowered by so many m, or by this share of I₀ where that is more."""
+ROUND = 0.25
+"""Radius of the rounded centre, in wavelengths."""
+BAND = 1.0
+"""Width of front and tail, in wavelengths."""
+
+
+@dataclass(frozen=True)
+class OneRing:
+    """A ring now."""
+
+    amplitude: float
+    """I₀e^(−bs) − d, 0 at least, m."""
+    k: float
+    """rad/m"""
+    theta: float
+    """ωs, rad."""
+    front: float
+    """c s, m."""
+    tail: float
+    """Waves behind the front, m; infinite where they reach the centre."""
+    x: float
+    z: float
+    """Centre, m from the origin."""
+
+    @property
+    def length(self) -> float:
+        """m"""
+        return 2.0 * math.pi / self.k
+
+
+@dataclass(frozen=True)
+class RingSet:
+    """The rings of a scene as a part of its surface."""
+
+    rings: tuple[OneRing, ...]
+    top: float
+    slope: float
+    curvature: float
+
+    @property
+    def trough(self) -> float:
+        return -self.top
+
+    @cached_property
+    def shape(self) -> float:
+        """Size of the finest crest, m."""
+        return min((1.0 / ring.k for ring in self.rings), default=math.inf)
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """The sum of every η at (x, z), m from the origin; (r,) m."""
+        total = np.zeros_like(x)
+        for ring in self.rings:
+            here = np.flatnonzero(_reached(ring, x, z))
+            if here.size:
+                total[here] += ring_height(ring, x[here], z[here])
+        return total
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """(h_x, h_z) of the sum at (x, z); (r,) each."""
+        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+        for ring in self.rings:
+            here = np.flatnonzero(_reached(ring, x, z))
+            if here.size:
+                outward, inverse = ring_slope_outward(ring, x[here], z[here])
+                h_x[here] += outward * (x[here] - ring.x) * inverse
+                h_z[here] += outward * (z[here] - ring.z) * inverse
+        return h_x, h_z
+
+
+def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
+    """The scene's rings at a time (s) around an origin (x, z) in m; those that are alive."""
+    found = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
+    alive = tuple(ring for ring in found if ring.amplitude > 0.0 and ring.front > 0.0)
+    return RingSet(rings=alive, top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
+
+
+def one_ring(ring: Ring, depth: float | None, time: float, origin: tuple[float, float]) -> OneRing:
+    """A ring at a time (s) around an origin."""
+    since = Fraction(time) - Fraction(ring.birth)
+    age = float(since % Fraction(ring.every)) if ring.every is not None else max(float(since), 0.0)
+    omega = math.sqrt(GRAVITY * 2.0 * math.pi / ring.wavelength)
+    k = wavenumber(ring.wavelength, depth)
+    amplitude = ring.amplitude * math.exp(-ring.decay * age) - max(LEAST, LEAST_SHARE * ring.amplitude)
+    return OneRing(
+        amplitude=max(amplitude, 0.0),
+        k=k,
+        theta=omega * age,
+        front=omega / k * age,
+        tail=math.inf if ring.crests is None else ring.crests * 2.0 * math.pi / k,
+        x=float(Fraction(ring.place[0]) - Fraction(origin[0])),
+        z=float(Fraction(ring.place[1]) - Fraction(origin[1])),
+    )
+
+
+def ring_height(ring: OneRing, x: Floats, z: Floats) -> Floats:
+    """η at (x, z); (r,) m."""
+    rho = _rho(ring, x, z)[0]
+    head, tail, _, _ = _windows(ring, rho)
+    result: Floats = ring.amplitude * np.cos(ring.k * rho - ring.theta) * head * tail
+    return result
+
+
+def ring_slope_outward(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+    """dη/dρ and 1/√(r² + a²): the gradient is their product times the way from the centre; (r,) each."""
+    rho, far = _rho(ring, x, z)
+    head, tail, head_change, tail_change = _windows(ring, rho)
+    angle = ring.k * rho - ring.theta
+    change = np.cos(angle) * (head_change * tail + head * tail_change) - ring.k * np.sin(angle) * head * tail
+    return ring.amplitude * change, 1.0 / far
+
+
+def _rho(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+    """ρ = √(r² + a²) − a, and √(r² + a²)."""
+    soft = ROUND * ring.length
+    square = (x - ring.x) ** 2 + (z - ring.z) ** 2
+    far = np.sqrt(square + soft * soft)
+    return square / (far + soft), far
+
+
+def _reached(ring: OneRing, x: Floats, z: Floats) -> Bools:
+    """Where r ≤ front + a, so that ρ may be behind the front."""
+    reach = ring.front + ROUND * ring.length
+    result: Bools = (x - ring.x) ** 2 + (z - ring.z) ** 2 <= reach * reach
+    return result
+
+
+def _windows(ring: OneRing, rho: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """Front and tail windows at ρ, and their derivatives."""
+    band = BAND * ring.length
+    q = np.clip((ring.front - rho) / band, 0.0, 1.0)
+    head, head_change = q * q * (3.0 - 2.0 * q), -6.0 * q * (1.0 - q) / band
+    if math.isinf(ring.tail):
+        return head, np.ones_like(rho), head_change, np.zeros_like(rho)
+    t = np.clip((rho - (ring.front - ring.tail - 2.0 * band)) / band, 0.0, 1.0)
+    return head, t * t * (3.0 - 2.0 * t), head_change, 6.0 * t * (1.0 - t) / band

@@ -1,0 +1,323 @@
+"""Sections 2 and 4: the open sea in float64, by numpy.fft on fine grids, cubic splines and Newton's method."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import map_coordinates
+
+from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
+from seafoam.ocean.stokes import foam_drift
+from seafoam.ocean.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, Fold, fold, old_times
+from seafoam.reference.types import Floats
+from seafoam.scene.models import FoldSaturation, Scene, Sea
+
+TEXELS = 512
+"""Texels along a tile: surface and slopes are bilinear between them, which is part of the model."""
+NEWTON_STEPS = 12
+
+
+@dataclass(frozen=True)
+class Field:
+    """A tile at one time, at places (r,) of undisturbed water: height, displacement and their derivatives."""
+
+    h: Floats
+    h_x: Floats
+    h_z: Floats
+    d_x: Floats
+    d_z: Floats
+    xx: Floats
+    xz: Floats
+    zz: Floats
+
+    def jacobian(self, choppiness: float) -> Floats:
+        """det(1 + λ ∂D/∂x)."""
+        result: Floats = (1.0 + choppiness * self.xx) * (1.0 + choppiness * self.zz) - (choppiness * self.xz) ** 2
+        return result
+
+
+def amplitudes(of: Cascade, time: float) -> NDArray[np.complex128]:
+    """h₀ e^{−iωt}, with ωt reduced in whole turns: exact at any time, s."""
+    turns = math.fmod(time, LOOP) / LOOP
+    angle = 2.0 * math.pi * np.mod(of.turns * turns, 1.0)
+    result: NDArray[np.complex128] = of.h0 * np.exp(-1j * angle)
+    return result
+
+
+def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
+    """The field by summing every wave at every place (m, (r,)): what the grids are held to."""
+    step = 2.0 * math.pi / of.size
+    rows, columns = np.nonzero(of.h0)
+    kx, kz = step * (columns - BAND), step * (rows - BAND)
+    k = np.hypot(kx, kz)
+    h = 2.0 * amplitudes(of, time)[rows, columns]
+    parts: list[list[Floats]] = []
+    for start in range(0, x.size, 256):
+        here = slice(start, start + 256)
+        wave = np.exp(1j * (kx[:, None] * x[here] + kz[:, None] * z[here]))
+        factors = (1.0, 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
+        parts.append([np.real((h * factor) @ wave) for factor in factors])
+    return Field(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+
+
+def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> Field:
+    """The field at texel corners x = j·size/texels, (texels, texels), row z, moved by (x, z) m; by inverse FFT."""
+    number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
+    spectrum = np.zeros((texels, texels), np.complex128)
+    rows, columns = np.nonzero(of.h0)
+    step = 2.0 * math.pi / of.size
+    turned = np.exp(-1j * step * ((columns - BAND) * moved[0] + (rows - BAND) * moved[1]))
+    spectrum[(rows - BAND) % texels, (columns - BAND) % texels] = amplitudes(of, time)[rows, columns] * turned
+    kx, kz = step * number[None, :], step * number[:, None]
+    k = np.maximum(np.hypot(kx, kz), 1e-300)
+    factors = (np.ones_like(k), 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
+    # Each wave stands once, at +k; the real part is its half of the pair.
+    return Field(*(2.0 * np.real(np.fft.ifft2(spectrum * factor)) * texels**2 for factor in factors))
+
+
+@dataclass(frozen=True, eq=False)
+class Tile:
+    """A tile as a height field, at texel corners (texels, texels): heights about 0, slopes and Jacobian."""
+
+    size: float
+    height: Floats
+    h_x: Floats
+    h_z: Floats
+    fold: Floats
+    """λ div D."""
+    jacobian: Floats
+    """det(1 + λ ∂D/∂x)."""
+    label_x: Floats
+    """Where the water at each corner rests, texels."""
+    label_z: Floats
+
+
+def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
+    """Turns a displaced tile into a height field: x + λD(x) = p solved for each corner p."""
+    field = grids(of, time, texels)
+    choppiness = of.choppiness(wanted)
+    scale = choppiness * texels / of.size
+    p_z, p_x = np.meshgrid(np.arange(texels, dtype=np.float64), np.arange(texels, dtype=np.float64), indexing="ij")
+    splines = {name: _spline(getattr(field, name)) for name in ("h", "h_x", "h_z", "d_x", "d_z", "xx", "xz", "zz")}
+
+    def at(name: str, x: Floats, z: Floats) -> Floats:
+        result: Floats = map_coordinates(splines[name], (z, x), order=3, mode="grid-wrap", prefilter=False)
+        return result
+
+    x, z = p_x.copy(), p_z.copy()
+    for _ in range(NEWTON_STEPS if scale > 0.0 else 0):
+        e_x, e_z = x + scale * at("d_x", x, z) - p_x, z + scale * at("d_z", x, z) - p_z
+        a_xx, a_zz = 1.0 + choppiness * at("xx", x, z), 1.0 + choppiness * at("zz", x, z)
+        a_xz = choppiness * at("xz", x, z)
+        held = np.maximum(a_xx * a_zz - a_xz * a_xz, LEAST_JACOBIAN)
+        x, z = x - (a_zz * e_x - a_xz * e_z) / held, z - (a_xx * e_z - a_xz * e_x) / held
+        if max(np.abs(e_x).max(), np.abs(e_z).max()) < 1e-9:
+            break
+    found = Field(*(at(name, x, z) for name in splines))
+    jacobian = found.jacobian(choppiness)
+    held = np.maximum(jacobian, LEAST_JACOBIAN)
+    a_xx, a_zz, a_xz = 1.0 + choppiness * found.xx, 1.0 + choppiness * found.zz, choppiness * found.xz
+    h_x, h_z = (a_zz * found.h_x - a_xz * found.h_z) / held, (a_xx * found.h_z - a_xz * found.h_x) / held
+    length = np.hypot(h_x, h_z)
+    kept = np.minimum(1.0, of.steepest / np.maximum(length, 1e-300))
+    height = np.clip(found.h, -of.limit, of.limit)
+    return Tile(of.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
+
+
+@dataclass(frozen=True, eq=False)
+class SeaSurface:
+    """The open sea at one time around one origin: a part of the relief, and the slopes and folds that go with it."""
+
+    tiles: tuple[Tile, ...]
+    cascades: tuple[Cascade, ...]
+    origin: tuple[float, float]
+    earlier: tuple[tuple[Floats, ...], ...]
+    """For each raised tile, the fold at each earlier time, carried along with the water; half the texels."""
+    old: tuple[Floats, ...] = ()
+    """The same of the largest tile at each time of long ago, where the scene's foam lasts."""
+
+    @property
+    def top(self) -> float:
+        """The sum of the heights' limits, m."""
+        return sum(of.limit for of in self.cascades[:RAISED])
+
+    @property
+    def trough(self) -> float:
+        return -self.top
+
+    @cached_property
+    def slope(self) -> float:
+        """Greatest slope between texels, rounded up."""
+        steepest = 0.0
+        for one in self._raised:
+            across = [np.abs(np.diff(one.height, axis=axis, append=_first(one.height, axis))).max() for axis in (0, 1)]
+            steepest += math.hypot(float(across[0]), float(across[1])) * one.height.shape[0] / one.size
+        return 1.001 * steepest
+
+    @cached_property
+    def curvature(self) -> float:
+        """Greatest change of slope over a texel, 1/m: bilinear patches bend at their seams."""
+        worst = 0.0
+        for one in self._raised:
+            step = one.size / one.height.shape[0]
+            for axis in (0, 1):
+                bend = np.roll(one.height, 1, axis) - 2.0 * one.height + np.roll(one.height, -1, axis)
+                worst += 2.0 * float(np.abs(bend).max()) / (step * step)
+        return worst
+
+    @cached_property
+    def shape(self) -> float:
+        """Half the shortest wave of the finest raised tile at ``TEXELS``, m: 4 texels."""
+        return min(4.0 * one.size / float(one.height.shape[0]) for one in self._raised)
+
+    @property
+    def _raised(self) -> tuple[Tile, ...]:
+        return self.tiles[:RAISED]
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        total = np.zeros_like(x)
+        for one in self._raised:
+            total += self._at(one, one.height, x, z)
+        return total
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+        for one in self._raised:
+            h_x += self._at(one, one.h_x, x, z)
+            h_z += self._at(one, one.h_z, x, z)
+        return h_x, h_z
+
+    def shading(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Gradient of the raised tiles as light sees it; (r,) each."""
+        return self._slopes(self._raised, x, z)
+
+    def detail(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """Gradient of the tiles that tilt the surface and do not raise it; (r,) each."""
+        return self._slopes(self.tiles[RAISED:], x, z)
+
+    def folds(self, x: Floats, z: Floats) -> list[Floats]:
+        """λ div D now and at each earlier time, of the raised tiles together; (r,) each."""
+        result = [sum(self._smooth(one, one.fold, x, z) for one in self._raised)]
+        for step in range(AGE_STEPS):
+            parts = zip(self._raised, self.earlier, strict=True)
+            result.append(sum(self._at(one, then[step], x, z) for one, then in parts))
+        return [np.asarray(one, np.float64) for one in result]
+
+    def long_ago(self, model: Fold, x: Floats, z: Floats) -> Floats:
+        """What is left of foam of long ago; (r,), not held at 1."""
+        left = np.zeros_like(self.old[0])
+        for share, folded in zip(model.old_shares, self.old, strict=True):
+            left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
+        return self._at(self.tiles[0], left, x, z)
+
+    def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        """From (x, z) to where the water that is there rests, m; (r,) each."""
+        way_x, way_z = np.zeros_like(x), np.zeros_like(x)
+        for one in self._raised:
+            texels = one.label_x.shape[0]
+            corner = np.arange(0, texels, 2)
+            scale = one.size / texels
+            way_x += self._at(one, scale * (one.label_x[::2, ::2] - corner[None, :]), x, z)
+            way_z += self._at(one, scale * (one.label_z[::2, ::2] - corner[:, None]), x, z)
+        return way_x, way_z
+
+    def _slopes(self, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+        for one in tiles:
+            h_x += self._smooth(one, one.h_x, x, z)
+            h_z += self._smooth(one, one.h_z, x, z)
+        return h_x, h_z
+
+    def _smooth(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
+        """The uniform cubic B-spline with ``values`` as coefficients, at places from the origin."""
+        scale = values.shape[0] / of.size
+        u = (math.fmod(self.origin[0], of.size) + x) * scale
+        v = (math.fmod(self.origin[1], of.size) + z) * scale
+        result: Floats = map_coordinates(values, (v, u), order=3, mode="grid-wrap", prefilter=False)
+        return result
+
+    def _at(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
+        """``values`` of a tile, bilinear, at places from the origin."""
+        texels = values.shape[0]
+        scale = texels / of.size
+        u = x * scale + math.fmod(self.origin[0], of.size) * scale
+        v = z * scale + math.fmod(self.origin[1], of.size) * scale
+        i, j = np.floor(u), np.floor(v)
+        s, t = u - i, v - j
+        i0, j0 = i.astype(np.intp) & (texels - 1), j.astype(np.intp) & (texels - 1)
+        i1, j1 = (i0 + 1) & (texels - 1), ((j0 + 1) & (texels - 1)) * texels
+        j0 *= texels
+        flat = values.ravel()
+        near, far = flat[j0 + i0], flat[j1 + i0]
+        near += (flat[j0 + i1] - near) * s
+        far += (flat[j1 + i1] - far) * s
+        result: Floats = near + (far - near) * t
+        return result
+
+
+@lru_cache(maxsize=1)
+def _drawn(
+    sea: Sea, depth: float | None, time: float, texels: int, drift: tuple[float, float], lasting: bool
+) -> tuple[tuple[Tile, ...], tuple[tuple[Floats, ...], ...], tuple[Floats, ...]]:
+    drawn = cascades(sea, depth)
+    tiles = tuple(tile(of, time, sea.choppiness, texels) for of in drawn)
+
+    def then(of: Cascade, now: Tile, size: int, times: list[float]) -> tuple[Floats, ...]:
+        """Folds on ``size``² texels at times ago, at every second texel, where the water that is there now rests."""
+        finer = texels // size
+        place = now.label_z[::2, ::2] / finer, now.label_x[::2, ::2] / finer
+        found = []
+        for ago in times:
+            field = grids(of, time - ago, size, (drift[0] * ago, drift[1] * ago))
+            linear = of.choppiness(sea.choppiness) * (field.xx + field.zz)
+            found.append(map_coordinates(linear, place, order=1, mode="grid-wrap"))
+        return tuple(found)
+
+    ages = [AGE_STEP * step for step in range(1, AGE_STEPS + 1)]
+    earlier = tuple(then(of, now, texels // 2, ages) for of, now in zip(drawn[:RAISED], tiles, strict=False))
+    old = then(drawn[0], tiles[0], OLD_TEXELS, old_times(AGE_STEPS, AGE_STEP)) if lasting else ()
+    return tiles, earlier, old
+
+
+def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
+    """The scene's sea at a time (s) around an origin (x, z) in m, on tiles of ``texels``²; None without sea or wind."""
+    if scene.sea is None or scene.sea.wind <= 0.0:
+        return None
+    depth = scene.water.depth
+    sources = () if scene.foam is None else scene.foam.saturation
+    lasting = any(isinstance(source, FoldSaturation) and source.lasting for source in sources)
+    tiles, earlier, old = _drawn(scene.sea, depth, time, texels, foam_drift(scene), lasting)
+    return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
+
+
+def fold_saturation(scene: Scene, foam: FoldSaturation, surface: SeaSurface | None, x: Floats, z: Floats) -> Floats:
+    """f at (x, z), m from the origin; (r,) in [0, 1]."""
+    if scene.sea is None or surface is None:
+        return np.zeros_like(x)
+    found = fold(scene.sea, foam, scene.water.depth, AGE_STEPS, AGE_STEP, surface.tiles[0].fold.shape[0])
+    if found is None:
+        return np.zeros_like(x)
+    total = np.zeros_like(x)
+    for j, (share, folded) in enumerate(zip(found.shares, surface.folds(x, z), strict=True)):
+        threshold, width = found.earlier if j else found.now
+        total += share * np.clip((threshold - folded) / width, 0.0, 1.0)
+    if found.old_shares:
+        total += surface.long_ago(found, x, z)
+    return np.minimum(total, 1.0)
+
+
+def _spline(values: Floats) -> Floats:
+    """Coefficients of the periodic cubic B-spline through ``values``."""
+    texels = values.shape[0]
+    filtered = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(texels))) / 3.0
+    result: Floats = np.real(np.fft.ifft2(np.fft.fft2(values) / (filtered[:, None] * filtered[None, :])))
+    return result
+
+
+def _first(values: Floats, axis: int) -> Floats:
+    """The first row or column, to close the tile."""
+    return np.take(values, [0], axis=axis)

@@ -1,0 +1,436 @@
+"""The moderngl executor: draws frame plans in the one GL context of its process.
+
+Rules that hold it together: one context a process, one thread for life (GL calls from another thread give no error
+and zeros), every object released by hand (moderngl's collected release fails on objects that were released before).
+"""
+
+import threading
+import time as clock
+from collections import OrderedDict
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, Literal
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Pass, Points
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, Texture, TextureInput
+from seafoam.framegraph.shader import Program, declared_uniforms
+from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
+from seafoam.render.gl.context import NoRendererError, create_context
+from seafoam.scene.models import Camera
+from seafoam.textures import texture
+
+__all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
+
+Output = Literal["rgba8", "linear", "samples"]
+
+TEXTURE_FORMATS = {
+    "R8": (1, "f1"),
+    "R8UI": (1, "u1"),
+    "R16UI": (1, "u2"),
+    "RG32UI": (2, "u4"),
+    "R16F": (1, "f2"),
+    "R32F": (1, "f4"),
+    "RG32F": (2, "f4"),
+    "RGBA32F": (4, "f4"),
+}
+"""Components and moderngl dtype of each texture format."""
+_TARGET_FORMATS = {"RGBA16F": (4, "f2"), "RGBA32F": (4, "f4"), "RGBA8": (4, "f1"), "RG32UI": (2, "u4")}
+_BLENDS: dict[Blend, tuple[int, int]] = {
+    "none": (moderngl.ONE, moderngl.ZERO),
+    "add": (moderngl.ONE, moderngl.ONE),
+    "over": (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA),
+}
+_BYTES = {"f1": 1, "u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
+_FILTERS = {
+    "nearest": (moderngl.NEAREST, moderngl.NEAREST),
+    "linear": (moderngl.LINEAR, moderngl.LINEAR),
+    "linear_mipmap_linear": (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR),
+}
+_PROGRAMS_KEPT = 96
+_TEXTURES_KEPT = 48
+_TARGETS_KEPT = 48
+_STATIC_BYTES = 64 << 20
+"""Of targets that setup passes drew, for this plan and earlier ones."""
+
+
+class ShaderError(RuntimeError):
+    """A program of a plan does not compile here."""
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """A frame, top row first.
+
+    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``; float32 linear with A = foam coverage for ``linear``;
+    the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in
+    ``render`` (draw until finished) and ``read``.
+    """
+
+    pixels: NDArray[np.uint8] | NDArray[np.float32]
+    timings: dict[str, float]
+
+
+class _Cache:
+    """GL objects by key, the least lately used released first; ``weigh``: how much of ``size`` each takes."""
+
+    def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
+        self._size = size
+        self._weigh = weigh
+        self._items: OrderedDict[Any, Any] = OrderedDict()
+
+    def __contains__(self, key: Any) -> bool:
+        return key in self._items
+
+    def get(self, key: Any, make: Callable[[], Any] | None = None) -> Any:
+        """What is there, made if there is nothing; raises ``KeyError`` where nothing can be made."""
+        if make is not None and key not in self._items:
+            self._items[key] = make()
+        self._items.move_to_end(key)
+        return self._items[key]
+
+    def put(self, key: Any, item: Any) -> None:
+        self._items[key] = item
+
+    def trim(self) -> None:
+        """Release what is over the limit; called between frames, when nothing is in use."""
+        held = sum(map(self._weigh, self._items.values()))
+        while held > self._size:
+            item = self._items.popitem(last=False)[1]
+            held -= self._weigh(item)
+            self.release(item)
+
+    def clear(self) -> None:
+        while self._items:
+            self.release(self._items.popitem()[1])
+
+    @staticmethod
+    def release(item: Any) -> None:
+        for part in item if isinstance(item, tuple) else (item,):
+            part.release()
+
+
+class _Linked:
+    """A linked program and its vertex arrays, which live and die with it: GL reuses the numbers of what is released."""
+
+    def __init__(self, context: moderngl.Context, program: moderngl.Program) -> None:
+        self._context = context
+        self.program = program
+        self._arrays: dict[Grid | None, tuple[Any, ...]] = {}
+
+    def draw(self, mesh: Fullscreen | Grid | Points) -> None:
+        """Draw ``mesh`` with the program."""
+        if isinstance(mesh, Grid):
+            self._array(mesh).render(moderngl.TRIANGLES)
+        elif isinstance(mesh, Points):
+            self._array(None).render(moderngl.POINTS, vertices=mesh.count)
+        else:
+            self._array(None).render(moderngl.TRIANGLES, vertices=3)
+
+    def _array(self, mesh: Grid | None) -> moderngl.VertexArray:
+        """The vertex array that feeds ``mesh``; None: no attribute at all."""
+        if mesh not in self._arrays:
+            self._arrays[mesh] = self._make(mesh)
+        found: moderngl.VertexArray = self._arrays[mesh][0]
+        return found
+
+    def _make(self, mesh: Grid | None) -> tuple[Any, ...]:
+        if mesh is None:
+            return (self._context.vertex_array(self.program, []),)
+        vertices, indices = grid(mesh.rows, mesh.columns)
+        buffers = self._context.buffer(vertices.tobytes()), self._context.buffer(indices.tobytes())
+        return self._context.vertex_array(self.program, [(buffers[0], "2f", "a_grid")], buffers[1]), *buffers
+
+    def release(self) -> None:
+        """Release arrays, buffers and program."""
+        for parts in self._arrays.values():
+            for part in parts:
+                part.release()
+        self.program.release()
+
+
+class Executor:
+    """Draws plans. Owns the process's GL context; raises :class:`NoRendererError` where there is none."""
+
+    def __init__(self, device_index: int | None = None) -> None:
+        self._thread = threading.get_ident()
+        self._context = create_context(device_index)
+        # Bound while others are released: moderngl binds the last framebuffer again whenever it makes an object.
+        self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
+        self.info: dict[str, str] = {
+            "vendor": self._context.info["GL_VENDOR"],
+            "renderer": self._context.info["GL_RENDERER"],
+            "version": self._context.info["GL_VERSION"],
+        }
+        self.max_side = int(self._context.info["GL_MAX_TEXTURE_SIZE"])
+        # llvmpipe compiles a program twice for a state that hides what was there: blended with none of it, once.
+        self._always_blends = "llvmpipe" in self.info["renderer"]
+        self._programs = _Cache(_PROGRAMS_KEPT)
+        self._textures = _Cache(_TEXTURES_KEPT)
+        self._targets = _Cache(_TARGETS_KEPT)
+        self._static = _Cache(_STATIC_BYTES, _bytes)
+
+    def render(
+        self,
+        plan: FramePlan,
+        *,
+        time: float,
+        camera: Camera,
+        width: int,
+        height: int,
+        output: Output = "rgba8",
+    ) -> Rendered:
+        """Draw a frame of ``plan`` at ``time`` (s, up to ±1e9) from ``camera``, ``width`` × ``height`` pixels.
+
+        Raises :class:`ShaderError` where a program does not compile, ``RuntimeError`` after any GL error or from any
+        thread but the one that made the executor.
+        """
+        self._own_thread()
+        start = clock.perf_counter()
+        target_name = {"rgba8": "screen", "linear": plan.linear, "samples": "samples"}[output]
+        drawn = drawn_passes(plan, camera, width, height, target_name)
+        setup = {one.target for one in plan.passes if one.when == "setup"}
+        framebuffers = {
+            name: self._target(name, target, width, height)
+            for name, target in plan.targets.items()
+            if name not in setup
+        }
+        framebuffers["screen"] = self._targets.get(
+            ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
+        )
+        framebuffers |= self._set_up(plan, drawn, camera)
+        # Every frame pass: plans share their targets, so nothing that was drawn for an earlier frame can be relied on.
+        for index, shows in drawn.items():
+            one = plan.passes[index]
+            if one.when == "setup":
+                continue
+            if shows:
+                self._draw(plan, one, index, framebuffers, time, camera, width, height)
+            else:
+                self._clear(framebuffers[one.target][0])
+        self._context.finish()
+        finished = clock.perf_counter()
+        framebuffer = framebuffers[target_name][0]
+        dtype: Literal["f1", "f4"] = "f1" if output == "rgba8" else "f4"
+        raw = framebuffer.read(components=4, alignment=1, dtype=dtype)
+        shape = (framebuffer.height, framebuffer.width, 4)
+        pixels = np.frombuffer(raw, np.uint8 if output == "rgba8" else np.float32).reshape(shape)[::-1]
+        error = self._context.error
+        if error != "GL_NO_ERROR":
+            # What it spoilt must not be kept.
+            self._resting.use()
+            self._static.clear()
+            raise RuntimeError(f"{error} while drawing")
+        self._resting.use()
+        for cache in self._caches():
+            cache.trim()
+        timings = {"render": finished - start, "read": clock.perf_counter() - finished}
+        return Rendered(np.ascontiguousarray(pixels), timings)
+
+    def compile(self, program: Program) -> None:
+        """Compile a program, or raise :class:`ShaderError`."""
+        self._own_thread()
+        self._program(program)
+        self._programs.trim()
+
+    def forget(self) -> None:
+        """Release all that is kept for later frames: programs, textures and targets."""
+        self._own_thread()
+        self._resting.use()
+        for cache in self._caches():
+            cache.clear()
+
+    def close(self) -> None:
+        """Release everything, the context last."""
+        self.forget()
+        self._resting.release()
+        self._context.release()
+
+    def _caches(self) -> tuple[_Cache, ...]:
+        return self._programs, self._textures, self._targets, self._static
+
+    def _own_thread(self) -> None:
+        if threading.get_ident() != self._thread:
+            raise RuntimeError("a GL context belongs to the thread that made it; elsewhere it draws nothing, silently")
+
+    def _set_up(self, plan: FramePlan, drawn: Iterable[int], camera: Camera) -> dict[str, tuple[Any, ...]]:
+        """The kept targets that passes of ``drawn`` read, with what setup passes leave in them.
+
+        Those are drawn that no frame of this plan or of one like it has left; nothing of the frame reaches them.
+        """
+        setup = {index: plan.passes[index] for index in drawn if plan.passes[index].when == "setup"}
+        wanted = {name for index in drawn if index not in setup for name in reads(plan.passes[index])}
+        needed = {name: digest for name, digest in plan.kept.items() if name in wanted}
+        missing = {digest: name for name, digest in needed.items() if digest not in self._static}
+        if missing:
+            steps = passes_into(setup, missing.values())
+            into = {one.target: self._target(one.target, plan.targets[one.target]) for one in steps.values()}
+            made = {digest: self._made(plan.targets[name]) for digest, name in missing.items()}
+            into |= {name: made[digest] for digest, name in missing.items()}
+            try:
+                for index, one in steps.items():
+                    self._draw(plan, one, index, into, 0.0, camera, 1, 1)
+            except BaseException:
+                for target in made.values():
+                    _Cache.release(target)
+                raise
+            for digest, target in made.items():
+                self._static.put(digest, target)
+        found = {name: self._static.get(digest) for name, digest in needed.items()}
+        return found
+
+    def _draw(
+        self,
+        plan: FramePlan,
+        one: Pass,
+        index: int,
+        framebuffers: dict[str, tuple[Any, ...]],
+        time: float,
+        camera: Camera,
+        width: int,
+        height: int,
+    ) -> None:
+        framebuffer = framebuffers[one.target][0]
+        model = plan.programs[one.program]
+        linked = self._program(model)
+        program = linked.program
+        framebuffer.use()
+        framebuffer.viewport = (0, 0, framebuffer.width, framebuffer.height)
+        depth = moderngl.DEPTH_TEST if one.state.depth else 0
+        blend = moderngl.BLEND if one.state.blend != "none" or self._always_blends else 0
+        self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | depth | blend)
+        self._context.depth_func = "<"
+        self._context.blend_func = _BLENDS[one.state.blend]
+        if one.state.clear:
+            self._clear(framebuffer)
+        state = FrameState(time, camera, width, height, framebuffer.width, framebuffer.height, index)
+        for unit, (name, source) in enumerate(sorted(one.inputs.items())):
+            if name not in program:
+                continue
+            if isinstance(source, TextureInput):
+                found = self._texture(source.texture, plan.textures[source.texture])
+            else:
+                found = framebuffers[source.target][1]
+            found.use(unit)
+            program[name] = unit
+        # Names the compiler dropped are declared in the text and absent here.
+        for name in declared_uniforms(model.vertex) | declared_uniforms(model.fragment):
+            if name in program and name not in one.inputs:
+                uniform = one.uniforms.get(name) or plan.uniforms[name]
+                member = _member(program, name)
+                # An array whose last elements nothing reads is shorter to the driver.
+                values = evaluate(uniform, state)[: member.array_length * member.dimension]
+                member.write(values.tobytes())
+        linked.draw(one.mesh)
+        if one.target in plan.targets and plan.targets[one.target].filter == MIPMAPPED:
+            # Means of 2 × 2 texels, level by level; this sets the filter to trilinear, too.
+            framebuffers[one.target][1].build_mipmaps()
+
+    @staticmethod
+    def _clear(framebuffer: Any) -> None:
+        framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+
+    def _program(self, model: Program) -> _Linked:
+        def make() -> _Linked:
+            try:
+                program = self._context.program(vertex_shader=model.vertex.text, fragment_shader=model.fragment.text)
+            except moderngl.Error as error:
+                raise ShaderError(f"{error}\n{_listing(model)}") from error
+            return _Linked(self._context, program)
+
+        linked: _Linked = self._programs.get((model.vertex.sha256, model.fragment.sha256), make)
+        return linked
+
+    def _texture(self, name: str, model: Texture) -> moderngl.Texture:
+        def make() -> moderngl.Texture:
+            data = texture(model.url.removeprefix("/api/textures/"))
+            if data.sha256 != model.sha256:
+                raise RuntimeError(f"texture {name} is not the one the plan was made for")
+            components, dtype = TEXTURE_FORMATS[model.format]
+            made = self._context.texture((model.width, model.height), components, dtype=dtype, alignment=1)
+            if model.levels > 1:
+                # The only way moderngl allocates the levels, which are then written one by one.
+                made.build_mipmaps(0, model.levels - 1)
+            offset = 0
+            for level in range(model.levels):
+                level_width, level_height = max(model.width >> level, 1), max(model.height >> level, 1)
+                size = level_width * level_height * components * _BYTES[dtype]
+                made.write(data.data[offset : offset + size], level=level, alignment=1)
+                offset += size
+            made.filter = _FILTERS[model.filter]
+            made.repeat_x = made.repeat_y = model.wrap == "repeat"
+            return made
+
+        made: moderngl.Texture = self._textures.get((model.sha256, model.filter, model.wrap), make)
+        return made
+
+    def _target(self, name: str, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
+        size = _size(target, width, height)
+        key = (name, size, target.format, target.depth, target.filter, target.wrap)
+        found: tuple[Any, ...] = self._targets.get(key, partial(self._made, target, width, height))
+        return found
+
+    def _made(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
+        """A target for a picture of ``width`` × ``height`` pixels, which those of fixed size do not ask for."""
+        made = self._framebuffer(_size(target, width, height), target.format, depth=target.depth)
+        made[1].filter = _FILTERS[target.filter]
+        made[1].repeat_x = made[1].repeat_y = target.wrap == "repeat"
+        return made
+
+    def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
+        if max(size) > self.max_side:
+            raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's {self.max_side} pixels a side")
+        components, dtype = _TARGET_FORMATS[kind]
+        color = self._context.texture(size, components, dtype=dtype, alignment=1)
+        color.filter = _FILTERS["nearest"]
+        color.repeat_x = color.repeat_y = False
+        if not depth:
+            return self._context.framebuffer([color]), color
+        buffer = self._context.depth_renderbuffer(size)
+        return self._context.framebuffer([color], buffer), color, buffer
+
+
+def _size(target: Target, width: int, height: int) -> tuple[int, int]:
+    if isinstance(target.size, FixedSize):
+        return target.size.width, target.size.height
+    scale, part = target.size.scale, target.size.part
+    return -(-width * scale // (part * target.size.narrow)), -(-height * scale // part)
+
+
+def _bytes(target: tuple[Any, ...]) -> int:
+    """Of the pixels of a target as :meth:`Executor._framebuffer` makes it."""
+    framebuffer, color, *depth = target
+    texel = color.components * _BYTES[color.dtype] + 4 * len(depth)
+    return int(framebuffer.width * framebuffer.height * texel)
+
+
+def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:
+    member = program[name]
+    assert isinstance(member, moderngl.Uniform)
+    return member
+
+
+def grid(rows: int, columns: int) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
+    """Vertices ((rows + 1)(columns + 1), 2) in [0, 1]², columns first, and the indices of two triangles a cell."""
+    u = np.arange(columns + 1, dtype=np.float64) / columns
+    v = np.arange(rows + 1, dtype=np.float64) / rows
+    vertices = np.stack(np.meshgrid(u, v, indexing="xy"), axis=-1).reshape(-1, 2).astype(np.float32)
+    row, column = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
+    first = row * (columns + 1) + column
+    corners = np.stack([first, first + 1, first + columns + 1, first + columns + 2], axis=-1)
+    indices = corners[..., [0, 1, 2, 2, 1, 3]].reshape(-1).astype(np.uint32)
+    return vertices, indices
+
+
+def _listing(model: Program) -> str:
+    parts = []
+    for stage, shader in (("vertex", model.vertex), ("fragment", model.fragment)):
+        files = ", ".join(f"{file.path} from line {file.line}" for file in shader.files)
+        parts.append(f"{stage}: {files}")
+    return "\n".join(parts)

@@ -1,4 +1,0 @@
-// No foam: nothing scatters.
-float foam_albedo() {
-    return 0.0;
-}

@@ -1,4 +1,0 @@
-// No moon.
-vec4 moon_disc(vec3 d) {
-    return vec4(0.0);
-}
