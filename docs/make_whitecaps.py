@@ -53,7 +53,7 @@ SIZE = (480, 360)
 SMALL = (128, 96)
 """Of the frames without light in which foam alone is counted."""
 EYE, PITCH, FOV = 30.0, -0.6, 0.7
-"""Camera over the sea's mean level, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
+"""Camera over still water, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
 QUALITY = TIERS["standard"].model_copy(update={"sea_size": 128})
 """A tile of 128 texels still holds all waves, and is drawn sooner."""
 ROUND = 20

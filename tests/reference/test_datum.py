@@ -9,7 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 from exact import EXACT
+from gpu import WHOLE
 from report import Report
+from seafoam.effects.effect import Inline
 from seafoam.framegraph.visibility import everywhere
 from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.levels import wave_level
@@ -62,8 +64,8 @@ def heights(executor: Executor, scene: Scene, time: float) -> Floats:
     )
     changed = plan.programs["surface"].model_copy(
         update={
-            "vertex": assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0}),
-            "fragment": shader.model_copy(update={"text": text, "sha256": assemble(["=" + text], {}).sha256}),
+            "vertex": WHOLE,
+            "fragment": shader.model_copy(update={"text": text, "sha256": assemble([Inline(text)], {}).sha256}),
         }
     )
     other = everywhere(plan).model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})
@@ -155,17 +157,24 @@ def test_where_no_ring_and_no_wake_is_water_is_still(executor: Executor) -> None
 
 
 POOL = Scene(
-    water=Water(depth=2.4, floor_tile=0.4, scattering=0.05, chop=Chop(slope=0.06, seed=3)),
+    water=Water(depth=2.4, floor_tile=0.4, scattering=0.05, translucency=0.0, chop=Chop(slope=0.06, seed=3)),
     light=Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0)),
 )
-DEEP = Scene(water=Water(scattering=0.1, absorption_length=(2.0, 3.0, 4.0)), light=Light(exposure=-1.0))
+DEEP = Scene(
+    water=Water(scattering=0.1, translucency=0.0, absorption_length=(2.0, 3.0, 4.0)), light=Light(exposure=-1.0)
+)
+# Without the light through crests, whose share of the greatest height hangs on all waves of the scene.
 BESIDE = {
     "caustics on the floor, from above": (POOL, Camera(position=(0.3, 2.5, 0.2), pitch=-1.2)),
     "caustics on the floor, from under water": (POOL, Camera(position=(0.3, -1.0, 0.2), pitch=-0.6)),
     "the ceiling and what it mirrors": (POOL, Camera(position=(0.3, -1.5, 0.2), pitch=0.4)),
     "deep water, from below": (DEEP, Camera(position=(0.3, -2.0, 0.2), pitch=-0.2)),
     "the planar mirror": (
-        Scene(light=Light(reflection="planar"), boats=(Boat(centre=(0.0, -14.0), radius=15.0, speed=0.0),)),
+        Scene(
+            water=Water(translucency=0.0),
+            light=Light(reflection="planar"),
+            boats=(Boat(centre=(0.0, -14.0), radius=15.0, speed=0.0),),
+        ),
         Camera(position=(0.0, 3.0, 12.0), pitch=-0.2),
     ),
 }

@@ -14,7 +14,7 @@ NEAR = 2.0
 """Distance from a boat's middle, in lengths, beyond which the window at its bow is negligible."""
 
 _OPENING = 2800.0
-"""Second derivative of a wake's window near the bow, in units of its level over the boat's length squared."""
+"""Second derivative of a wake's window near the bow, in units of its height over the boat's length squared."""
 
 
 @dataclass(frozen=True)
