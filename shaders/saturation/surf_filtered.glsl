@@ -1,4 +1,4 @@
-// Foam of the surf as in surf.glsl, averaged over the footprint: its patches, and the front over the turns of the wave under it.
+// Foam of the surf as in surf.glsl, averaged over the footprint: its patches, the front over the turns of the wave under it, and the water's edge.
 uniform float u_surf_foam; // saturation on the front
 uniform float u_surf_veil;
 
@@ -25,7 +25,12 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     torn = torn_noise(torn, 0.35, 1.7, noise_value(NOISE_KEY, carried / 1.7), fp);
     torn = torn_noise(torn, 0.25, 0.5, noise_value(NOISE_KEY, turned / 0.5), fp);
     float patches = torn_step(0.25, 0.72, torn.x, torn.y);
-    float film = 1.0 - smoothstep(0.0, 0.15, height - shore_floor(q).x);
+    vec4 ground = shore_floor(q);
+    float depth = height - ground.x;
+    float film = 1.0 - smoothstep(0.0, 0.15, depth);
     float left = u_surf_foam * max(front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)) * (1.0 + film);
-    return min(breaking * (left + 2.0 * u_surf_veil * patches), SURF_CAP);
+    // Where the water ends within the footprint its foam fades out: no edge jumps from one sample to the next.
+    vec2 fall = shore_tilt - ground.yz;
+    float reach = clamp(abs(dot(fall, fp.x)) + abs(dot(fall, fp.y)), 1e-3, 0.15);
+    return min(breaking * (left + 2.0 * u_surf_veil * patches), SURF_CAP) * clamp(2.0 * depth / reach, 0.0, 1.0);
 }

@@ -239,18 +239,48 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
         assert slopes[got[:, 0] > 0.0].max() <= land
 
 
-def test_foam_of_the_surf(executor: Executor, report: Report) -> None:
+@pytest.mark.parametrize("sides", [((0.0, 0.0), (0.0, 0.0)), ((0.8, 0.1), (-0.2, 0.5)), ((3.0, -2.0), (0.4, 0.6))])
+def test_foam_of_the_surf(executor: Executor, report: Report, sides: tuple[tuple[float, float], ...]) -> None:
+    """At points, and under footprints that the water's edge may cross."""
+    edges = 0
     x, z = places(executor, SEA)
+    footprint = f"Footprint({', '.join(f'vec2({a}, {b})' for a, b in sides)})"
+    feet = tuple(np.tile(side, (x.size, 1)) for side in sides)
     for time in (0.0, 3600.0):
-        body = "o_color.x = surf_saturation(p, waves(p).x, Footprint(vec2(0.0), vec2(0.0)));"
+        body = f"Footprint fp = {footprint}; o_color.x = surf_saturation(p, waves_shading(p, fp).x, fp);"
         got = probe(executor, SEA, body, time)[:, 0]
         sea = coast(SEA, time)
-        want = np.minimum(sea.foam(SurfSaturation(), x, z, sea.height(x, z), None), 1.0)
+        height = sea.height(x, z)
+        want = np.minimum(sea.foam(SurfSaturation(), x, z, height, (feet[0], feet[1])), 1.0)
+        depth = height - sea.ground(*sea.place(x, z))[0]
+        edges += int(np.count_nonzero((want > 0.0) & (depth < 0.5 * truth.EDGE[1])))
         away = np.abs(got - want)
-        report.add("Surf foam against float64, 10,000 points", time=f"{time:g} s", worst=f"{away.max():.1e}")
+        report.add(
+            "Surf foam against float64, 10,000 points",
+            time=f"{time:g} s",
+            footprint=f"{sides[0]}, {sides[1]} m",
+            worst=f"{away.max():.1e}",
+        )
         assert want.max() > 0.9
         assert away.max() <= 0.05
         assert np.quantile(away, 0.99) <= 1e-3
+    assert edges > 20
+
+
+def test_foam_ends_with_its_water() -> None:
+    """At the water's edge 0; all of it where the edge lies outside of the footprint; between, as the depth grows."""
+    sea = coast(SEA, 0.0)
+    x, z = np.random.default_rng(1).uniform(-60.0, 60.0, (2, 100_000))
+    height = sea.height(x, z)
+    depth = height - sea.ground(*sea.place(x, z))[0]
+    narrow, wide = (
+        sea.foam(SurfSaturation(), x, z, height, (np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))))
+        for side in (1e-6, 0.5)
+    )
+    deep = depth > truth.EDGE[1]
+    assert np.abs(wide - narrow)[deep].max() <= 0.1
+    assert np.count_nonzero(wide[(depth > 0.0) & ~deep] < 0.9 * narrow[(depth > 0.0) & ~deep]) > 20
+    assert (wide[depth <= 0.0] == 0.0).all()
 
 
 def test_ground_and_the_way_through_the_water(executor: Executor, report: Report) -> None:

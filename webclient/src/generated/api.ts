@@ -2007,7 +2007,7 @@ export interface components {
              */
             target: string;
             /** Mesh */
-            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__framegraph__passes__Points"];
+            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__effects__contribution__Points"];
             /**
              * Inputs
              * @description Sampler name -> what it reads
@@ -3773,7 +3773,7 @@ export interface components {
          * Points
          * @description ``count`` points without attributes; gl_VertexID tells which, and gl_PointSize gives the side in pixels.
          */
-        seafoam__framegraph__passes__Points: {
+        seafoam__effects__contribution__Points: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3951,7 +3951,7 @@ export type WakeSaturation = components['schemas']['WakeSaturation'];
 export type Water = components['schemas']['Water'];
 export type Wrap = components['schemas']['Wrap'];
 export type SeafoamAccuracyModelPoints = components['schemas']['seafoam__accuracy__model__Points'];
-export type SeafoamFramegraphPassesPoints = components['schemas']['seafoam__framegraph__passes__Points'];
+export type SeafoamEffectsContributionPoints = components['schemas']['seafoam__effects__contribution__Points'];
 export type FieldProblem = components['schemas']['FieldProblem'];
 export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;

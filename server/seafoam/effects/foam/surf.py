@@ -86,6 +86,18 @@ EFFECT = Effect(
             camera=_VIEW,
         ),
         HardCase(
+            name="surf foam on water as level as its ground",
+            scene=Scene(
+                light=_LIGHT,
+                shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}),
+                foam=_FOAM,
+            ),
+            guard="what the depth changes by over a footprint held at 1 mm (saturation/surf_filtered.glsl)",
+            without="nothing on llvmpipe: no footprint lies as level to the last digit",
+            times=(0.0, 2.3),
+            camera=_VIEW,
+        ),
+        HardCase(
             name="foam where no way leads to the shore",
             scene=Scene(
                 light=_LIGHT,

@@ -236,6 +236,10 @@ TORN = 0.25, 0.72
 """Noise from which patches begin, and in which they are whole."""
 
 
+EDGE = 1e-3, 0.15
+"""What the depth changes by over a footprint at the water's edge, m: at least and at most."""
+
+
 def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
     """What patches of the surf are torn by at (x, z) m from the middle of the square: shares, cells (m) and values."""
     t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
@@ -385,10 +389,16 @@ class Coast:
         swing_x, swing_z = _swing(here, map_x, map_z, turn)
         c_x, c_z = q_x + swing_x, q_z + swing_z
         patches = _patches(c_x, c_z) if feet is None else torn_step(*TORN, *torn(_noises(c_x, c_z), feet))
-        film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
+        ground, g_x, g_z, _ = self.ground(q_x, q_z)
+        film = 1.0 - smoothstep(0.0, 0.15, H - ground)
         torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
         left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)
         result: Floats = breaking * (left + 2.0 * source.veil * patches)
+        if feet is None:
+            return result
+        h_x, h_z = self.gradient(x, z)
+        change = sum(np.abs((h_x - g_x) * foot[:, 0] + (h_z - g_z) * foot[:, 1]) for foot in feet)
+        result = np.minimum(result, 1.0) * np.clip(2.0 * (H - ground) / np.clip(change, *EDGE), 0.0, 1.0)
         return result
 
     def left(self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats) -> Floats:
