@@ -29,8 +29,9 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     float depth = height - ground.x;
     float film = 1.0 - smoothstep(0.0, 0.15, depth);
     float left = u_surf_foam * max(front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)) * (1.0 + film);
-    // Where the water ends within the footprint its foam fades out: no edge jumps from one sample to the next.
+    // Where the water ends within the footprint its foam goes over into that on the ground: no edge jumps from one sample to the next.
     vec2 fall = shore_tilt - ground.yz;
     float reach = clamp(abs(dot(fall, fp.x)) + abs(dot(fall, fp.y)), 1e-3, 0.15);
-    return min(breaking * (left + 2.0 * u_surf_veil * patches), SURF_CAP) * clamp(2.0 * depth / reach, 0.0, 1.0);
+    float whole = min(breaking * (left + 2.0 * u_surf_veil * patches), SURF_CAP);
+    return mix(surf_swept(f, ground.x, patches, fp), whole, clamp(2.0 * depth / reach, 0.0, 1.0));
 }

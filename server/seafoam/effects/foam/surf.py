@@ -26,14 +26,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
     name, torn = ("surf_filtered", ("saturation/torn.glsl",)) if filtered else ("surf", ())
-    needs = ("saturation/surf_patches.glsl", *torn)
+    needs = ("saturation/surf_patches.glsl", "saturation/surf_swept.glsl", *torn)
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
             SlotFile("saturation", f"saturation/{name}.glsl", prefix="surf", needs=needs),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
-        consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},
+        consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP, "SURF_FILTERED": filtered},
         uniforms={
             "u_surf_foam": number(surf.amount),
             "u_surf_life": number(surf.life, f"{pointer}/life"),
