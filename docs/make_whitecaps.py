@@ -9,7 +9,7 @@ import argparse
 import io
 import math
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -24,7 +24,7 @@ from rich.progress import Progress
 from scipy import stats
 
 from seafoam.accuracy.metrics import displayed
-from seafoam.accuracy.whitecaps import Patches, Rule, awe_threshold, grey, patches
+from seafoam.accuracy.whitecaps import Patches, Rule, awe_threshold, grey, levelled, patches
 from seafoam.ocean import cascades as sea_tiles
 from seafoam.ocean import whitecaps as foam_of_sea
 from seafoam.planner import make_plan
@@ -37,6 +37,7 @@ from seafoam.scene.presets import load_preset
 PAGE = Path(__file__).parent / "whitecaps.md"
 PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"
 Floats = NDArray[np.float32]
+Floats64 = NDArray[np.float64]
 MARK = "<!-- table -->\n"
 WINDS = (5.0, 7.5, 10.0, 12.5, 15.0, 17.5, 20.0)
 DERIVED, SHOWN = (1, 2), (5, 6)
@@ -49,20 +50,20 @@ POINTS = 100_000
 
 PRESET = "open-ocean"
 PHOTOGRAPHED = (8.0, 10.0, 12.5, 15.0, 18.0)
-SIZE = (480, 360)
+SIZE = (2592, 1944)
+"""Of a photograph: five megapixels, for which the program is written."""
 SMALL = (128, 96)
 """Of the frames without light in which foam alone is counted."""
+COARSE = 6
+"""Pixels along a side that are one in the small photographs."""
 EYE, PITCH, FOV = 30.0, -0.6, 0.7
 """Camera over still water, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
 QUALITY = TIERS["standard"].model_copy(update={"sea_size": 128})
 """A tile of 128 texels still holds all waves, and is drawn sooner."""
-ROUND = 20
-"""Photographs of one sea and heading."""
-LEAST_FRAMES, MOST_FRAMES = 160, 400
-ENOUGH = 0.07
-"""Standard error of the mean drawn coverage, over the mean, at which a wind has photographs enough."""
-LIT = 5
-"""Every so many views are also photographed, with both looks: AWE's ratio to the foam drawn needs few."""
+VIEWS = 80
+"""Small views of a wind."""
+PHOTOGRAPHS = 4
+"""Photographs of a wind: AWE's ratio to the foam drawn in the same picture needs few."""
 RULES: tuple[Rule, ...] = ("program", "least")
 THIN = 0.02
 """Foam amount under which a pixel counts as water."""
@@ -106,15 +107,16 @@ def derive(lasting: bool) -> tuple[tuple[float, float], ...]:
     return tuple((wind, round(factor, 3)) for wind, factor in factors.items())
 
 
-def write(drawn: dict[float, float], gerstner: dict[float, float]) -> None:
+def write(drawn: dict[float, float], lasting: dict[float, float], gerstner: dict[float, float]) -> None:
     """The page's table and its plot."""
     rows = [
-        "| wind, m/s | wanted, % | `fft`, % | over wanted | `gerstner`, % | over wanted |\n",
-        "|---|---|---|---|---|---|\n",
+        "| wind, m/s | wanted, % | `fft`, % | over wanted | `fft`, lasting, % | over wanted "
+        "| `gerstner`, % | over wanted |\n",
+        "|---|---|---|---|---|---|---|---|\n",
     ]
     for wind in WINDS:
         wanted = foam_of_sea.whitecaps(wind)
-        shares = " | ".join(f"{100 * of[wind]:.3f} | {of[wind] / wanted:.2f}" for of in (drawn, gerstner))
+        shares = " | ".join(f"{100 * of[wind]:.3f} | {of[wind] / wanted:.2f}" for of in (drawn, lasting, gerstner))
         rows.append(f"| {wind:g} | {100 * wanted:.3f} | {shares} |\n")
     before, _, after = PAGE.read_text(encoding="utf-8").split(MARK)
     PAGE.write_text(before + MARK + "".join(rows) + MARK + after, encoding="utf-8")
@@ -125,7 +127,12 @@ def write(drawn: dict[float, float], gerstner: dict[float, float]) -> None:
     law = 100 * 3.84e-6 * winds**3.41
     axes.fill_between(winds, 0.8 * law, 1.2 * law, color="#dde3e6", label="within 20 %")
     axes.plot(winds, law, color="#1c2b33", lw=1.2, label="3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980)")
-    for of, mark, colour, name in ((drawn, "o", "#b5353c", "fft"), (gerstner, "^", "#27708b", "gerstner")):
+    series = (
+        (drawn, "o", "#b5353c", "fft"),
+        (lasting, "s", "#c98a2b", "fft, lasting"),
+        (gerstner, "^", "#27708b", "gerstner"),
+    )
+    for of, mark, colour, name in series:
         axes.plot(list(of), [100 * share for share in of.values()], mark, color=colour, label=f"drawn, {name}")
     axes.set_yscale("log")
     axes.set_xlabel("wind 10 m above the sea, m/s")
@@ -135,7 +142,7 @@ def write(drawn: dict[float, float], gerstner: dict[float, float]) -> None:
     figure.savefig(PICTURE)
 
 
-def seascape(wind: float, seed: int, yaw: float, *, own: bool) -> Scene:
+def seascape(wind: float, seed: int, yaw: float, *, own: bool = True) -> Scene:
     """The preset's sea and foam, of coverage 1, the sun high behind a camera that heads to ``yaw``.
 
     own: with the preset's foam that lasts and lives, else with that of the last 3 s, lying still.
@@ -157,30 +164,50 @@ def seascape(wind: float, seed: int, yaw: float, *, own: bool) -> Scene:
 
 @dataclass(frozen=True)
 class Shot:
-    """A photograph: shares of its pixels."""
+    """A photograph: shares of its pixels that are counted, and the foam drawn."""
 
     drawn: float
     """Mean foam amount."""
-    counted: dict[Rule, float]
-    """What AWE counts."""
+    coarse: float
+    """AWE, a sixth of the resolution, as it is."""
+    whole: dict[Rule, float]
+    """AWE, all pixels, levelled."""
     made_of: tuple[float, float, float]
-    """Of what AWE (program) counts: pixels at least half under foam, thinly, and not."""
+    """Of ``whole`` by the program: pixels at least half under foam, thinly, and not."""
+    drawn_steep: float
+    """Mean foam amount of the lower half, which looks 34 degrees down and more."""
+    steep: dict[Rule, float]
+    """AWE in that half alone, levelled."""
+
+
+def counted(image: Floats64, rule: Rule) -> NDArray[np.bool_]:
+    """The pixels that AWE counts."""
+    threshold = awe_threshold(image, rule)
+    return image > (1.0 if threshold is None else threshold)
+
+
+def photo(pixels: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """A linear frame as a camera's 8-bit sRGB."""
+    return np.round(255.0 * displayed(pixels)).astype(np.uint8)
 
 
 def shot(pixels: NDArray[np.float32]) -> Shot:
-    """Judge a linear frame: its foam, and AWE of its tone-mapped 8-bit sRGB."""
-    image = grey(np.round(255.0 * displayed(pixels)).astype(np.uint8))
+    """Judge a linear frame. Its sides are multiples of :data:`COARSE`."""
+    height, width, _ = pixels.shape
     foam = pixels[..., 3].astype(np.float64)
-    white = {}
-    for rule in RULES:
-        threshold = awe_threshold(image, rule)
-        white[rule] = image > (1.0 if threshold is None else threshold)
-    of = white["program"]
+    picture = photo(pixels)
+    boxes = pixels.reshape(height // COARSE, COARSE, width // COARSE, COARSE, -1).mean(axis=(1, 3))
+    low = slice(height // 2, None)
+    whole, steep = levelled(picture), levelled(picture[low])
+    of = counted(whole, "program")
     parts = (foam >= 0.5, (foam >= THIN) & (foam < 0.5), foam < THIN)
     return Shot(
-        float(foam.mean()),
-        {rule: float(counted.mean()) for rule, counted in white.items()},
-        tuple(float((of & part).mean()) for part in parts),  # type: ignore[arg-type]
+        drawn=float(foam.mean()),
+        coarse=float(counted(grey(photo(boxes)), "program").mean()),
+        whole={"program": float(of.mean()), "least": float(counted(whole, "least").mean())},
+        made_of=tuple(float((of & part).mean()) for part in parts),  # type: ignore[arg-type]
+        drawn_steep=float(foam[low].mean()),
+        steep={rule: float(counted(steep, rule).mean()) for rule in RULES},
     )
 
 
@@ -189,11 +216,13 @@ class Album:
     """Views at one wind."""
 
     foam: list[float]
-    """Mean foam amount of every view, the look without fade and foam texture."""
-    plain: list[Shot]
-    """Photographs of some of them."""
-    own: list[Shot]
-    """The same with the preset's own look."""
+    """Mean foam amount of every view."""
+    shots: list[Shot]
+
+    def over_law(self, wind: float, of: Callable[[Shot], float], drawn: Callable[[Shot], float]) -> float:
+        """What is counted in all photographs over what is drawn there, times what all views draw, over the law."""
+        counted = sum(of(one) for one in self.shots) / sum(drawn(one) for one in self.shots)
+        return counted * float(np.mean(self.foam)) / foam_of_sea.whitecaps(wind)
 
 
 def view(executor: Executor, scene: Scene, place: Sequence[float], yaw: float, size: tuple[int, int]) -> Floats:
@@ -210,48 +239,56 @@ def spread(values: Sequence[float]) -> float:
 
 
 def photographed(executor: Executor, wind: float, progress: Progress) -> Album:
-    """Views of ever other seas, places, moments and headings, until their mean is sure enough."""
+    """Views of other seas, places, moments and headings, some of them photographed."""
     random = np.random.default_rng(round(10.0 * wind))
-    album = Album([], [], [])
-    task = progress.add_task(f"photographs, {wind:g} m/s", total=MOST_FRAMES)
-    for number in range(MOST_FRAMES // ROUND):
+    album = Album([], [])
+    task = progress.add_task(f"photographs, {wind:g} m/s", total=VIEWS)
+    rounds = VIEWS // PHOTOGRAPHS
+    for number in range(PHOTOGRAPHS):
         yaw = float(random.uniform(-math.pi, math.pi))
-        plain, own = (seascape(wind, 100 + number, yaw, own=own) for own in (False, True))
-        unlit = plain.model_copy(update={"light": None})
-        for i in range(ROUND):
+        scene = seascape(wind, 100 + number, yaw)
+        unlit = scene.model_copy(update={"light": None})
+        for i in range(rounds):
             place = [float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, sea_tiles.LOOP))]
             album.foam.append(float(view(executor, unlit, place, yaw, SMALL)[..., 3].mean(dtype=np.float64)))
-            if i % LIT == 0:
-                album.plain.append(shot(view(executor, plain, place, yaw, SIZE)))
-                album.own.append(shot(view(executor, own, place, yaw, SIZE)))
+            if i == 0:
+                album.shots.append(shot(view(executor, scene, place, yaw, SIZE)))
             progress.advance(task)
-        if len(album.foam) >= LEAST_FRAMES and spread(album.foam) <= ENOUGH:
-            break
-    progress.update(task, total=len(album.foam))
+        progress.console.print(f"{wind:g} m/s:", album.shots[-1])
     return album
 
 
 def write_photographs(albums: Mapping[float, Album]) -> None:
     """The page's table of photographs and its plot."""
     rows = [
-        "| wind, m/s | law, % | views | drawn, over law | sure to | AWE | AWE, least PIP "
-        "| AWE's pixels: foam / thin / none | preset's own look: drawn | AWE |\n",
-        "|---|---|---|---|---|---|---|---|---|---|\n",
+        "| wind, m/s | law, % | views | drawn, over law | sure to | photographs | AWE, 0.14 megapixels | AWE, 5 "
+        "| its pixels: foam / thin / none | AWE, 5, steep | least PIP, 5 | least PIP, 5, steep |\n",
+        "|---|---|---|---|---|---|---|---|---|---|---|---|\n",
     ]
-    columns: dict[str, list[float]] = {"drawn": [], "AWE": [], "AWE, least PIP": [], "drawn, own look": []}
+    columns: dict[str, list[float]] = {"drawn": [], "AWE, 0.14": [], "AWE, 5": [], "least PIP, 5": []}
     for wind, album in albums.items():
         law = foam_of_sea.whitecaps(wind)
-        drawn = float(np.mean(album.foam))
-        scale = drawn / law / float(np.mean([one.drawn for one in album.plain]))
-        awe, least = (scale * float(np.mean([one.counted[rule] for one in album.plain])) for rule in RULES)
-        parts = scale * np.mean([one.made_of for one in album.plain], axis=0)
-        own = scale * float(np.mean([one.drawn for one in album.own]))
-        own_awe = scale * float(np.mean([one.counted["program"] for one in album.own]))
-        rows.append(
-            f"| {wind:g} | {100 * law:.3f} | {len(album.foam)} | {drawn / law:.2f} | {100 * spread(album.foam):.0f} % "
-            f"| {awe:.2f} | {least:.2f} | {' / '.join(f'{part:.2f}' for part in parts)} | {own:.2f} | {own_awe:.2f} |\n"
+        drawn = float(np.mean(album.foam)) / law
+
+        def whole(of: Callable[[Shot], float], album: Album = album, wind: float = wind) -> float:
+            return album.over_law(wind, of, lambda one: one.drawn)
+
+        def steep(rule: Rule, album: Album = album, wind: float = wind) -> float:
+            return album.over_law(wind, lambda one: one.steep[rule], lambda one: one.drawn_steep)
+
+        coarse = whole(lambda one: one.coarse)
+        awe, least = whole(lambda one: one.whole["program"]), whole(lambda one: one.whole["least"])
+        parts = (
+            whole(lambda one: one.made_of[0]),
+            whole(lambda one: one.made_of[1]),
+            whole(lambda one: one.made_of[2]),
         )
-        for name, value in zip(columns, (drawn / law, awe, least, own), strict=True):
+        rows.append(
+            f"| {wind:g} | {100 * law:.3f} | {len(album.foam)} | {drawn:.2f} | {100 * spread(album.foam):.0f} % "
+            f"| {len(album.shots)} | {coarse:.2f} | {awe:.2f} | {' / '.join(f'{part:.2f}' for part in parts)} "
+            f"| {steep('program'):.2f} | {least:.2f} | {steep('least'):.2f} |\n"
+        )
+        for name, value in zip(columns, (drawn, coarse, awe, least), strict=True):
             columns[name].append(100.0 * law * value)
     fill("photographs", rows)
     figure = Figure(figsize=(8.0, 5.0), dpi=100, layout="constrained")
@@ -277,7 +314,7 @@ def outlined(executor: Executor, progress: Progress, *, own: bool) -> Patches:
     """Patches of pixels at least half under foam, from straight above."""
     random = np.random.default_rng(3)
     found = []
-    for i in progress.track(range(OUTLINED), description=f"patches, {'own look' if own else 'plain'}"):
+    for i in progress.track(range(OUTLINED), description=f"patches, {'own look' if own else 'lying still'}"):
         scene = seascape(OUTLINED_WIND, 200 + i, 0.0, own=own)
         x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, sea_tiles.LOOP)))
         camera = Camera(position=(x, ABOVE, z), pitch=-0.5 * math.pi, fov=2.0 * math.atan(0.5))
@@ -351,12 +388,12 @@ def main() -> None:
                 if chosen.photographs:
                     write_photographs({wind: photographed(executor, wind, progress) for wind in PHOTOGRAPHED})
                 else:
-                    looks = {"plain look": False, "preset's own look": True}
+                    looks = {"last 3 s, lying still": False, "preset's own look": True}
                     write_patches({name: outlined(executor, progress, own=own) for name, own in looks.items()})
         finally:
             executor.close()
     else:
-        write(measured(SHOWN), measured(SHOWN, "gerstner"))
+        write(measured(SHOWN), measured(SHOWN, lasting=True), measured(SHOWN, "gerstner"))
 
 
 if __name__ == "__main__":

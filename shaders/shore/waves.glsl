@@ -48,11 +48,14 @@ vec3 waves(vec2 p) {
     return sum;
 }
 
+vec2 shore_tilt; // gradient of the surface where it was shaded last
+
 // The same without what is smaller than the footprint, and the mean square slope taken out.
 vec4 waves_shading(vec2 p, Footprint fp) {
     vec4 sea = open_shading(p, fp);
     vec2 q = shore_place(p);
     if (any(greaterThan(abs(q), vec2(0.5 * u_shore_size)))) {
+        shore_tilt = sea.yz;
         return sea;
     }
     ShoreField f = shore_field(q);
@@ -67,5 +70,6 @@ vec4 waves_shading(vec2 p, Footprint fp) {
         float k = TAU * f.here.g * length(change);
         sum += vec4(shore_waves(f, vec3(mix(0.42, profile.x, kept), kept * profile.yz)), (1.0 - kept * kept) * 0.15 * k * k);
     }
+    shore_tilt = sum.yz;
     return sum;
 }

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
 from report import Report
-from seafoam.accuracy.whitecaps import Rule, awe_coverage, awe_threshold, grey, patches, pip_curve
+from seafoam.accuracy.whitecaps import Rule, awe_coverage, awe_threshold, grey, levelled, patches, pip_curve
 
 SIZE = (480, 640)
 
@@ -79,6 +79,31 @@ def test_grey_is_the_weighted_sum() -> None:
     assert grey(picture) == pytest.approx(np.full((2, 3), 0.587))
     with pytest.raises(ValueError, match="picture"):
         grey(np.zeros((2, 3)))
+
+
+def test_a_levelled_picture_has_even_rows() -> None:
+    """Water that grows brighter upward becomes as bright as in the middle, and blue is taken where it slopes less."""
+    slope = np.linspace(0.6, 0.2, 200)[:, None]
+    picture = np.repeat(np.tile(slope, (1, 50))[..., None], 3, axis=2)
+    assert levelled(picture) == pytest.approx(np.full((200, 50), slope[100, 0]), abs=2e-4)
+    picture[..., 2] = np.linspace(0.5, 0.4, 200)[:, None]
+    assert levelled(picture) == pytest.approx(np.full((200, 50), picture[100, 0, 2]), abs=2e-4)
+    assert levelled(np.full((4, 4, 3), 255, np.uint8)) == pytest.approx(np.ones((4, 4)), abs=2e-4)
+    with pytest.raises(ValueError, match="picture"):
+        levelled(np.zeros((2, 3)))
+
+
+@pytest.mark.parametrize("coverage", [0.02, 0.08])
+def test_awe_finds_a_known_coverage_on_a_slope(coverage: float) -> None:
+    """Under light that falls to 0.4 from the top to the bottom AWE misses; levelled it finds what is there."""
+    slope = np.linspace(1.15, 0.45, SIZE[0])[:, None]
+    found = []
+    for seed in range(4):
+        lit = np.clip(photograph(coverage, seed) / 255.0 * slope, 0.0, 1.0)
+        picture = np.repeat(np.round(255.0 * lit).astype(np.uint8)[..., None], 3, axis=2)
+        found.append([float(awe_coverage([image])[0]) / coverage for image in (grey(picture), levelled(picture))])
+    plain, levels = np.abs(np.array(found) - 1.0).max(axis=0)
+    assert levels <= 0.2 < plain
 
 
 def test_patches_of_known_shape() -> None:

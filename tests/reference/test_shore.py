@@ -239,16 +239,74 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
         assert slopes[got[:, 0] > 0.0].max() <= land
 
 
-def test_foam_of_the_surf(executor: Executor, report: Report) -> None:
-    x, z = places(executor, SEA)
+SURF = SurfSaturation(line=1.0)
+LINED = SEA.model_copy(update={"foam": Foam(saturation=(SURF,))})
+
+
+@pytest.mark.parametrize("sides", [((0.0, 0.0), (0.0, 0.0)), ((0.8, 0.1), (-0.2, 0.5)), ((3.0, -2.0), (0.4, 0.6))])
+def test_foam_of_the_surf(executor: Executor, report: Report, sides: tuple[tuple[float, float], ...]) -> None:
+    """At points, and under footprints that the water's edge may cross."""
+    edges = 0
+    x, z = places(executor, LINED)
+    footprint = f"Footprint({', '.join(f'vec2({a}, {b})' for a, b in sides)})"
+    feet = tuple(np.tile(side, (x.size, 1)) for side in sides)
     for time in (0.0, 3600.0):
-        body = "o_color.x = surf_saturation(p, waves(p).x, Footprint(vec2(0.0), vec2(0.0)));"
-        got = probe(executor, SEA, body, time)[:, 0]
+        body = f"Footprint fp = {footprint}; o_color.x = surf_saturation(p, waves_shading(p, fp).x, fp);"
+        got = probe(executor, LINED, body, time)[:, 0]
         sea = coast(SEA, time)
-        want = np.minimum(sea.foam(SurfSaturation(), x, z, sea.height(x, z), None), 1.0)
+        height = sea.height(x, z)
+        want = np.minimum(sea.foam(SURF, x, z, height, (feet[0], feet[1])), 1.0)
+        depth = height - sea.ground(*sea.place(x, z))[0]
+        edges += int(np.count_nonzero((want > 0.0) & (depth < 0.5 * truth.EDGE[1])))
         away = np.abs(got - want)
-        report.add("Surf foam against float64, 10,000 points", time=f"{time:g} s", worst=f"{away.max():.1e}")
+        report.add(
+            "Surf foam against float64, 10,000 points",
+            time=f"{time:g} s",
+            footprint=f"{sides[0]}, {sides[1]} m",
+            worst=f"{away.max():.1e}",
+        )
         assert want.max() > 0.9
+        assert away.max() <= 0.05
+        assert np.quantile(away, 0.99) <= 1e-3
+    assert edges > 20
+
+
+def test_foam_of_the_water_goes_over_into_that_on_the_ground() -> None:
+    """At the water's edge it is the ground's; the water's own where the edge lies outside of the footprint."""
+    sea, source = coast(SEA, 0.0), SURF
+    x, z = np.random.default_rng(1).uniform(-60.0, 60.0, (2, 100_000))
+    height = sea.height(x, z)
+    ground = sea.ground(*sea.place(x, z))[0]
+    depth = height - ground
+    narrow, wide = ((np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))) for side in (0.05, 1.0))
+    own = np.minimum(sea.foam(source, x, z, height, None), 1.0)
+    swept = sea.left(source, x, z, ground, narrow)
+    found = sea.foam(source, x, z, height, narrow)
+    deep = depth > truth.EDGE[1]
+    assert np.abs(found - own)[deep].max() <= 0.01
+    # Patches of the water lie where it rests, those of the ground where they are.
+    assert np.quantile(np.abs(found - swept)[depth <= 0.0], 0.99) <= 0.02
+    shallow = (depth > 0.0) & (depth < 0.25 * truth.EDGE[1]) & (np.abs(swept - own) > 0.3)
+    part = (sea.foam(source, x, z, height, wide) - swept)[shallow] / (own - swept)[shallow]
+    assert np.count_nonzero((part > 0.1) & (part < 0.9)) > 10
+
+
+def test_foam_on_the_ground(executor: Executor, report: Report) -> None:
+    """At points, and under footprints in which a wave ends."""
+    x, z = places(executor, LINED)
+    sea = coast(SEA, 0.0)
+    ground = sea.ground(*sea.place(x, z))[0]
+    for side in (0.0, 1.5):
+        body = (
+            f"Footprint fp = Footprint(vec2({side}, 0.0), vec2(0.0, {side})); vec2 q = shore_place(p);"
+            "o_color.x = surf_swept(shore_field(q), shore_floor(q).x, surf_patches(q), fp);"
+        )
+        got = probe(executor, LINED, body)[:, 0]
+        feet = np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))
+        want = sea.left(SURF, x, z, ground, feet)
+        away = np.abs(got - want)
+        report.add("Foam on the sand against float64, 10,000 points", side=f"{side} m", worst=f"{away.max():.1e}")
+        assert want.max() > 0.5
         assert away.max() <= 0.05
         assert np.quantile(away, 0.99) <= 1e-3
 

@@ -46,6 +46,24 @@ def grey(picture: NDArray[Any]) -> Floats:
     return result
 
 
+def levelled(picture: NDArray[Any]) -> Floats:
+    """A picture's grey, or its blue where that slopes less, without the slope of its rows: (height, width) in [0, 1].
+
+    Water is brighter toward the horizon, where it mirrors more. As the first author's later program prepares pictures:
+    a line is fitted through the rows' means, and each row divided by the line there over the line in the middle; what
+    exceeds white is white. picture: as :func:`grey` takes it. Raises ``ValueError`` as that does.
+    """
+    own = grey(picture)
+    blue = picture[..., 2] / 255.0 if picture.dtype == np.uint8 else picture[..., 2].astype(np.float64)
+    rows = np.arange(own.shape[0], dtype=np.float64)
+    fits = [(np.polyfit(rows, channel.mean(axis=1), 1), channel) for channel in (own, blue)]
+    fit, chosen = min(fits, key=lambda one: abs(float(one[0][0])))
+    # A line that falls to nothing within the picture would divide by nothing.
+    line = np.maximum(np.polyval(fit, rows), 1e-3)
+    result: Floats = np.minimum(chosen * (line[rows.size // 2] / line)[:, None], 1.0)
+    return result
+
+
 @dataclass(frozen=True)
 class Curve:
     """What AWE reads a threshold from: thresholds falling from the brightest pixel on, and what each lets in."""
@@ -68,14 +86,14 @@ def pip_curve(image: NDArray[Any]) -> Curve | None:
     [0, 1] and for values that are not finite.
     """
     values = _checked(image)
-    ordered = np.sort(values, axis=None)
-    top = float(ordered[-1])
-    steps = int((top - float(ordered[0])) / STEP)
+    top = float(values.max())
+    steps = int((top - float(values.min())) / STEP)
     if steps < LEAST_STEPS:
         return None
     # Half a level under a level, so that rounding decides nothing.
     thresholds: Floats = (top - STEP * (np.arange(steps) + 0.75)).astype(np.float64)
-    counts = ordered.size - np.searchsorted(ordered, thresholds, side="right")
+    first = np.minimum(np.ceil((top - values.ravel()) / STEP - 0.75), steps).astype(np.int64)
+    counts = np.cumsum(np.bincount(np.maximum(first, 0), minlength=steps))[:steps]
     pip = 100.0 * np.diff(counts) / counts[1:]
     smooth: Floats = filtfilt(*butter(ORDER, CUT), pip, padlen=min(20, len(pip) - 1))
     rough = np.pad(np.gradient(smooth), (RUN // 2, RUN - 1 - RUN // 2), mode="edge")

@@ -16,7 +16,9 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     vec2 front = surf_front(turn, out_to_sea, fp);
     float patches = surf_patches(q + surf_carried.xy, fp);
     // The last of the water runs off under its foam: what is thinner than a hand holds more of it.
-    float film = 1.0 - smoothstep(0.0, 0.15, height - shore_floor(q).x);
+    vec4 ground = shore_floor(q);
+    float film = 1.0 - smoothstep(0.0, 0.15, height - ground.x);
     float left = u_surf_foam * max(front.x * (0.65 + 0.55 * patches), front.y * (0.3 + 0.9 * patches)) * (1.0 + film);
-    return min(breaking * (left + 2.0 * u_surf_veil * patches), SURF_CAP);
+    float whole = min(breaking * (left + 2.0 * u_surf_veil * patches), SURF_CAP);
+    return surf_at_edge(f, ground, height, whole, patches, fp);
 }

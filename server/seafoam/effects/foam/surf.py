@@ -25,14 +25,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     height = scene.shore.surf.height
     filtered = scene.foam.look == "filtered"
     front, torn = ("surf_front_filtered", "torn") if filtered else ("surf_front", "torn_exact")
-    needs = (f"foam/saturation/{torn}.glsl", "foam/saturation/surf_patches.glsl", f"foam/saturation/{front}.glsl")
+    files = (torn, "surf_patches", "surf_swept", front)
+    needs = tuple(f"foam/saturation/{name}.glsl" for name in files)
     return Contribution(
         why=f"foam of the surf, {surf.life:g} periods to 1/e",
         slots=(
             SlotFile("saturation", "foam/saturation/surf.glsl", prefix="surf", needs=needs),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
-        consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP},
+        consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP, "SURF_FILTERED": filtered},
         uniforms={
             "u_surf_foam": number(surf.amount),
             "u_surf_life": number(surf.life, f"{pointer}/life"),
@@ -85,13 +86,25 @@ EFFECT = Effect(
             camera=_VIEW,
         ),
         HardCase(
+            name="surf foam on water as level as its ground",
+            scene=Scene(
+                light=_LIGHT,
+                shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}),
+                foam=_FOAM,
+            ),
+            guard="what the depth changes by over a footprint held at 1 mm (foam/saturation/surf_front_filtered.glsl)",
+            without="nothing on llvmpipe: no footprint lies as level to the last digit",
+            times=(0.0, 2.3),
+            camera=_VIEW,
+        ),
+        HardCase(
             name="foam where no way leads to the shore",
             scene=Scene(
                 light=_LIGHT,
                 shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
                 foam=_FOAM,
             ),
-            guard="the way to the shore divided by at least 1e-6 (foam/saturation/surf_filtered.glsl)",
+            guard="the way to the shore divided by at least 1e-6 (foam/saturation/surf.glsl)",
             without="nothing on llvmpipe: no point has a way of 0 to the last digit",
             camera=_VIEW,
         ),

@@ -446,7 +446,9 @@ class _Shader:
         amount = np.zeros_like(x)
         lines = [] if scene.foam is None else [one for one in scene.foam.saturation if isinstance(one, SurfSaturation)]
         if scene.foam is not None and self.assets is not None and lines and lines[0].line > 0.0:
-            f = np.minimum(coast.left(lines[0], x, z, height), 1.0 if scene.foam.look == "filtered" else CAP)
+            filtered = scene.foam.look == "filtered"
+            left = coast.left(lines[0], x, z, height, feet if filtered and self.filtering else None)
+            f = np.minimum(left, 1.0 if filtered else CAP)
             still = np.zeros_like(x), np.zeros_like(x)
             amount = np.minimum(self._lying(scene.foam, self.assets, f, x, z, *feet, way=still), 1.0)
         if self.air is None or scene.light is None:

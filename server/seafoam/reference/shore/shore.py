@@ -236,6 +236,10 @@ TORN = 0.25, 0.72
 """Noise from which patches begin, and in which they are whole."""
 
 
+EDGE = 1e-3, 0.15
+"""What the depth changes by over a footprint at the water's edge, m: at least and at most."""
+
+
 def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
     """What patches of the surf are torn by at (x, z) m from the middle of the square: shares, cells (m) and values."""
     t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
@@ -390,24 +394,55 @@ class Coast:
         swing_x, swing_z = _swing(here, map_x, map_z, turn)
         c_x, c_z = q_x + swing_x, q_z + swing_z
         patches = _patches(c_x, c_z) if feet is None else torn_step(*TORN, *torn(_noises(c_x, c_z), feet))
-        film = 1.0 - smoothstep(0.0, 0.15, H - self.floor.value(q_x, q_z)[:, 0])
+        ground, g_x, g_z, _ = self.ground(q_x, q_z)
+        film = 1.0 - smoothstep(0.0, 0.15, H - ground)
         torn_front, torn_wake = front * (0.65 + 0.55 * patches), age * (0.3 + 0.9 * patches)
         left = source.amount * np.maximum(torn_front, torn_wake) * (1.0 + film)
         result: Floats = breaking * (left + 2.0 * source.veil * patches)
+        if feet is None:
+            return result
+        h_x, h_z = self.gradient(x, z)
+        change = sum(np.abs((h_x - g_x) * foot[:, 0] + (h_z - g_z) * foot[:, 1]) for foot in feet)
+        share = np.clip(2.0 * (H - ground) / np.clip(change, *EDGE), 0.0, 1.0)
+        swept = self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, patches, feet)
+        result = swept + share * (np.minimum(result, 1.0) - swept)
         return result
 
-    def left(self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats) -> Floats:
+    def left(self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats, feet: Feet | None) -> Floats:
         """Saturation of what the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
         q_x, q_z = self.place(x, z)
-        here = self.field.value(q_x, q_z)
+        here, map_x, map_z = self.field.all(q_x, q_z)
+        return self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, _patches(q_x, q_z), feet)
+
+    def _swept(
+        self,
+        source: SurfSaturation,
+        here: Floats,
+        phase: tuple[Floats, Floats],
+        ground: Floats,
+        patches: Floats,
+        feet: Feet | None,
+    ) -> Floats:
+        """The same where the map, the gradient of its phase and the patches are known; under footprints at most 1."""
         reach = ground / np.maximum(here[:, 1], 1e-3)
         since = self.turn(here[:, 0]) - 1.0
-        swept = (1.0 - smoothstep(0.85, 1.0, reach)) * np.exp(since / source.life)
-        turned = smoothstep(0.55, 0.9, reach) * (1.0 - smoothstep(0.95, 1.05, reach))
-        turned = turned * np.exp(since / (3.0 * source.life))
         ran_up = smoothstep(0.02, 0.1, here[:, 1] / max(self.shore.surf.height, 1e-6))
-        result: Floats = source.line * ran_up * (0.3 + 0.9 * _patches(q_x, q_z)) * (swept + turned)
-        return result
+        swept = 1.0 - smoothstep(0.85, 1.0, reach)
+        turned = smoothstep(0.55, 0.9, reach) * (1.0 - smoothstep(0.95, 1.05, reach))
+
+        def after(since: Floats) -> Floats:
+            both = swept * np.exp(since / source.life) + turned * np.exp(since / (3.0 * source.life))
+            result: Floats = source.line * ran_up * (0.3 + 0.9 * patches) * both
+            return result
+
+        if feet is None:
+            return after(since)
+        width = np.clip(sum(np.abs(phase[0] * foot[:, 0] + phase[1] * foot[:, 1]) for foot in feet), 1e-5, 1.0)
+        late = since < -0.5
+        share = np.maximum(0.5 - np.where(late, since + 1.0, -since) / width, 0.0)
+        own, beyond = np.minimum(after(since), 1.0), np.minimum(after(np.where(late, 0.0, -1.0)), 1.0)
+        mixed: Floats = own + share * (beyond - own)
+        return mixed
 
     def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Height of the ground (m), its gradient, its tint; (r,) each. Metres from the middle of the square."""
