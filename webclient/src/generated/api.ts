@@ -2009,7 +2009,7 @@ export interface components {
              */
             target: string;
             /** Mesh */
-            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__effects__contribution__Points"];
+            mesh: components["schemas"]["Fullscreen"] | components["schemas"]["Grid"] | components["schemas"]["seafoam__framegraph__passes__Points"];
             /**
              * Inputs
              * @description Sampler name -> source of its data
@@ -3775,7 +3775,7 @@ export interface components {
          * Points
          * @description ``count`` points without attributes; gl_VertexID is the index, gl_PointSize the side in pixels.
          */
-        seafoam__effects__contribution__Points: {
+        seafoam__framegraph__passes__Points: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3953,7 +3953,7 @@ export type WakeSaturation = components['schemas']['WakeSaturation'];
 export type Water = components['schemas']['Water'];
 export type Wrap = components['schemas']['Wrap'];
 export type SeafoamAccuracyModelPoints = components['schemas']['seafoam__accuracy__model__Points'];
-export type SeafoamEffectsContributionPoints = components['schemas']['seafoam__effects__contribution__Points'];
+export type SeafoamFramegraphPassesPoints = components['schemas']['seafoam__framegraph__passes__Points'];
 export type FieldProblem = components['schemas']['FieldProblem'];
 export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;
