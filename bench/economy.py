@@ -168,7 +168,7 @@ def _presets(executor: Executor, watch: Watch) -> list[Table]:
 def _bounds(executor: Executor, watch: Watch) -> Table:
     rows = []
     for effect in EFFECTS:
-        for scene in effect.invisible[:1]:
+        for scene in effect.cases.invisible[:1]:
             plans = {"plan": make_plan(scene, QUALITY), "full": make_plan(scene, QUALITY, economy=False)}
             notes = plans["plan"].skipped
             rounds = watch.rounds(f"without {effect.name}", 40, 4.0)

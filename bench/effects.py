@@ -2,11 +2,11 @@
 
 from bench.economy import QUALITY, SIZE
 from bench.frames import side_by_side
+from bench.isolation import switch
 from bench.report import Column, Spread, Table, count, ms
 from bench.watch import Watch
 from seafoam.effects import EFFECTS
 from seafoam.planner import make_plan
-from seafoam.planner.isolation import switch
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
 

@@ -39,7 +39,7 @@ def drawn(case: HardCase) -> str:
 def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[dict[str, str]]]) -> Figures:
     """The figures with those of a run's tables, of the cases that there are; none of a case that has changed since."""
     result: Figures = {}
-    for case in (case for effect in EFFECTS for case in effect.hard_cases):
+    for case in (case for effect in EFFECTS for case in effect.cases.hard):
         of = drawn(case)
         known = figures.get(case.name, {})
         one = dict(known) if known.get("of") == of else {"of": of}
@@ -60,7 +60,7 @@ def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
     """A row for each case, in Markdown. Raises ``KeyError`` where the reference was not asked for one."""
     rows = ["| case | guard, and where | without it | now | SwiftShader |", "|---|---|---|---|---|"]
     for effect in EFFECTS:
-        for case in effect.hard_cases:
+        for case in effect.cases.hard:
             one = figures[case.name]
             now = f"{one['mean']:.4f} levels, {one['over_2']:.2f} % over 2" if one["mean"] is not None else None
             cells = [

@@ -6,10 +6,10 @@ CONTRIBUTING.md walks through this file and ``windrows.glsl``; a test runs both 
 import math
 from pathlib import Path
 
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.framegraph.rules import Phase, array, number, vector
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Chop, Foam, ParametricWave, Scene, Water
+from seafoam.scene.models import Scene
 
 SPACING = 14.0
 """Distance from line to line, m."""
@@ -38,17 +38,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect(
-    "windrows",
-    contribute,
-    invisible=(Scene(water=Water(chop=Chop(slope=0.0)), foam=Foam()),),
-    hard_cases=(
-        HardCase(
-            name="windrows ten thousand kilometres away",
-            scene=Scene(waves=(ParametricWave(),), water=Water(chop=Chop()), foam=Foam(look="halftone")),
-            guard="the eye's place across the wind reduced in float64 (framegraph/evaluation.py)",
-            without="in float32: lines in steps of a metre, saturation off by up to 0.5",
-            camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.5),
-        ),
-    ),
-)
+EFFECT = Effect("windrows", contribute)

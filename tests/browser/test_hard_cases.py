@@ -21,8 +21,8 @@ from seafoam.scene.models import Camera
 from seafoam.scene.presets import load_preset
 
 SIZE = (48, 27)
-CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.hard_cases]
-FIRST = [pytest.param(effect.hard_cases[0], id=effect.name) for effect in EFFECTS]
+CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard]
+FIRST = [pytest.param(effect.cases.hard[0], id=effect.name) for effect in EFFECTS]
 HARD = {"mean": 3.0, "share_over_2": 0.06}
 SOFT = {"mean": 1.5, "share_over_2": 0.04}
 """What SwiftShader may differ by, as for the presets (test_parity.py); but soft

@@ -1,7 +1,7 @@
 """CONTRIBUTING.md's example: one Python module and its GLSL, and both executors draw it. No TypeScript knows of it."""
 
 import base64
-import importlib.util
+import importlib
 import json
 from pathlib import Path
 
@@ -19,19 +19,15 @@ from seafoam.scene.presets import load_preset
 
 EXAMPLE = Path(__file__).parents[2] / "docs" / "example" / "windrows.py"
 SIZE = (320, 180)
-SHOWN = ("float windrow", "slots=", "EFFECT =", "bound=", "invisible=", "guard=", "without=")
+SHOWN = ("float windrow", "slots=", "EFFECT =", "bound=", "CASES =", "guard=", "without=")
 """Beginnings of lines that CONTRIBUTING.md must hold."""
 
 
 @pytest.fixture
-def example() -> Effect:
+def example(monkeypatch: pytest.MonkeyPatch) -> Effect:
     """The example's."""
-    spec = importlib.util.spec_from_file_location("windrows", EXAMPLE)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.EFFECT
+    monkeypatch.syspath_prepend(str(EXAMPLE.parent))
+    return importlib.import_module(EXAMPLE.stem).EFFECT
 
 
 def plan_of(effect: Effect, scene: Scene, tier: Tier = "standard", *, economy: bool = True) -> FramePlan:
@@ -62,7 +58,7 @@ def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example
 
 
 def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect) -> None:
-    (case,) = example.hard_cases
+    (case,) = example.cases.hard
     plan = plan_of(example, case.scene, "reference")
     for time in case.times:
         drawn = executor.render(plan, time=time, camera=case.camera, width=48, height=27, output="linear").pixels
@@ -71,7 +67,7 @@ def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect)
 
 
 def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, example: Effect) -> None:
-    (scene,) = example.invisible
+    (scene,) = example.cases.invisible
     lean, full = plan_of(example, scene), plan_of(example, scene, economy=False)
     assert example.name in {note.name for note in lean.skipped}
     assert example.name in {note.name for note in full.effects}
@@ -84,10 +80,10 @@ def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, exampl
 
 def test_contributing_shows_the_very_files_that_run() -> None:
     text = (EXAMPLE.parents[2] / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    for name in ("windrows.py", "windrows.glsl"):
+    for name in ("windrows.py", "windrows_cases.py", "windrows.glsl"):
         body = (EXAMPLE.parent / name).read_text(encoding="utf-8")
         for line in body.splitlines():
             if line.strip().startswith(
-                ("float windrow", "slots=", "EFFECT =", "bound=", "invisible=", "guard=", "without=")
+                ("float windrow", "slots=", "EFFECT =", "bound=", "CASES =", "guard=", "without=")
             ):
                 assert line.strip() in text, line

@@ -54,7 +54,7 @@ APART = {
 }
 """Cases where only soundness is asked, and why."""
 CASES = [
-    pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.hard_cases
+    pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard
 ]
 
 
@@ -87,8 +87,8 @@ def levels(a: NDArray[np.floating], b: NDArray[np.floating]) -> NDArray[np.float
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
 def test_every_effect_has_hard_cases(effect: Effect) -> None:
-    assert effect.hard_cases, f"{effect.name} declares no hard case"
-    for case in effect.hard_cases:
+    assert effect.cases.hard, f"{effect.name} declares no hard case"
+    for case in effect.cases.hard:
         assert case.guard
         assert case.without
         assert case.times
@@ -109,7 +109,7 @@ def test_guards_stand_where_they_are_said_to(effect: Effect, case: HardCase) -> 
 
 
 def test_names_tell_cases_apart() -> None:
-    names = [case.name for effect in EFFECTS for case in effect.hard_cases]
+    names = [case.name for effect in EFFECTS for case in effect.cases.hard]
     assert len(set(names)) == len(names)
     assert set(LOOSE) | set(APART) <= set(names)
 

@@ -29,13 +29,13 @@ ROUNDING = 2e-6
 CASES = [
     pytest.param(effect, scene, id=f"{effect.name} {i}")
     for effect in EFFECTS
-    for i, scene in enumerate(effect.invisible)
+    for i, scene in enumerate(effect.cases.invisible)
 ]
 
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
 def test_every_effect_says_when_it_cannot_be_seen(effect: Effect) -> None:
-    assert bool(effect.invisible) != bool(effect.always_visible)
+    assert bool(effect.cases.invisible) != bool(effect.cases.always_visible)
 
 
 @pytest.mark.parametrize(("effect", "scene"), CASES)

@@ -299,7 +299,8 @@ def test_foam_on_the_ground(executor: Executor, report: Report) -> None:
     for side in (0.0, 1.5):
         body = (
             f"Footprint fp = Footprint(vec2({side}, 0.0), vec2(0.0, {side})); vec2 q = shore_place(p);"
-            "o_color.x = surf_swept(shore_field(q), shore_floor(q).x, surf_patches(q, Footprint(vec2(0.0), vec2(0.0))), fp);"
+            "o_color.x = surf_swept(shore_field(q), shore_floor(q).x, surf_patches(q, "
+            "Footprint(vec2(0.0), vec2(0.0))), fp);"
         )
         got = probe(executor, LINED, body)[:, 0]
         feet = np.tile((side, 0.0), (x.size, 1)), np.tile((0.0, side), (x.size, 1))

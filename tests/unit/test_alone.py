@@ -4,11 +4,12 @@ import json
 from typing import Any
 
 import pytest
+from bench import isolation
+from bench.isolation import Switch, running, switch
 
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import Effect
-from seafoam.planner import isolation, make_plan, planner
-from seafoam.planner.isolation import Switch, running, switch
+from seafoam.planner import make_plan, planner
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
@@ -72,7 +73,7 @@ def test_what_a_bound_leaves_out_leaves_a_note_alone(monkeypatch: pytest.MonkeyP
     """Scenes that name an effect and cannot show it: but for the note, the plan of a planner without it."""
     compared = 0
     for effect in EFFECTS:
-        for scene in effect.invisible:
+        for scene in effect.cases.invisible:
             lean = make_plan(scene, STANDARD)
             if {note.name for note in lean.skipped} == {effect.name}:
                 other = without(monkeypatch, scene, effect)

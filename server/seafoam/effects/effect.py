@@ -4,6 +4,7 @@ cases.
 Effects describe; the planner assembles.
 """
 
+import importlib
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
@@ -196,19 +197,36 @@ class HardCase:
 
 
 @dataclass(frozen=True)
-class Effect:
-    """An effect: its name, and its contribution to the plan of a scene.
+class Cases:
+    """What holds an effect to its word: scenes that it cannot be seen in, and scenes that provoke a failure.
 
-    ``contribute`` returns ``None`` if the scene does not use the effect. ``invisible``: scenes that use it and cannot
-    show it; an effect that is always visible gives the reason in ``always_visible`` instead.
+    ``invisible``: scenes that call for the effect and cannot show it; an effect that shows wherever it is called for
+    says why in ``always_visible`` instead.
+    """
+
+    hard: tuple[HardCase, ...] = ()
+    invisible: tuple[Scene, ...] = ()
+    always_visible: str = ""
+
+
+@dataclass(frozen=True)
+class Effect:
+    """An effect: its name, and what it gives to the plan of a scene.
+
+    ``contribute`` returns ``None`` where the scene does not call for the effect. Its :class:`Cases` stand in ``CASES``
+    of the module beside its own, ``NAME_cases``, by the effect's name: no server loads them.
     """
 
     name: str
     contribute: Callable[[Scene, Quality], Contribution | None]
-    invisible: tuple[Scene, ...] = ()
-    always_visible: str = ""
     knobs: tuple[Knob, ...] = ()
-    hard_cases: tuple[HardCase, ...] = ()
+
+    @property
+    def cases(self) -> Cases:
+        """The effect's cases. Raises ``ImportError`` where there is no module of them."""
+        beside = importlib.import_module(f"{self.contribute.__module__}_cases")
+        cases: Cases = beside.CASES[self.name]
+        return cases
 
 
 class PlanError(ValueError):

@@ -7,7 +7,6 @@ from seafoam.effects.effect import (
     ABOVE,
     Contribution,
     Effect,
-    HardCase,
     Knob,
     PassSpec,
     Piece,
@@ -33,8 +32,7 @@ from seafoam.framegraph.rules import (
 )
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Light, ParametricWave, Scene, Water
-from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.models import Camera, Scene
 
 BOW, QUARTER, BEAM = 0.36, 0.3, 0.1
 """Hull points, in lengths: one so far ahead of the middle, two so far behind it and so far to each side."""
@@ -198,66 +196,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-_NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
 _VIEW = Camera(position=(0.0, 3.0, 12.0), pitch=-0.12)
-_BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0, surf=Surf(height=1.5))
 
 EFFECT = Effect(
     "boats",
     contribute,
-    always_visible="a boat stands over the water and before it",
     knobs=(
         Knob("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
         Knob("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="a boat on a breaking crest",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=6.0, wavelength=12.0, exponent=6.0, direction=1.2),),
-                boats=(_NEAR.model_copy(update={"smoothing": 0.0, "length": 4.0, "bearing": 1.45}),),
-            ),
-            guard="no boat tilts over 45 degrees (boats/hull/pose_pass.glsl)",
-            without="2.5 levels off in the mean, the worst sample by 252: a boat on its side",
-            times=(0.0, 0.7, 1.4),
-            camera=Camera(position=(0.0, 9.0, 16.0), pitch=-0.2),
-        ),
-        HardCase(
-            name="a boat on dry land",
-            scene=Scene(
-                shore=_BEACH,
-                boats=(Boat(centre=(-10.0, 0.0), radius=9.0, bearing=0.5, speed=0.0, length=6.0),),
-                light=Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0),
-                water=Water(scattering=0.01),
-            ),
-            guard="under its keel the ground carries it (boats/hull/aground.glsl)",
-            without="sunk into the hill: 1.7 % of samples off by more than 2 levels, the worst by 163",
-            camera=Camera(position=(-30.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
-        ),
-        HardCase(
-            name="a boat ten thousand kilometres away, after thirty years",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=0.3, wavelength=9.0),),
-                boats=(_NEAR.model_copy(update={"centre": (-9999990.0, 9999980.0), "speed": 3.0}),),
-            ),
-            guard="bearing and way from the centre of the course reduced in float64 (framegraph/evaluation.py)",
-            without="in float32 at 1e9 s bearings are 16 rad apart, and places 1 m: the boat is anywhere on its circle",
-            times=(-1e9, 1e9),
-            camera=Camera(position=(-9999990.0, 9.0, 10000000.0), pitch=-0.2),
-        ),
-        HardCase(
-            name="eye in a boat",
-            scene=Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
-            guard="what is behind the eye is cut away (boats/hull/hull.glsl)",
-            without="10 % of samples off by more than 2 levels: what is behind the eye stands before it",
-            camera=Camera(position=(0.0, 1.0, 1.0), pitch=-0.2),
-        ),
-        HardCase(
-            name="rays along a boat's own axes",
-            scene=Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
-            guard="squares of at least 1e-7, planes met at 1e-9 or more (boats/hull/hull.glsl)",
-            without="nothing on llvmpipe: no ray of the frame is along an axis to its last bit",
-            camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),
-        ),
     ),
 )

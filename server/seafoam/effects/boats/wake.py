@@ -3,17 +3,14 @@
 docs/formulae.md, section 15.
 """
 
-import math
-
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Inline, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, Inline, Knob, PassSpec, SlotFile
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, array, number, significant
 from seafoam.ocean.wakes import NEAR, wake_height, wake_slope, wakes
 from seafoam.quality import Quality
-from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Foam, Scene, SlopeSaturation
+from seafoam.scene.models import Scene
 
 ASIDE = 0.36
 """A wake is so wide to each side, in its lengths: just more than Kelvin's tan 19.47 degrees."""
@@ -113,43 +110,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-_FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
-_ABOVE = Camera(position=(0.0, 30.0, -20.0), pitch=-math.pi / 2)
-
 EFFECT = Effect(
     "wakes",
     contribute,
-    invisible=(
-        Scene(boats=(_FAST.model_copy(update={"speed": 0.0}),)),
-        Scene(boats=(_FAST.model_copy(update={"wake": 0.0}),)),
-    ),
     knobs=(
         Knob("/wake", "wakes", ("map", "exact"), "geometry"),
         Knob("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="the edge of a wake, where both systems meet",
-            scene=Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
-            guard="the wake opens where the root is no longer 0 (boats/wake/pattern.glsl)",
-            without="2.6 % of samples off by more than 2 levels, the worst by 213: a wall of water at the wake's edge",
-            camera=_ABOVE,
-        ),
-        HardCase(
-            name="the centre of a boat's circle, and straight behind it",
-            scene=Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
-            guard="at least a tenth of the radius, a tangent of at most 5000 "
-            "(boats/wake/way.glsl, boats/wake/pattern.glsl)",
-            without="nothing on llvmpipe: no sample of the frame is there to its last bit",
-            camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
-        ),
-        HardCase(
-            name="a wake from thirty years ago",
-            scene=Scene(boats=(_FAST,)),
-            guard="the bearing on the course reduced in float64 (framegraph/evaluation.py)",
-            without="in float32 at 1e9 s bearings are 8 rad apart: the wake is anywhere on the circle",
-            times=(-1e9, 1e9),
-            camera=_ABOVE,
-        ),
     ),
 )

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, Source
+from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, Source
 from seafoam.effects.waves.sea import (
     displaced_target,
     drawn,
@@ -20,11 +20,7 @@ from seafoam.ocean.stokes import foam_drift
 from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, Fold, fold, old_times
 from seafoam.quality import Quality
 from seafoam.scene.models import (
-    Camera,
-    Foam,
     FoldSaturation,
-    HeightSaturation,
-    ParametricWave,
     Scene,
     Sea,
     SlopeSaturation,
@@ -230,45 +226,11 @@ def _times(scene: Scene, sea: Sea, tiles: tuple[Cascade, ...], before: float, st
     }
 
 
-_NEAR = Camera(position=(0.37, 6.0, -0.21), yaw=1.0, pitch=-0.2)
-
 EFFECT = Effect(
     "fold foam",
     contribute,
-    invisible=(
-        Scene(waves=(ParametricWave(),), foam=Foam(saturation=(FoldSaturation(), HeightSaturation()), look="halftone")),
-        Scene(sea=Sea(choppiness=0.0), foam=Foam(saturation=(FoldSaturation(), HeightSaturation()), look="halftone")),
-    ),
     knobs=(
         Knob("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
         Knob("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="foam of an hour's gale, from near to the horizon",
-            scene=Scene(sea=Sea(wind=20.0), foam=Foam(saturation=(FoldSaturation(),), look="fading")),
-            guard="no normal average under a footprint that lost nothing (foam/saturation/fold.glsl)",
-            without="nothing on llvmpipe: t/0 is held at 6 deviations; 0/0 is undefined",
-            camera=Camera(position=(0.37, 30.0, -0.21), yaw=1.0, pitch=-0.3),
-            times=(3600.0,),
-        ),
-        HardCase(
-            name="more foam than there is sea",
-            scene=Scene(
-                sea=Sea(wind=60.0, model="gerstner"),
-                foam=Foam(saturation=(FoldSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
-            ),
-            guard="f at most 1 (foam/saturation/fold.glsl), the threshold sought in a bracket (ocean/whitecaps.py)",
-            without="f up to 8.5, the sum of nine times; the look clamps it here",
-            camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
-            times=(1e9,),
-        ),
-        HardCase(
-            name="a sea too flat to fold",
-            scene=Scene(sea=Sea(wind=0.2, fetch=100.0), foam=Foam(saturation=(FoldSaturation(),))),
-            guard="left out where the fold's mean square is below 1e-8 (ocean/whitecaps.py)",
-            without="the transform's rounding folds: 0.06 % of a draft frame under foam instead of none",
-            camera=_NEAR,
-        ),
     ),
 )

@@ -8,7 +8,6 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    HardCase,
     Knob,
     PassSpec,
     Piece,
@@ -28,14 +27,8 @@ from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.models import (
-    Camera,
     Foam,
-    FrontSaturation,
-    HeightSaturation,
-    Light,
-    ParametricWave,
     Scene,
-    Water,
 )
 from seafoam.textures import foam_texture
 
@@ -238,182 +231,9 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
 EFFECT = Effect(
     "foam look",
     contribute,
-    invisible=(
-        Scene(
-            waves=(ParametricWave(amplitude=0.5),),
-            foam=Foam(saturation=(HeightSaturation(base=0.6, full=1.0),), look="halftone"),
-        ),
-        Scene(
-            waves=(ParametricWave(amplitude=0.5),),
-            foam=Foam(saturation=(HeightSaturation(base=0.4999, full=1.4999),), look="textured"),
-        ),
-        Scene(
-            waves=(ParametricWave(amplitude=0.5),),
-            foam=Foam(
-                saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product", look="filtered"
-            ),
-        ),
-    ),
     knobs=(
         Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         Knob("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
         Knob("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="filtered, a hair above nothing",
-            scene=Scene(
-                foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")
-            ),
-            guard="none at 0 and all at 1, by a step of 1/256 at either end (foam/look/filtered.glsl)",
-            without="3.3 levels too bright in the mean where there should be next to no foam",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="filtered, a hair below all",
-            scene=Scene(
-                foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")
-            ),
-            guard="none at 0 and all at 1, by a step of 1/256 at either end (foam/look/filtered.glsl)",
-            without="holes by rounding: 0 levels on llvmpipe",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="thresholds next to 0 and to 1",
-            scene=Scene(
-                foam=Foam(
-                    saturation=(HeightSaturation(base=-1.52587890625e-05, full=0.9999847412109375),), look="halftone"
-                )
-            ),
-            guard="thresholds stand in the middle of their ranks, (rank + 1/2)/N (foam/mask_texel_u16.glsl)",
-            without="threshold 0 of the lowest rank: foam at one texel of 262 144 however small f is",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="a mask at a thousandth of a texel a pixel",
-            scene=Scene(
-                foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)
-            ),
-            guard="the edge's half width at least 5e-4 of a threshold (foam/look/filtered.glsl)",
-            without="nothing on llvmpipe: 0/0 where the mask is level under a footprint, and here it is nowhere",
-            camera=Camera(position=(0.0, 0.1, 0.0), pitch=-math.pi / 2),
-        ),
-        HardCase(
-            name="a mask at a thousand texels a pixel",
-            scene=Scene(
-                foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)
-            ),
-            guard="no level past the last, one texel for all of the mask (foam/look/filtered.glsl)",
-            without="no such level: every sample off by 242 levels",
-            camera=Camera(position=(0.0, 5.0, 0.0), pitch=-math.pi / 2),
-        ),
-        HardCase(
-            name="needles: footprints of a tenth of a texel by a thousand",
-            scene=Scene(
-                foam=Foam(
-                    saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", mask="vac-1.5", mask_tile=1.0
-                )
-            ),
-            guard="no level before the mask's own; the box at least a hundredth of a texel wide "
-            "(foam/look/filtered.glsl)",
-            without="3.4 levels off in the mean, by up to 105: texels of levels that there are not",
-            camera=Camera(position=(0.3, 0.02, 0.1), pitch=-0.01),
-        ),
-        HardCase(
-            name="a fade too small for float32",
-            scene=Scene(waves=(ParametricWave(),), foam=Foam(fade=1e-40), light=None),
-            guard="the ramp's divisor at least 1e-30 (foam/look/filtered.glsl)",
-            without="NaN in 67 % of samples: subnormals are flushed, 0/0",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="four octaves, a hair below all",
-            scene=Scene(
-                foam=Foam(
-                    saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),),
-                    look="filtered",
-                    mask="lace",
-                    octaves=4,
-                )
-            ),
-            guard="no octave after one that left all or nothing (foam/look/filtered.glsl)",
-            without="nothing on llvmpipe: ramps end at all and at nothing exactly",
-            camera=Camera(position=(0.37, 0.3, -0.21), yaw=1.0, pitch=-0.3),
-        ),
-        HardCase(
-            name="four octaves, ten thousand kilometres away",
-            scene=Scene(
-                foam=Foam(
-                    saturation=(HeightSaturation(base=-0.4, full=0.6),),
-                    look="filtered",
-                    mask="lace",
-                    octaves=4,
-                    mask_tile=0.7,
-                )
-            ),
-            guard="places modulo a tile before each octave, which integers map onto itself (foam/look/filtered.glsl)",
-            without="0.12 levels at the most: far places lose hundredths of a texel of the finest octave",
-            camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
-        ),
-        HardCase(
-            name="a mask turned in each cell, ten thousand kilometres away",
-            scene=Scene(
-                foam=Foam(
-                    saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", cells=True, mask_tile=0.7
-                )
-            ),
-            guard="whole cells and the rest of the eye's place apart, both reduced in float64 (effects/foam/look.py)",
-            without="in float32 the place within a cell is lost: every turn of the mask is another",
-            camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
-        ),
-        HardCase(
-            name="a mask turned in each cell, a hair below all",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=1e-3, wavelength=3.0),),
-                foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
-                light=None,
-            ),
-            guard="what is left free held at 1/256 under the power and led to 0 evenly (foam/cells_blended.glsl)",
-            without="the power's slope is endless at 0: foam off by 0.28 where s is 1 to rounding",
-            camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        ),
-        HardCase(
-            name="a mask turned in each cell, its thresholds hard",
-            scene=Scene(
-                foam=Foam(
-                    saturation=(HeightSaturation(base=-0.4, full=0.6),),
-                    look="halftone_textured",
-                    cells=True,
-                    mask_tile=4.0,
-                    texture_tile=2.7,
-                    texture_second=3.14,
-                )
-            ),
-            guard="the nearest cell alone, its weight never 0 (foam/cells.glsl)",
-            without="blended, thresholds soften: 4 amounts instead of 2 where cells meet",
-            camera=Camera(position=(3.0, 1.6, -9.0), yaw=2.0, pitch=-0.5),
-        ),
-        HardCase(
-            name="black foam over the brightest glitter",
-            scene=Scene(
-                foam=Foam(
-                    saturation=(HeightSaturation(base=-0.99, full=0.01),), mask_tile=1000.0, fade=0.1, albedo=0.0
-                ),
-                water=Water(roughness=0.03),
-                light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
-            ),
-            guard="the share held in [0, 1] (foam/look/filtered.glsl)",
-            without="the share passes 1 by its rounding: light of -3.1 in 6 % of samples",
-            camera=Camera(position=(3.0, 0.3, 0.0), yaw=math.pi / 2, pitch=-0.3, fov=0.3),
-        ),
-        HardCase(
-            name="a foam texture far under a texel",
-            scene=Scene(
-                foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)
-            ),
-            guard="texels held at 1e-6 before the logarithm (foam/texture.glsl)",
-            without="nothing on llvmpipe: log2(0) is -infinity and the level is held at 0",
-            camera=Camera(position=(0.37, 1e-3, -0.21), pitch=-0.3),
-        ),
     ),
 )

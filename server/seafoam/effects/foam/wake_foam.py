@@ -4,13 +4,12 @@ import math
 
 from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP, wake_limit
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Constant, array, significant
 from seafoam.ocean.wakes import LEAST_SPEED
 from seafoam.quality import Quality
-from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Foam, Scene, WakeSaturation
+from seafoam.scene.models import Scene, WakeSaturation
 
 HULL_SPEED = 1.25
 """Speed over the root of the length, √m/s, at which the bow's foam is full."""
@@ -51,24 +50,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-_FOAM = Foam(saturation=(WakeSaturation(),), mask="clump")
-_BOAT = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0)
-
-EFFECT = Effect(
-    "wake foam",
-    contribute,
-    invisible=(Scene(foam=_FOAM), Scene(foam=_FOAM, boats=(_BOAT.model_copy(update={"speed": 0.0}),))),
-    hard_cases=(
-        HardCase(
-            name="foam at the centre of a boat's circle",
-            scene=Scene(
-                boats=(_BOAT.model_copy(update={"radius": 13.5, "speed": 20.0}),),
-                foam=Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="halftone"),
-            ),
-            guard="at least a tenth of the radius, exponents of at most 80 "
-            "(boats/wake/way.glsl, foam/saturation/wake.glsl)",
-            without="nothing on llvmpipe: exponentials end at 0, and no sample is at the centre",
-            camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
-        ),
-    ),
-)
+EFFECT = Effect("wake foam", contribute)

@@ -2,13 +2,12 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
 from seafoam.effects.light.noise import HASH, PERLIN_2
 from seafoam.framegraph.rules import number, significant, vector
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Chop, Light, Scene, Water
-from seafoam.scene.sky import Moon, Sky
+from seafoam.scene.models import Scene
 
 STAR_POWER = 1.0
 
@@ -86,53 +85,5 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-_OPPOSITE = Moon(azimuth=0.3 - math.pi, elevation=0.4, size=5.0)
-_BEFORE = Moon(azimuth=0.3, elevation=0.4, size=5.0)
-
-MOON = Effect(
-    "moon",
-    moon,
-    invisible=(Scene(light=Light(sun_elevation=-0.3, sky=Sky(moon=Moon(elevation=-0.2)))),),
-    hard_cases=(
-        HardCase(
-            name="moon and sun opposite",
-            scene=Scene(
-                light=Light(sun_azimuth=0.3, sun_elevation=-0.4, exposure=1.0, sky=Sky(moon=_OPPOSITE)),
-                water=Water(chop=Chop()),
-            ),
-            guard="the ball's height at its rim is the root of at least 0 (light/sky/moon_disc.glsl)",
-            without="nothing on llvmpipe, whose max(NaN, 0) is 0: NaN in a ring of a twentieth of the disc",
-            camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 - math.pi / 2, pitch=0.35, fov=0.2),
-        ),
-        HardCase(
-            name="the moon before the sun",
-            scene=Scene(
-                light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE)),
-            ),
-            guard="a face that is turned from the sun gets at least no light (light/sky/moon_disc.glsl)",
-            without="the root of a negative number: the face blows up to 65504, 229 levels off",
-            camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 + math.pi / 2, pitch=0.4, fov=0.3),
-        ),
-    ),
-)
-STARS = Effect(
-    "stars",
-    stars,
-    invisible=(Scene(light=Light(sun_elevation=0.1, sky=Sky(stars=1.0))),),
-    hard_cases=(
-        HardCase(
-            name="stars at the corner of the cube",
-            scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
-            guard="cells counted up to the last of a face (light/sky/stars.glsl)",
-            without="nothing seen: only a sample exactly on a face's rim asks for a cell beyond it",
-            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=0.6154797, fov=0.6),
-        ),
-        HardCase(
-            name="stars in the widest view",
-            scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
-            guard="a star is 3e-3 rad wide at most (light/sky/stars.glsl)",
-            without="stars cut off at the sides of their cells: 7 % of samples off by more than 2 levels",
-            camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.5, pitch=0.8, fov=2.6),
-        ),
-    ),
-)
+MOON = Effect("moon", moon)
+STARS = Effect("stars", stars)

@@ -2,14 +2,12 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, SlotRef
+from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, SlotRef
 from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Light, ParametricWave, Scene
-from seafoam.scene.shore import Shore
-from seafoam.scene.sky import Clouds, Sky
+from seafoam.scene.models import Light, Scene
 
 SHORE = (
     "shore/place.glsl",
@@ -101,38 +99,8 @@ def _bound(scene: Scene, light: Light) -> Bound | None:
 EFFECT = Effect(
     "cube map",
     contribute,
-    invisible=(Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),),
     knobs=(
         Knob("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
         Knob("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="a mirror with nothing to mirror",
-            scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
-            guard="without a shore no land is looked for (reflection/open.glsl)",
-            without="no plan: the pass asks for a floor that the scene does not have",
-            camera=Camera(position=(0.0, 2.0, 0.0), pitch=-0.2),
-        ),
-        HardCase(
-            name="the cube map's own corners and edges",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=1.0, wavelength=3.0, exponent=3.0),),
-                light=Light(exposure=-2.0, sun_elevation=0.3, reflection="cubemap", sky=Sky(clouds=Clouds(cover=0.5))),
-            ),
-            guard="the last texel of a face is read with the one before (reflection/cubemap.glsl)",
-            without="nothing seen: the texel beyond has no weight, and out of the picture it is undefined",
-            camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=-0.6),
-        ),
-        HardCase(
-            name="the middle of the cube map inside a hill",
-            scene=Scene(
-                shore=Shore(kind="island", size=240.0, radius=40.0, height=30.0, slope=0.4, smoothing=3.0),
-                light=Light(exposure=-2.0, reflection="cubemap"),
-            ),
-            guard="it stands a metre over the ground at least (reflection/land_around.glsl)",
-            without="57 % of samples off by more than 2 levels: water mirrors the inside of the hill",
-            camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.5),
-        ),
     ),
 )

@@ -5,7 +5,6 @@ from seafoam.effects.effect import (
     Bound,
     Contribution,
     Effect,
-    HardCase,
     Inline,
     Knob,
     PassSpec,
@@ -17,8 +16,7 @@ from seafoam.effects.effect import (
 from seafoam.effects.reflection.cubemap import LIT_LAND, SHORE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
-from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+from seafoam.scene.models import Camera, Scene
 
 MARGIN = 1.25
 """The map is so much wider than the picture: ripples mirror what lies beside it."""
@@ -100,47 +98,13 @@ def _things(scene: Scene) -> str:
     return " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
 
 
-_BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
-_MIRROR = Light(reflection="planar")
 _VIEW = Camera(position=(0.0, 3.0, 12.0), pitch=-0.2)
 
 EFFECT = Effect(
     "planar reflection",
     contribute,
-    invisible=(Scene(light=_MIRROR), Scene(light=_MIRROR, waves=(ParametricWave(),))),
     knobs=(
         Knob("/reflection", "planar mirror", ("map", "traced"), "filtering"),
         Knob("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="a mirror under the eye and straight down",
-            scene=Scene(light=_MIRROR, boats=(_BOAT,), water=Water(chop=Chop())),
-            guard="mirrored places before the eye alone (reflection/planar.glsl)",
-            without="nothing on llvmpipe: boats that are looked for are before the eye",
-            camera=Camera(position=(0.0, 4.0, -2.0), pitch=-1.5708),
-        ),
-        HardCase(
-            name="a mirror at grazing, eye among crests",
-            scene=Scene(
-                light=_MIRROR,
-                boats=(_BOAT,),
-                waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),),
-            ),
-            guard="water mirrors where the eye's ray met it, not where still water would be (surface/main.glsl)",
-            without="4 % of samples off by more than 2 levels, the worst by 113",
-            camera=Camera(position=(0.0, 0.4, 12.0), pitch=0.0),
-        ),
-        HardCase(
-            name="eye under the mirror",
-            scene=Scene(
-                light=_MIRROR,
-                boats=(_BOAT,),
-                waves=(ParametricWave(amplitude=0.8, wavelength=40.0, phase=-1.5708),),
-            ),
-            guard="a mirrored ray begins out of the water, never before its eye (reflection/map_pass.glsl)",
-            without="nothing here: no boat lies between the mirrored eye and the water over it",
-            camera=Camera(position=(0.0, -0.1, 12.0), pitch=-0.05),
-        ),
     ),
 )

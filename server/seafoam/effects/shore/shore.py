@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from seafoam.effects.bounds import surface_top, surface_trough
-from seafoam.effects.effect import Bound, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, TextureUse
+from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, TextureUse
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.effects.water.seafloor import bed_sun
@@ -20,8 +20,8 @@ from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.rings import ring_slope
 from seafoam.ocean.seabed import floor_grid
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Chop, Foam, Light, Scene, SurfSaturation, Water
-from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore
 from seafoam.textures import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
 
 PERIOD = 2.0**18
@@ -398,132 +398,13 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
     )
 
 
-_FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
-_LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0)
-_VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
-_SMALL = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
-
-
-def _case(
-    name: str,
-    guard: str,
-    without: str,
-    camera: Camera = _VIEW,
-    water: Water | None = None,
-    foam: Foam | None = _FOAM,
-    times: tuple[float, ...] = (0.0,),
-    **fields: object,
-) -> HardCase:
-    scene = Scene(
-        shore=_SMALL.model_copy(update=fields), water=water or Water(scattering=0.01), foam=foam, light=_LIGHT
-    )
-    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=times)
-
-
 EFFECT = Effect(
     "shore",
     contribute,
-    invisible=(Scene(shore=Shore(depth=50.0, level=-900.0)), Scene(shore=Shore(level=-900.0), light=None)),
     knobs=(
         Knob("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
         Knob("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
         Knob("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
         Knob("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
-    ),
-    hard_cases=(
-        _case(
-            "distances without any smoothing",
-            "a deviation of at least a hundredth of a texel (shore/blur_pass.glsl)",
-            "nothing on llvmpipe, whose 0/0 is no NaN here; the language leaves it open",
-            smoothing=0.0,
-        ),
-        _case(
-            "all land",
-            "gradients divided by at least 1e-6; no coast is as far as the square is wide (shore/map_pass.glsl, "
-            "distance_pass.glsl)",
-            "nothing on llvmpipe: a slope of 0 over a length of 0 there meets no wave",
-            level=90.0,
-            camera=Camera(position=(-42.0, 107.0, 9.0), yaw=1.4, pitch=-0.3),
-        ),
-        _case(
-            "all water, a bank two metres down",
-            "no coast is as far as the square is wide (shore/distance_pass.glsl)",
-            "a coast at texel (-1, -1): 33 % of samples off by more than 2 levels, the worst by 61",
-            kind="island",
-            height=0.0,
-            level=-2.0,
-        ),
-        _case(
-            "an island of one texel",
-            "ridges of the distance map carry no waves (shore/map_pass.glsl)",
-            "waves that run together on the island's ridges: up to 80 levels off",
-            kind="island",
-            radius=1.0,
-            smoothing=0.5,
-            height=0.5,
-            slope=0.4,
-        ),
-        _case(
-            "water a hand deep and a beach as level",
-            "depths and speeds held at 5 cm of wave (shore/map_pass.glsl)",
-            "nothing on llvmpipe: no wave is 0 m high wherever its phase is 0/0",
-            depth=0.5,
-            slope=0.01,
-            height=0.1,
-            surf=Surf(height=0.0),
-        ),
-        _case(
-            "waves of no skew and of all of it",
-            "profiles from a table, the highest branch where they overhang, smoothed (textures/shore.py)",
-            "a front 2.7 times as steep, which the march cannot take in its steps",
-            surf=Surf(height=2.0, skew=0.0, sharpness=0.15),
-            times=(0.0, 2.3),
-            camera=Camera(position=(-42.0, 9.0, 9.0), yaw=1.4, pitch=-0.25),
-        ),
-        _case(
-            "black water a millimetre deep",
-            "none needed: the way is 0 at the water's edge, and so is what it takes (shore/body.glsl)",
-            "nothing to leave out",
-            water=Water(absorption_length=(0.01, 0.01, 0.01), scattering=0.5),
-        ),
-        _case(
-            "the clearest water",
-            "absorption is never 0 (scene/models.py)",
-            "with absorption and scattering 0: 0/0 in every sample of water",
-            water=Water(absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0),
-        ),
-        _case(
-            "ripples that face away",
-            "the refracted ray falls by at least a quarter (shore/ground.glsl)",
-            "light off by up to 0.5 levels where ripples tilt the ray almost level",
-            water=Water(chop=Chop(slope=0.6), scattering=0.01),
-            camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
-        ),
-        _case(
-            "straight down on the water's edge",
-            "a way across of at least 1e-9 (shore/ground.glsl)",
-            "nothing on llvmpipe: the quotient is infinite there, and its minimum the other side's",
-            camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
-        ),
-        _case(
-            "a shore ten thousand kilometres away, after thirty years",
-            "place and time reduced in float64 (framegraph/evaluation.py)",
-            "in float32 at 1e9 s: 25 % of samples off by more than 2 levels, 3.0 in the mean",
-            place=(-9999900.0, 9999900.0),
-            camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
-            times=(-1e9, 1e9),
-        ),
-        _case(
-            "eye inside a hill",
-            "the way to land is never negative (shore/ground.glsl)",
-            "36 levels off in the mean: land from behind the eye",
-            camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
-        ),
-        _case(
-            "eye under water",
-            "a search that ends before it begins finds nothing (shore/ground.glsl)",
-            "nothing on llvmpipe: the loop ends at its first step, and what it found is not taken",
-            camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
-        ),
     ),
 )

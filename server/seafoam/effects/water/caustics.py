@@ -3,14 +3,14 @@
 import math
 
 from seafoam.effects.bounds import surface_trough
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile
 from seafoam.effects.light.light import sun_direction, sun_irradiance
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant, vector
 from seafoam.ocean.ripples import Ripple, ripples, tiles
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Caustics, Chop, Light, Scene, Water
+from seafoam.scene.models import Chop, Light, Scene
 
 INDEX = 1.34
 COLOURS = ("red", "green", "blue")
@@ -258,78 +258,15 @@ def _bound(scene: Scene, light: Light, depth: float, waves: list[Ripple]) -> Bou
 
 _BRIGHTEST = 64.0
 """Light of a texel over that under level water: no figure that the tests draw is brighter."""
-_PLAIN = Caustics(dispersion=0.0)
-_DEEP = Water(depth=900.0, chop=Chop())
-_DOWN = Camera(position=(0.0, 2.0, 0.0), pitch=-1.2)
-
-
-def _case(
-    name: str,
-    guard: str,
-    without: str,
-    water: Water,
-    light: Light | None = None,
-    camera: Camera = _DOWN,
-    times: tuple[float, ...] = (2.0,),
-) -> HardCase:
-    scene = Scene(water=water, light=light or Light(sun_elevation=1.0, exposure=-2.5, caustics=_PLAIN))
-    return HardCase(name=name, scene=scene, guard=guard, without=without, camera=camera, times=times)
 
 
 EFFECT = Effect(
     "caustics",
     contribute,
-    invisible=(
-        Scene(water=_DEEP, light=Light(caustics=Caustics())),
-        Scene(water=Water(depth=2.0, chop=Chop()), light=Light(sun_elevation=-0.3, caustics=Caustics())),
-    ),
     knobs=(
         Knob("/caustics", "caustics", ("grid", "photons"), "geometry"),
         Knob("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
         Knob("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
         Knob("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
-    ),
-    hard_cases=(
-        _case(
-            "the floor in the focus",
-            "a triangle at most 12 times as bright (water/caustics/grid_vertex.glsl)",
-            "single texels of 71 instead of 24 times the light: 9.7 % of samples off by more than 2 levels",
-            Water(depth=4.0, scattering=0.0, chop=Chop(slope=0.08)),
-        ),
-        _case(
-            "a floor at the surface",
-            "none needed: the light has no way to part in (water/caustics/landing.glsl)",
-            "nothing to leave out",
-            Water(depth=0.05, floor_tile=0.1, chop=Chop(slope=0.3)),
-        ),
-        _case(
-            "caustics of a sun on the horizon",
-            "the sun's height held at 0.05 (water/caustics/landing.glsl)",
-            "light divided by 0: every sample 65504 after the frame's cap",
-            Water(depth=1.0, chop=Chop(slope=0.1)),
-            Light(sun_elevation=0.0, caustics=_PLAIN),
-        ),
-        _case(
-            "caustics of the steepest ripples",
-            "a ray falls by at least a quarter (water/caustics/landing.glsl)",
-            "off by up to 24 levels, 2 % of samples by more than 2",
-            Water(depth=3.0, chop=Chop(slope=0.6)),
-            Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),
-        ),
-        _case(
-            "caustics after thirty years, ten thousand kilometres away",
-            "phases and the eye's place in the tile reduced in float64 (framegraph/evaluation.py)",
-            "in float32: 98 % of samples off by more than 2 levels, 57 in the mean",
-            Water(depth=2.0, floor_tile=0.3, chop=Chop(slope=0.06)),
-            camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
-            times=(1e9,),
-        ),
-        _case(
-            "colours as far apart as they go",
-            "the grid reaches past the tile as far as any colour lands (effects/water/caustics.py)",
-            "a grid that ends with the tile leaves its rim dark: 18 % of samples off by more than 2 levels",
-            Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), chop=Chop(slope=0.06)),
-            Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
-        ),
     ),
 )

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.bounds import crest_limit, slope_sensitivity, waves_top
-from seafoam.effects.effect import UNBOUNDED, Bound, Contribution, Effect, HardCase, Knob, SlotFile
+from seafoam.effects.effect import UNBOUNDED, Bound, Contribution, Effect, Knob, SlotFile
 from seafoam.effects.foam.living import carries
 from seafoam.framegraph.rules import Constant, Phase, array, number, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
@@ -11,14 +11,9 @@ from seafoam.ocean.levels import paper_level, wave_level
 from seafoam.ocean.stokes import orbit
 from seafoam.quality import Quality
 from seafoam.scene.models import (
-    Camera,
-    Chop,
-    Foam,
     FrontSaturation,
-    ParametricWave,
     Scene,
     SlopeSaturation,
-    Water,
 )
 
 _HELD = 1e-4
@@ -152,141 +147,5 @@ def _bound(scene: Scene, steepest: float) -> Bound | None:
 EFFECT = Effect(
     "parametric waves",
     contribute,
-    invisible=(
-        Scene(waves=(ParametricWave(amplitude=1e-6, wavelength=10.0),), water=Water(translucency=0.0)),
-        Scene(waves=(ParametricWave(),), light=None),
-    ),
     knobs=(Knob("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
-    hard_cases=(
-        HardCase(
-            name="a cusp in every trough, K 0.1",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.1),), foam=Foam(look="halftone")
-            ),
-            guard="|p| held at 1e-4 in the derivative (waves/parametric.glsl)",
-            without="slope 60 225 instead of 158 next to a trough, infinite on it where pow(0, -0.8) is; the "
-            "frame moved by 0.001 levels",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="0^K, K 100, and kinks, K 0.5 and 0.7",
-            scene=Scene(
-                waves=tuple(
-                    ParametricWave(amplitude=0.3, wavelength=4.0 + k / 50.0, exponent=k, direction=0.06 * k)
-                    for k in (0.5, 0.7, 100.0)
-                ),
-                foam=Foam(look="textured"),
-            ),
-            guard="powers of |p| = sqrt(u) held at 1e-30, height and slope from one power (waves/parametric.glsl)",
-            without="nothing on llvmpipe, whose pow(0, x) is 0; GLSL leaves it undefined",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="any time, waves of 5 cm",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")
-            ),
-            guard="phases reduced in float64 (framegraph/evaluation.py)",
-            without="in float32: 63 % of samples flipped, 158 levels off in the mean",
-            times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
-            camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
-        ),
-        HardCase(
-            name="ten thousand kilometres from the origin",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")
-            ),
-            guard="the eye is the origin: places reduced in float64 (framegraph/evaluation.py)",
-            without="in float32: 25 % of samples flipped, 87 levels off in the mean",
-            camera=Camera(position=(1e7, 3.0, -1e7), pitch=-math.pi / 2),
-        ),
-        HardCase(
-            name="opposite waves that cancel",
-            scene=Scene(
-                waves=(ParametricWave(), ParametricWave(direction=math.pi), ParametricWave(phase=math.pi)),
-                foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.4)),), look="halftone"),
-            ),
-            guard="sums of float32 phases alone: nothing divides by the sum; the gate closes where it is "
-            "noise (foam/saturation/front_gate.glsl)",
-            without="foam from the rounding of sums that are 0: 1.2 % of samples flipped",
-            times=(0.0, 1.3863),
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="sixteen equal waves",
-            scene=Scene(waves=(ParametricWave(amplitude=0.06, wavelength=9.0),) * 16, foam=Foam(look="fading")),
-            guard="the march's slope bound is the sum of all waves' (effects/waves/parametric.py, surface/march.glsl)",
-            without="bound of one wave alone: the march passes crests, 21 % of samples off by more than 2 levels",
-            times=(0.0, 1e9),
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="a wall of water, 50 m high and 5 cm long",
-            scene=Scene(waves=(ParametricWave(amplitude=50.0, wavelength=0.05, exponent=4.0),), foam=Foam()),
-            guard="N.D held at -1e-3 |N||D| in the footprint (lib/camera.glsl)",
-            without="footprint NaN and infinite where N.D = 0; in the frame one sample in 500 off by up to 215 levels",
-            camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
-        ),
-        HardCase(
-            name="as good as flat",
-            scene=Scene(
-                waves=(ParametricWave(amplitude=1e-30), ParametricWave(amplitude=0.0)),
-                foam=Foam(look="halftone"),
-                water=Water(chop=Chop()),
-            ),
-            guard="steps divided by at least 1e-6 |D| (surface/march.glsl)",
-            without="nothing on llvmpipe: the march ends by its tolerance; a ray along flat water would divide 0 by 0",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="two kilometres long in 5 cm of water",
-            scene=Scene(
-                waves=(
-                    ParametricWave(amplitude=0.02, wavelength=2000.0),
-                    ParametricWave(amplitude=50.0, wavelength=2000.0, speed=200.0),
-                ),
-                foam=Foam(look="textured"),
-                water=Water(depth=0.05),
-            ),
-            guard="dispersion by Newton from Eckart's estimate, in float64 (ocean/dispersion.py)",
-            without="from the deep-water wavenumber: the same root after 12 steps instead of 3",
-            camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.3),
-        ),
-        HardCase(
-            name="a grazing ray over steep crests",
-            scene=Scene(
-                waves=(
-                    ParametricWave(amplitude=1.0, wavelength=5.0, exponent=8.0),
-                    ParametricWave(amplitude=0.6, wavelength=3.1, direction=0.7, exponent=6.0),
-                ),
-                foam=Foam(look="halftone"),
-            ),
-            guard="a Newton step only where the gap closes by more than 1e-3, and no longer than the "
-            "march's last gap allows (surface/march.glsl, newton.glsl)",
-            without="one sample in 5000 off by 46 levels",
-            times=(0.0, 2.7),
-            camera=Camera(position=(0.0, 1.29, 0.0), yaw=1.571, pitch=0.0),
-        ),
-        HardCase(
-            name="rays that double back on the mesh",
-            scene=Scene(waves=(ParametricWave(amplitude=3.0, wavelength=8.0, exponent=8.0),), foam=Foam()),
-            guard="Newton steps of a twentieth of the way at most, and only downhill (surface/newton.glsl)",
-            without="1.8 % of samples off by more than 2 levels, the worst by 221",
-            camera=Camera(position=(0.0, 4.0, 0.0), yaw=1.571, pitch=-0.2),
-        ),
-        HardCase(
-            name="eye inside a crest",
-            scene=Scene(waves=(ParametricWave(amplitude=1.0, wavelength=6.0, phase=math.pi / 2),), foam=Foam()),
-            guard="the way never turns negative (surface/march.glsl)",
-            without="26 % of samples off by more than 2 levels: places behind the eye",
-            camera=Camera(position=(0.0, 0.025, 0.0), pitch=-0.2),
-        ),
-        HardCase(
-            name="eye far below the water",
-            scene=Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(chop=Chop())),
-            guard="the exit never lies behind the eye (surface/march.glsl)",
-            without="infinite in 0.14 % of samples, negative in 0.29 %",
-            camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
-        ),
-    ),
 )

@@ -7,13 +7,13 @@ import math
 from collections.abc import Iterable
 
 from seafoam.effects.bounds import crest_limit, slope_sensitivity
-from seafoam.effects.effect import HALF_FLOAT, Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import HALF_FLOAT, Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Held, Loop, Rule, Uniform, array, number, significant
 from seafoam.ocean.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Chop, Foam, HeightSaturation, Scene, SlopeSaturation, Water
+from seafoam.scene.models import Scene
 from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring
 
 _FAR = 1e8
@@ -175,90 +175,11 @@ def _bound(scene: Scene, height: float, steepest: float) -> Bound | None:
     )
 
 
-_VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
-_STONE = Ring(place=(0.3, -7.0), amplitude=0.12, decay=0.4, wavelength=1.6)
-
-
-def _moved(by: tuple[float, float]) -> tuple[Ring, Camera]:
-    """The stone and the view, elsewhere."""
-    x, y, z = _VIEW.position
-    return (
-        _STONE.model_copy(update={"place": (_STONE.place[0] + by[0], _STONE.place[1] + by[1])}),
-        _VIEW.model_copy(update={"position": (x + by[0], y, z + by[1])}),
-    )
-
-
-_AWAY = _moved((9.9e6, -9.9e6))
-
 EFFECT = Effect(
     "rings",
     contribute,
-    invisible=(
-        Scene(rings=(Ring(amplitude=1e-4), Ring(amplitude=0.0))),
-        Scene(rings=(Ring(amplitude=1e-4),), foam=Foam(saturation=(HeightSaturation(),), look="halftone")),
-        Scene(rings=(Ring(amplitude=1.00001e-4, wavelength=3.0),), water=Water(translucency=0.0)),
-        Scene(rings=(_STONE,), light=None),
-    ),
     knobs=(
         Knob("/rings", "rings", ("map", "exact"), "geometry"),
         Knob("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="a hundred rings at one point",
-            scene=Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(chop=Chop())),
-            guard="height and slope bounded where rings meet (ocean/rings.py)",
-            without="bounded by the highest ring alone, crests of 0.39 m stand over a slab of 8 mm",
-            times=(2.0,),
-            camera=_VIEW,
-        ),
-        HardCase(
-            name="a ring at its own centre at its birth",
-            scene=Scene(
-                rings=(_STONE, _STONE.model_copy(update={"birth": 2.0})),
-                foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
-            ),
-            guard="the tip of r rounded, the front still at birth (waves/rings/ring.glsl)",
-            without="0/0 at the centre, and a cone of slope 0.45 around it",
-            times=(0.0, 2.0, 2.4),
-            camera=Camera(position=(0.3, 2.0, -7.0), pitch=-math.pi / 2),
-        ),
-        HardCase(
-            name="a front without width",
-            scene=Scene(
-                rings=(_STONE.model_copy(update={"crests": 0.5}),),
-                foam=Foam(saturation=(HeightSaturation(base=0.05, full=0.25),), look="textured"),
-            ),
-            guard="front and tail a wavelength wide (waves/rings/ring.glsl)",
-            without="slope 0.60 instead of 0.40 at the worst of 20 000 places, and 1500 in the front itself",
-            times=(1.5,),
-            camera=_VIEW,
-        ),
-        HardCase(
-            name="rings a thousand million seconds from now",
-            scene=Scene(rings=(_STONE.model_copy(update={"birth": 1e9}), _STONE.model_copy(update={"every": 14.0}))),
-            guard="ages reduced in float64 (framegraph/evaluation.py)",
-            without="in float32 the age is 0 until 32 s have passed: off by 0.12 m in a ring of 0.3 m",
-            times=(-1e9, 1e9 + 2.3),
-            camera=_VIEW,
-        ),
-        HardCase(
-            name="rings ten thousand kilometres away",
-            scene=Scene(rings=(_AWAY[0],), water=Water(chop=Chop())),
-            guard="the way from the centre to the eye reduced in float64 (framegraph/evaluation.py)",
-            without="in float32: off by 0.14 m in a ring of 0.3 m",
-            times=(2.3,),
-            camera=_AWAY[1],
-        ),
-        HardCase(
-            name="rings long dead",
-            scene=Scene(
-                rings=(_STONE,), foam=Foam(saturation=(HeightSaturation(base=0.0, full=0.5),), look="halftone")
-            ),
-            guard="an amplitude below nothing is none (waves/rings/ring.glsl)",
-            without="ghosts of 0.4 mm and slope 0.0012 for ever",
-            times=(13.8, 1e9),
-            camera=_VIEW,
-        ),
     ),
 )

@@ -5,22 +5,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from seafoam.effects.bounds import slope_sensitivity
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, HardCase, Knob, PassSpec, SlotFile, Source
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile, Source
 from seafoam.effects.light.noise import PERLIN_3
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant
 from seafoam.ocean.ripples import BANDS, WAVES_PER_TILE, Ripple, ripples, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import (
-    Camera,
     Chop,
-    Foam,
-    HeightSaturation,
-    ParametricWave,
     Scene,
-    Water,
 )
-from seafoam.scene.sky import Gusts
 
 CELLS = 256
 """The noise of gusts repeats after so many cells."""
@@ -172,55 +166,8 @@ def _bound(scene: Scene, chop: Chop) -> Bound | None:
 EFFECT = Effect(
     "ripples",
     contribute,
-    invisible=(
-        Scene(water=Water(chop=Chop(slope=0.0))),
-        Scene(water=Water(chop=Chop(slope=4e-7))),
-        Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(chop=Chop()), light=None),
-    ),
     knobs=(
         Knob("/chop", "ripples", ("tile", "exact"), "geometry"),
         Knob("/chop_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="ripples at any time",
-            scene=Scene(water=Water(chop=Chop())),
-            guard="phases reduced in float64 (framegraph/evaluation.py)",
-            without="in float32 at 1e9 s: 57 % of samples off by more than 2 levels",
-            times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="ripples ten thousand kilometres away",
-            scene=Scene(water=Water(chop=Chop())),
-            guard="the eye's place in each tile reduced in float64 (framegraph/evaluation.py)",
-            without="in float32: 66 % of samples off by more than 2 levels",
-            camera=Camera(position=(-1e7, 1.2, 1e7), pitch=-0.3),
-        ),
-        HardCase(
-            name="gusts anywhere, at any time",
-            scene=Scene(water=Water(chop=Chop(gusts=Gusts(strength=1.0, size=4.0, speed=20.0, change=0.5)))),
-            guard="the eye's place in the noise reduced in float64 (framegraph/evaluation.py)",
-            without="in float32: 65 % of samples off by more than 2 levels",
-            times=(-1e9, 1e9),
-            camera=Camera(position=(-1e7, 1.2, 1e7), yaw=1.0, pitch=-0.3),
-        ),
-        HardCase(
-            name="the steepest ripples, all one way",
-            scene=Scene(
-                water=Water(chop=Chop(slope=0.6, spread=0.0)),
-                foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),)),
-            ),
-            guard="cosine of incidence at least the roughness (light/shade/lit.glsl)",
-            without="glitter 7100 instead of 52 where facets face away; off by up to 0.7 levels",
-            camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
-        ),
-        HardCase(
-            name="ripples a million to a pixel",
-            scene=Scene(water=Water(chop=Chop(slope=0.6))),
-            guard="exponents held at 75 (waves/ripples/bands.glsl)",
-            without="nothing on llvmpipe: exp of any large negative number is 0",
-            camera=Camera(position=(0.0, 1e5, 0.0), pitch=-0.5, fov=2.6),
-        ),
     ),
 )

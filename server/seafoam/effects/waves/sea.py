@@ -10,7 +10,6 @@ from seafoam.effects.effect import (
     Bound,
     Contribution,
     Effect,
-    HardCase,
     Knob,
     PassSpec,
     SlotFile,
@@ -22,7 +21,7 @@ from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInp
 from seafoam.framegraph.rules import Constant, Loop, Phase, Uniform, Wrap, array, number, significant, vector
 from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Chop, Foam, FoldSaturation, Scene, Sea, Water
+from seafoam.scene.models import Scene, Sea
 from seafoam.textures import sea_spectrum_name
 
 FOLDING_WIND = 7.0
@@ -290,61 +289,12 @@ def _bound(scene: Scene, steepest: float) -> Bound | None:
     )
 
 
-_NEAR = Camera(position=(0.37, 9.0, -0.21), yaw=1.0, pitch=-0.3)
-
 EFFECT = Effect(
     "sea",
     contribute,
-    invisible=(Scene(sea=Sea(wind=0.0)), Scene(sea=Sea(), light=None)),
     knobs=(
         Knob("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
         Knob("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
         Knob("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
-    ),
-    hard_cases=(
-        HardCase(
-            name="a sea without wind",
-            scene=Scene(sea=Sea(wind=0.0), foam=Foam(saturation=(FoldSaturation(),))),
-            guard="no waves at 0 m/s (ocean/cascades.py)",
-            without="the peak's frequency is g/0: no plan at all",
-            camera=_NEAR,
-        ),
-        HardCase(
-            name="the open sea at any time",
-            scene=Scene(sea=Sea(wind=8.0)),
-            guard="whole turns in a loop, whose place is reduced in float64 (waves/sea/spectrum.glsl)",
-            without="with w t in float32 at 1e9 s: 77 % of samples off by more than 2 levels, the worst by 219",
-            times=(-1e9, 1e9),
-            camera=_NEAR,
-        ),
-        HardCase(
-            name="the open sea ten thousand kilometres away",
-            scene=Scene(sea=Sea(wind=8.0, model="gerstner")),
-            guard="the eye's place in each tile reduced in float64 (framegraph/evaluation.py)",
-            without="in float32: 32 % of samples off by more than 2 levels, the worst by 156",
-            camera=Camera(position=(-1e7, 9.0, 1e7), yaw=1.0, pitch=-0.3),
-        ),
-        HardCase(
-            name="a hurricane that has blown over a hundred metres",
-            scene=Scene(sea=Sea(wind=60.0, fetch=100.0, choppiness=1.0)),
-            guard="choppiness lowered until one point in 60 000 folds (ocean/cascades.py)",
-            without="the Jacobian below 0.3 in 0.05 % of texels instead of 0.02 %; the spectrum itself goes no steeper",
-            camera=_NEAR.model_copy(update={"position": (0.37, 8.711393, -0.21)}),
-        ),
-        HardCase(
-            name="a breath of wind, and no wave on the largest tile",
-            scene=Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(chop=Chop())),
-            guard="the divisor at least 1e-30 where slopes are held (waves/sea/tile_pass.glsl)",
-            without="nothing on llvmpipe, whose min(1, 0/0) is 1; GLSL leaves it undefined",
-            camera=_NEAR,
-        ),
-        HardCase(
-            name="the highest sea there is",
-            scene=Scene(sea=Sea(wind=60.0, fetch=1e7, choppiness=1.0), water=Water(depth=11000.0)),
-            guard="heights held in 4.5 standard deviations, so that the slab that is marched ends "
-            "(waves/sea/tile_pass.glsl)",
-            without="nothing here: no height of these tiles reaches the limit",
-            camera=Camera(position=(0.0, 260.0, 0.0), pitch=-0.5),
-        ),
     ),
 )

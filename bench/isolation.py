@@ -56,7 +56,7 @@ def switch(effect: Effect, scene: Scene, quality: Quality) -> Switch | None:
     base = _json(scene)
     best: Switch | None = None
     presets = (load_preset(name).scene for name in preset_names())
-    for other in (*presets, *(case.scene for case in effect.hard_cases)):
+    for other in (*presets, *(case.scene for case in effect.cases.hard)):
         if best is not None and not best.others and not best.needs:
             # The effect alone by one field: there is nothing nearer.
             break

@@ -1,0 +1,32 @@
+"""Hard cases of foam.aeration, and scenes that call for it and cannot show it."""
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene, Water
+
+_FOAM = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),))
+
+_INVISIBLE = (
+    Scene(waves=(ParametricWave(amplitude=0.5),), foam=Foam(), water=Water(aeration=1e-6)),
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(saturation=(FrontSaturation(), HeightSaturation(base=0.6, full=1.0)), combine="product"),
+        water=Water(aeration=1.0),
+    ),
+)
+
+_HARD = (
+    HardCase(
+        name="milk in water as dark and as clear as it gets",
+        scene=Scene(
+            foam=_FOAM,
+            water=Water(
+                aeration=10.0, plume_depth=20.0, scattering=0.0, absorption_length=(0.01, 1000.0, 0.01), depth=0.05
+            ),
+        ),
+        guard="what comes back is at least none (water/plume/bubbles.glsl)",
+        without="nothing on llvmpipe: what clear water sends back from the layer is never more than all of it",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+)
+
+CASES = {"milky water": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,121 @@
+"""Hard cases of foam.drift, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.drift import Drift, Vortex
+from seafoam.scene.models import Camera, DriftSaturation, Foam, HeightSaturation, Light, ParametricWave, Scene
+
+_LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-1.0)
+
+_VIEW = Camera(position=(0.0, 9.0, 8.0), pitch=-0.5)
+
+_FOAM = Foam(saturation=(DriftSaturation(),), mask="clump", mask_tile=4.0)
+
+_EDDY = Drift(place=(0.0, -10.0), size=40.0, vortices=(Vortex(place=(0.0, -10.0)),))
+
+
+def _with(**fields: object) -> Drift:
+    return _EDDY.model_copy(update=fields)
+
+
+_INVISIBLE = (
+    Scene(foam=_FOAM),
+    Scene(drift=_EDDY, foam=Foam(saturation=(DriftSaturation(amount=0.0),))),
+)
+
+_HARD = (
+    HardCase(
+        name="the centre of a vortex in the middle of a pixel",
+        scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
+        guard="a series where (1 - e^-y)/y is a difference over nothing (foam/drift/flow.glsl)",
+        without="NaN at the centre itself, and 147 000 m/s a hair beside it, where y is subnormal",
+        times=(0.0, 17.0),
+        camera=Camera(position=(0.0, 4.0, -10.0), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="a hundred texels a step",
+        scene=Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM),
+        guard="ways are followed back, so that every texel has one whatever the step (foam/drift/backward_pass.glsl)",
+        without="points that are moved forward instead have all left the map: no foam instead of 38 %",
+        times=(3.0,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="a vortex that turns twice a second",
+        scene=Scene(
+            light=_LIGHT,
+            drift=_with(vortices=(Vortex(place=(0.0, -6.0), radius=0.28, speed=2.0),)),
+            foam=Foam(saturation=(DriftSaturation(life=12.0),), mask="clump", mask_tile=4.0),
+        ),
+        guard="steps no longer than a radian of the fastest vortex (effects/foam/drift.py)",
+        without="2.5 rad a step of 0.2 s: foam off by 0.06 root mean square",
+        times=(5.0,),
+        camera=Camera(position=(0.0, 3.0, -6.0), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="a vortex that has ground its foam finer than texels",
+        scene=Scene(
+            light=_LIGHT,
+            drift=_with(current=(0.0, 0.0), vortices=(Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0),)),
+            foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
+        ),
+        guard="patches led to their mean where a texel holds more than a patch (foam/drift/backward_pass.glsl)",
+        without="blobs a texel wide that boil: foam changes by 1.1 % in a sixtieth of a second instead of 0.2 %",
+        times=(50.0,),
+        camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="drifting foam a thousand million seconds from now",
+        scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
+        guard="ages and the count of broods reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 the time is a multiple of 64 s: every age off by up to a life",
+        times=(-1e9, 1e9 + 3.1),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="drifting foam ten thousand kilometres away",
+        scene=Scene(
+            light=_LIGHT,
+            drift=_with(
+                place=(9.99e6, -9.99e6), vortices=(Vortex(place=(9.99e6 + 1.3, -9.99e6 + 3.7)),), current=(0.3, 0.1)
+            ),
+            foam=_FOAM,
+        ),
+        guard="the way from the square's middle to the eye reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: off by up to 0.8 m",
+        times=(12.0,),
+        camera=Camera(position=(9.99e6, 9.0, -9.99e6 + 18.0), pitch=-0.5),
+    ),
+    HardCase(
+        name="more drifting foam than the water holds, times foam by height",
+        scene=Scene(
+            light=_LIGHT,
+            waves=(ParametricWave(amplitude=0.2, wavelength=5.0),),
+            drift=_EDDY,
+            foam=Foam(
+                saturation=(
+                    DriftSaturation(amount=4.0, coverage=0.95),
+                    HeightSaturation(base=-0.2, full=0.4),
+                ),
+                combine="product",
+                mask="clump",
+                mask_tile=4.0,
+            ),
+        ),
+        guard="the filtered look clamps each at 1 first (foam/saturation/drift.glsl)",
+        without="foam on 76 % of the picture instead of 35 %",
+        times=(12.0,),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="no current and no vortex",
+        scene=Scene(light=_LIGHT, drift=_with(current=(0.0, 0.0), vortices=()), foam=_FOAM),
+        guard="a vortex that does not turn stands in the shader's list (effects/foam/drift.py)",
+        without="an array of no vortices, which GLSL ES does not compile",
+        times=(12.0,),
+        camera=_VIEW,
+    ),
+)
+
+CASES = {"drifting foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,98 @@
+"""Hard cases of foam.front, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
+
+_INVISIBLE = (
+    Scene(foam=Foam()),
+    Scene(waves=(ParametricWave(),), foam=Foam(saturation=(FrontSaturation(group=(1.0, 1.0)),), look="halftone")),
+)
+
+_HARD = (
+    HardCase(
+        name="the pole of every crest, C 0.25",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+            foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
+        ),
+        guard="the pole is the number 0, f = 4 on it, and the exponent is held in [-80, 80] "
+        "(foam/saturation/front_profile.glsl)",
+        without="nothing on llvmpipe; f = 0 instead of 4 where the signal is (1, -0)",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="the pole of the listing, C 100",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
+            foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
+        ),
+        guard="the half angle's cotangent stands for the tangent (foam/saturation/front_profile.glsl)",
+        without="by the tangent: f infinite at 2 pi, and 0 instead of 4 at the pole",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="no phase at all: waves in antiphase",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
+            foam=Foam(look="textured"),
+        ),
+        guard="0/0 taken as exponent 0 (foam/saturation/front_profile.glsl)",
+        without="6 % of samples off by more than 2 levels, by up to 133",
+        camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+    ),
+    HardCase(
+        name="filtered, where the phase turns endlessly fast",
+        scene=Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
+        guard="rho^2 at least 1e-4 in the phase's gradient, its width at most 1e4 "
+        "(foam/saturation/front_filtered.glsl)",
+        without="4 % of samples flipped, off by up to 237 levels",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="a gate without width",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
+            foam=Foam(
+                saturation=(FrontSaturation(group=(0.5, 0.5)), HeightSaturation(base=-0.5, full=2.0)),
+                look="halftone",
+                combine="max",
+            ),
+        ),
+        guard="the gate's end at least 1e-4 after its start (effects/foam/front.py)",
+        without="smoothstep(a, a): undefined in GLSL, a bare step on llvmpipe",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="footprints from a hair to the horizon",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=0.01, wavelength=0.05),
+                ParametricWave(amplitude=0.3, wavelength=2000.0),
+            ),
+            foam=Foam(),
+        ),
+        guard="whole periods first, Gauss on short spans (foam/saturation/front_filtered.glsl)",
+        without="differences of the table on short spans: off by up to 19 levels",
+        times=(0.0, 1e9),
+        camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
+    ),
+    HardCase(
+        name="waves that hide their backs, an eye as high as their crests",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=0.5, wavelength=8.0, exponent=2.0),
+                ParametricWave(amplitude=0.2, wavelength=5.0, direction=0.6),
+            ),
+            foam=Foam(),
+        ),
+        guard="the fall of a ray over no relief: at least 1e-20 under it, arcs of at least 1e-5 rad "
+        "(foam/saturation/front_filtered.glsl)",
+        without="nothing on llvmpipe; where neither falls nor rises anything, 0/0",
+        times=(0.0, 1e9),
+        camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
+    ),
+)
+
+CASES = {"front foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

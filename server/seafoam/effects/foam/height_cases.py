@@ -1,0 +1,64 @@
+"""Hard cases of foam.height, and scenes that call for it and cannot show it."""
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
+
+_INVISIBLE = (
+    Scene(
+        waves=(ParametricWave(amplitude=0.5),),
+        foam=Foam(saturation=(FrontSaturation(), HeightSaturation(base=0.5, full=1.0)), look="halftone"),
+    ),
+)
+
+_HARD = (
+    HardCase(
+        name="foam over a millimetre, a hundred metres up",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=50.0, wavelength=400.0),
+                ParametricWave(amplitude=50.0, wavelength=400.0),
+                ParametricWave(amplitude=1.0, wavelength=300.0),
+            ),
+            foam=Foam(saturation=(HeightSaturation(base=100.0, full=100.001),), look="halftone"),
+        ),
+        guard="the divisor at least 1e-3 m (foam/saturation/height.glsl)",
+        without="0/0 at H0 once a live edit puts full on base; llvmpipe's clamp makes it 0",
+        camera=Camera(position=(0.0, 140.0, 0.0), pitch=-0.4),
+    ),
+    HardCase(
+        name="foam from far below to far above",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.0),),
+            foam=Foam(saturation=(HeightSaturation(base=-100.0, full=200.0),), look="fading"),
+        ),
+        guard="f held in [0, 4] (foam/saturation/height.glsl)",
+        without="nothing: f is 1/3; the fading look clamps what follows",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="saturation a thousandfold over the cap",
+        scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-100.0, full=-99.999),), look="listing")),
+        guard="f held in [0, 4] (foam/saturation/height.glsl)",
+        without="nothing in the frame: the listing clamps f - m at 3; f itself is 100 000",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="heights that the eye sees, from between the crests and along them",
+        scene=Scene(
+            waves=(
+                ParametricWave(amplitude=1.0, wavelength=9.0, exponent=3.0),
+                ParametricWave(amplitude=1e-12, wavelength=0.05, exponent=0.3),
+            ),
+            foam=Foam(saturation=(HeightSaturation(base=0.2, full=0.201),)),
+        ),
+        guard="what stands over the eye is seen as from right above; lengths divided by at least 1e-6, heights "
+        "spread by at least a thousandth of the ramp "
+        "(foam/saturation/height_seen.glsl, foam/saturation/level.glsl)",
+        without="the root of a negative fall: in quality standard 44 % of samples off by more than 2 levels, not "
+        "9, and 60 in the mean, not 6.9; the rest: nothing on llvmpipe, 0/0 right under the eye and where nothing "
+        "is lost",
+        camera=Camera(position=(4.5, -0.1125, 0.0), yaw=1.5707963, pitch=-0.05),
+    ),
+)
+
+CASES = {"height foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

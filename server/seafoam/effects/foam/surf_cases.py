@@ -1,0 +1,73 @@
+"""Hard cases of foam.surf, and scenes that call for it and cannot show it."""
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.models import Camera, Foam, HeightSaturation, Light, Scene, SurfSaturation
+from seafoam.scene.shore import Shore, Surf
+
+_BEACH = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)
+
+_FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
+
+_LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0)
+
+_VIEW = Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2)
+
+_INVISIBLE = (
+    Scene(foam=_FOAM),
+    Scene(shore=_BEACH.model_copy(update={"surf": Surf(height=0.0)}), foam=_FOAM),
+)
+
+_HARD = (
+    HardCase(
+        name="foam that is gone in a fiftieth of a period",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH,
+            foam=Foam(saturation=(SurfSaturation(amount=4.0, life=0.02, veil=1.0),), look="halftone"),
+        ),
+        guard="f held at 4 (foam/saturation/surf.glsl)",
+        without="nothing in the frame: thresholds end at 1; f itself reaches 11.6",
+        times=(0.0, 2.3),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="surf foam and height foam multiplied",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH,
+            foam=Foam(
+                saturation=(SurfSaturation(), HeightSaturation(base=-0.5, full=0.5)),
+                combine="product",
+                mask="clump",
+            ),
+        ),
+        guard="the filtered look clamps each at 1 first (foam/saturation/surf.glsl)",
+        without="nothing here: the product is under 1 wherever the surf is over it",
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="surf foam on water as level as its ground",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}),
+            foam=_FOAM,
+        ),
+        guard="what the depth changes by over a footprint held at 1 mm (foam/saturation/surf_front_filtered.glsl)",
+        without="nothing on llvmpipe: no footprint lies as level to the last digit",
+        times=(0.0, 2.3),
+        camera=_VIEW,
+    ),
+    HardCase(
+        name="foam where no way leads to the shore",
+        scene=Scene(
+            light=_LIGHT,
+            shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
+            foam=_FOAM,
+        ),
+        guard="the way to the shore divided by at least 1e-6 (foam/saturation/surf.glsl)",
+        without="nothing on llvmpipe: no point has a way of 0 to the last digit",
+        camera=_VIEW,
+    ),
+)
+
+CASES = {"surf foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,29 @@
+"""Hard cases of foam.wake_foam, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.boats import Boat
+from seafoam.scene.models import Camera, Foam, Scene, WakeSaturation
+
+_FOAM = Foam(saturation=(WakeSaturation(),), mask="clump")
+
+_BOAT = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0)
+
+_INVISIBLE = (Scene(foam=_FOAM), Scene(foam=_FOAM, boats=(_BOAT.model_copy(update={"speed": 0.0}),)))
+
+_HARD = (
+    HardCase(
+        name="foam at the centre of a boat's circle",
+        scene=Scene(
+            boats=(_BOAT.model_copy(update={"radius": 13.5, "speed": 20.0}),),
+            foam=Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="halftone"),
+        ),
+        guard="at least a tenth of the radius, exponents of at most 80 "
+        "(boats/wake/way.glsl, foam/saturation/wake.glsl)",
+        without="nothing on llvmpipe: exponentials end at 0, and no sample is at the centre",
+        camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
+    ),
+)
+
+CASES = {"wake foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,56 @@
+"""Hard cases of light.glitter, and scenes that call for it and cannot show it."""
+
+import math
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+
+_DOWN = Light(sun_elevation=-0.1)
+
+_INVISIBLE = (Scene(light=_DOWN), Scene(light=Light(sun_elevation=-math.pi / 2)))
+
+_HARD = (
+    HardCase(
+        name="into the sun on the horizon",
+        scene=Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.03)),
+        guard="h divided by at least 1e-6 (light/glitter/beckmann.glsl)",
+        without="nothing on llvmpipe, whose max(0/0, x) is x: NaN in h alone",
+        camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
+    ),
+    HardCase(
+        name="facets seen edge-on",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=2.0, wavelength=3.0, exponent=8.0),),
+            light=Light(sun_elevation=0.02, sun_azimuth=math.pi),
+            water=Water(roughness=0.03),
+        ),
+        guard="n.h at least 1e-3 (light/glitter/beckmann.glsl)",
+        without="facets that face away mirror the sun: 10 000, the cap, instead of 0 at n.h = -1",
+        camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=-0.3),
+    ),
+    HardCase(
+        name="the brightest path of the sun",
+        scene=Scene(light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.03, chop=Chop(slope=0.05))),
+        guard="glitter held at 1e4 (light/glitter/beckmann.glsl), the frame at 65504 (surface/main.glsl)",
+        without="5.9e6, ninety times what half floats hold",
+        camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
+    ),
+    HardCase(
+        name="the lake's highlight at its sharpest",
+        scene=Scene(
+            light=Light(
+                sun_elevation=0.1,
+                sun_azimuth=math.pi,
+                specular="blinn_phong",
+                specular_power=2000.0,
+                specular_perturb=0.0,
+            ),
+            water=Water(chop=Chop(slope=0.6)),
+        ),
+        guard="n.h held in [0, 1] before the power (light/glitter/blinn_phong.glsl)",
+        without="powers of negative numbers: 65504 in a fifth of the samples, off by 28 levels in the mean",
+        camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.1),
+    ),
+)
+
+CASES = {"sun glitter": Cases(invisible=_INVISIBLE, hard=_HARD)}

@@ -1,0 +1,43 @@
+"""Hard cases of water.seafloor, and scenes that call for it and cannot show it."""
+
+from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.models import Camera, Chop, ParametricWave, Scene, Water
+
+_INVISIBLE = (
+    Scene(water=Water(depth=11000.0)),
+    Scene(waves=(ParametricWave(),), water=Water(depth=500.0, chop=Chop())),
+)
+
+_HARD = (
+    HardCase(
+        name="five centimetres of black water",
+        scene=Scene(
+            water=Water(depth=0.05, absorption_length=(0.01, 0.01, 0.01), scattering=0.5, chop=Chop(slope=0.6)),
+            waves=(ParametricWave(amplitude=50.0, wavelength=0.05),),
+        ),
+        guard="cv held at 1 under the root (water/body/floor.glsl)",
+        without="cosine of the refracted ray up to 74: 8 % too much light from the floor at cv = 100",
+        camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
+    ),
+    HardCase(
+        name="the clearest water over a white floor",
+        scene=Scene(
+            water=Water(
+                depth=0.05, absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0, floor_albedo=(1.0, 1.0, 1.0)
+            )
+        ),
+        guard="absorption is never 0 (scene/models.py), so neither is the extinction (light/shade/lit.glsl)",
+        without="with absorption 0: 0/0 in every sample of water, 65504 after the frame's cap",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+    HardCase(
+        name="a floor eleven kilometres down",
+        scene=Scene(water=Water(depth=11000.0, chop=Chop()), waves=(ParametricWave(),)),
+        guard="left out: its bound is 0 (effects/water/seafloor.py); drawn, its transmittance underflows to 0 "
+        "(water/body/floor.glsl)",
+        without="drawn all the same: 0 levels of difference",
+        camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+    ),
+)
+
+CASES = {"floor": Cases(invisible=_INVISIBLE, hard=_HARD)}
