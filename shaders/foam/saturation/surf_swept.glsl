@@ -8,6 +8,9 @@ float swept_left(vec2 born, float since) {
 }
 
 float surf_swept(ShoreField f, float ground, float patches, Footprint fp) {
+    if (!SURF_LINED) {
+        return 0.0;
+    }
     // How high the ground is, in heights of the wave that runs up it.
     float reach = ground / max(f.here.g, 1e-3);
     if (reach >= 1.05) {

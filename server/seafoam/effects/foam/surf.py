@@ -32,7 +32,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile("saturation", "foam/saturation/surf.glsl", prefix="surf", needs=needs),
             *((SlotFile("land foam", "shore/line.glsl"),) if surf.line > 0.0 else ()),
         ),
-        consts={"SURF_CAP": 1.0 if filtered else SATURATION_CAP, "SURF_FILTERED": filtered},
+        consts={
+            "SURF_CAP": 1.0 if filtered else SATURATION_CAP,
+            "SURF_FILTERED": filtered,
+            "SURF_LINED": surf.line > 0.0,
+        },
         uniforms={
             "u_surf_foam": number(surf.amount),
             "u_surf_life": number(surf.life, f"{pointer}/life"),
