@@ -14,7 +14,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset, preset_names
 
 SIZE = (480, 270)

@@ -11,7 +11,7 @@ from seafoam.accuracy.sweep import Rig, Settings, Subject, make_sweep
 from seafoam.planner import make_plan
 from seafoam.quality import Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.render.service.pool import measure as draw
+from seafoam.render.service.jobs import measure as draw
 
 PRESET = "default"
 SIZES = ((160, 90), (320, 180), (640, 360))

@@ -24,7 +24,7 @@ from bench.watch import Watch
 from seafoam.framegraph.shader import Program, Shader
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Tier
-from seafoam.scene.models import Look
+from seafoam.scene.foam import Look
 from seafoam.scene.presets import load_preset, preset_names
 
 TABLE = Path(__file__).with_name("compiler.json")

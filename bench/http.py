@@ -12,7 +12,7 @@ from bench.report import Column, Table, count, ms
 from bench.server import HOST, REQUEST_SECONDS, Answer, ask
 from bench.watch import Watch
 from seafoam.render.encode import FRAME_FORMATS
-from seafoam.scene.models import Look
+from seafoam.scene.foam import Look
 from seafoam.scene.presets import load_preset
 
 PRESET = "default"

@@ -17,7 +17,7 @@ from seafoam.accuracy.motion import excess, flicker, shown
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset
 
 PRESETS = ("default", "open-ocean", "storm", "beach", "drift-vortices")

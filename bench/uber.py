@@ -25,7 +25,10 @@ from seafoam.planner import make_plan
 from seafoam.planner.glsl import assemble, read_file
 from seafoam.planner.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
 from seafoam.quality import Quality
-from seafoam.scene.models import Chop, Foam, FrontSaturation, HeightSaturation, Look, ParametricWave, Scene, Water
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 SWITCH = "u_uber_"
 COMBINE = f"{SWITCH}combine"

@@ -11,13 +11,10 @@ from seafoam.masks.plots import contact_sheet, magnified_sheet
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import (
-    Camera,
-    Caustics,
-    Foam,
-    FrontSaturation,
-    Scene,
-)
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation
+from seafoam.scene.light import Caustics
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.sky import Day, Moon
 

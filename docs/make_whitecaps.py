@@ -31,8 +31,12 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.sea import fold_saturation, sea_surface
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, FoldSaturation, Light, Scene, Sea
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from seafoam.scene.waves import Sea
 
 PAGE = Path(__file__).parent / "whitecaps.md"
 PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"

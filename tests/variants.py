@@ -11,31 +11,27 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.boats import Boat
 from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.models import (
-    Caustics,
-    Chop,
+from seafoam.scene.foam import (
     DriftSaturation,
     Foam,
     FoldSaturation,
     FrontSaturation,
     HeightSaturation,
-    Light,
     Look,
-    ParametricWave,
     Saturation,
-    Scene,
-    Sea,
     SlopeSaturation,
-    Sparkles,
     SurfSaturation,
     WakeSaturation,
-    Water,
 )
+from seafoam.scene.light import Caustics, Light, Sparkles
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
 from seafoam.scene.spray import Spray
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave, Sea
 
 SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
     (FrontSaturation(),),

@@ -1,7 +1,11 @@
 """Cases of the example: a scene that calls for it and cannot show it, and one that would break it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 INVISIBLE = (Scene(water=Water(chop=Chop(slope=0.0)), foam=Foam()),)
 

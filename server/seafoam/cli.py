@@ -142,7 +142,9 @@ def render(
     from seafoam.quality import TIERS
     from seafoam.render.encode import FRAME_FORMATS
     from seafoam.render.gl.executor import Executor, NoRendererError
-    from seafoam.render.service.pool import FrameJob, FrameLimits, FrameTooLargeError, render_frame
+    from seafoam.render.service.errors import FrameTooLargeError
+    from seafoam.render.service.jobs import FrameJob, render_frame
+    from seafoam.render.service.limits import FrameLimits
     from seafoam.scene.presets import preset_names
 
     if preset not in preset_names():
@@ -291,7 +293,7 @@ def _measured(executor: "Executor", subject: "Subject", settings: "Settings", *,
 
     from seafoam.accuracy.cache import Store
     from seafoam.accuracy.sweep import Rig, Watcher, make_sweep
-    from seafoam.render.service.pool import measure
+    from seafoam.render.service.jobs import measure
 
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     rig = Rig(partial(measure, executor), executor.info, threads)

@@ -39,7 +39,7 @@ def probe_renderer() -> dict[str, str]:
     Raises :class:`seafoam.render.gl.executor.NoRendererError`.
     """
     from seafoam.render.gl.executor import Executor
-    from seafoam.render.service.pool import draw_canary
+    from seafoam.render.service.worker import draw_canary
 
     executor = Executor()
     draw_canary(executor)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from seafoam.accuracy.sweep import Rig
-from seafoam.render.service.pool import Drawn
+from seafoam.render.service.jobs import Drawn
 
 INFO = {"vendor": "Nobody", "renderer": "noise", "version": "0"}
 FIXED_MS, NS = 2.0, 500.0

@@ -26,7 +26,7 @@ def seafoam(capsys, monkeypatch, tmp_path):
     monkeypatch.setenv("SEAFOAM_CACHE", str(tmp_path / "cache"))
     monkeypatch.setattr(sweep, "make_truth", grey_truth)
     monkeypatch.setattr("seafoam.render.gl.executor.Executor", Executor)
-    monkeypatch.setattr("seafoam.render.service.pool.measure", lambda executor, job: noisy().measure(job))
+    monkeypatch.setattr("seafoam.render.service.jobs.measure", lambda executor, job: noisy().measure(job))
 
     def call(*arguments):
         with pytest.raises(SystemExit) as left:

@@ -11,12 +11,13 @@ from accuracy_rigs import FIXED_MS, NS, grey_truth, noisy
 from seafoam.accuracy import plots, report, sweep
 from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store, cache_dir
+from seafoam.accuracy.fronts import beating, front
 from seafoam.accuracy.model import Running, Sweep
 from seafoam.accuracy.station import FailedError, Station
-from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, beating, front, make_sweep
+from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, make_sweep
 from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
 from seafoam.quality import Quality
-from seafoam.render.service.pool import measure
+from seafoam.render.service.jobs import measure
 from seafoam.scene.models import Scene
 
 SETTINGS = Settings(32, 18, 2, 3)

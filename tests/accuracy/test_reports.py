@@ -9,8 +9,8 @@ from statistics import median
 import pytest
 
 from report import Report
+from seafoam.accuracy.fronts import beating
 from seafoam.accuracy.points import plan_sha256, points_of
-from seafoam.accuracy.sweep import beating
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset, preset_names
 

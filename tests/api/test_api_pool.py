@@ -9,16 +9,16 @@ import pytest
 from api_fakes import CRASH, HANG, RAISE, REMEDY, SLOW, SLOW_SECONDS, BlankRenderer, DyingRenderer, FakeRenderer
 
 from seafoam.quality import TIERS
-from seafoam.render.service.pool import (
+from seafoam.render.service.errors import (
     DeadlineError,
-    FrameJob,
-    FrameLimits,
     FrameTooLargeError,
     QueueFullError,
     RendererUnavailableError,
     RenderFailedError,
-    RenderPool,
 )
+from seafoam.render.service.jobs import FrameJob
+from seafoam.render.service.limits import FrameLimits
+from seafoam.render.service.pool import RenderPool
 from seafoam.scene.models import Scene
 
 SCENE = Scene()

@@ -17,7 +17,7 @@ from seafoam.effects.effect import HardCase
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset
 
 SIZE = (48, 27)

@@ -16,7 +16,9 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
 from seafoam.textures import texture
 
 COMPARE = Inline("""uniform usampler2D u_drawn;

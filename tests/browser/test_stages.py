@@ -14,7 +14,9 @@ from seafoam.framegraph.passes import Blend, Points
 from seafoam.planner import FramePlan, make_plan, planner
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Light, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 
 SIZE = (32, 16)
 FILES = Path(__file__).with_name("stages")

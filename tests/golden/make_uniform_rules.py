@@ -6,7 +6,7 @@ from pathlib import Path
 
 from seafoam.framegraph.evaluation import FrameState, evaluate_rule
 from seafoam.framegraph.rules import CameraRule, Constant, Held, Loop, PassIndex, Phase, Rule, Viewport, Wrap
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 
 PATH = Path(__file__).with_name("uniform_rules.json")
 

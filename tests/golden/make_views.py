@@ -9,7 +9,7 @@ from seafoam.framegraph.resources import TargetInput
 from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset
 
 PATH = Path(__file__).with_name("views.json")

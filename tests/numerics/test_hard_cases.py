@@ -20,8 +20,11 @@ from seafoam.reference import render as reference
 from seafoam.reference.foam import saturation
 from seafoam.render.gl.executor import Executor
 from seafoam.resources import data_dir
-from seafoam.scene.models import Camera, Foam, ParametricWave, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from seafoam.scene.waves import ParametricWave
 
 SIZE = (48, 27)
 QUALITIES = {

@@ -9,7 +9,8 @@ from gpu import WHOLE
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
 SIZES = ((48, 27), (64, 7), (5, 61), (1, 1))

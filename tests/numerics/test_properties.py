@@ -25,19 +25,13 @@ from seafoam.ocean.ripples import TILES, ripples
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import (
-    Camera,
-    Chop,
-    Foam,
-    FrontSaturation,
-    HeightSaturation,
-    Light,
-    Look,
-    ParametricWave,
-    Scene,
-    Water,
-)
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 SIZE = (32, 18)
 STABLE: dict[str, Any] = {"deadline": None, "derandomize": True, "database": None}

@@ -10,7 +10,12 @@ from report import Report
 from seafoam.ocean.cascades import cascades
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, FoldSaturation, Light, Scene, Sea, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Water
+from seafoam.scene.waves import Sea
 
 from .test_properties import (
     CAMERAS,

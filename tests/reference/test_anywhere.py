@@ -13,7 +13,8 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 SIZE = (64, 36)

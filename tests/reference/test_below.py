@@ -13,25 +13,16 @@ from seafoam.reference import render
 from seafoam.reference.light.light import INDEX
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
+from seafoam.scene.camera import Camera
 from seafoam.scene.drift import Drift
-from seafoam.scene.models import (
-    Camera,
-    Caustics,
-    Chop,
-    DriftSaturation,
-    Foam,
-    HeightSaturation,
-    Light,
-    ParametricWave,
-    Scene,
-    Sea,
-    SlopeSaturation,
-    SurfSaturation,
-    Water,
-)
+from seafoam.scene.foam import DriftSaturation, Foam, HeightSaturation, SlopeSaturation, SurfSaturation
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Sky
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave, Sea
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
 POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)

@@ -15,7 +15,8 @@ from seafoam.framegraph.visibility import drawn_passes
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
 MINIMAL = Path(bench.__file__).with_name("minimal")

@@ -24,10 +24,15 @@ from seafoam.reference.renderer import intersect as surfaces
 from seafoam.reference.renderer.frame import _Shader
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Light, ParametricWave, Scene, Sea, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave, Sea
 
 SKYWARD = Camera(position=(3.0, 8.0, -4.0), pitch=1.57, fov=0.01)
 WATER_LINE = 5e-3

@@ -15,8 +15,10 @@ from seafoam.quality import TIERS, Quality
 from seafoam.reference.light.light import INDEX, air
 from seafoam.reference.water import seafloor
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
+from seafoam.scene.water import Chop, Water
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
 POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)

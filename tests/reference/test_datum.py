@@ -24,17 +24,12 @@ from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import (
-    Camera,
-    Caustics,
-    Chop,
-    Light,
-    ParametricWave,
-    Scene,
-    Sea,
-    Water,
-)
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave, Sea
 
 Floats = NDArray[np.float64]
 TIMES = tuple(3.7 * i for i in range(8))

@@ -18,8 +18,12 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.foam import drift as truth
 from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
 from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.models import Camera, DriftSaturation, Foam, ParametricWave, Scene, Sea, Water
+from seafoam.scene.foam import DriftSaturation, Foam
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave, Sea
 
 Floats = NDArray[np.float64]
 

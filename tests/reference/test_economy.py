@@ -14,8 +14,10 @@ from seafoam.planner import make_plan
 from seafoam.planner.collect import NEGLIGIBLE
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.water import Water
 
 VIEWS = (
     Camera(position=(3.0, 6.0, -2.0), pitch=-0.15),

@@ -12,7 +12,9 @@ from report import Report
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Look, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, Look
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 
 TILE = 5.12

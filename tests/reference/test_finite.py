@@ -9,8 +9,13 @@ import pytest
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Chop, Foam, FrontSaturation, Light, Look, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, Look
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 CAMERAS = {
     "down": Camera(position=(0.0, 8.0, 0.0), pitch=-math.pi / 2),

@@ -15,7 +15,9 @@ from seafoam.reference import load_truth, render, truth_is_current
 from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
 from seafoam.reference.renderer import camera as cameras
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 REFERENCES = Path(__file__).parent.parent / "references"

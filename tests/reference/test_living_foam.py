@@ -19,19 +19,14 @@ from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, SurfSaturation
+from seafoam.scene.light import Light
 from seafoam.scene.living import FoamLife
-from seafoam.scene.models import (
-    Camera,
-    Foam,
-    FrontSaturation,
-    HeightSaturation,
-    Light,
-    ParametricWave,
-    Scene,
-    SurfSaturation,
-)
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore
+from seafoam.scene.waves import ParametricWave
 
 HALF = (HeightSaturation(base=-0.45, full=0.55),)
 """0.45 on still water."""

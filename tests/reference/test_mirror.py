@@ -9,9 +9,13 @@ from seafoam.planner import make_plan
 from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Sky
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 SIZE = (128, 72)
 TIME = 2.7

@@ -15,7 +15,10 @@ from seafoam.effects.waves import parametric
 from seafoam.effects.waves import ripples as chop
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.reference.waves.parametric import ripple_set, wave_set
-from seafoam.scene.models import Camera, Chop, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 TIMES = (0.0, 12.5, 3600.0, 1e9)

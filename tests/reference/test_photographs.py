@@ -8,7 +8,7 @@ from report import Report
 from seafoam.ocean.cascades import LOOP
 from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 
 HEIGHT = 200.0
 """Of an aeroplane, m: a photograph from a ship holds so few whitecaps that hundreds of them are needed

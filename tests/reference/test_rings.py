@@ -18,9 +18,11 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves.rings import RingSet, ring_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.rings import RINGS_MOST, Ring
+from seafoam.scene.water import Water
 
 FILES = ("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/exact.glsl")
 ORIGINS = ((0.0, 0.0), (1e7, -1e7))

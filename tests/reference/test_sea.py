@@ -19,8 +19,12 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves import sea as truth
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, FoldSaturation, Scene, Sea, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from seafoam.scene.water import Water
+from seafoam.scene.waves import Sea
 from seafoam.textures import texture
 from seafoam.textures.sea import sea_spectrum_name
 

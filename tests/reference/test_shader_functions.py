@@ -19,7 +19,9 @@ from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import looks, saturation
 from seafoam.reference.renderer import frame
 from seafoam.reference.waves import parametric as waves
-from seafoam.scene.models import Foam, HeightSaturation, ParametricWave, Scene
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
 from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
 TOLERANCE = 1e-5

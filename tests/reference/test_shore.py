@@ -30,8 +30,11 @@ from seafoam.reference.shore import shore as truth
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl import executor as executors
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, ParametricWave, Scene, SurfSaturation
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, SurfSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.waves import ParametricWave
 from seafoam.textures import TextureData, shore_floor_name, shore_profiles, texture
 
 SIDE = 100

@@ -20,7 +20,9 @@ from seafoam.reference.bake import same_size, truth_file
 from seafoam.reference.light import atmosphere
 from seafoam.reference.light import light as reference_light
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Light, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.sky import Clouds, Day, Moon, Sky, sun_angles
 

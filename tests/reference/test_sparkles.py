@@ -15,7 +15,11 @@ from seafoam.quality import TIERS, Quality
 from seafoam.reference.light import light as reference_light
 from seafoam.reference.light.sparkles import EPOCHS, Field
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Sparkles, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light, Sparkles
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
 FILES = (

@@ -19,10 +19,12 @@ from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray import spray as flying
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, ParametricWave, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import DROPS, Spray
+from seafoam.scene.waves import ParametricWave
 
 WAVES = (
     ParametricWave(amplitude=1.5, wavelength=20.0, direction=1.6, exponent=2.0),

@@ -8,7 +8,7 @@ from seafoam.masks.prefilter import OCTAVE_RAMP, ramp_threshold
 from seafoam.reference import Assets
 from seafoam.reference.foam import looks
 from seafoam.reference.renderer import frame
-from seafoam.scene.models import Foam
+from seafoam.scene.foam import Foam
 
 SIDE = 160
 """Places along each side of the tile, one in each square."""

@@ -6,7 +6,7 @@ from typing import get_args
 
 from seafoam.reference import load_truth, truth_is_current
 from seafoam.reference.bake import EVERY_LOOK, TIMES, bake, jobs_of, truth_file
-from seafoam.scene.models import Look
+from seafoam.scene.foam import Look
 from seafoam.scene.presets import load_preset, preset_names
 
 

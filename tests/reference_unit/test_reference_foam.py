@@ -26,7 +26,9 @@ from seafoam.reference.foam.saturation import (
 from seafoam.reference.renderer import frame
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.waves.parametric import wave_set
-from seafoam.scene.models import FrontSaturation, ParametricWave, Scene
+from seafoam.scene.foam import FrontSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
 
 WAVE = ParametricWave(amplitude=0.8, wavelength=11.0, direction=0.4, exponent=2.0, phase=0.3)
 EVEN = np.linspace(0.0, 1.0, sampling.QUANTILE_ENTRIES)

@@ -11,18 +11,12 @@ import pytest
 from seafoam.masks import custom_mask
 from seafoam.reference import Assets, load_truth, render, scene_sha256, truth_is_current
 from seafoam.reference.truth import save_truth
-from seafoam.scene.models import (
-    Camera,
-    Chop,
-    Foam,
-    FrontSaturation,
-    HeightSaturation,
-    Light,
-    Look,
-    ParametricWave,
-    Scene,
-    Water,
-)
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 WAVES = (
     ParametricWave(amplitude=0.8, wavelength=14.0, direction=1.2, exponent=2.0),

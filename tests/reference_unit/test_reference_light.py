@@ -7,7 +7,8 @@ import pytest
 
 from seafoam.reference.light import light
 from seafoam.reference.types import unit
-from seafoam.scene.models import Light, Water
+from seafoam.scene.light import Light
+from seafoam.scene.water import Water
 
 ELEVATIONS = [-1.57, -0.05, 0.0, 0.01, 0.6, 1.5707]
 

@@ -8,7 +8,9 @@ import pytest
 from seafoam.reference.renderer import intersect
 from seafoam.reference.types import unit
 from seafoam.reference.waves.parametric import reduced, ripple_set, wave_derivative, wave_height, wave_set, wavenumber
-from seafoam.scene.models import Chop, ParametricWave, Scene, Water
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 SEA = Scene(
     waves=tuple(

@@ -15,7 +15,8 @@ from seafoam.planner import make_plan
 from seafoam.planner.adaptive import GREATEST, PARTS, RATIO
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 SIZE = (160, 90)

@@ -9,7 +9,9 @@ from seafoam.masks.families import SIZES
 from seafoam.planner import AssemblyError, PlanError, link, make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
 from seafoam.textures import texture
 
 CUSTOM = [f"blur:1:{size}:3" for size in SIZES if size < 512]

@@ -13,25 +13,16 @@ from seafoam.framegraph.shader import declared_uniforms
 from seafoam.planner import FramePlan, PlanError, make_plan
 from seafoam.quality import TIERS
 from seafoam.resources import data_dir
+from seafoam.scene.camera import Camera
 from seafoam.scene.drift import Drift
-from seafoam.scene.models import (
-    Camera,
-    Chop,
-    DriftSaturation,
-    Foam,
-    FoldSaturation,
-    FrontSaturation,
-    Light,
-    Look,
-    ParametricWave,
-    Scene,
-    Sea,
-    SurfSaturation,
-    Water,
-)
+from seafoam.scene.foam import DriftSaturation, Foam, FoldSaturation, FrontSaturation, Look, SurfSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave, Sea
 
 STANDARD = TIERS["standard"]
 

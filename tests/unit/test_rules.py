@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from seafoam.framegraph.evaluation import FrameState, axes, evaluate, evaluate_rule
 from seafoam.framegraph.rules import CameraRule, Constant, Held, Loop, Phase, Uniform, Wrap
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 
 GOLDEN = Path(__file__).parent.parent / "golden" / "uniform_rules.json"
 

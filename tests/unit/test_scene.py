@@ -12,8 +12,10 @@ from scipy.optimize import brentq
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency, wavenumber, wavevector
 from seafoam.ocean.ripples import TILES, WAVES_PER_TILE, ripples
-from seafoam.scene.models import Chop, ParametricWave, Scene
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.water import Chop
+from seafoam.scene.waves import ParametricWave
 
 
 @pytest.mark.parametrize(

@@ -4,9 +4,12 @@ import pytest
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.scene.models import Foam, ParametricWave, Scene, SurfSaturation, Water
+from seafoam.scene.foam import Foam, SurfSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave
 from seafoam.textures import UnknownTextureError, shore_floor_name, texture
 
 STANDARD = TIERS["standard"]

@@ -12,8 +12,12 @@ from seafoam.framegraph.visibility import drawn_passes, in_view
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 GOLDEN = json.loads((Path(__file__).parent.parent / "golden" / "views.json").read_text(encoding="utf-8"))
 PRESETS = {(entry["preset"], entry["tier"]): entry for entry in GOLDEN}

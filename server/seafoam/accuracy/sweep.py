@@ -8,11 +8,10 @@ it is timed, which compiles and allocates; after that, only if it is so short th
 import os
 import platform
 import time as clock
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
-from itertools import pairwise
 from pathlib import Path
 from statistics import median, quantiles
 from typing import get_args
@@ -21,6 +20,7 @@ import numpy as np
 
 from seafoam.accuracy import metrics
 from seafoam.accuracy.cache import Store, key_of
+from seafoam.accuracy.fronts import beating, compare, front, sentences
 from seafoam.accuracy.knobs import all_knobs, idealised
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.model import (
@@ -41,31 +41,30 @@ from seafoam.accuracy.truth import StoppedError, make_truth
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
 from seafoam.reference import scene_sha256
-from seafoam.render.service.pool import Draw, Drawn, MeasureJob
+from seafoam.render.service.jobs import Draw, Drawn, MeasureJob
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 FRAME_SECONDS = 1.0 / 60.0
+
 ENOUGH_SECONDS = 0.02
 """Minimum time of a frame of tier standard at the timing size, so that the cost of a call is negligible."""
+
 LEAST_SHARE = 4
 """The timing size is at least the subject's own over this, along each side: in a much smaller one the cost per pixel
 would be hidden by maps and tiles, which cost the same at every size."""
+
 LONG_MS = 200.0
 """Time above which a frame is not drawn once more before it is timed."""
+
 SLOW_MS = 100.0
 """If the pixels of the compared picture take longer, that picture is timed instead of one of the timing size."""
+
 SMALL = 10
 """Ratio of the two sizes of the time model along each side."""
+
 COMPILE_WEIGHT = 6.0
 """Time to compile a plan, in frames of one sample per pixel; used only for the progress."""
-
-TOLD = 1.02
-"""Ratio below which two errors are reported as equal."""
-
-FASTER = 1.1
-"""Ratio below which two times of a round are reported as equal: of forty plans with the same cost, some differ by as
-much on a shared machine."""
 
 Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
@@ -277,7 +276,7 @@ class _Sweeping:
             points=tuple(measured),
             front=best,
             steps=self._steps(times, {id: error.rmse for id, error in errors.items()}),
-            sentences=_sentences([point for id in best for point in measured if point.id == id], times),
+            sentences=sentences([point for id in best for point in measured if point.id == id], times),
         )
 
     def _ideals(self) -> dict[str, dict[str, tuple[str, Quality]]]:
@@ -341,7 +340,7 @@ class _Sweeping:
     def _steps(self, rounds: Mapping[str, list[float]], error: Mapping[str, float]) -> tuple[Step, ...]:
         steps = []
         for owner, before, after, first, second in chains(self.subject.scene, self.points):
-            compared = _compare(rounds[first], rounds[second], error[first], error[second])
+            compared = compare(rounds[first], rounds[second], error[first], error[second])
             worth = compared.measurable and compared.added_ms > 0.0
             steps.append(
                 Step(
@@ -363,84 +362,6 @@ class _Sweeping:
                 )
             )
         return tuple(steps)
-
-
-def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
-    """Of (time, error) by name, return the names on the Pareto front, fastest first."""
-    best: list[str] = []
-    least = float("inf")
-    for name, (_, error) in sorted(found.items(), key=lambda item: item[1]):
-        if error < least:
-            best.append(name)
-            least = error
-    return tuple(best)
-
-
-def beating(found: Mapping[str, tuple[Sequence[float], float]]) -> dict[str, tuple[str, ...]]:
-    """Of (times by round, error) by name, return the points with no greater error that are faster beyond the noise.
-
-    Times of a round are compared with each other: the third quartile of their ratios is below 1 / :data:`FASTER`. The
-    most exact first.
-    """
-    by_error = sorted(found, key=lambda name: found[name][1])
-
-    def faster(other: str, name: str) -> bool:
-        ratios = [a / b for a, b in zip(found[other][0], found[name][0], strict=True)]
-        return quantiles(ratios, n=4, method="inclusive")[2] < 1.0 / FASTER
-
-    return {
-        name: tuple(other for other in by_error if found[other][1] <= error and other != name and faster(other, name))
-        for name, (_, error) in found.items()
-    }
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """Compares two points of the same rounds."""
-
-    added_ms: float
-    factor: float
-    measurable: bool
-    error_factor: float
-    words: str
-
-
-def _compare(before: list[float], after: list[float], error_before: float, error_after: float) -> Comparison:
-    ratios = [b / a for a, b in zip(before, after, strict=True)]
-    low, _, high = quantiles(ratios, n=4, method="inclusive")
-    measurable = low > 1.0 or high < 1.0
-    factor = median(ratios)
-    # A thousandth of a level is no error at all.
-    error_factor = (error_before + 1e-3) / (error_after + 1e-3)
-    time_words = "no measurable difference in time" if not measurable else f"{factor:.2g}× the time"
-    if factor >= 9.95 and measurable:
-        time_words = f"{factor:.0f}× the time"
-    if error_factor >= TOLD:
-        verb = "and" if not measurable else "buys" if factor > 1.0 else "and"
-        words = f"{time_words} {verb} {_times(error_factor)} less error"
-    elif error_factor <= 1.0 / TOLD:
-        words = f"{time_words} and {_times(1.0 / error_factor)} more error"
-    else:
-        words = f"{time_words} {'buys nothing' if measurable and factor > 1.0 else 'and the same error'}"
-    added = median(b - a for a, b in zip(before, after, strict=True))
-    return Comparison(added, factor, measurable, error_factor, words)
-
-
-def _times(factor: float) -> str:
-    return f"{factor:.0f}×" if factor >= 9.95 else f"{factor:.1f}×" if factor >= 1.1 else f"{factor:.2f}×"
-
-
-def _sentences(best: list[MeasuredPoint], rounds: Mapping[str, list[float]]) -> tuple[str, ...]:
-    """Describe the front, in steps that are worth a sentence."""
-    worth = best[:1]
-    for point in best[1:]:
-        if point.error.rmse * TOLD <= worth[-1].error.rmse:
-            worth.append(point)
-    return tuple(
-        f"{before.id} → {after.id}: "
-        + _compare(rounds[before.id], rounds[after.id], before.error.rmse, after.error.rmse).words
-        for before, after in pairwise(worth)
-    )
 
 
 def _spread(values: list[float]) -> TimeSpread:

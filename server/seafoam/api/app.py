@@ -23,7 +23,8 @@ from seafoam.api.routers import accuracy, frames, health, masks, plans, presets,
 from seafoam.api.settings import Settings
 from seafoam.api.workshop import Workshop
 from seafoam.render.gl.executor import Executor
-from seafoam.render.service.pool import Renderer, RenderPool
+from seafoam.render.service.jobs import Renderer
+from seafoam.render.service.pool import RenderPool
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""

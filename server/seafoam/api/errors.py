@@ -8,7 +8,7 @@ What routers raise, beside what the layers below raise::
     ├── UnsupportedMediaError     a body that is not JSON
     └── BusyError                 as much other work waits as may
         └── NotMeasuredError      the measurement that the answer hangs on is being made
-    seafoam.render.service.pool.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
+    seafoam.render.service.errors.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
 """
 
 import logging
@@ -26,7 +26,7 @@ from starlette.responses import JSONResponse
 from seafoam.accuracy.station import FailedError
 from seafoam.api.allowed import Schema, allowed_at
 from seafoam.masks.catalogue import MaskTooSlowError
-from seafoam.render.service.pool import (
+from seafoam.render.service.errors import (
     DeadlineError,
     FrameTooLargeError,
     QueueFullError,

@@ -9,7 +9,9 @@ from seafoam.accuracy.sweep import Rig
 from seafoam.accuracy.sweep import Settings as SweepSettings
 from seafoam.accuracy.truth import StoppedError
 from seafoam.api.settings import Settings
-from seafoam.render.service.pool import Drawn, MeasureJob, RendererUnavailableError, RenderPool
+from seafoam.render.service.errors import RendererUnavailableError
+from seafoam.render.service.jobs import Drawn, MeasureJob
+from seafoam.render.service.pool import RenderPool
 
 _POLL_SECONDS = 0.2
 

@@ -7,7 +7,8 @@ from prometheus_client.core import CounterMetricFamily
 from prometheus_client.registry import Collector
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from seafoam.render.service.pool import Frame, RenderPool, State
+from seafoam.render.service.jobs import Frame
+from seafoam.render.service.pool import RenderPool, State
 
 _SECONDS = (0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 _STATES: tuple[State, ...] = ("starting", "ready", "unavailable", "stopped")

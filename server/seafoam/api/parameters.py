@@ -11,7 +11,9 @@ from pydantic.fields import FieldInfo
 from seafoam.api.errors import BadRequestError, FieldProblem, UnsupportedMediaError
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat
-from seafoam.scene.models import Camera, Foam, Look, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, Look
+from seafoam.scene.models import Scene
 
 TIME_LIMIT = 1e9
 """Maximum |time|, s."""

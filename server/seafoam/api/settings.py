@@ -6,7 +6,7 @@ from pathlib import Path
 from pydantic import Field
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from seafoam.render.service.pool import FrameLimits
+from seafoam.render.service.limits import FrameLimits
 
 
 def default_workers() -> int:

@@ -7,19 +7,19 @@ from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.levels import paper_level
 from seafoam.ocean.rings import ring_height
 from seafoam.ocean.wakes import LEAST_SPEED, wake_height
-from seafoam.scene.models import (
+from seafoam.scene.foam import (
     DriftSaturation,
     Foam,
     FoldSaturation,
     FrontSaturation,
     HeightSaturation,
-    Light,
     Saturation,
-    Scene,
     SlopeSaturation,
     SurfSaturation,
     WakeSaturation,
 )
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 
 SATURATION_CAP = 4.0
 """Cap of the saturation: no look distinguishes greater values (docs/formulae.md, section 4)."""

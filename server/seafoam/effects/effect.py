@@ -13,7 +13,8 @@ from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Points, View
 from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 
 BENEATH = "beneath"
 """The target of surface and sky if passes of stage ``after`` follow; those can read it."""

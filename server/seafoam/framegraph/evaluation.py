@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.framegraph.rules import COMPONENTS, CameraRule, Constant, Held, Loop, Phase, Rule, Uniform, Viewport, Wrap
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 
 TAU = 2.0 * math.pi
 

@@ -10,7 +10,7 @@ from seafoam.framegraph.evaluation import axes
 from seafoam.framegraph.passes import Ball, Pass, View
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 
 LEVEL = 0.01
 """Rays that fall or rise by less, of the picture's middle ray, may meet either water or sky."""

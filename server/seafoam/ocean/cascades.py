@@ -14,14 +14,14 @@ from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.hash import chance
 from seafoam.ocean.spectrum import (
     Floats,
-    _shallow,
     dispersion,
     frequency_spectrum,
     peak_frequency,
+    shallow_water_factor,
     spreading,
     wave_spectrum,
 )
-from seafoam.scene.models import Sea
+from seafoam.scene.waves import Sea
 
 BAND = 64
 """Bound of a tile's wavenumbers, in waves along its side."""
@@ -227,7 +227,9 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
                 h0[iz + BAND, ix + BAND] += math.sqrt(0.5 * energy) * np.exp(2j * math.pi * draws[1])
         drawn = 2.0 * sum(float((np.abs(h0) ** 2).sum()) for h0 in tiles)
         omega = np.geomspace(0.3, 60.0, 4001) * peak_frequency(sea.wind, sea.fetch)
-        total = float(np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * _shallow(omega, depth), omega))
+        total = float(
+            np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * shallow_water_factor(omega, depth), omega)
+        )
         # The few waves have the height of all.
         tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]
     first, second = (

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.models import ParametricWave
+from seafoam.scene.waves import ParametricWave
 
 
 def wavenumber(deep: float, depth: float | None) -> float:

@@ -2,7 +2,8 @@
 
 import math
 
-from seafoam.scene.models import ParametricWave, Scene
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
 
 
 def wave_level(wave: ParametricWave) -> float:

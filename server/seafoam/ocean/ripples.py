@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.hash import chance
-from seafoam.scene.models import Chop
+from seafoam.scene.water import Chop
 
 TILES = (18.9, 4.1)
 """Sides of the two tiles, m; incommensurable, so that ripples never repeat."""

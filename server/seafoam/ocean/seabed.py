@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from seafoam.ocean.hash import chance
-from seafoam.scene.shore import STEPS, Floats, Shore, _picture
+from seafoam.scene.shore import STEPS, Floats, Shore, decoded_image
 
 
 def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
@@ -41,7 +41,7 @@ def _floor_grid(ground: str, texels: int) -> Floats:
     centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")
     if shore.image is not None:
-        grey = _pictured(_picture(shore.image), x / shore.size + 0.5, z / shore.size + 0.5)
+        grey = _pictured(decoded_image(shore.image), x / shore.size + 0.5, z / shore.size + 0.5)
         return _finished(shore, x, z, grey * (shore.depth + shore.height) - shore.depth)
     strays = shore.roughness * 0.3 * min(shore.size, 8.0 * shore.radius if shore.kind != "beach" else shore.size)
     e = _plain(shore, x, z) + strays * (_fbm(x, z, 0.3 * shore.size, shore.seed, 5) - 0.5)

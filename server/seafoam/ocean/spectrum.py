@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.scene.models import Sea
+from seafoam.scene.waves import Sea
 
 GAMMA = 3.3
 """Peak enhancement of JONSWAP."""
@@ -75,7 +75,7 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
     return result
 
 
-def _shallow(omega: Floats, depth: float | None) -> Floats:
+def shallow_water_factor(omega: Floats, depth: float | None) -> Floats:
     """Return the depth factor by frequency."""
     if depth is None:
         return np.ones_like(omega)

@@ -8,7 +8,8 @@ from seafoam.ocean.cascades import SHORTEST
 from seafoam.ocean.dispersion import angular_frequency, wavenumber
 from seafoam.ocean.spectrum import dispersion, frequency_spectrum, spreading
 from seafoam.scene.living import FoamLife
-from seafoam.scene.models import ParametricWave, Scene, Sea
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave, Sea
 
 SHALLOW = 0.5
 """Minimum of k·depth in the finite-depth factor: linear theory diverges toward 0."""

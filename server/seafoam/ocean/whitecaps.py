@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.ocean.cascades import BAND, RAISED, cascades
-from seafoam.scene.models import FoldSaturation, Sea
+from seafoam.scene.foam import FoldSaturation
+from seafoam.scene.waves import Sea
 
 AGE_STEPS = 8
 """Number of earlier times at which folds are evaluated."""

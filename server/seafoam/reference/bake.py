@@ -12,7 +12,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from seafoam.reference.renderer.frame import Mode, render
 from seafoam.reference.truth import save_truth, truth_is_current
-from seafoam.scene.models import Look, Scene
+from seafoam.scene.foam import Look
+from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 
 TIMES = (0.0, 2.7, 1000003.5)

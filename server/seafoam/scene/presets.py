@@ -7,7 +7,8 @@ from typing import Literal, get_args
 
 from pydantic import Field
 
-from seafoam.scene.models import Part, Scene
+from seafoam.scene.base import Part
+from seafoam.scene.models import Scene
 
 _DIRECTORY = Path(__file__).parent / "presets"
 

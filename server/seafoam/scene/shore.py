@@ -123,7 +123,7 @@ class Shore(_Part):
         if (self.kind == "image") != (self.image is not None):
             raise ValueError("image: required for kind 'image', and allowed for no other kind")
         if self.image is not None:
-            _picture(self.image)
+            decoded_image(self.image)
         return self
 
     @property
@@ -169,7 +169,7 @@ _GROUND = (
 
 
 @lru_cache(maxsize=16)
-def _picture(encoded: str) -> Floats:
+def decoded_image(encoded: str) -> Floats:
     """Return the grey values of a base64 PNG, (rows, columns) in [0, 1]. Raises ``ValueError`` with the reason."""
     try:
         raw = base64.b64decode(encoded, validate=True)

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from seafoam.ocean.cascades import cascades
-from seafoam.scene.models import Sea, Water
+from seafoam.scene.water import Water
+from seafoam.scene.waves import Sea
 
 ROOTS = 512
 

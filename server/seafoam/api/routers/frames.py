@@ -16,7 +16,7 @@ from seafoam.api.planning import CompiledPlan, compile_scene
 from seafoam.api.routers.presets import PresetName, find_preset
 from seafoam.quality import TIERS
 from seafoam.render.encode import MEDIA_TYPES, FrameFormat
-from seafoam.render.service.pool import Frame, FrameJob
+from seafoam.render.service.jobs import Frame, FrameJob
 
 router = APIRouter(prefix="/api", tags=["frames"])
 

@@ -12,7 +12,7 @@ from seafoam.api.context import InContext
 from seafoam.api.errors import BusyError, problem_responses
 from seafoam.api.metrics import CONTENT_TYPE_LATEST
 from seafoam.api.parameters import Parameters
-from seafoam.render.service.pool import RendererUnavailableError
+from seafoam.render.service.errors import RendererUnavailableError
 
 router = APIRouter(tags=["health"])
 

@@ -32,7 +32,8 @@ from seafoam.framegraph.rules import (
 )
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 
 BOW, QUARTER, BEAM = 0.36, 0.3, 0.1
 """Hull points, in lengths: one so far ahead of the middle, two so far behind it and so far to each side."""

@@ -2,8 +2,12 @@
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave
 
 _NEAR = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
 

@@ -4,7 +4,9 @@ import math
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Foam, Scene, SlopeSaturation
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, SlopeSaturation
+from seafoam.scene.models import Scene
 
 _FAST = Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.2, speed=4.0, wake=0.3)
 

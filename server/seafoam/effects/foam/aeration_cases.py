@@ -1,7 +1,11 @@
 """Hard cases of foam.aeration, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave
 
 _FOAM = Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),))
 

@@ -23,7 +23,8 @@ from seafoam.framegraph.rules import Constant, Held, Loop, Uniform, array, numbe
 from seafoam.ocean.stokes import steady_drift
 from seafoam.quality import Quality
 from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.models import DriftSaturation, Foam, Scene
+from seafoam.scene.foam import DriftSaturation, Foam
+from seafoam.scene.models import Scene
 
 BROODS = 4
 """Broods of patches that are alive together."""

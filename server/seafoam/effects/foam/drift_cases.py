@@ -3,8 +3,12 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.camera import Camera
 from seafoam.scene.drift import Drift, Vortex
-from seafoam.scene.models import Camera, DriftSaturation, Foam, HeightSaturation, Light, ParametricWave, Scene
+from seafoam.scene.foam import DriftSaturation, Foam, HeightSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
 
 _LIGHT = Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-1.0)
 

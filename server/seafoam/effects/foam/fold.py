@@ -19,12 +19,9 @@ from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.stokes import foam_drift
 from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, Fold, fold, old_times
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    FoldSaturation,
-    Scene,
-    Sea,
-    SlopeSaturation,
-)
+from seafoam.scene.foam import FoldSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import Sea
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

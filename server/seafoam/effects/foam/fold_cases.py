@@ -1,7 +1,10 @@
 """Hard cases of foam.fold, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Foam, FoldSaturation, HeightSaturation, ParametricWave, Scene, Sea
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FoldSaturation, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave, Sea
 
 _NEAR = Camera(position=(0.37, 6.0, -0.21), yaw=1.0, pitch=-0.2)
 

@@ -11,10 +11,8 @@ from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, si
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    FrontSaturation,
-    Scene,
-)
+from seafoam.scene.foam import FrontSaturation
+from seafoam.scene.models import Scene
 from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
 
 LEAST_RATE = 1e-3

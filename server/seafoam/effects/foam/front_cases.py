@@ -3,7 +3,10 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(foam=Foam()),

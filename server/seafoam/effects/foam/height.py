@@ -11,10 +11,8 @@ from seafoam.framegraph.rules import Constant, Uniform, array, number, significa
 from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.levels import paper_level
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    HeightSaturation,
-    Scene,
-)
+from seafoam.scene.foam import HeightSaturation
+from seafoam.scene.models import Scene
 
 NODES = 17
 """Entries of the table of seen heights."""

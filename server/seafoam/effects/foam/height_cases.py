@@ -1,7 +1,10 @@
 """Hard cases of foam.height, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, ParametricWave, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(

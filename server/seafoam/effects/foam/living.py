@@ -7,11 +7,9 @@ from seafoam.effects.light.noise import PERLIN_2
 from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
+from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.living import FoamLife
-from seafoam.scene.models import (
-    Scene,
-    SurfSaturation,
-)
+from seafoam.scene.models import Scene
 
 AGE = 0.8
 """From mask to mask, in e-folds of the saturation."""

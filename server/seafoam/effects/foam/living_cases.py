@@ -1,9 +1,12 @@
 """Hard cases of foam.living, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Camera, Foam, HeightSaturation, ParametricWave, Scene
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
+from seafoam.scene.waves import ParametricWave
 
 _LIFE = FoamLife(wind_drift=0.3, windrows=1.0, windrow_spacing=4.0)
 

@@ -26,10 +26,8 @@ from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    Foam,
-    Scene,
-)
+from seafoam.scene.foam import Foam
+from seafoam.scene.models import Scene
 from seafoam.textures import foam_texture
 
 CELLS = 4096

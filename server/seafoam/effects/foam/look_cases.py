@@ -3,7 +3,12 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Water
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(

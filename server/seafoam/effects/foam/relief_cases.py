@@ -3,8 +3,12 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation
+from seafoam.scene.light import Light
 from seafoam.scene.living import FoamLife
-from seafoam.scene.models import Camera, Foam, FrontSaturation, HeightSaturation, Light, ParametricWave, Scene
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
 
 _FOAM = Foam(
     saturation=(HeightSaturation(base=-0.4, full=0.6),), mask="lace", octaves=4, thickness=0.05, life=FoamLife()

@@ -4,7 +4,8 @@ from seafoam.effects.bounds import slope_limit
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, SlotFile
 from seafoam.framegraph.rules import Uniform, number
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene, SlopeSaturation
+from seafoam.scene.foam import SlopeSaturation
+from seafoam.scene.models import Scene
 
 WIDENED = 1.5
 """Side of the box that stands for the five places of a blur, in blurs: nearest to them on choppy lakes."""

@@ -3,8 +3,11 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Foam, HeightSaturation, ParametricWave, Scene, SlopeSaturation
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(foam=Foam(saturation=(SlopeSaturation(),), look="halftone")),

@@ -4,7 +4,8 @@ from seafoam.effects.bounds import SATURATION_CAP
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene, SurfSaturation
+from seafoam.scene.foam import SurfSaturation
+from seafoam.scene.models import Scene
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

@@ -1,7 +1,10 @@
 """Hard cases of foam.surf, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Foam, HeightSaturation, Light, Scene, SurfSaturation
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, SurfSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
 
 _BEACH = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)

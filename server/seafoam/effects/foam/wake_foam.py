@@ -9,7 +9,8 @@ from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Constant, array, significant
 from seafoam.ocean.wakes import LEAST_SPEED
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene, WakeSaturation
+from seafoam.scene.foam import WakeSaturation
+from seafoam.scene.models import Scene
 
 HULL_SPEED = 1.25
 """Speed over the root of the length, √m/s, at which the bow's foam is full."""

@@ -4,7 +4,9 @@ import math
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Foam, Scene, WakeSaturation
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, WakeSaturation
+from seafoam.scene.models import Scene
 
 _FOAM = Foam(saturation=(WakeSaturation(),), mask="clump")
 

@@ -7,7 +7,7 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.scene.models import Light
+from seafoam.scene.light import Light
 from seafoam.scene.sky import Clouds, Direction, direction
 
 Rgb = tuple[float, float, float]

@@ -3,7 +3,9 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Light, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.sky import Clouds, Sky
 
 _THIN = Sky(clouds=Clouds(thickness=0.0))

@@ -7,10 +7,8 @@ from seafoam.effects.light import atmosphere
 from seafoam.effects.light.light import sun_disc, sun_irradiance
 from seafoam.framegraph.rules import Uniform, number, vector
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    Light,
-    Scene,
-)
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 
 
 def smooth_glint(light: Light) -> tuple[str, tuple[str, ...], dict[str, Uniform]]:

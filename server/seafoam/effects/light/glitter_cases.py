@@ -3,7 +3,11 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _DOWN = Light(sun_elevation=-0.1)
 

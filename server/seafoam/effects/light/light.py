@@ -7,10 +7,8 @@ from seafoam.effects.effect import Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
 from seafoam.framegraph.rules import number, significant, vector
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    Light,
-    Scene,
-)
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.sky import direction
 
 Rgb = tuple[float, float, float]

@@ -3,8 +3,13 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, HeightSaturation, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.sky import Moon, Sky
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _HARD = (
     HardCase(

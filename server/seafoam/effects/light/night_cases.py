@@ -3,8 +3,11 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Light, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.sky import Moon, Sky
+from seafoam.scene.water import Chop, Water
 
 _OPPOSITE = Moon(azimuth=0.3 - math.pi, elevation=0.4, size=5.0)
 

@@ -7,7 +7,8 @@ from seafoam.effects.light.glitter import brightest_glint, smooth_glint
 from seafoam.effects.light.noise import HASH
 from seafoam.framegraph.rules import Loop, array, number, significant
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene, Sparkles
+from seafoam.scene.light import Sparkles
+from seafoam.scene.models import Scene
 
 EPOCHS = 65536
 """After so many lives the sparkles repeat: five hours at the default."""

@@ -3,7 +3,11 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Sparkles, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light, Sparkles
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _SUNSET = Light(sun_elevation=0.12, sun_azimuth=-math.pi / 2, exposure=-1.0, sparkles=Sparkles())
 

@@ -3,7 +3,11 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(),
@@ -31,7 +35,7 @@ _HARD = (
             light=Light(sun_elevation=0.05),
             water=Water(translucency=2.0, absorption_length=(1000.0, 1000.0, 0.01)),
         ),
-        guard="lengths of absorption at least 0.01 m (scene/models.py), the height's share squared at "
+        guard="lengths of absorption at least 0.01 m (scene/water.py), the height's share squared at "
         "most 1 (light/subsurface/translucent.glsl)",
         without="nothing: light of 9 at most, which half floats hold",
         camera=Camera(position=(0.0, 210.0, 0.0), yaw=math.pi / 2, pitch=-0.2),

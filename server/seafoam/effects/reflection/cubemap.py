@@ -7,7 +7,8 @@ from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradianc
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
-from seafoam.scene.models import Light, Scene
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 
 SHORE = (
     "shore/place.glsl",

@@ -3,9 +3,12 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Light, ParametricWave, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.scene.sky import Clouds, Sky
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (Scene(light=Light(sun_elevation=-1.2, exposure=-3.0, reflection="cubemap")),)
 

@@ -16,7 +16,8 @@ from seafoam.effects.effect import (
 from seafoam.effects.reflection.cubemap import LIT_LAND, SHORE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
-from seafoam.scene.models import Camera, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
 
 MARGIN = 1.25
 """The map is so much wider than the picture: ripples mirror what lies beside it."""

@@ -2,7 +2,11 @@
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Camera, Chop, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
 

@@ -3,8 +3,12 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, Light, Scene, SurfSaturation, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, SurfSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.water import Chop, Water
 
 _FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
 
@@ -91,7 +95,7 @@ _HARD = (
     ),
     _case(
         "the clearest water",
-        "absorption is never 0 (scene/models.py)",
+        "absorption is never 0 (scene/water.py)",
         "with absorption and scattering 0: 0/0 in every sample of water",
         water=Water(absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0),
     ),

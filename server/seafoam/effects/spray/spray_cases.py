@@ -3,9 +3,12 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Light, ParametricWave, Scene
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import Spray
+from seafoam.scene.waves import ParametricWave
 
 _ROCK = Shore(
     kind="island",

@@ -10,7 +10,9 @@ from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant, vector
 from seafoam.ocean.ripples import Ripple, ripples, tiles
 from seafoam.quality import Quality
-from seafoam.scene.models import Chop, Light, Scene
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop
 
 INDEX = 1.34
 COLOURS = ("red", "green", "blue")

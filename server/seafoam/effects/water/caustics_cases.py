@@ -1,7 +1,10 @@
 """Hard cases of water.caustics, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Caustics, Chop, Light, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
 
 _PLAIN = Caustics(dispersion=0.0)
 

@@ -8,11 +8,9 @@ from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradia
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, significant, vector
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    Light,
-    Scene,
-    Water,
-)
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Water
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

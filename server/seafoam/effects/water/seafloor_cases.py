@@ -1,7 +1,10 @@
 """Hard cases of water.seafloor, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(water=Water(depth=11000.0)),
@@ -26,7 +29,7 @@ _HARD = (
                 depth=0.05, absorption_length=(1000.0, 1000.0, 1000.0), scattering=0.0, floor_albedo=(1.0, 1.0, 1.0)
             )
         ),
-        guard="absorption is never 0 (scene/models.py), so neither is the extinction (light/shade/lit.glsl)",
+        guard="absorption is never 0 (scene/water.py), so neither is the extinction (light/shade/lit.glsl)",
         without="with absorption 0: 0/0 in every sample of water, 65504 after the frame's cap",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),

@@ -3,8 +3,13 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, Light, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
 

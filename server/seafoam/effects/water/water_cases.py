@@ -1,7 +1,10 @@
 """Hard cases of water.water, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, HeightSaturation, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
 
 _HARD = (
     HardCase(
@@ -14,7 +17,7 @@ _HARD = (
     HardCase(
         name="no scattering, no roughness to speak of",
         scene=Scene(water=Water(scattering=0.0, roughness=0.03, absorption_length=(0.01, 1000.0, 0.01))),
-        guard="roughness at least 0.03 (scene/models.py) keeps the cosine of incidence over 0 (light/shade/lit.glsl)",
+        guard="roughness at least 0.03 (scene/water.py) keeps the cosine of incidence over 0 (light/shade/lit.glsl)",
         without="with roughness 0: 96 levels off in the mean, glitter divided by 0",
         camera=Camera(position=(0.0, 0.5, 0.0), pitch=0.0),
     ),

@@ -10,11 +10,8 @@ from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.levels import paper_level, wave_level
 from seafoam.ocean.stokes import orbit
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    FrontSaturation,
-    Scene,
-    SlopeSaturation,
-)
+from seafoam.scene.foam import FrontSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
 
 _HELD = 1e-4
 """|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""

@@ -3,8 +3,11 @@
 import math
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, HeightSaturation, Scene, SlopeSaturation, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
+from seafoam.scene.water import Chop, Water
 
 _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
 

@@ -11,10 +11,8 @@ from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant
 from seafoam.ocean.ripples import BANDS, WAVES_PER_TILE, Ripple, ripples, tiles
 from seafoam.quality import Quality
-from seafoam.scene.models import (
-    Chop,
-    Scene,
-)
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop
 
 CELLS = 256
 """The noise of gusts repeats after so many cells."""

@@ -1,8 +1,12 @@
 """Hard cases of waves.ripples, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, HeightSaturation, ParametricWave, Scene, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
 from seafoam.scene.sky import Gusts
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(water=Water(chop=Chop(slope=0.0))),

@@ -21,7 +21,8 @@ from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInp
 from seafoam.framegraph.rules import Constant, Loop, Phase, Uniform, Wrap, array, number, significant, vector
 from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.quality import Quality
-from seafoam.scene.models import Scene, Sea
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import Sea
 from seafoam.textures import sea_spectrum_name
 
 FOLDING_WIND = 7.0

@@ -1,7 +1,11 @@
 """Hard cases of waves.sea, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
-from seafoam.scene.models import Camera, Chop, Foam, FoldSaturation, Scene, Sea, Water
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import Sea
 
 _NEAR = Camera(position=(0.37, 9.0, -0.21), yaw=1.0, pitch=-0.3)
 

@@ -19,7 +19,8 @@ from seafoam.reference.light.light import Air, fresnel, sky_light
 from seafoam.reference.noise import KEY, value
 from seafoam.reference.types import Bools, Floats, dot, smoothstep, unit
 from seafoam.scene.boats import Boat
-from seafoam.scene.models import Scene, WakeSaturation
+from seafoam.scene.foam import WakeSaturation
+from seafoam.scene.models import Scene
 
 Height = Callable[[Floats, Floats], Floats]
 """Heights at places x, z from the origin."""

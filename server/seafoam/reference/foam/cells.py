@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.reference.noise import pcg, share
 from seafoam.reference.types import Floats, smoothstep
-from seafoam.scene.models import Foam
+from seafoam.scene.foam import Foam
 
 COUNT = 4096
 LEAST = 0.25

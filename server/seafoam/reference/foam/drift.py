@@ -16,7 +16,8 @@ from seafoam.ocean.stokes import steady_drift
 from seafoam.reference.noise import pcg, value
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.scene.drift import Vortex
-from seafoam.scene.models import DriftSaturation, Scene
+from seafoam.scene.foam import DriftSaturation
+from seafoam.scene.models import Scene
 
 BROODS = 4
 COUNTED = 1024

@@ -10,7 +10,7 @@ import numpy as np
 
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.reference.waves.parametric import WaveSet
-from seafoam.scene.models import (
+from seafoam.scene.foam import (
     DriftSaturation,
     FoldSaturation,
     FrontSaturation,

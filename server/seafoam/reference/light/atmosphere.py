@@ -15,7 +15,7 @@ import numpy as np
 from seafoam.reference.noise import fractal, pcg, share
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.models import Light
+from seafoam.scene.light import Light
 from seafoam.scene.sky import Clouds, Day, Moon
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])

@@ -12,7 +12,8 @@ import numpy as np
 
 from seafoam.reference.light.atmosphere import EYE, MIRROR, Heaven, heaven, sun_angles
 from seafoam.reference.types import Floats, dot, smoothstep, unit
-from seafoam.scene.models import Light, Water
+from seafoam.scene.light import Light
+from seafoam.scene.water import Water
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
 MIE_LEAST = 0.01

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from seafoam.reference.light.light import Air, Glint, blinn_phong, glint
 from seafoam.reference.noise import pcg, share
 from seafoam.reference.types import Floats, dot, smoothstep
-from seafoam.scene.models import Light, Sparkles
+from seafoam.scene.light import Light, Sparkles
 
 EPOCHS = 65536
 MOST = 0.25

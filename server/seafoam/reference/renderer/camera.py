@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.reference.types import Floats
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 
 
 @dataclass(frozen=True)

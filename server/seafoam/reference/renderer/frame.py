@@ -28,15 +28,9 @@ from seafoam.reference.waves.gusts import GustField
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, ripple_set, wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import fold_saturation, sea_surface
-from seafoam.scene.models import (
-    Camera,
-    DriftSaturation,
-    Foam,
-    FoldSaturation,
-    FrontSaturation,
-    Scene,
-    SurfSaturation,
-)
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import DriftSaturation, Foam, FoldSaturation, FrontSaturation, SurfSaturation
+from seafoam.scene.models import Scene
 from seafoam.textures import foam_texture
 
 Mode = Literal["same-samples", "converged"]

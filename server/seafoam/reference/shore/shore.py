@@ -22,7 +22,7 @@ from seafoam.reference.noise import KEY, value
 from seafoam.reference.renderer.relief import Part
 from seafoam.reference.types import Bools, Floats, Indices, dot, smoothstep
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.models import SurfSaturation
+from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
 from seafoam.textures import shore_profiles
 

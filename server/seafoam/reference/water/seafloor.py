@@ -18,7 +18,9 @@ from seafoam.reference.noise import corner
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, dot, unit
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.models import Caustics, Chop, Light, Scene, Water
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
 
 MAP = 512
 """Texels along a side of the caustic map."""

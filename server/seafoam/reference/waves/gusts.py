@@ -7,7 +7,7 @@ import numpy as np
 from seafoam.reference.noise import PERIOD, fractal
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.models import Chop
+from seafoam.scene.water import Chop
 
 OCTAVES = 3
 

@@ -16,7 +16,9 @@ from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.ripples import ripples
 from seafoam.ocean.stokes import orbit
 from seafoam.reference.types import Floats
-from seafoam.scene.models import Chop, ParametricWave, Scene
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop
+from seafoam.scene.waves import ParametricWave
 
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 

@@ -14,7 +14,9 @@ from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, 
 from seafoam.ocean.stokes import foam_drift
 from seafoam.ocean.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, Fold, fold, old_times
 from seafoam.reference.types import Floats
-from seafoam.scene.models import FoldSaturation, Scene, Sea
+from seafoam.scene.foam import FoldSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import Sea
 
 TEXELS = 512
 """Texels along a tile: surface and slopes are bilinear between them, which is part of the model."""

@@ -23,7 +23,7 @@ from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, Texture, 
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.context import NoRendererError, create_context
-from seafoam.scene.models import Camera
+from seafoam.scene.camera import Camera
 from seafoam.textures import texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]

@@ -1,0 +1,93 @@
+"""The front of time against error: which points are beaten, and what a setting buys, in words."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from statistics import median, quantiles
+
+from seafoam.accuracy.model import MeasuredPoint
+
+TOLD = 1.02
+"""Ratio below which two errors are reported as equal."""
+
+FASTER = 1.1
+"""Ratio below which two times of a round are reported as equal: of forty plans with the same cost, some differ by as
+much on a shared machine."""
+
+
+def front(found: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
+    """Of (time, error) by name, return the names on the Pareto front, fastest first."""
+    best: list[str] = []
+    least = float("inf")
+    for name, (_, error) in sorted(found.items(), key=lambda item: item[1]):
+        if error < least:
+            best.append(name)
+            least = error
+    return tuple(best)
+
+
+def beating(found: Mapping[str, tuple[Sequence[float], float]]) -> dict[str, tuple[str, ...]]:
+    """Of (times by round, error) by name, return the points with no greater error that are faster beyond the noise.
+
+    Times of a round are compared with each other: the third quartile of their ratios is below 1 / :data:`FASTER`. The
+    most exact first.
+    """
+    by_error = sorted(found, key=lambda name: found[name][1])
+
+    def faster(other: str, name: str) -> bool:
+        ratios = [a / b for a, b in zip(found[other][0], found[name][0], strict=True)]
+        return quantiles(ratios, n=4, method="inclusive")[2] < 1.0 / FASTER
+
+    return {
+        name: tuple(other for other in by_error if found[other][1] <= error and other != name and faster(other, name))
+        for name, (_, error) in found.items()
+    }
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Compares two points of the same rounds."""
+
+    added_ms: float
+    factor: float
+    measurable: bool
+    error_factor: float
+    words: str
+
+
+def compare(before: list[float], after: list[float], error_before: float, error_after: float) -> Comparison:
+    ratios = [b / a for a, b in zip(before, after, strict=True)]
+    low, _, high = quantiles(ratios, n=4, method="inclusive")
+    measurable = low > 1.0 or high < 1.0
+    factor = median(ratios)
+    # A thousandth of a level is no error at all.
+    error_factor = (error_before + 1e-3) / (error_after + 1e-3)
+    time_words = "no measurable difference in time" if not measurable else f"{factor:.2g}× the time"
+    if factor >= 9.95 and measurable:
+        time_words = f"{factor:.0f}× the time"
+    if error_factor >= TOLD:
+        verb = "and" if not measurable else "buys" if factor > 1.0 else "and"
+        words = f"{time_words} {verb} {_times(error_factor)} less error"
+    elif error_factor <= 1.0 / TOLD:
+        words = f"{time_words} and {_times(1.0 / error_factor)} more error"
+    else:
+        words = f"{time_words} {'buys nothing' if measurable and factor > 1.0 else 'and the same error'}"
+    added = median(b - a for a, b in zip(before, after, strict=True))
+    return Comparison(added, factor, measurable, error_factor, words)
+
+
+def _times(factor: float) -> str:
+    return f"{factor:.0f}×" if factor >= 9.95 else f"{factor:.1f}×" if factor >= 1.1 else f"{factor:.2f}×"
+
+
+def sentences(best: list[MeasuredPoint], rounds: Mapping[str, list[float]]) -> tuple[str, ...]:
+    """Describe the front, in steps that are worth a sentence."""
+    worth = best[:1]
+    for point in best[1:]:
+        if point.error.rmse * TOLD <= worth[-1].error.rmse:
+            worth.append(point)
+    return tuple(
+        f"{before.id} → {after.id}: "
+        + compare(rounds[before.id], rounds[after.id], before.error.rmse, after.error.rmse).words
+        for before, after in pairwise(worth)
+    )

@@ -1,0 +1,142 @@
+"""What a render worker is asked for, what it answers, and how it draws that."""
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
+
+from numpy.typing import NDArray
+
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import make_plan
+from seafoam.quality import Quality
+from seafoam.render.encode import FrameFormat, encode, needs_linear
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class FrameJob:
+    """One frame to render: everything that its bytes depend on."""
+
+    scene: Scene
+    quality: Quality
+    time: float
+    """Seconds, |time| ≤ 1e9."""
+    camera: Camera
+    width: int
+    """Pixels."""
+    height: int
+    """Pixels."""
+    format: FrameFormat
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """An encoded frame and its times: seconds by ``queue``, ``plan``, ``render``, ``read``, ``encode``."""
+
+    content: bytes
+    timings: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """One drawing of a measurement. ``keep``: return its pixels."""
+
+    width: int
+    height: int
+    output: Literal["rgba8", "linear"]
+    keep: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class MeasureJob:
+    """A frame to draw several times, to measure its time."""
+
+    scene: Scene
+    quality: Quality
+    time: float
+    """Seconds of the scene."""
+    camera: Camera
+    draws: tuple[Draw, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """Time of one drawing, from the first call until it was finished, and its pixels if requested."""
+
+    seconds: float
+    pixels: NDArray[Any] | None
+
+
+class Rendered(Protocol):
+    """Result of a renderer."""
+
+    @property
+    def pixels(self) -> NDArray[Any]:
+        """(height, width, 4), top row first; uint8 or, linear, float32."""
+
+    @property
+    def timings(self) -> Mapping[str, float]:
+        """Seconds by ``render`` and ``read``."""
+
+
+class Renderer(Protocol):
+    """What a worker renders with: :class:`seafoam.render.gl.executor.Executor`, or a test's stand-in."""
+
+    @property
+    def info(self) -> Mapping[str, str]:
+        """``vendor``, ``renderer`` and ``version``."""
+
+    def render(
+        self,
+        plan: FramePlan,
+        *,
+        time: float,
+        camera: Camera,
+        width: int,
+        height: int,
+        output: Literal["rgba8", "linear"],
+    ) -> Rendered:
+        """Draw one frame."""
+
+
+def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
+    """Plan, render and encode one frame in this process.
+
+    Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned, and what the renderer raises.
+    """
+    began = time.perf_counter()
+    plan = make_plan(job.scene, job.quality)
+    planned = time.perf_counter()
+    rendered = renderer.render(
+        plan,
+        time=job.time,
+        camera=job.camera,
+        width=job.width,
+        height=job.height,
+        output="linear" if needs_linear(job.format) else "rgba8",
+    )
+    encoding = time.perf_counter()
+    content = encode(rendered.pixels, job.format)
+    return Frame(
+        content,
+        {
+            "plan": planned - began,
+            "render": rendered.timings["render"],
+            "read": rendered.timings["read"],
+            "encode": time.perf_counter() - encoding,
+        },
+    )
+
+
+def measure(renderer: Renderer, job: MeasureJob) -> tuple[Drawn, ...]:
+    """Plan a frame and draw it as often as the job requires, in this process. Raises as :func:`render_frame` does."""
+    plan = make_plan(job.scene, job.quality)
+    drawn = []
+    for draw in job.draws:
+        rendered = renderer.render(
+            plan, time=job.time, camera=job.camera, width=draw.width, height=draw.height, output=draw.output
+        )
+        drawn.append(Drawn(rendered.timings["render"], rendered.pixels if draw.keep else None))
+    return tuple(drawn)

@@ -1,0 +1,120 @@
+"""What runs in a worker process: one renderer, and a function for each kind of job."""
+
+import os
+import time
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.gl.executor import NoRendererError
+from seafoam.render.service.jobs import Drawn, Frame, FrameJob, MeasureJob, Renderer, measure, render_frame
+from seafoam.scene.models import Scene
+
+CANARY_SIDE = 16
+"""Side of the test picture that a new worker draws, pixels."""
+
+T = TypeVar("T")
+
+
+def draw_canary(renderer: Renderer) -> None:
+    """Draw a small open sea and check the picture; raises :class:`NoRendererError` if it is blank.
+
+    Drivers can fail without an error: a lost context reads as zeros.
+    """
+    scene = Scene()
+    rendered = renderer.render(
+        make_plan(scene, TIERS["draft"]),
+        time=0.0,
+        camera=scene.camera,
+        width=CANARY_SIDE,
+        height=CANARY_SIDE,
+        output="rgba8",
+    )
+    if np.ptp(rendered.pixels[..., :3]) == 0:
+        raise NoRendererError(f"{renderer.info['renderer']} draws blank frames; update or reinstall its driver")
+
+
+@dataclass(frozen=True, slots=True)
+class Unavailable:
+    """Response of a worker without a renderer."""
+
+    remedy: str
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """Response of a worker that raised an error; not all exceptions can be pickled."""
+
+    traceback: str
+
+
+@dataclass(frozen=True, slots=True)
+class Expired:
+    """Response to a job that reached its worker after its deadline."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answer(Generic[T]):
+    """Response of a worker, and which worker sent it."""
+
+    worker: int
+    value: T | Unavailable | Failed | Expired
+
+
+_renderer: Renderer | Unavailable = Unavailable("this process is not a render worker")
+
+
+def start_worker(factory: Callable[[], Renderer], threads: int) -> None:
+    """Initialise a worker, on its main thread. Never raises: that would break Pebble's pool permanently."""
+    global _renderer
+    os.environ.setdefault("LP_NUM_THREADS", str(threads))
+    try:
+        renderer = factory()
+        draw_canary(renderer)
+        _renderer = renderer
+    except NoRendererError as error:
+        _renderer = Unavailable(str(error))
+    except Exception as error:
+        _renderer = Unavailable(f"the renderer does not start: {error!r}")
+
+
+def work_canary() -> Answer[dict[str, str]]:
+    """Draw the test picture again and report the renderer."""
+    if isinstance(_renderer, Unavailable):
+        return Answer(os.getpid(), _renderer)
+    try:
+        draw_canary(_renderer)
+        return Answer(os.getpid(), dict(_renderer.info))
+    except NoRendererError as error:
+        return Answer(os.getpid(), Unavailable(str(error)))
+    except Exception:
+        return Answer(os.getpid(), Failed(traceback.format_exc()))
+
+
+def work_frame(job: FrameJob, expires: float) -> Answer[Frame]:
+    """Render one frame, unless it has expired. expires: of ``time.time()``."""
+    if isinstance(_renderer, Unavailable):
+        return Answer(os.getpid(), _renderer)
+    if time.time() >= expires:
+        return Answer(os.getpid(), Expired())
+    try:
+        return Answer(os.getpid(), render_frame(_renderer, job))
+    except Exception:
+        return Answer(os.getpid(), Failed(traceback.format_exc()))
+
+
+def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
+    """Measure, unless the job has expired. expires: of ``time.time()``."""
+    if isinstance(_renderer, Unavailable):
+        return Answer(os.getpid(), _renderer)
+    if time.time() >= expires:
+        return Answer(os.getpid(), Expired())
+    try:
+        return Answer(os.getpid(), measure(_renderer, job))
+    except Exception:
+        return Answer(os.getpid(), Failed(traceback.format_exc()))

@@ -1,0 +1,270 @@
+"""Foam of a scene: where it comes from, and how it looks."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from seafoam.scene.base import Part, Share
+from seafoam.scene.living import MASK_NAME, FoamLife
+
+
+class FrontSaturation(Part):
+    """Foam that appears at the front of a crest and fades behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
+
+    With several waves θ is the phase of their sum (its analytic signal), so one wave gives the paper's formula.
+    """
+
+    source: Literal["front"] = "front"
+    constants: Literal["text", "listing"] = Field(
+        default="text",
+        description="Constants of the formula. text: δ = π/2, 2π, e, from the paper's text; listing: δ = "
+        "1.07, 6.28, 2.718, from its code",
+    )
+    intensity: float = Field(
+        default=4.0,
+        ge=0.25,
+        le=100.0,
+        description="C: divisor of the saturation; larger values give less foam; the paper uses 4",
+    )
+    group: tuple[Share, Share] = Field(
+        default=(0.0, 0.0),
+        description="Thresholds of the wave envelope, as fractions of the greatest possible sum of the waves: "
+        "no foam below the first, full foam above the second; (0, 0): foam on every crest, as in "
+        "the paper",
+    )
+    decay: float | None = Field(
+        default=None,
+        ge=0.2,
+        le=30.0,
+        description="Decay time of the foam that a passing front leaves on the water, to 1/e, s; absent: foam "
+        "fades over the wave behind the front, as in the paper",
+    )
+
+    @model_validator(mode="after")
+    def _ordered(self) -> "FrontSaturation":
+        if self.group[1] < self.group[0]:
+            raise ValueError("group: the second threshold must not be below the first")
+        if self.decay is not None and self.constants != "text":
+            raise ValueError("decay: requires constants 'text'")
+        return self
+
+
+class HeightSaturation(Part):
+    """Foam by wave height: f = (H − H0)/(Hmax − H0) (Kryachko 2005)."""
+
+    source: Literal["height"] = "height"
+    base: float = Field(
+        default=0.3,
+        ge=-100.0,
+        le=100.0,
+        description="H0: height above the waves' troughs at which foam starts, m",
+    )
+    full: float = Field(
+        default=0.9, ge=-100.0, le=200.0, description="Hmax: height above these troughs at which the saturation is 1, m"
+    )
+
+    @model_validator(mode="after")
+    def _ordered(self) -> "HeightSaturation":
+        if self.full - self.base < 1e-3:
+            raise ValueError("full: must be at least 0.001 m above base")
+        return self
+
+
+class SlopeSaturation(Part):
+    """Foam on steep water: f = gain (1 − n.y − base), n the normal of the waves (GPU ocean, 2007: base 0)."""
+
+    source: Literal["slope"] = "slope"
+    gain: float = Field(
+        default=6.0,
+        ge=0.1,
+        le=1000.0,
+        description="Saturation per unit of 1 − n.y − base; larger values give more foam",
+    )
+    base: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=0.9,
+        description="Value of 1 − n.y at which foam starts: 0.03 at a tilt of 14°, 0.13 at 30°",
+    )
+    blur: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=20.0,
+        description="Distance of the four neighbours with which 1 − n.y is averaged, m; 0: no blur",
+    )
+
+
+class FoldSaturation(Part):
+    """Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after."""
+
+    source: Literal["fold"] = "fold"
+    coverage: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=10.0,
+        description="Mean foam coverage, relative to the whitecap coverage for this wind (Monahan and "
+        "O'Muircheartaigh 1980)",
+    )
+    softness: float = Field(
+        default=1.2,
+        ge=0.01,
+        le=3.0,
+        description="Width of the ramp from no foam to full foam, in standard deviations of the Jacobian",
+    )
+    decay: float = Field(default=3.0, ge=0.05, le=60.0, description="Decay time of the foam, to 1/e, s")
+    lasting: bool = Field(
+        default=False,
+        description="Keep foam of the longer waves for 11 s instead of 3 s, which leaves trails behind "
+        "breakers; the mean coverage stays the same",
+    )
+
+
+class SurfSaturation(Part):
+    """Foam of the surf: it appears at breaking fronts, remains behind them, and drains down the beach."""
+
+    source: Literal["surf"] = "surf"
+    amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation at a breaking front")
+    life: float = Field(
+        default=0.35, ge=0.02, le=5.0, description="Decay time behind the front, to 1/e, in wave periods"
+    )
+    veil: float = Field(
+        default=0.1, ge=0.0, le=1.0, description="Saturation that remains in the surf zone between waves"
+    )
+    line: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=4.0,
+        description="Saturation that the swash leaves on the sand, strongest along the line of maximum run-up",
+    )
+
+
+class DriftSaturation(Part):
+    """Patches of foam that appear on the scene's ``drift`` square, are carried by its flow, and disappear."""
+
+    source: Literal["drift"] = "drift"
+    amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation of a patch halfway through its life")
+    patch: float = Field(default=2.5, ge=0.05, le=500.0, description="Size of a patch when it appears, m")
+    coverage: float = Field(
+        default=0.3, ge=0.01, le=0.95, description="Fraction of the water covered by the patches of one generation"
+    )
+    life: float = Field(default=24.0, ge=1.0, le=120.0, description="Lifetime of a patch, s")
+    seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the patches")
+
+
+class WakeSaturation(Part):
+    """Foam of boats: the turbulent band behind each boat, and the foam of its bow wave."""
+
+    source: Literal["wake"] = "wake"
+    amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation directly behind the boat")
+    life: float = Field(default=8.0, ge=0.1, le=60.0, description="Decay time behind the boat, to 1/e, s")
+    bow: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation of the bow wave at hull speed")
+
+
+Saturation = Annotated[
+    FrontSaturation
+    | HeightSaturation
+    | SlopeSaturation
+    | FoldSaturation
+    | SurfSaturation
+    | DriftSaturation
+    | WakeSaturation,
+    Field(discriminator="source"),
+]
+
+Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
+
+
+class Foam(Part):
+    """Foam: a saturation, thresholded by a halftone mask."""
+
+    saturation: tuple[Saturation, ...] = Field(default=(FrontSaturation(),), min_length=1, max_length=4)
+    combine: Literal["max", "product"] = Field(
+        default="max", description="How the saturations of several sources are combined: maximum or product"
+    )
+    look: Look = Field(
+        default="filtered",
+        description="How saturation becomes foam. textured: a texture faded by f (figure 7a); halftone: eq. "
+        "1; fading: eq. 2; halftone_textured: eq. 3; listing: the paper's published code; "
+        "filtered: antialiased threshold with exact area coverage",
+    )
+    mask: str = Field(
+        default="vac-24",
+        max_length=40,
+        pattern=MASK_NAME,
+        description="Name of a mask in the catalogue, or family:sigma:size:seed, for lace also :aspect:age",
+        json_schema_extra={"choices_from": "/api/masks"},
+    )
+    mask_tile: float = Field(
+        default=12.0, ge=0.05, le=1000.0, description="Side of one tile of the mask, m; smaller gives finer bubbles"
+    )
+    mask_angle: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Rotation of the mask about +y, rad",
+        json_schema_extra={"unit": "rad"},
+    )
+    cells: bool = Field(
+        default=False,
+        description="Rotate and shift the mask at random in hexagonal cells of one tile's size, so that it "
+        "does not visibly repeat; has no effect with `life`",
+    )
+    texture_tile: float = Field(default=3.0, ge=0.05, le=1000.0, description="Side of one tile of the foam texture, m")
+    texture_second: float | None = Field(
+        default=None,
+        ge=0.05,
+        le=1000.0,
+        description="Side of one tile of a second copy of the foam texture, with u and v swapped, m. The mean "
+        "of both does not repeat if the two sides are incommensurable (2.7 and 3.14); absent: one "
+        "copy",
+    )
+    texture: Share = Field(default=0.0, description="Weight of the foam texture in the filtered look; 0: none")
+    fade: Share = Field(
+        default=0.0,
+        description="Width of the threshold ramp of the filtered look: bubbles fade over it before they "
+        "disappear; 0: a hard threshold",
+    )
+    octaves: int = Field(
+        default=1,
+        ge=1,
+        le=4,
+        description="Number of octaves of the mask in the filtered look, each rotated and five times finer "
+        "than the last; more keep detail near the camera",
+    )
+    life: FoamLife | None = Field(
+        default=None,
+        description="How foam of the filtered look moves and ages: carried by waves, gathered by wind, worn "
+        "by age; absent: it does none of these",
+    )
+    thickness: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Height of foam above the water, m; brightens edges that face the sun and shades the "
+        "water beside them; 0: flat",
+    )
+    albedo: Share = Field(default=0.9, description="Albedo of foam: fraction of light that it scatters back")
+
+    @model_validator(mode="after")
+    def _one_of_each(self) -> "Foam":
+        sources = [saturation.source for saturation in self.saturation]
+        if len(set(sources)) < len(sources):
+            raise ValueError("saturation: at most one entry per source")
+        if self.life is not None and "drift" in sources:
+            raise ValueError("life: cannot be combined with a drift saturation, whose flow already carries the foam")
+        return self
+
+    def lying_still(self) -> "Foam":
+        """The same foam without what becomes of it after its birth: born anew at each moment, uncarried, flat."""
+        made: list[Saturation] = []
+        for source in self.saturation:
+            match source:
+                case FrontSaturation():
+                    made.append(source.model_copy(update={"decay": None}))
+                case FoldSaturation():
+                    made.append(source.model_copy(update={"lasting": False}))
+                case SurfSaturation():
+                    made.append(source.model_copy(update={"line": 0.0}))
+                case _:
+                    made.append(source)
+        return self.model_copy(update={"saturation": tuple(made), "life": None, "thickness": 0.0})

@@ -1,0 +1,87 @@
+"""Waves of a scene: parametric ones, and the sea that a wind raises."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from seafoam.scene.base import Part, Share
+
+
+class ParametricWave(Part):
+    """Periodic height field y = A((sin θ + 1)/2)^K (Van Drasek et al. 2010, in Yingst et al. 2011)."""
+
+    model: Literal["parametric"] = "parametric"
+    amplitude: float = Field(default=0.5, ge=0.0, le=50.0, description="A: height of the crest above the trough, m")
+    wavelength: float = Field(default=12.0, ge=0.05, le=2000.0, description="λ: wavelength in deep water, m")
+    direction: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Direction of travel, rad from +x toward +z",
+        json_schema_extra={"unit": "rad"},
+    )
+    exponent: float = Field(
+        default=2.0,
+        ge=0.1,
+        le=100.0,
+        description="K: exponent of the profile; 1 is a sine, larger values sharpen the crests",
+    )
+    phase: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Phase θ at the origin at time 0, rad",
+        json_schema_extra={"unit": "rad"},
+    )
+    speed: float | None = Field(
+        default=None, ge=0.0, le=200.0, description="s: phase speed, m/s; absent: √(gλ/2π), the speed in deep water"
+    )
+
+
+class Sea(Part):
+    """Wind-driven open sea: a JONSWAP spectrum (Hasselmann et al. 1973) on tiles."""
+
+    model: Literal["gerstner", "fft"] = Field(
+        default="fft",
+        description="gerstner: dozens of waves on two tiles; fft: the whole spectrum on four tiles (Tessendorf 2001)",
+    )
+    wind: float = Field(
+        default=10.0,
+        ge=0.0,
+        le=60.0,
+        description="U: wind speed 10 m above the sea, m/s; sets wave height and peak period",
+    )
+    fetch: float = Field(
+        default=2e5,
+        ge=100.0,
+        le=1e7,
+        description="Fetch: distance over which the wind blows across the sea, m; longer gives higher and longer waves",
+    )
+    wind_direction: float = Field(
+        default=0.0,
+        ge=-6.2832,
+        le=6.2832,
+        description="Direction toward which the wind blows, rad from +x toward +z",
+        json_schema_extra={"unit": "rad"},
+    )
+    spread: float = Field(
+        default=6.0,
+        ge=0.0,
+        le=100.0,
+        description="s: exponent of the directional spreading cos^2s(θ/2), θ the angle to the wind; larger "
+        "values align the waves",
+    )
+    against: Share = Field(
+        default=0.3,
+        description="Factor on the energy of waves that travel against the wind; 0 removes them, as in rivers",
+    )
+    choppiness: Share = Field(
+        default=0.9,
+        description="λ: horizontal displacement of the water, as a fraction of that of trochoids in deep "
+        "water; 0 gives rounded crests, 1 sharp ones",
+    )
+    seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the wave amplitudes and phases")
+
+
+Wave = ParametricWave
+"""All wave models; becomes a union discriminated by ``model`` when there is a second one."""
