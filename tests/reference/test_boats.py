@@ -21,7 +21,7 @@ from seafoam.reference import render
 from seafoam.reference.boats import boat as reference
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect as surfaces
-from seafoam.reference.renderer.frame import _Shader
+from seafoam.reference.renderer.shade import Shader
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
 from seafoam.scene.camera import Camera
@@ -143,7 +143,7 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
     for time in (1000003.5,) if scene.sea else (0.0, 1000003.5):
         found = poses(executor, plan, time, SKYWARD)
         places, lines = water_lines(scene, found, time, SKYWARD)
-        shader = _Shader(scene, time, cameras.view(SKYWARD, 16, 9), 16, 9, 1, "same-samples", None)
+        shader = Shader(scene, time, cameras.view(SKYWARD, 16, 9), 16, 9, 1, "same-samples", None)
         want = [reference.felt(shader.relief.height, place, smoothing) for place in places]
         off = max(off, float(np.abs(lines - np.array(want)).max()))
     report.add(
@@ -376,7 +376,7 @@ def test_a_boat_stands_before_what_is_behind_it_and_behind_what_is_before_it(exe
     )
     bare = scene.model_copy(update={"boats": ()})
     truth = render(scene, time=0.0, width=160, height=90)
-    shader = _Shader(scene, 0.0, cameras.view(scene.camera, 160, 90), 160, 90, 1, "same-samples", None)
+    shader = Shader(scene, 0.0, cameras.view(scene.camera, 160, 90), 160, 90, 1, "same-samples", None)
     assert shader.fleet is not None
     down, along = np.mgrid[0:90, 0:160]
     X, Y = 2.0 * (along.ravel() + 0.5) / 160 - 1.0, 1.0 - 2.0 * (down.ravel() + 0.5) / 90

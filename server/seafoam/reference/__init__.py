@@ -4,7 +4,9 @@ It shares the description of a scene, the masks and the foam texture with the re
 Arrays are float64 unless said otherwise. Lengths are in metres, angles in radians, times in seconds.
 """
 
-from seafoam.reference.renderer.frame import Assets, Frame, Mode, render
+from seafoam.reference.renderer.assets import Assets
+from seafoam.reference.renderer.frame import Frame, render
+from seafoam.reference.renderer.state import Mode
 from seafoam.reference.truth import Truth, load_truth, scene_sha256, truth_is_current
 
 __all__ = ["Assets", "Frame", "Mode", "Truth", "load_truth", "render", "scene_sha256", "truth_is_current"]

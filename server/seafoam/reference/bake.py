@@ -10,7 +10,8 @@ from typing import get_args
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from seafoam.reference.renderer.frame import Mode, render
+from seafoam.reference.renderer.frame import render
+from seafoam.reference.renderer.state import Mode
 from seafoam.reference.truth import save_truth, truth_is_current
 from seafoam.scene.foam import Look
 from seafoam.scene.models import Scene

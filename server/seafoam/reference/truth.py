@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.reference.renderer.frame import Frame, Mode
+from seafoam.reference.renderer.frame import Frame
+from seafoam.reference.renderer.state import Mode
 from seafoam.reference.types import Bools, Floats
 from seafoam.scene.models import Scene
 

@@ -1,0 +1,84 @@
+"""What the water mirrors: sky, land and boats."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from seafoam.reference.boats import boat as fleets
+from seafoam.reference.light import light
+from seafoam.reference.renderer import intersect
+from seafoam.reference.renderer.foam import FoamStage
+from seafoam.reference.shore.shore import Coast
+from seafoam.reference.types import Floats, unit
+from seafoam.reference.water.seafloor import FARTHEST
+
+AROUND_HEIGHT = 1.0
+AROUND_BLUR = 0.012
+"""Where the surroundings are looked at from (m), and how much of them ripples blur (rad)."""
+
+
+class ReflectionStage(FoamStage):
+    """Radiance along mirrored rays."""
+
+    def _mirror(self, place: Floats, r: Floats) -> Floats:
+        """Radiance that comes from r (r, 3) into places (r, 3) on the water: the sky, and what stands before it."""
+        assert self.air is not None
+        assert self.scene.light is not None
+        if self.scene.light.reflection == "cubemap" and self.coast is not None:
+            return self._around(r)
+        seen = self.air.mirrored(r)
+        if self.scene.light.reflection != "planar":
+            return seen
+        to_land = np.full(r.shape[0], np.inf)
+        if self.coast is not None:
+            ashore = self._mirrored_land(self.coast, place, r, to_land)
+            seen[np.isfinite(to_land)] = ashore
+        if self.fleet is None:
+            return seen
+        hit = self.fleet.trace(place, r)
+        met = np.flatnonzero(np.isfinite(hit.t) & (hit.t < to_land))
+        if met.size:
+            own = fleets.Hit(hit.t[met], hit.normal[met], hit.place[met], hit.part[met], hit.boat[met])
+            found = self.fleet.light(self.air, place[met], r[met], own)
+            seen[met] = light.haze(self.air, self.scene.light.visibility, found, r[met], own.t)
+        return seen
+
+    def _mirrored_land(self, coast: Coast, place: Floats, r: Floats, way: Floats) -> Floats:
+        """Radiance (n, 3) of the land that rays r (r, 3) meet from places (r, 3); sets its ``way`` (r,), m."""
+        low, high = coast.within(r, place[:, 0], place[:, 2])
+        inside = np.flatnonzero(low < high)
+        start = place[inside] + low[inside, None] * r[inside]
+        found = low[inside] + coast.crossing(start[:, 0], start[:, 1], start[:, 2], r[inside], FARTHEST)
+        at = place[inside] + found[:, None] * r[inside]
+        ground = coast.ground(*coast.place(at[:, 0], at[:, 2]))[0]
+        met = (found < high[inside]) & (ground > 0.0)
+        way[inside[met]] = found[met]
+        return self._land_light(coast, at[met], r[inside[met]], found[met])
+
+    def _land_light(self, coast: Coast, at: Floats, d: Floats, far: Floats) -> Floats:
+        """Radiance (n, 3) of land at places (n, 3) toward −d, ``far`` metres away, in the air."""
+        assert self.air is not None
+        assert self.scene.light is not None
+        q_x, q_z = coast.place(at[:, 0], at[:, 2])
+        ground, g_x, g_z, _ = coast.ground(q_x, q_z)
+        wide = np.column_stack((AROUND_BLUR * far, np.zeros(far.size)))
+        albedo = coast.albedo(q_x, q_z, wide, wide)
+        seen = light.land(self.air, albedo, coast.wet(ground), d, unit(intersect.normal(g_x, g_z)))
+        return light.haze(self.air, self.scene.light.visibility, seen, d, far)
+
+    def _around(self, r: Floats) -> Floats:
+        """Sky and land toward r (n, 3), seen from a metre over water or ground, right under the eye; (n, 3)."""
+        coast, air = self.coast, self.air
+        assert coast is not None
+        assert air is not None
+        assert self.scene.light is not None
+        here = coast.place(np.zeros(1), np.zeros(1))
+        height = AROUND_HEIGHT + max(0.0, float(coast.ground(*here)[0][0]))
+        distance = intersect.land_crossing(coast.land, height, r, *coast.within(r))
+        met = np.isfinite(distance)
+        colour = np.empty_like(r)
+        colour[~met] = air.mirrored(r[~met])
+        if met.any():
+            d, far = r[met], distance[met]
+            colour[met] = self._land_light(coast, far[:, None] * d, d, far)
+        return colour
