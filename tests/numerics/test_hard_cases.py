@@ -17,7 +17,7 @@ from seafoam.effects.effect import Effect, HardCase
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.reference import render as reference
-from seafoam.reference.foam import saturation
+from seafoam.reference.foam import front
 from seafoam.render.gl.executor import Executor
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
@@ -207,7 +207,7 @@ def test_front_at_its_pole_and_beyond_the_schemas_c(probe: Probe, intensity: flo
     assert ((got >= 0.0) & (got <= 4.0)).all()
     assert (got[:2] == 4.0).all()
     wide = signals[6:].astype(np.float64)
-    want = saturation.front_saturation(wide[:, 0], wide[:, 1], intensity, math.e)
+    want = front.front_saturation(wide[:, 0], wide[:, 1], intensity, math.e)
     # exp multiplies the exponent's rounding, at most 80 times 6e-8, and f is at most 4.
     assert np.abs(got[6:] - want).max() <= 1e-4
 

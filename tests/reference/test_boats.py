@@ -19,6 +19,8 @@ from seafoam.planner.glsl import assemble
 from seafoam.quality import TIERS, Quality
 from seafoam.reference import render
 from seafoam.reference.boats import boat as reference
+from seafoam.reference.boats import floating
+from seafoam.reference.boats import wake as wakes_of
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect as surfaces
 from seafoam.reference.renderer.shade import Shader
@@ -104,8 +106,8 @@ def water_lines(
     origin = (camera.position[0], camera.position[2])
     places, heights = [], []
     for boat, (middle, slope_x, slope_z) in zip(scene.boats, found, strict=True):
-        at = reference.course(boat, time, origin)
-        for x, z in reference.hull_points(boat, at):
+        at = floating.course(boat, time, origin)
+        for x, z in floating.hull_points(boat, at):
             places.append((x, z))
             heights.append(middle + slope_x * (x - at.place[0]) + slope_z * (z - at.place[1]))
     return places, np.array(heights)
@@ -144,7 +146,7 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
         found = poses(executor, plan, time, SKYWARD)
         places, lines = water_lines(scene, found, time, SKYWARD)
         shader = Shader(scene, time, cameras.view(SKYWARD, 16, 9), 16, 9, 1, "same-samples", None)
-        want = [reference.felt(shader.relief.height, place, smoothing) for place in places]
+        want = [floating.felt(shader.relief.height, place, smoothing) for place in places]
         off = max(off, float(np.abs(lines - np.array(want)).max()))
     report.add(
         "Water line against the float64 surface, reference quality",
@@ -163,7 +165,7 @@ def test_smoothing_is_the_mean_over_a_disc() -> None:
         turns = np.linspace(0.0, math.pi, 20001)
         bessel = np.trapezoid(np.cos(turns - k_r * np.sin(turns)), turns) / math.pi
         for heading in (0.0, 0.3, 0.5):
-            wave = reference.felt(
+            wave = floating.felt(
                 lambda x, z, h=heading, n=k: np.cos(n * (x * math.cos(h) + z * math.sin(h))), (0.0, 0.0), reach
             )
             assert abs(wave - 2.0 * bessel / k_r) <= allowed
@@ -235,7 +237,7 @@ WAKES = (
 def around(boat: Boat, seed: int, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Places over a boat's wake at time 0, and beside it."""
     rng = np.random.default_rng(seed)
-    wake, at = Wake(boat), reference.course(boat, 0.0, (0.0, 0.0))
+    wake, at = Wake(boat), floating.course(boat, 0.0, (0.0, 0.0))
     angle = at.bearing - at.turn * (rng.random(count) * 1.2 * wake.length / boat.radius - 0.05)
     far = boat.radius + rng.uniform(-1.0, 1.0, count) * min(0.45 * boat.radius, ASIDE * wake.length)
     return boat.centre[0] + far * np.cos(angle), boat.centre[1] + far * np.sin(angle)
@@ -244,7 +246,7 @@ def around(boat: Boat, seed: int, count: int) -> tuple[NDArray[np.float64], NDAr
 @pytest.mark.parametrize("boat", WAKES, ids=lambda boat: f"{boat.speed:g} m/s")
 def test_wakes_stay_within_their_bounds_and_slope_as_they_rise(boat: Boat) -> None:
     x, z = around(boat, 1, 40000)
-    wake = reference.wake_set(Scene(boats=(boat,)), 0.0, (0.0, 0.0))
+    wake = wakes_of.wake_set(Scene(boats=(boat,)), 0.0, (0.0, 0.0))
     height, slope, step = wake.height(x, z), wake.gradient(x, z), 1e-6
     assert np.ptp(height) > 0.3 * boat.wake
     assert (np.abs(height) <= wake_height((boat,))).all()
@@ -261,10 +263,10 @@ def test_a_wake_is_kelvins() -> None:
     boat = Boat(speed=4.0, length=3.0, radius=2000.0)
     wake = Wake(boat)
     x = np.linspace(3.0 * wake.wavelength, 5.0 * wake.wavelength, 4001)
-    height = reference.pattern(wake, x, np.zeros_like(x))[0]
+    height = wakes_of.pattern(wake, x, np.zeros_like(x))[0]
     crests = x[1:-1][(height[1:-1] > height[:-2]) & (height[1:-1] > height[2:])]
     assert np.diff(crests) == pytest.approx(2.0 * math.pi * 16.0 / 9.81, rel=0.01)
-    outside = reference.pattern(wake, x, x * math.tan(math.asin(1.0 / 3.0)) * 1.0001)[0]
+    outside = wakes_of.pattern(wake, x, x * math.tan(math.asin(1.0 / 3.0)) * 1.0001)[0]
     assert (outside == 0.0).all()
 
 
@@ -283,7 +285,7 @@ def test_wakes_equal_their_float64_form(probe: Probe, report: Report) -> None:
                 "u_form": (boat.length, boat.radius),
             },
         ).astype(np.float64)
-        want = np.stack(reference.pattern(wake, *at.astype(np.float64).T), axis=-1)
+        want = np.stack(wakes_of.pattern(wake, *at.astype(np.float64).T), axis=-1)
         off = np.abs(got[:, :3] - want).max(axis=0)
         report.add(
             "Wakes against float64, 20 000 places",

@@ -18,7 +18,7 @@ from seafoam.ocean.levels import wave_level
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.reference import render
-from seafoam.reference.boats.boat import wake_set
+from seafoam.reference.boats.wake import wake_set
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface

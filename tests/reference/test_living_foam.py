@@ -14,7 +14,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.foam import living
-from seafoam.reference.foam.saturation import History, living_front
+from seafoam.reference.foam.front import History, living_front
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.waves.parametric import wave_set

@@ -26,6 +26,7 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import Quality
 from seafoam.reference.light.light import unit
 from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.shore import maps
 from seafoam.reference.shore import shore as truth
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.render.gl import executor as executors
@@ -153,7 +154,7 @@ def test_distances_are_scipys(executor: Executor, report: Report, monkeypatch: p
         texture = plan.textures["shore_floor"].model_copy(update={"url": "/api/textures/coast", "sha256": sha})
         changed = plan.model_copy(update={"textures": {**plan.textures, "shore_floor": texture}})
         got = drawn(executor, changed, "shore_rough")[..., 0]
-        want = truth.signed_distance(land)
+        want = maps.signed_distance(land)
         worst = float(np.abs(got - want).max())
         report.add(
             "Distance to shore by jump flooding against SciPy's exact transform, 128 × 128",
@@ -181,7 +182,7 @@ def sharpened(heights: NDArray[np.float64]) -> NDArray[np.float64]:
 def test_the_map_is_the_references(executor: Executor, report: Report, kind: str, time: float) -> None:
     shore = SHORE.model_copy(update={"kind": kind, "radius": 120.0 if kind == "lagoon" else 60.0})
     got = drawn(executor, make_plan(Scene(shore=shore), EXACT), "shore_map", time)
-    want = truth.shore_map(shore, time)
+    want = maps.shore_map(shore, time)
     away = np.abs(got - want)
     report.add(
         "Map of a shore against float64: worst texel (periods, m, skew, share), and share of texels off by 0.001",

@@ -8,7 +8,7 @@ import pytest
 from seafoam.masks import custom_mask
 from seafoam.reference import Assets, sampling
 from seafoam.reference.foam import looks
-from seafoam.reference.foam.saturation import (
+from seafoam.reference.foam.front import (
     CAP,
     FRONT_CONSTANTS,
     front_integral,
@@ -16,13 +16,11 @@ from seafoam.reference.foam.saturation import (
     front_saturation_filtered,
     gate,
     group,
-    height_saturation,
-    joined,
     phase_gradient,
     phase_width,
-    saturation,
     seen_phases,
 )
+from seafoam.reference.foam.saturation import height_saturation, joined, saturation
 from seafoam.reference.renderer import frame
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.waves.parametric import wave_set

@@ -14,7 +14,7 @@ from seafoam.planner import FramePlan, make_plan
 from seafoam.planner.glsl import assemble
 from seafoam.planner.schedule import with_setup
 from seafoam.quality import TIERS
-from seafoam.render.gl import executor as module
+from seafoam.render.gl.cache import target_bytes
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
@@ -223,7 +223,7 @@ class TestDraws:
     ) -> None:
         plan = make_plan(load_preset("island-surf").scene, STANDARD)
         drawn(plan)
-        sizes = [module._bytes(target) for target in fresh._static._items.values()]
+        sizes = [target_bytes(target) for target in fresh._static._items.values()]
         assert sorted(sizes) == [256 * 128 * 8, 256 * 256 * 16, 1280 * 1024 * 8]
         monkeypatch.setattr(fresh._static, "_size", sum(sizes) - 1)
         drawn(plan)

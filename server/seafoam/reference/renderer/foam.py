@@ -9,7 +9,8 @@ from seafoam.reference import sampling
 from seafoam.reference.foam import cells, living, looks
 from seafoam.reference.foam.coverage import OCTAVES_MOST, coverage, mask_place, tiles, turned_footprint
 from seafoam.reference.foam.drift import Copy, copies, drift_saturation
-from seafoam.reference.foam.saturation import CAP, History, saturation
+from seafoam.reference.foam.front import CAP, History
+from seafoam.reference.foam.saturation import saturation
 from seafoam.reference.light import light
 from seafoam.reference.renderer.assets import Assets
 from seafoam.reference.renderer.state import FrameState

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from seafoam.reference.boats import boat as fleets
-from seafoam.reference.foam.saturation import CAP
+from seafoam.reference.foam.front import CAP
 from seafoam.reference.light import light
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect

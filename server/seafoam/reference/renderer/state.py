@@ -9,7 +9,8 @@ import numpy as np
 
 from seafoam.ocean.stokes import foam_life
 from seafoam.reference.boats import boat as fleets
-from seafoam.reference.foam.saturation import FRONT_CONSTANTS
+from seafoam.reference.boats.wake import wake_set
+from seafoam.reference.foam.front import FRONT_CONSTANTS
 from seafoam.reference.light import light, sparkles
 from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect
@@ -59,7 +60,7 @@ class FrameState:
             self.sun = sparkles.sun(scene.light, self.air, time, step if self.filtering else 0.0)
         self.waves = wave_set(scene, time, self.origin)
         self.sea = sea_surface(scene, time, self.origin)
-        self.wakes = fleets.wake_set(scene, time, self.origin) if scene.boats else None
+        self.wakes = wake_set(scene, time, self.origin) if scene.boats else None
         parts: tuple[Part, ...] = (self.waves, ring_set(scene, time, self.origin))
         if self.wakes is not None:
             parts = (*parts, self.wakes)

@@ -5,236 +5,40 @@ page. The map, the floor and the profiles live on grids of texels with quadratic
 model, so this has the same grids, those of the ``reference`` quality.
 """
 
-from __future__ import annotations
-
 import math
-from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 from scipy import ndimage
 
-from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.seabed import floor_grid
 from seafoam.reference.foam.torn import Feet, spread, torn, torn_step
 from seafoam.reference.light.light import INDEX
 from seafoam.reference.noise import KEY, value
 from seafoam.reference.renderer.relief import Part
-from seafoam.reference.types import Bools, Floats, Indices, dot, smoothstep
+from seafoam.reference.shore.maps import FLOOR, MAP, NODES, PERIOD, SWASH, Spline, floor_spline, profiles, shore_map
+from seafoam.reference.types import Floats, dot, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
-from seafoam.textures import shore_profiles
 
-MAP = 256
-"""Texels along a side of the map."""
-FLOOR = 512
-"""Texels along a side of the height field."""
-NODES = 256
-"""Nodes of a profile."""
-PERIOD = 2.0**18
-"""Shores stand once in so many metres."""
-BREAKS = 0.78
-"""Height over depth of a wave that breaks (McCowan 1894)."""
-SWASH = 0.3
-"""Share of its height that a wave keeps on the beach."""
-LEAST = 0.05
-MASK = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
-"""Wavelength (m), heading (rad) and period (s) of the sines that break the rhythm; the i-th starts at 1.7 i rad."""
 GRAIN_CELL = 9.0
+
 GRAIN_OCTAVES = 5
+
 GRAIN_STEP = 0.31
+
 FILM_ROUGHNESS2 = 0.02
+
 FALL_LEAST = 0.25
+
 REFRACTION_STEPS = 16
+
 SAFE_STEPS = 20000
+
 WEED = np.array([0.08, 0.085, 0.05])
-
-
-def step_between(low: float, high: float, x: Floats) -> Floats:
-    """The smoothstep whose ends may meet; they are 10⁻⁶ apart at least."""
-    return smoothstep(low, low + max(high - low, 1e-6), x)
-
-
-def signed_distance(land: Bools) -> Floats:
-    """Distance of texels to the nearest of the other kind, less ½, in texels: positive at sea, negative on land.
-
-    Where there is no other kind: the side of the map. Exact.
-    """
-    if land.all() or not land.any():
-        return np.where(land, -1.0, 1.0) * float(land.shape[1])
-    inland: Floats = ndimage.distance_transform_edt(land)
-    offshore: Floats = ndimage.distance_transform_edt(~land)
-    result: Floats = np.where(land, 0.5 - inland, offshore - 0.5)
-    return result
-
-
-def gaussian(values: Floats, deviation: float) -> Floats:
-    """Values (n, n) smoothed by a Gaussian of so many texels, cut at 3 deviations, its ends repeated."""
-    reach = min(max(math.ceil(3.0 * deviation), 1), 48)
-    offset = np.arange(-reach, reach + 1) / max(deviation, 0.01)
-    weight = np.exp(-0.5 * np.minimum(offset * offset, 160.0))
-    weight /= weight.sum()
-    first: Floats = ndimage.correlate1d(values, weight, axis=1, mode="nearest")
-    result: Floats = ndimage.correlate1d(first, weight, axis=0, mode="nearest")
-    return result
-
-
-def sobel(values: Floats) -> tuple[Floats, Floats]:
-    """Gradient a texel along x (axis 1) and z (axis 0) by Sobel's filter; the ends repeated."""
-    return (
-        ndimage.sobel(values, axis=1, mode="nearest") / 8.0,
-        ndimage.sobel(values, axis=0, mode="nearest") / 8.0,
-    )
-
-
-@dataclass(frozen=True, eq=False)
-class Spline:
-    """A quadratic B-spline of texels (n, n, c) over a square, texel centres at (i + ½)/n."""
-
-    texels: Floats
-    size: float
-
-    def _places(self, x: Floats, z: Floats) -> tuple[list[Indices], Floats, Floats, Floats, Floats]:
-        count = self.texels.shape[0]
-        result = []
-        for place in (x, z):
-            at = np.clip(place / self.size + 0.5, 0.0, 1.0) * count - 0.5
-            base = np.floor(at + 0.5)
-            t = at + 0.5 - base
-            weights = np.stack((0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t))
-            slopes = np.stack((t - 1.0, 1.0 - 2.0 * t, t))
-            index = [np.clip(base.astype(np.intp) + i, 0, count - 1) for i in (-1, 0, 1)]
-            result.append((index, weights, slopes))
-        (columns, w_x, s_x), (rows, w_z, s_z) = result
-        places = [row * count + column for row in rows for column in columns]
-        return places, w_x, s_x, w_z, s_z
-
-    def value(self, x: Floats, z: Floats) -> Floats:
-        """(r, c) at (x, z), m from the middle of the square; outside it what is nearest inside."""
-        places, w_x, _, w_z, _ = self._places(x, z)
-        flat = self.texels.reshape(-1, self.texels.shape[2])
-        total = np.zeros((x.size, flat.shape[1]))
-        for k, place in enumerate(places):
-            total += (w_z[k // 3] * w_x[k % 3])[:, None] * flat[place]
-        return total
-
-    def all(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
-        """Value and its changes a metre along x and z; (r, c) each. Outside the square nothing changes."""
-        places, w_x, s_x, w_z, s_z = self._places(x, z)
-        flat = self.texels.reshape(-1, self.texels.shape[2])
-        total, along_x, along_z = (np.zeros((x.size, flat.shape[1])) for _ in range(3))
-        for k, place in enumerate(places):
-            here = flat[place]
-            total += (w_z[k // 3] * w_x[k % 3])[:, None] * here
-            along_x += (w_z[k // 3] * s_x[k % 3])[:, None] * here
-            along_z += (s_z[k // 3] * w_x[k % 3])[:, None] * here
-        scale = self.texels.shape[0] / self.size
-        along_x *= scale * (np.abs(x) <= 0.5 * self.size)[:, None]
-        along_z *= scale * (np.abs(z) <= 0.5 * self.size)[:, None]
-        return total, along_x, along_z
-
-
-@lru_cache(maxsize=8)
-def _floor(shore: Shore) -> Spline:
-    return Spline(floor_grid(shore, FLOOR), shore.size)
-
-
-@lru_cache(maxsize=8)
-def _smooth(shore: Shore) -> tuple[Floats, Floats, Floats, Floats]:
-    """Distance (m), depth (m) and the gradient of the distance, smoothed; (MAP, MAP) each."""
-    centres = ((np.arange(MAP) + 0.5) / MAP - 0.5) * shore.size
-    x, z = np.meshgrid(centres, centres, indexing="xy")
-    heights = _floor(shore).value(x.ravel(), z.ravel())[:, 0].reshape(MAP, MAP)
-    texel = shore.size / MAP
-    deviation = min(shore.smoothing / texel, MAP / 12.0)
-    d = gaussian(signed_distance(heights >= 0.0) * texel, deviation)
-    depth = gaussian(-heights, deviation)
-    g_x, g_z = sobel(d)
-    return d, depth, g_x / texel, g_z / texel
-
-
-def travel(shore: Shore, d: Floats) -> Floats:
-    """Periods that a wave takes from a distance d (m) to the shore, at √(g h) over a floor of even slope."""
-    least = max(SWASH * shore.surf.height, LEAST)
-    out, inward = np.maximum(d, 0.0), np.minimum(d, 0.0)
-    seconds = 2.0 * out / (math.sqrt(least) + np.sqrt(least + shore.slope * out)) + inward / math.sqrt(least)
-    result: Floats = seconds / (math.sqrt(GRAVITY) * shore.surf.period)
-    return result
-
-
-def shore_map(shore: Shore, time: float) -> Floats:
-    """(MAP, MAP, 4): phase (periods), height (m), skew (0 to 1) and share of the open sea's waves."""
-    d, depth, g_x, g_z = _smooth(shore)
-    surf = shore.surf
-    centres = ((np.arange(MAP) + 0.5) / MAP - 0.5) * shore.size
-    x, z = np.meshgrid(centres, centres, indexing="xy")
-    steep = np.hypot(g_x, g_z)
-    ridge = step_between(0.3, 0.8, steep)
-    met = -(g_x * math.cos(surf.heading) + g_z * math.sin(surf.heading)) / np.maximum(steep, 1e-6)
-    exposed = 1.0 - surf.exposure + surf.exposure * step_between(-0.3, 0.7, met)
-    open_ = np.ones_like(d)
-    if shore.kind == "lagoon":
-        open_ = step_between(0.85 * shore.radius, 1.1 * shore.radius, np.hypot(x, z))
-    breaks = max(surf.height, LEAST) / BREAKS
-    beach = SWASH + (1.0 - SWASH) * step_between(0.0, breaks, depth)
-    shoal = np.where(depth >= breaks, (breaks / np.maximum(depth, breaks)) ** 0.25, beach)
-    near = 1.0 - step_between(0.45 * shore.deep, 0.9 * shore.deep, depth)
-    inland = step_between(-1.2 * max(surf.height, LEAST) / shore.slope, 0.0, d)
-    total = np.zeros_like(d)
-    for i, (wavelength, heading, period) in enumerate(MASK):
-        k = 2.0 * math.pi / wavelength
-        phase = reduced((2.0 * math.pi / period, time), plus=1.7 * i)
-        total += np.sin(phase + k * (math.cos(heading) * x + math.sin(heading) * z))
-    rhythm = 1.0 - surf.variation * step_between(-0.8, 0.8, 0.5 * total)
-    return np.stack(
-        (
-            travel(shore, d),
-            surf.height * shoal * near * inland * ridge * exposed * open_ * rhythm,
-            1.0 - step_between(breaks, 2.5 * breaks, depth),
-            step_between(0.0, 0.6 * shore.deep, depth) * (0.1 + 0.9 * open_),
-        ),
-        axis=-1,
-    )
-
-
-class Profiles:
-    """The table of profiles: quadratic splines along a wave, straight lines between rows."""
-
-    def __init__(self, skew: float, sharpness: float) -> None:
-        self.table = shore_profiles(NODES, skew, sharpness).astype(np.float64)
-
-    def __call__(self, turn: Floats, skew: Floats) -> tuple[Floats, Floats, Floats]:
-        """Height in [0, 1], its change a period and its change with skew; (r,) each."""
-        rows, nodes = self.table.shape
-        at = turn * nodes - 0.5
-        base = np.floor(at + 0.5)
-        t = at + 0.5 - base
-        y = np.clip(skew, 0.0, 1.0) * (rows - 1)
-        row = np.minimum(y.astype(np.intp), rows - 2)
-        share = y - row
-        value, slope = np.zeros((2, turn.size)), np.zeros((2, turn.size))
-        weights = (0.5 * (1.0 - t) ** 2, 0.5 + t * (1.0 - t), 0.5 * t * t)
-        slopes = (t - 1.0, 1.0 - 2.0 * t, t)
-        for i in range(3):
-            node = (base.astype(np.intp) + i - 1) % nodes
-            for j in range(2):
-                here = self.table[row + j, node]
-                value[j] += weights[i] * here
-                slope[j] += slopes[i] * here
-        mixed: Floats = value[0] + share * (value[1] - value[0])
-        turned: Floats = (slope[0] + share * (slope[1] - slope[0])) * nodes
-        return mixed, turned, (value[1] - value[0]) * (rows - 1)
-
-
-@lru_cache(maxsize=8)
-def _profiles(skew: float, sharpness: float) -> Profiles:
-    return Profiles(skew, sharpness)
-
 
 TORN = 0.25, 0.72
 """Noise from which patches begin, and in which they are whole."""
-
 
 EDGE = 1e-3, 0.15
 """What the depth changes by over a footprint at the water's edge, m: at least and at most."""
@@ -269,9 +73,9 @@ class Coast:
         self.shore = shore
         self.open_sea = open_sea
         self.offset = tuple(math.remainder(a - b, PERIOD) for a, b in zip(origin, shore.place, strict=True))
-        self.floor = _floor(shore)
+        self.floor = floor_spline(shore)
         self.field = Spline(shore_map(shore, time), shore.size)
-        self.profiles = _profiles(shore.surf.skew, shore.surf.sharpness)
+        self.profiles = profiles(shore.surf.skew, shore.surf.sharpness)
         self.time = reduced((-2.0 * math.pi / shore.surf.period, time)) / (2.0 * math.pi)
         self.land = Land(self)
 

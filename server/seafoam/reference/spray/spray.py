@@ -16,7 +16,8 @@ from seafoam.reference.noise import pcg, share
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import View
 from seafoam.reference.renderer.relief import Part
-from seafoam.reference.shore.shore import SWASH, Coast
+from seafoam.reference.shore.maps import SWASH
+from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Bools, Floats, Indices, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import WaveSet, angular_frequency, wave_derivative, wave_height
 from seafoam.scene.models import Scene

@@ -6,8 +6,7 @@ zeros), and every object is released explicitly (moderngl's garbage-collected re
 
 import threading
 import time as clock
-from collections import OrderedDict
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Literal
@@ -22,6 +21,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, Texture, TextureInput
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
+from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, create_context
 from seafoam.scene.camera import Camera
 from seafoam.textures import texture
@@ -41,21 +41,27 @@ TEXTURE_FORMATS = {
     "RGBA32F": (4, "f4"),
 }
 """Components and moderngl dtype of each texture format."""
+
 _TARGET_FORMATS = {"RGBA16F": (4, "f2"), "RGBA32F": (4, "f4"), "RGBA8": (4, "f1"), "RG32UI": (2, "u4")}
+
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "none": (moderngl.ONE, moderngl.ZERO),
     "add": (moderngl.ONE, moderngl.ONE),
     "over": (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA),
 }
-_BYTES = {"f1": 1, "u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
+
 _FILTERS = {
     "nearest": (moderngl.NEAREST, moderngl.NEAREST),
     "linear": (moderngl.LINEAR, moderngl.LINEAR),
     "linear_mipmap_linear": (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR),
 }
+
 _PROGRAMS_KEPT = 96
+
 _TEXTURES_KEPT = 48
+
 _TARGETS_KEPT = 48
+
 _STATIC_BYTES = 64 << 20
 """Limit of the targets that setup passes drew, for this plan and earlier ones."""
 
@@ -75,45 +81,6 @@ class Rendered:
 
     pixels: NDArray[np.uint8] | NDArray[np.float32]
     timings: dict[str, float]
-
-
-class _Cache:
-    """GL objects by key, evicted least recently used first; ``weigh``: how much of ``size`` each takes."""
-
-    def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
-        self._size = size
-        self._weigh = weigh
-        self._items: OrderedDict[Any, Any] = OrderedDict()
-
-    def __contains__(self, key: Any) -> bool:
-        return key in self._items
-
-    def get(self, key: Any, make: Callable[[], Any] | None = None) -> Any:
-        """Return the object of a key, created if missing; raises ``KeyError`` if it cannot be created."""
-        if make is not None and key not in self._items:
-            self._items[key] = make()
-        self._items.move_to_end(key)
-        return self._items[key]
-
-    def put(self, key: Any, item: Any) -> None:
-        self._items[key] = item
-
-    def trim(self) -> None:
-        """Release objects over the limit; called between frames, when nothing is in use."""
-        held = sum(map(self._weigh, self._items.values()))
-        while held > self._size:
-            item = self._items.popitem(last=False)[1]
-            held -= self._weigh(item)
-            self.release(item)
-
-    def clear(self) -> None:
-        while self._items:
-            self.release(self._items.popitem()[1])
-
-    @staticmethod
-    def release(item: Any) -> None:
-        for part in item if isinstance(item, tuple) else (item,):
-            part.release()
 
 
 class _Linked:
@@ -171,10 +138,10 @@ class Executor:
         self.max_side = int(self._context.info["GL_MAX_TEXTURE_SIZE"])
         # llvmpipe compiles a program twice for a state that hides what was there: blended with none of it, once.
         self._always_blends = "llvmpipe" in self.info["renderer"]
-        self._programs = _Cache(_PROGRAMS_KEPT)
-        self._textures = _Cache(_TEXTURES_KEPT)
-        self._targets = _Cache(_TARGETS_KEPT)
-        self._static = _Cache(_STATIC_BYTES, _bytes)
+        self._programs = Cache(_PROGRAMS_KEPT)
+        self._textures = Cache(_TEXTURES_KEPT)
+        self._targets = Cache(_TARGETS_KEPT)
+        self._static = Cache(_STATIC_BYTES, target_bytes)
 
     def render(
         self,
@@ -252,7 +219,7 @@ class Executor:
         self._resting.release()
         self._context.release()
 
-    def _caches(self) -> tuple[_Cache, ...]:
+    def _caches(self) -> tuple[Cache, ...]:
         return self._programs, self._textures, self._targets, self._static
 
     def _own_thread(self) -> None:
@@ -279,7 +246,7 @@ class Executor:
                     self._draw(plan, one, index, into, 0.0, camera, 1, 1)
             except BaseException:
                 for target in made.values():
-                    _Cache.release(target)
+                    Cache.release(target)
                 raise
             for digest, target in made.items():
                 self._static.put(digest, target)
@@ -361,7 +328,7 @@ class Executor:
             offset = 0
             for level in range(model.levels):
                 level_width, level_height = max(model.width >> level, 1), max(model.height >> level, 1)
-                size = level_width * level_height * components * _BYTES[dtype]
+                size = level_width * level_height * components * FORMAT_BYTES[dtype]
                 made.write(data.data[offset : offset + size], level=level, alignment=1)
                 offset += size
             made.filter = _FILTERS[model.filter]
@@ -402,13 +369,6 @@ def _size(target: Target, width: int, height: int) -> tuple[int, int]:
         return target.size.width, target.size.height
     scale, part = target.size.scale, target.size.part
     return -(-width * scale // (part * target.size.narrow)), -(-height * scale // part)
-
-
-def _bytes(target: tuple[Any, ...]) -> int:
-    """Of the pixels of a target as :meth:`Executor._framebuffer` makes it."""
-    framebuffer, color, *depth = target
-    texel = color.components * _BYTES[color.dtype] + 4 * len(depth)
-    return int(framebuffer.width * framebuffer.height * texel)
 
 
 def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:

@@ -1,0 +1,174 @@
+"""Section 15: wakes and their foam."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from seafoam.ocean.wakes import Wake, wake_height, wake_slope, wakes
+from seafoam.reference.boats.floating import HULL_SPEED, Course, course
+from seafoam.reference.boats.form import STEM
+from seafoam.reference.foam.torn import Feet, spread, torn, torn_step
+from seafoam.reference.noise import KEY, value
+from seafoam.reference.types import Bools, Floats, smoothstep
+from seafoam.scene.boats import Boat
+from seafoam.scene.foam import WakeSaturation
+from seafoam.scene.models import Scene
+
+
+@dataclass(frozen=True)
+class WakeSet:
+    """The wakes of a scene's boats as a part of its surface."""
+
+    wakes: tuple[Wake, ...]
+    courses: tuple[Course, ...]
+    top: float
+    slope: float
+
+    @property
+    def trough(self) -> float:
+        return -self.top
+
+    @property
+    def curvature(self) -> float:
+        return self.slope * max((2.0 * wake.shortest for wake in self.wakes if wake.shows), default=0.0)
+
+    @property
+    def shape(self) -> float:
+        return min((1.0 / wake.shortest for wake in self.wakes if wake.shows), default=math.inf)
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        total = np.zeros_like(x)
+        for wake, at in zip(self.wakes, self.courses, strict=True):
+            behind, aside, _, _ = along(wake.boat, at, x, z)
+            total += pattern(wake, behind, np.abs(aside))[0]
+        return total
+
+    def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
+        h_x, h_z = np.zeros_like(x), np.zeros_like(x)
+        for wake, at in zip(self.wakes, self.courses, strict=True):
+            behind, aside, on_behind, on_aside = along(wake.boat, at, x, z)
+            _, rise, spread = pattern(wake, behind, np.abs(aside))
+            spread = spread * np.where(aside < 0.0, -1.0, 1.0)
+            h_x += rise * on_behind[0] + spread * on_aside[0]
+            h_z += rise * on_behind[1] + spread * on_aside[1]
+        return h_x, h_z
+
+    def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, feet: Feet | None) -> Floats:
+        """f of the boats' foam at (x, z), m from the origin, averaged over footprints; (r,) in [0, cap]."""
+        total = np.zeros_like(x)
+        for wake, at in zip(self.wakes, self.courses, strict=True):
+            boat = wake.boat
+            if boat.speed < 0.5:
+                continue
+            size = boat.length
+            behind, aside, on_behind, on_aside = along(boat, at, x, z)
+            b, s = behind / size, np.abs(aside) / size
+            past = np.maximum(b - 0.86, 0.0)
+            on_x, on_z = (x + at.centre[0]) / size, (z + at.centre[1]) / size
+            t_x, t_z = 0.8 * on_x - 0.6 * on_z, 0.6 * on_x + 0.8 * on_z
+            noises = [
+                (0.4, 0.31 * size, value(KEY, on_x / 0.31, on_z / 0.31)),
+                (0.35, 0.11 * size, value(KEY, t_x / 0.11, t_z / 0.11)),
+                (0.25, 0.037 * size, value(KEY, on_x / 0.037, on_z / 0.037)),
+            ]
+            if feet is None:
+                patches = smoothstep(0.25, 0.72, np.sum([part * noise for part, _, noise in noises], axis=0))
+            else:
+                patches = torn_step(0.25, 0.72, *torn(noises, feet))
+            width = 0.085 + 0.055 * np.sqrt(past)
+            q = np.clip((s - 0.5 * width) / (0.65 * width), 0.0, 1.0)
+            band = (1.0 - q * q * (3.0 - 2.0 * q)) * smoothstep(-0.06, 0.04, b - 0.86)
+            age = np.exp(-np.minimum(past * size / (source.life * boat.speed), 80.0))
+            run, ahead = np.minimum(b / 0.55, 1.0), np.maximum(b, 0.0)
+            edge = 0.015 + 0.105 * run * (2.0 - run) + 0.16 * np.maximum(b - 0.55, 0.0)
+            off = (s - edge) / (0.02 + 0.025 * ahead)
+            thrown = smoothstep(-0.01, 0.06, b) * np.exp(-np.minimum(off * off + 1.3 * ahead, 80.0))
+            if feet is not None:
+                v_b, v_s = spread(on_behind, feet) / size**2, spread(on_aside, feet) / size**2
+                band = torn_step(-1.15 * width, -0.5 * width, s, v_s) - torn_step(0.5 * width, 1.15 * width, s, v_s)
+                band = band * torn_step(-0.06, 0.04, b - 0.86, v_b)
+                wider = 1.0 + 2.0 * v_s / (0.02 + 0.025 * ahead) ** 2
+                bell = np.exp(-np.minimum(off * off / wider + 1.3 * ahead, 80.0)) / np.sqrt(wider)
+                thrown = torn_step(-0.01, 0.06, b, v_b) * bell
+            share = min(boat.speed / (HULL_SPEED * math.sqrt(size)), 1.0) ** 2
+            total += source.amount * band * age * (0.3 + 0.9 * patches) + source.bow * share * thrown * (0.3 + patches)
+        return np.minimum(total, cap)
+
+
+def along(
+    boat: Boat, at: Course, x: Floats, z: Floats
+) -> tuple[Floats, Floats, tuple[Floats, Floats], tuple[Floats, Floats]]:
+    """How far places are behind the bow along the course and outside it, m, and the gradients of both."""
+    from_x, from_z = x + at.centre[0], z + at.centre[1]
+    out = np.hypot(from_x, from_z)
+    far = np.maximum(out, 0.1 * at.radius)
+    angle = at.turn * (at.bearing - np.arctan2(from_z, from_x))
+    angle = np.mod(angle + 0.3, 2.0 * math.pi) - 0.3
+    share = at.turn * at.radius / (far * far)
+    return (
+        at.radius * angle + STEM * boat.length,
+        out - at.radius,
+        (share * from_z, -share * from_x),
+        (from_x / far, from_z / far),
+    )
+
+
+def pattern(wake: Wake, behind: Floats, aside: Floats) -> tuple[Floats, Floats, Floats]:
+    """Height of a wake at places behind the bow and aside (≥ 0), m, and its slopes; (r,) each."""
+    boat = wake.boat
+    if not wake.shows:
+        return np.zeros_like(behind), np.zeros_like(behind), np.zeros_like(behind)
+    x = np.maximum(behind, 1e-3)
+    q = aside / x
+    inside: Bools = (behind > 0.0) & (8.0 * q * q < 1.0) & (behind < wake.length)
+    q = np.where(inside, q, 0.0)
+    root = np.sqrt(1.0 - 8.0 * q * q)
+    root_q = -8.0 * q / np.maximum(root, 1e-6)
+    size, end = boat.length, wake.length
+    edge, edge_s = _step(0.0, 0.5, root * root)
+    begin, begin_x = _step(0.0, 0.6 * size, behind)
+    stop, stop_x = _step(0.5 * end, end, behind)
+    side, side_z = _step(0.25 * boat.radius, 0.4 * boat.radius, aside)
+    window = edge * begin * (1.0 - stop) * (1.0 - side) * inside
+    window_q = edge_s * (-16.0 * q) * begin * (1.0 - stop) * (1.0 - side) * inside
+    window_x = edge * (begin_x * (1.0 - stop) - begin * stop_x) * (1.0 - side) * inside
+    window_z = -edge * begin * (1.0 - stop) * side_z * inside
+    fall = np.where(inside, 1.0 / (1.0 + behind / wake.wavelength), 0.0)
+    fall_x = -fall * fall / wake.wavelength
+    height, rise, spread = np.zeros_like(x), np.zeros_like(x), np.zeros_like(x)
+    steep = np.maximum(q, 1e-4)
+    systems = (
+        (2.0 * q / (1.0 + root), 2.0 / (1.0 + root) - 2.0 * q * root_q / (1.0 + root) ** 2, 0.5, 0.5),
+        ((1.0 + root) / (4.0 * steep), root_q / (4.0 * steep) - (1.0 + root) / (4.0 * steep**2), 1.0, 1.0 / 3.0),
+    )
+    for t, t_q, share, power in systems:
+        secant = np.sqrt(1.0 + t * t)
+        # a = share A window(q, x, z) fall(x)^power cut(q), and its change with each.
+        a = share * boat.wake * fall**power
+        a_x, a_z, a_q = a * window_x, a * window_z, a * window_q
+        a_x = a_x + share * boat.wake * power * np.where(fall > 0.0, fall, 1.0) ** (power - 1.0) * fall_x * window
+        a = a * window
+        k = wake.k * secant * secant
+        short = np.exp(-np.minimum((k / wake.shortest) ** 2, 700.0))
+        a_q = (a_q - a * 4.0 * k * wake.k * t * t_q / wake.shortest**2) * short
+        a, a_x, a_z = a * short, a_x * short, a_z * short
+        phase = wake.k * secant * (behind - aside * t)
+        cosine, down = np.cos(phase), -a * np.sin(phase) * wake.k * secant
+        height += a * cosine
+        rise += down + (a_x - a_q * q / x) * cosine
+        spread += -down * t + (a_z + a_q / x) * cosine
+    return height, rise, spread
+
+
+def _step(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
+    """The smoothstep and its derivative."""
+    u = np.clip((x - low) / (high - low), 0.0, 1.0)
+    return u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u) / (high - low)
+
+
+def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
+    """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
+    found = wakes(scene.boats)
+    courses = tuple(course(boat, time, origin) for boat in scene.boats)
+    return WakeSet(found, courses, wake_height(scene.boats), wake_slope(scene.boats))

@@ -1,0 +1,53 @@
+"""What an executor keeps from frame to frame."""
+
+from collections import OrderedDict
+from collections.abc import Callable
+from typing import Any
+
+FORMAT_BYTES = {"f1": 1, "u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
+
+
+class Cache:
+    """GL objects by key, evicted least recently used first; ``weigh``: how much of ``size`` each takes."""
+
+    def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
+        self._size = size
+        self._weigh = weigh
+        self._items: OrderedDict[Any, Any] = OrderedDict()
+
+    def __contains__(self, key: Any) -> bool:
+        return key in self._items
+
+    def get(self, key: Any, make: Callable[[], Any] | None = None) -> Any:
+        """Return the object of a key, created if missing; raises ``KeyError`` if it cannot be created."""
+        if make is not None and key not in self._items:
+            self._items[key] = make()
+        self._items.move_to_end(key)
+        return self._items[key]
+
+    def put(self, key: Any, item: Any) -> None:
+        self._items[key] = item
+
+    def trim(self) -> None:
+        """Release objects over the limit; called between frames, when nothing is in use."""
+        held = sum(map(self._weigh, self._items.values()))
+        while held > self._size:
+            item = self._items.popitem(last=False)[1]
+            held -= self._weigh(item)
+            self.release(item)
+
+    def clear(self) -> None:
+        while self._items:
+            self.release(self._items.popitem()[1])
+
+    @staticmethod
+    def release(item: Any) -> None:
+        for part in item if isinstance(item, tuple) else (item,):
+            part.release()
+
+
+def target_bytes(target: tuple[Any, ...]) -> int:
+    """Of the pixels of a target as :meth:`Executor._framebuffer` makes it."""
+    framebuffer, color, *depth = target
+    texel = color.components * FORMAT_BYTES[color.dtype] + 4 * len(depth)
+    return int(framebuffer.width * framebuffer.height * texel)
