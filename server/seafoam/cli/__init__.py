@@ -11,20 +11,20 @@ import re
 import socket
 import sys
 import webbrowser
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 from typer.exceptions import TyperException
 
 if TYPE_CHECKING:
-    from pydantic import BaseModel, ValidationError
-
     from seafoam.accuracy.model import Sweep
     from seafoam.accuracy.sweep import Settings, Subject
-    from seafoam.masks.catalogue import Mask
     from seafoam.render.gl.executor import Executor
+
+from seafoam.cli.masks import masks
+from seafoam.cli.support import UNABLE, CommandError, Output, extension_of, refuse, write
 
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
@@ -32,11 +32,8 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-masks = typer.Typer(help="Halftone masks: list the shipped ones, make new ones, measure them.", no_args_is_help=True)
 app.add_typer(masks, name="masks")
 
-BAD_INPUT = 2
-UNABLE = 1
 OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
 LARGEST_SIDE = 8192
@@ -46,18 +43,6 @@ LARGEST_SAMPLES = 16384 * 8192
 TABLE_WIDTH = 140
 """Width of the table of ``accuracy``, columns; a narrower terminal wraps its lines."""
 _QUIET = ("/healthz", "/readyz", "/metrics")
-
-E = TypeVar("E", bound=str)
-
-Output = Annotated[Path, typer.Option("--output", "-o", help="Output file; the extension selects the format.")]
-
-
-class CommandError(TyperException):
-    """Ends the command with one line on stderr."""
-
-    def __init__(self, message: str, exit_code: int = BAD_INPUT) -> None:
-        super().__init__(message)
-        self.exit_code = exit_code
 
 
 @app.command()
@@ -77,7 +62,7 @@ def serve(
     try:
         settings = Settings(**given)
     except ValidationError as error:
-        _refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+        refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
     except OSError as error:
@@ -150,7 +135,7 @@ def render(
     if preset not in preset_names():
         raise CommandError(f"PRESET: {preset!r} was not found; available: {', '.join(preset_names())}")
     found = find_preset(preset)
-    extension = _extension(output, FRAME_FORMATS)
+    extension = extension_of(output, FRAME_FORMATS)
     width, height = found.size if size is None else _size(size)
     given = {
         "time": time, "quality": quality, "budget_ms": budget_ms, "look": look, "mask": mask,
@@ -165,7 +150,7 @@ def render(
         limits.check(width, height, 1 if asked.quality == "auto" else TIERS[asked.quality].samples_drawn)
         scene = asked.apply(found.scene)
     except ValidationError as error:
-        _refuse(error, FrameParameters, _frame_option)
+        refuse(error, FrameParameters, _frame_option)
     except FrameTooLargeError as error:
         raise CommandError(f"--size: {error}") from error
     except ApiError as error:
@@ -193,7 +178,7 @@ def render(
         raise CommandError(f"{where}: {error.message}") from error
     except NoRendererError as error:
         raise CommandError(str(error), UNABLE) from error
-    _write(output, frame.content)
+    write(output, frame.content)
     times = ", ".join(f"{stage} {1000 * seconds:.0f} ms" for stage, seconds in frame.timings.items())
     typer.echo(f"{output}: {width} × {height}, {len(frame.content):,} bytes; {times}; {renderer}")
     if why:
@@ -265,7 +250,7 @@ def accuracy(
                 if every:
                     path.mkdir(parents=True, exist_ok=True)
                     path /= f"{name}{extension}"
-                _write(path, _report(sweep, extension, command))
+                write(path, _report(sweep, extension, command))
                 console.print(f"{path}", highlight=False, markup=False, soft_wrap=True)
 
 
@@ -354,126 +339,6 @@ def openapi() -> None:
     typer.echo(json.dumps(create_app().openapi(), indent=1, ensure_ascii=False))
 
 
-@masks.command("list")
-def list_masks() -> None:
-    """List the shipped masks."""
-    from rich.console import Console
-    from rich.table import Table
-
-    from seafoam.masks.catalogue import load_catalogue
-
-    table = Table("name", "family", "sigma", "size", "seed", "sha256", "title", box=None, pad_edge=False)
-    for name, entry in load_catalogue().items():
-        table.add_row(
-            name, entry.family, f"{entry.sigma:g}", str(entry.size), str(entry.seed), entry.sha256[:12], entry.title
-        )
-    Console().print(table)
-
-
-@masks.command("make")
-def make_mask(
-    output: Output,
-    family: Annotated[str, typer.Option(help="vac, blur, clump, bubble, mix or lace.")] = "vac",
-    sigma: Annotated[
-        float | None, typer.Option(help="Characteristic length, texels [default: depends on the family].")
-    ] = None,
-    size: Annotated[int, typer.Option(help="Side of the tile, texels: 32, 64, 128, 256 or 512.")] = 512,
-    seed: Annotated[int, typer.Option(help="Random seed.")] = 0,
-    aspect: Annotated[float, typer.Option(help="Aspect ratio of the cells along x, 1 to 6 (lace only).")] = 1.0,
-    age: Annotated[float, typer.Option(help="Age of the foam, 0 (young) to 1 (old and torn) (lace only).")] = 0.0,
-    method: Annotated[
-        str, typer.Option(help="Ordering of vac: exact (takes minutes) or batched (seconds).")
-    ] = "batched",
-    bits: Annotated[int, typer.Option(help="Bits per texel of a .png: 16 or 8.")] = 16,
-) -> None:
-    """Make a mask and write it as .png, .npy (float32 thresholds), .u16 (raw) or .dds (R16_UNORM)."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeElapsedColumn
-
-    from seafoam.masks import construct, formats
-
-    encoders = {
-        "png": formats.to_png16 if bits == 16 else formats.to_png8,
-        "npy": formats.to_npy,
-        "u16": formats.to_u16,
-        "dds": formats.to_dds,
-    }
-    encoder = encoders[_extension(output, tuple(encoders))]
-    if bits not in (8, 16):
-        raise CommandError(f"--bits: must be one of 8, 16, not {bits}")
-    columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-    console = Console(stderr=True)
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task("", total=1.0)
-        try:
-            ranks = construct.make_mask(
-                family,
-                sigma=sigma,
-                size=size,
-                seed=seed,
-                aspect=aspect,
-                age=age,
-                method=method,
-                progress=lambda share: bar.update(task, completed=share),
-            )
-        except ValueError as error:
-            raise CommandError(f"--{error}") from error
-    content = encoder(ranks)
-    _write(output, content)
-    typer.echo(f"{output}: {family}, {size} × {size}, {len(content):,} bytes")
-
-
-@masks.command("spectrum")
-def mask_spectrum(
-    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the spectrum as JSON.")] = False,
-) -> None:
-    """Measure the spectrum of a mask: radially averaged power and anisotropy, as a plot or as JSON."""
-    if (output is None) == (not as_json):
-        raise CommandError("--output or --json: exactly one is required")
-    mask = _mask(name)
-    if output is None:
-        typer.echo(json.dumps(mask.spectrum.to_json()))
-        return
-    from seafoam.masks.plots import plot_spectrum
-
-    _extension(output, ("png",))
-    _write(output, plot_spectrum(mask.spectrum, mask.entry.title))
-    typer.echo(f"{output}: spectrum of {mask.entry.title}")
-
-
-@masks.command("shapes")
-def mask_shapes(
-    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
-    as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
-) -> None:
-    """Measure the foam shapes of a mask by saturation: connected components, holes and chord lengths, in texels."""
-    mask = _mask(name)
-    if as_json:
-        typer.echo(json.dumps(mask.morphology.to_json()))
-        return
-    from rich.console import Console
-    from rich.table import Table
-
-    columns = ("saturation", "largest component", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
-    table = Table(*columns, box=None, pad_edge=False)
-    for entry in mask.morphology.shapes:
-        holes = " / ".join(f"{diameter:.0f}" for diameter in entry.hole_diameters)
-        table.add_row(
-            f"{entry.saturation:g}",
-            f"{entry.largest_piece:.2f}",
-            str(entry.euler_number),
-            holes,
-            f"{entry.foam_chord:.1f}",
-            f"{entry.water_chord:.1f}",
-        )
-    Console().print(table)
-    typer.echo(
-        f"At saturation {mask.morphology.joined_from:g} and above, one component holds more than half of the foam."
-    )
-
-
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run the command and exit with 0, 1 if the machine lacks something, 2 for invalid input, 130 if interrupted."""
     try:
@@ -494,19 +359,6 @@ def _not_a_probe(record: logging.LogRecord) -> bool:
     return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(_QUIET))
 
 
-def _refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> NoReturn:
-    from seafoam.api.allowed import allowed_at, describe_allowed
-
-    schema: Mapping[str, Any] = model.model_json_schema()
-    lines = []
-    for item in error.errors():
-        field = str(item["loc"][0])
-        allowed = allowed_at(schema, schema, (field,))
-        may_be = f" (allowed: {describe_allowed(allowed)})" if allowed else ""
-        lines.append(f"{option(field)}: {item['input']!r} is not allowed{may_be}")
-    raise CommandError("; ".join(lines)) from error
-
-
 def _frame_option(field: str) -> str:
     return "--size" if field in ("width", "height") else f"--{field.replace('_', '-')}"
 
@@ -516,31 +368,3 @@ def _size(text: str) -> tuple[int, int]:
     if found is None:
         raise CommandError(f"--size: must be WIDTHxHEIGHT in pixels, such as 1280x720, not {text!r}")
     return int(found[1]), int(found[2])
-
-
-def _extension(path: Path, known: Sequence[E]) -> E:
-    for name in known:
-        if path.suffix.lower() == f".{name}":
-            return name
-    endings = ", ".join(f".{name}" for name in known)
-    raise CommandError(f"--output: {path.name!r} must end in one of {endings}")
-
-
-def _mask(name: str) -> "Mask":
-    from seafoam.masks.catalogue import UnknownMaskError, load_catalogue, mask_by_name
-    from seafoam.masks.families import TEXT_FORM
-
-    try:
-        return mask_by_name(name)
-    except UnknownMaskError:
-        known = ", ".join(load_catalogue())
-        raise CommandError(f"NAME: mask {name!r} was not found; available: {known}, or {TEXT_FORM}") from None
-    except ValueError as error:
-        raise CommandError(f"NAME: {error}") from error
-
-
-def _write(path: Path, content: bytes) -> None:
-    try:
-        path.write_bytes(content)
-    except OSError as error:
-        raise CommandError(f"--output: cannot write {path}: {error.strerror}", UNABLE) from error

@@ -1,0 +1,147 @@
+"""Commands of masks: ``seafoam masks``."""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from seafoam.cli.support import CommandError, Output, extension_of, write
+
+if TYPE_CHECKING:
+    from seafoam.masks.catalogue import Mask
+
+masks = typer.Typer(help="Halftone masks: list the shipped ones, make new ones, measure them.", no_args_is_help=True)
+
+
+@masks.command("list")
+def list_masks() -> None:
+    """List the shipped masks."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from seafoam.masks.catalogue import load_catalogue
+
+    table = Table("name", "family", "sigma", "size", "seed", "sha256", "title", box=None, pad_edge=False)
+    for name, entry in load_catalogue().items():
+        table.add_row(
+            name, entry.family, f"{entry.sigma:g}", str(entry.size), str(entry.seed), entry.sha256[:12], entry.title
+        )
+    Console().print(table)
+
+
+@masks.command("make")
+def make_mask(
+    output: Output,
+    family: Annotated[str, typer.Option(help="vac, blur, clump, bubble, mix or lace.")] = "vac",
+    sigma: Annotated[
+        float | None, typer.Option(help="Characteristic length, texels [default: depends on the family].")
+    ] = None,
+    size: Annotated[int, typer.Option(help="Side of the tile, texels: 32, 64, 128, 256 or 512.")] = 512,
+    seed: Annotated[int, typer.Option(help="Random seed.")] = 0,
+    aspect: Annotated[float, typer.Option(help="Aspect ratio of the cells along x, 1 to 6 (lace only).")] = 1.0,
+    age: Annotated[float, typer.Option(help="Age of the foam, 0 (young) to 1 (old and torn) (lace only).")] = 0.0,
+    method: Annotated[
+        str, typer.Option(help="Ordering of vac: exact (takes minutes) or batched (seconds).")
+    ] = "batched",
+    bits: Annotated[int, typer.Option(help="Bits per texel of a .png: 16 or 8.")] = 16,
+) -> None:
+    """Make a mask and write it as .png, .npy (float32 thresholds), .u16 (raw) or .dds (R16_UNORM)."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeElapsedColumn
+
+    from seafoam.masks import construct, formats
+
+    encoders = {
+        "png": formats.to_png16 if bits == 16 else formats.to_png8,
+        "npy": formats.to_npy,
+        "u16": formats.to_u16,
+        "dds": formats.to_dds,
+    }
+    encoder = encoders[extension_of(output, tuple(encoders))]
+    if bits not in (8, 16):
+        raise CommandError(f"--bits: must be one of 8, 16, not {bits}")
+    columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
+    console = Console(stderr=True)
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task("", total=1.0)
+        try:
+            ranks = construct.make_mask(
+                family,
+                sigma=sigma,
+                size=size,
+                seed=seed,
+                aspect=aspect,
+                age=age,
+                method=method,
+                progress=lambda share: bar.update(task, completed=share),
+            )
+        except ValueError as error:
+            raise CommandError(f"--{error}") from error
+    content = encoder(ranks)
+    write(output, content)
+    typer.echo(f"{output}: {family}, {size} × {size}, {len(content):,} bytes")
+
+
+@masks.command("spectrum")
+def mask_spectrum(
+    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Plot to write, a .png file.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the spectrum as JSON.")] = False,
+) -> None:
+    """Measure the spectrum of a mask: radially averaged power and anisotropy, as a plot or as JSON."""
+    if (output is None) == (not as_json):
+        raise CommandError("--output or --json: exactly one is required")
+    mask = mask_of(name)
+    if output is None:
+        typer.echo(json.dumps(mask.spectrum.to_json()))
+        return
+    from seafoam.masks.plots import plot_spectrum
+
+    extension_of(output, ("png",))
+    write(output, plot_spectrum(mask.spectrum, mask.entry.title))
+    typer.echo(f"{output}: spectrum of {mask.entry.title}")
+
+
+@masks.command("shapes")
+def mask_shapes(
+    name: Annotated[str, typer.Argument(help="A shipped mask, or family:sigma:size:seed[:aspect:age].")],
+    as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
+) -> None:
+    """Measure the foam shapes of a mask by saturation: connected components, holes and chord lengths, in texels."""
+    mask = mask_of(name)
+    if as_json:
+        typer.echo(json.dumps(mask.morphology.to_json()))
+        return
+    from rich.console import Console
+    from rich.table import Table
+
+    columns = ("saturation", "largest component", "Euler number", "holes 10 / 50 / 90 %", "foam chord", "water chord")
+    table = Table(*columns, box=None, pad_edge=False)
+    for entry in mask.morphology.shapes:
+        holes = " / ".join(f"{diameter:.0f}" for diameter in entry.hole_diameters)
+        table.add_row(
+            f"{entry.saturation:g}",
+            f"{entry.largest_piece:.2f}",
+            str(entry.euler_number),
+            holes,
+            f"{entry.foam_chord:.1f}",
+            f"{entry.water_chord:.1f}",
+        )
+    Console().print(table)
+    typer.echo(
+        f"At saturation {mask.morphology.joined_from:g} and above, one component holds more than half of the foam."
+    )
+
+
+def mask_of(name: str) -> "Mask":
+    from seafoam.masks.catalogue import UnknownMaskError, load_catalogue, mask_by_name
+    from seafoam.masks.families import TEXT_FORM
+
+    try:
+        return mask_by_name(name)
+    except UnknownMaskError:
+        known = ", ".join(load_catalogue())
+        raise CommandError(f"NAME: mask {name!r} was not found; available: {known}, or {TEXT_FORM}") from None
+    except ValueError as error:
+        raise CommandError(f"NAME: {error}") from error

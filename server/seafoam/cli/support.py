@@ -1,0 +1,53 @@
+"""Errors, options and files that commands share."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
+
+import typer
+from typer.exceptions import TyperException
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel, ValidationError
+
+BAD_INPUT = 2
+UNABLE = 1
+E = TypeVar("E", bound=str)
+
+Output = Annotated[Path, typer.Option("--output", "-o", help="Output file; the extension selects the format.")]
+
+
+class CommandError(TyperException):
+    """Ends the command with one line on stderr."""
+
+    def __init__(self, message: str, exit_code: int = BAD_INPUT) -> None:
+        super().__init__(message)
+        self.exit_code = exit_code
+
+
+def refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> NoReturn:
+    from seafoam.api.allowed import allowed_at, describe_allowed
+
+    schema: Mapping[str, Any] = model.model_json_schema()
+    lines = []
+    for item in error.errors():
+        field = str(item["loc"][0])
+        allowed = allowed_at(schema, schema, (field,))
+        may_be = f" (allowed: {describe_allowed(allowed)})" if allowed else ""
+        lines.append(f"{option(field)}: {item['input']!r} is not allowed{may_be}")
+    raise CommandError("; ".join(lines)) from error
+
+
+def extension_of(path: Path, known: Sequence[E]) -> E:
+    for name in known:
+        if path.suffix.lower() == f".{name}":
+            return name
+    endings = ", ".join(f".{name}" for name in known)
+    raise CommandError(f"--output: {path.name!r} must end in one of {endings}")
+
+
+def write(path: Path, content: bytes) -> None:
+    try:
+        path.write_bytes(content)
+    except OSError as error:
+        raise CommandError(f"--output: cannot write {path}: {error.strerror}", UNABLE) from error
