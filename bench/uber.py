@@ -14,14 +14,14 @@ from typing import get_args
 from unittest.mock import patch
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import Const, Contribution, Inline, SlotFile
+from seafoam.effects.effect import Const, Contribution, Inline, Piece, SlotFile, Source, path_of
 from seafoam.effects.foam import front
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import COMPONENTS, Constant, Uniform, number
 from seafoam.framegraph.shader import Program, declared_uniforms
-from seafoam.planner import make_plan
+from seafoam.planner import defaults, make_plan
 from seafoam.planner.glsl import assemble, read_file
 from seafoam.planner.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
 from seafoam.quality import Quality
@@ -34,7 +34,14 @@ SWITCH = "u_uber_"
 COMBINE = f"{SWITCH}combine"
 """0: the greatest saturation, 1: the product."""
 START = "u_start"
-_MARCH = ("step", "begin", "now_declared", "no_short", "no_beyond", "march")
+_MARCH: tuple[Piece, ...] = (
+    "surface/step.glsl",
+    "surface/begin.glsl",
+    "surface/now_declared.glsl",
+    defaults.NO_SHORT_WAVES,
+    defaults.NO_BEYOND,
+    "surface/march.glsl",
+)
 _MARCHED = ("u_surface_top", "u_surface_trough", "u_surface_steepest", "u_surface_grain")
 NO_START = Pass(
     name="where rays begin",
@@ -80,7 +87,7 @@ Signature = tuple[str, str]
 class _Parts:
     """What effects give, joined; later ones win."""
 
-    files: dict[str, SlotFile] = field(default_factory=dict)
+    files: dict[Piece, SlotFile] = field(default_factory=dict)
     consts: Consts = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
@@ -99,7 +106,7 @@ class _Uber:
     program: Program
     parts: _Parts
     plans: tuple[FramePlan, ...]
-    switches: Mapping[str, Sequence[str]]
+    switches: Mapping[str, Sequence[Piece]]
 
 
 def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> FramePlan:
@@ -214,36 +221,43 @@ def _variants(quality: Quality, exact_ripples: bool) -> list[tuple[Scene, Qualit
     return found
 
 
-def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[str]]]:
+def _text(piece: Piece) -> str:
+    """GLSL of a part of a shader."""
+    if isinstance(piece, Inline):
+        return piece.text
+    return read_file(piece.path if isinstance(piece, Source) else piece)
+
+
+def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[Piece]]]:
     """The program's text piece by piece, and for each switch the files that its numbers stand for."""
     texts = [read_file(f"lib/{name}.glsl") for name in ("numbers", "camera", "place")]
-    switches: dict[str, Sequence[str]] = {}
-    helpers: set[str] = set()
+    switches: dict[str, Sequence[Piece]] = {}
+    helpers: set[Piece] = set()
     for slot in surface_slots("max"):
         files = [file for file in parts.files.values() if file.slot == slot.name]
         if slot in MARCH_SLOTS:
             continue
         if slot.name == "find":
-            texts += [read_file(f"surface/{name}.glsl") for name in _MARCH]
+            texts += [_text(piece) for piece in _MARCH]
             continue
         if slot.name == "main":
             continue
         filled = {file.slot for file in parts.files.values()}
-        if not files and not slot.joins and (not slot.default or (slot.under and slot.under not in filled)):
+        if not files and not slot.joins and (slot.default is None or (slot.under and slot.under not in filled)):
             continue
-        if not slot.joins and slot.default not in {file.path for file in files}:
+        if not slot.joins and slot.default is not None and slot.default not in {file.path for file in files}:
             files.insert(0, SlotFile(slot.name, slot.default))
-        own = {name for file in files for name in _functions(read_file(file.path))}
-        bodies: dict[str, str] = {}
+        own = {name for file in files for name in _functions(_text(file.path))}
+        bodies: dict[Piece, str] = {}
         for file in files:
-            bodies[file.path] = read_file(file.path)
+            bodies[file.path] = _text(file.path)
             for path in file.needs:
                 # A helper that another file makes do without belongs to its own file's variant.
-                if own & _functions(read_file(path)).keys():
-                    bodies[file.path] = f"{read_file(path)}\n{bodies[file.path]}"
+                if own & _functions(_text(path)).keys():
+                    bodies[file.path] = f"{_text(path)}\n{bodies[file.path]}"
                 elif path not in helpers:
                     helpers.add(path)
-                    texts.append(read_file(path))
+                    texts.append(_text(path))
         if not slot.joins:
             switches[f"{SWITCH}{slot.name}"] = list(bodies)
             shared = [_functions(body) for body in bodies.values()]
@@ -265,13 +279,13 @@ def _functions(text: str) -> dict[str, Signature]:
     return {match["name"]: (match["returns"], match["parameters"]) for match in _FUNCTION.finditer(text)}
 
 
-def _choice(switch: str, bodies: Mapping[str, str], signatures: Mapping[str, Signature], absent: str) -> list[str]:
+def _choice(switch: str, bodies: Mapping[Piece, str], signatures: Mapping[str, Signature], absent: str) -> list[str]:
     """The bodies with their functions renamed, and functions under the plain names that pick one of them.
 
     ``absent``: the value at switch 0, where none of them is meant; without it the first body is number 0.
     """
     texts = []
-    suffixes = [Path(path).stem for path in bodies]
+    suffixes = ["none" if isinstance(piece, Inline) else Path(path_of(piece) or "").stem for piece in bodies]
     for suffix, body in zip(suffixes, bodies.values(), strict=True):
         for name in signatures:
             body = re.sub(rf"\b{name}\b", f"{name}_{suffix}", body)

@@ -76,15 +76,16 @@ void main() {
     float size = length(ray);
     vec3 d = ray / size;
 
-    // The surface: from where the tile's rays are free by steps that cannot pass it.
+    // The surface: from where the tile's rays are free by steps that cannot pass it. Heights count from the trough.
+    float eye = u_eye_height + u_parametric_mean[0].y;
     vec4 start = texelFetch(u_start, ivec2(gl_FragCoord.xy * vec2(textureSize(u_start, 0)) / u_viewport), 0);
     float along = dot(k, ray.xz);
     float farthest = 1e5 / speed;
-    float leave = min(u_eye_height / -ray.y, farthest);
+    float leave = min(eye / -ray.y, farthest);
     float fine = 0.05 * length(u_ray_y) * 2.0 / u_viewport.y;
     float step_size = 1.0 / (u_surface_steepest * speed - ray.y);
     float curvature = start.a * speed * speed;
-    float enter = min(max((u_eye_height - amplitude) / -ray.y, start.r + start.g), leave);
+    float enter = min(max((eye - amplitude) / -ray.y, start.r + start.g), leave);
     float tau = enter;
     float gap = 0.0;
     float rate = 0.0;
@@ -93,7 +94,7 @@ void main() {
         float angle = theta(phase - tau * along);
         turn = vec2(cos(angle), sin(angle));
         float u = 0.5 + 0.5 * turn.y;
-        gap = u_eye_height + tau * ray.y - amplitude * u * u;
+        gap = eye + tau * ray.y - amplitude * u * u;
         rate = ray.y + amplitude * u * turn.x * along;
         if (tau >= leave || (gap < fine * tau && (gap < 0.0 || rate < 0.0))) {
             break;

@@ -74,13 +74,12 @@ def test_a_scene_without_ripples_has_no_points_of_theirs():
 
 
 def test_idealising_one_cause_leaves_the_others():
-    knobs = all_knobs(load_preset("default").scene)
-    made = idealised(TIERS["draft"], "filtering", knobs)
+    made = idealised(TIERS["draft"], "filtering")
     assert made.samples == TIERS["reference"].samples
     assert made.surface.filter is TIERS["reference"].surface.filter
     assert made.surface.tolerance == TIERS["draft"].surface.tolerance
     assert made.target == TIERS["draft"].target
     for cause in ("geometry", "filtering", "precision"):
-        made = idealised(made, cause, knobs)
+        made = idealised(made, cause)
     ideal = make_plan(load_preset("default").scene, made).sha256
     assert ideal == make_plan(load_preset("default").scene, TIERS["reference"]).sha256

@@ -219,7 +219,7 @@ def test_the_swash_leaves_a_line() -> None:
         ground = coast.ground(q_x, q_z)[0]
         wave = coast.field.value(q_x, q_z)[:, 1]
         dry = ground > 0.0
-        f = coast.left(source, x[dry], z[dry], ground[dry])
+        f = coast.left(source, x[dry], z[dry], ground[dry], None)
         beyond = ground[dry] > 1.06 * np.maximum(wave[dry], 1e-3)
         assert (f[beyond] == 0.0).all()
         reach = ground[dry] / np.maximum(wave[dry], 1e-3)
@@ -246,7 +246,7 @@ def test_whole_foam_has_no_relief(executor: Executor) -> None:
 
 
 def test_life_that_cannot_be_is_refused_with_its_field() -> None:
-    with pytest.raises(ValueError, match="decay: only with the constants of the text"):
+    with pytest.raises(ValueError, match="decay: requires constants 'text'"):
         FrontSaturation(constants="listing", decay=2.0)
 
 

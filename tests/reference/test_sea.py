@@ -176,7 +176,7 @@ def test_the_reference_is_the_sum_of_its_waves(report: Report, name: str) -> Non
         p_x, p_z = x + choppy * wanted.d_x, z + choppy * wanted.d_z
         folds = wanted.jacobian(choppy)
         steep_x = ((1 + choppy * wanted.zz) * wanted.h_x - choppy * wanted.xz * wanted.h_z) / folds
-        height = surface.height(p_x, p_z) - of.limit
+        height = surface.height(p_x, p_z)
         seen_x, _ = surface.shading(p_x, p_z)
         deviation, slope = math.sqrt(of.variance), math.sqrt(of.mean_square_slope)
         away = np.abs(height - wanted.h)

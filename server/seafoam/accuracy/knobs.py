@@ -62,9 +62,9 @@ def with_value(quality: Quality, pointer: str, value: Any) -> Quality:
     return Quality.model_validate(document)
 
 
-def idealised(quality: Quality, cause: Cause, knobs: tuple[tuple[str, Knob], ...]) -> Quality:
+def idealised(quality: Quality, cause: Cause) -> Quality:
     """Return the quality with every setting of one cause as in tier ``reference``."""
-    for _, knob in knobs:
+    for _, knob in every_knob():
         if knob.cause == cause:
             quality = with_value(quality, knob.pointer, value_at(TIERS["reference"], knob.pointer))
     return quality

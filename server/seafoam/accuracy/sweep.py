@@ -285,9 +285,9 @@ class _Sweeping:
         for point in (one for one in self.points if one.tier is not None):
             whole = point.quality
             for cause in get_args(Cause):
-                one = idealised(point.quality, cause, self.knobs)
+                one = idealised(point.quality, cause)
                 found.setdefault(point.id, {})[cause] = plan_sha256(self.subject.scene, one), one
-                whole = idealised(whole, cause, self.knobs)
+                whole = idealised(whole, cause)
             found[point.id]["rest"] = plan_sha256(self.subject.scene, whole), whole
         return found
 

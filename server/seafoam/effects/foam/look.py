@@ -132,7 +132,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         mask = masks[0]
         needs += (
             (HASH, "foam/cell.glsl")
-            if foam.cells
+            if cells
             else ("foam/mask_carried.glsl" if lives else "foam/mask_coordinates.glsl",)
         )
         consts["MASK_SIZE"] = mask.ranks.shape[0]

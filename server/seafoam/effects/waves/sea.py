@@ -79,6 +79,9 @@ def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]
         response = math.prod((2.0 + math.cos(2.0 * math.pi * i / size)) / 3.0 for i in (ix, iz)) if size else 1.0
         data.append(Constant(value=(ix, iz, significant(2.0 * abs(h0) / response), significant(omega))))
         phases.append(Phase(offset=significant(cmath.phase(h0)), rate=-omega, k=(0.0, 0.0)))
+    if not data:
+        # GLSL has no array of none: a wave of no height stands in it.
+        data, phases = [Constant(value=(1.0, 0.0, 0.0, 0.0))], [Phase(offset=0.0, rate=0.0, k=(0.0, 0.0))]
     return {
         "u_gerstner": array("vec4", data, len(data)),
         "u_gerstner_phase": array("float", phases, len(data)),
@@ -251,7 +254,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "SEA_NEWTON": NEWTON if sea.choppiness > 0.0 else 0,
             "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
             "SEA_LEVELS": size.bit_length() - 4,
-            "GERSTNER_WAVES": waves if gerstner else 2,
+            "GERSTNER_WAVES": max(waves, 1) if gerstner else 2,
             "GERSTNER_FIRST": len(tiles[0].waves) if gerstner else 1,
         },
         uniforms={
