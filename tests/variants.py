@@ -96,6 +96,10 @@ def scenes() -> Iterator[Scene]:
         yield sea.model_copy(update={"foam": foam})
     for look in get_args(Look):
         yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"cells": True, "look": look})})
+    by_height = sea.foam.model_copy(update={"saturation": (HeightSaturation(),)})
+    yield Scene(shore=Shore(), foam=by_height, light=sea.light)
+    left = (FrontSaturation(decay=3.0), SlopeSaturation())
+    yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"saturation": left})})
     for model in ("fft", "gerstner"):
         wind = Sea(model=model)  # type: ignore[arg-type]
         yield sea.model_copy(update={"sea": wind})

@@ -16,8 +16,8 @@ from seafoam.masks import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.ocean.dispersion import wavevector
 from seafoam.reference import Assets, sampling
+from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks, saturation
-from seafoam.reference.renderer import frame
 from seafoam.reference.waves import parametric as waves
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
@@ -433,7 +433,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
     size = 512.0 * np.hypot(foot_u, foot_v)
     assets = sixteen_bits(mask)
     _, e = looks.spline_over_footprint(sampling.bspline(assets.thresholds, u, v), foot_u, foot_v)
-    want = frame.covered(assets, s, u, v, foot_u, foot_v, float(np.float32(fade)))
+    want = looked.covered(assets, s, u, v, foot_u, foot_v, float(np.float32(fade)))
     half = np.where(looks.minification(size) < 1.0, np.maximum(e, 5e-4), 0.05)
     assert np.isfinite(got).all()
     assert (got[s == 0.0] == 0.0).all()
@@ -471,7 +471,7 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
     foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
     assets = sixteen_bits(mask)
     foam = Foam(octaves=octaves, fade=float(np.float32(fade)))
-    want = frame.coverage(foam, assets, s, u, v, foot_u, foot_v, filtering=True)
+    want = looked.coverage(foam, assets, s, u, v, foot_u, foot_v, filtering=True)
     assert np.isfinite(got).all()
     assert (got[s == 0.0] == 0.0).all()
     if fade == 0.0:

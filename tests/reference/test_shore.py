@@ -413,9 +413,9 @@ def test_a_picture_is_a_shore() -> None:
 @pytest.mark.parametrize(
     ("image", "says"),
     [
-        (None, "needs one"),
+        (None, "required for kind"),
         ("not base64!", "not base64"),
-        (base64.b64encode(b"GIF89a").decode(), "not a PNG"),
+        (base64.b64encode(b"GIF89a").decode(), "not a readable PNG"),
         (png(np.zeros((1, 40), np.uint8)), "pixels"),
         (png(np.zeros((200, 200), np.uint8)), "pixels"),
         (png(np.zeros((16, 16), np.uint8))[:60], "not"),

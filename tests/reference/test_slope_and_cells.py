@@ -170,7 +170,7 @@ def test_frames_with_cells_and_two_textures_equal_float64(executor: Executor, lo
         texture_second=3.14,
         fade=0.3,
     )
-    camera = Camera(position=(-5e6, 3.0, 7e6), yaw=0.3, pitch=-0.5)
+    camera = Camera(position=(-5e6, 2.6625, 7e6), yaw=0.3, pitch=-0.5)
     scene = Scene(waves=(ParametricWave(amplitude=0.9, wavelength=7.0),), foam=foam, light=None, camera=camera)
     plan = make_plan(scene, UNFILTERED.model_copy(update={"samples": 4}))
     got = executor.render(plan, time=3.3, camera=camera, width=96, height=54, output="linear").pixels

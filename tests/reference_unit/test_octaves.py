@@ -6,8 +6,8 @@ import pytest
 from seafoam.masks import load_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP, ramp_threshold
 from seafoam.reference import Assets
+from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
-from seafoam.reference.renderer import frame
 from seafoam.scene.foam import Foam
 
 SIDE = 160
@@ -33,7 +33,7 @@ def amount(
     """Cover at places under footprints of so many texels; (places,)."""
     u, v = places(3) if at is None else at
     feet = (np.broadcast_to(side * texels / 512.0, (u.size, 2)) for side in NEEDLE)
-    return frame.coverage(Foam(octaves=octaves, fade=fade), assets, np.full(u.size, s), u, v, *feet, filtering=True)
+    return looked.coverage(Foam(octaves=octaves, fade=fade), assets, np.full(u.size, s), u, v, *feet, filtering=True)
 
 
 @pytest.mark.parametrize("texels", 2.0 ** np.arange(-6.0, 7.0, 1.5))
@@ -89,7 +89,7 @@ def test_on_approach_whole_foam_stays_whole_and_clear_water_clear(lace: Assets) 
     for s in (0.1, 0.4, 0.8):
         far = np.full(u.size, s)
         for octaves in (2, 3, 4):
-            near = frame.coverage(Foam(octaves=octaves), lace, np.full(u.size, s), u, v, none, none, filtering=False)
+            near = looked.coverage(Foam(octaves=octaves), lace, np.full(u.size, s), u, v, none, none, filtering=False)
             np.testing.assert_array_equal(near[far == 1.0], 1.0)
             np.testing.assert_array_equal(near[far == 0.0], 0.0)
             far = near

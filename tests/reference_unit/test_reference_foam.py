@@ -7,6 +7,7 @@ import pytest
 
 from seafoam.masks import custom_mask
 from seafoam.reference import Assets, sampling
+from seafoam.reference.foam import coverage as looked
 from seafoam.reference.foam import looks
 from seafoam.reference.foam.front import (
     CAP,
@@ -21,7 +22,6 @@ from seafoam.reference.foam.front import (
     seen_phases,
 )
 from seafoam.reference.foam.saturation import height_saturation, joined, saturation
-from seafoam.reference.renderer import frame
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.scene.foam import FrontSaturation
@@ -225,7 +225,7 @@ def covered(s: float, texels: float, fade: float | None, aspect: float = 0.6) ->
     """A(s) of 20 000 footprints of the mask, as wide and as high as they are told."""
     u, v = np.random.default_rng(8).random((2, 20_000))
     foot_u, foot_v = np.full((u.size, 2), [texels / 64.0, 0.0]), np.full((u.size, 2), [0.0, aspect * texels / 64.0])
-    return frame.covered(ASSETS, np.full(u.size, s), u, v, foot_u, foot_v, fade)
+    return looked.covered(ASSETS, np.full(u.size, s), u, v, foot_u, foot_v, fade)
 
 
 @pytest.mark.parametrize("fade", [0.0, 0.2])

@@ -49,5 +49,5 @@ def test_a_png_holds_the_picture_and_nothing_else() -> None:
     [((4, 4, 3), np.uint8, "png"), ((4, 4, 4), np.float32, "png"), ((4, 4), np.uint8, "png")],
 )
 def test_other_pictures_are_refused(shape: tuple[int, ...], type: type, format: str) -> None:
-    with pytest.raises(ValueError, match="needs"):
+    with pytest.raises(ValueError, match="requires"):
         encode(np.zeros(shape, type), format)

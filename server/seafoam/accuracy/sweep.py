@@ -21,7 +21,7 @@ import numpy as np
 from seafoam.accuracy import metrics
 from seafoam.accuracy.cache import Store, key_of
 from seafoam.accuracy.fronts import beating, compare, front, sentences
-from seafoam.accuracy.knobs import all_knobs, idealised
+from seafoam.accuracy.knobs import idealised
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.model import (
     FORMAT,
@@ -194,7 +194,6 @@ class _Sweeping:
         self.rig = rig
         self.watcher = watcher
         self.points = points_of(subject.scene)
-        self.knobs = all_knobs(subject.scene)
         self.drawn: dict[str, Picture] = {}
         """Pictures at the subject's own time, by plan."""
         self.ideals = self._ideals()
