@@ -81,7 +81,7 @@ def test_the_covering_set_compiles_in_chromium(page: Page, chosen: dict[str, Pro
     errors: list[str] = []
     while batch := list(islice(names, BATCH)):
         said = compiled(page, {name: chosen[name] for name in batch})
-        failed = {name: label(chosen[name]) for name in batch if any(f"program {name}:" in error for error in said)}
+        failed = {name: label(chosen[name]) for name in batch if any(f"Program {name}:" in error for error in said)}
         errors += [*said, *(f"{name} is made of {files}" for name, files in failed.items())]
     assert errors == []
 
@@ -115,7 +115,7 @@ def test_a_broken_program_is_reported(
     bad = broken(program, line)
     errors = compiled(page, {name: bad})
     assert len(errors) == 1
-    assert f"program {name}:" in errors[0]
+    assert f"Program {name}:" in errors[0]
     assert names in errors[0]
     # By file, not by a line of the assembled text that nobody has.
     assert bad.fragment.files[-1].path in errors[0]
