@@ -12,6 +12,7 @@ import inputs
 from gpu import Probe
 from report import REPORT, Report
 from room import LIMIT, Room, give_back, resident
+from seafoam.planner.planner import make_plan
 from seafoam.render.gl.executor import Executor
 
 # llvmpipe compiles in half the time without LLVM's optimisations, and draws the same bytes (test_driver.py); most of
@@ -54,6 +55,9 @@ def _room() -> Iterator[None]:
     yield
     if _executor.cache_info().currsize and resident() > max(LIMIT // 4, least + LIMIT // 10):
         _executor().forget()
+        if resident() > LIMIT // 2:
+            # Plans hold their shaders' texts.
+            make_plan.cache_clear()
         give_back()
         least = resident()
 

@@ -21,7 +21,7 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=128)
 def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FramePlan:
     """Return the frame plan of a scene at a quality.
 
