@@ -53,7 +53,7 @@ def _room() -> Iterator[None]:
     """After a test, have the executor forget what it keeps for later frames, once that is too much."""
     global least
     yield
-    if _executor.cache_info().currsize and resident() > max(LIMIT // 4, least + LIMIT // 10):
+    if _executor.cache_info().currsize and resident() > max(LIMIT // 4, least + LIMIT // 20):
         _executor().forget()
         if resident() > LIMIT // 2:
             # Plans hold their shaders' texts.
