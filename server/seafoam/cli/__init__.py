@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from seafoam.render.gl.executor import Executor
 
 from seafoam.cli.masks import masks
-from seafoam.cli.support import UNABLE, CommandError, Output, extension_of, refuse, write
+from seafoam.cli.support import UNABLE, CommandError, Output, extension_of, need_reports, refuse, write
 
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
@@ -207,6 +207,7 @@ def accuracy(
     again: Annotated[bool, typer.Option("--again", help="Measure again, ignoring stored results.")] = False,
 ) -> None:
     """Measure what accuracy costs in time: each tier and setting, against float64. Takes minutes; results are kept."""
+    need_reports()
     from rich.console import Console
     from rich.table import Column, Table
 

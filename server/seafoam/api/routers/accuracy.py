@@ -19,6 +19,7 @@ from seafoam.api.context import Context, InContext
 from seafoam.api.errors import BusyError, problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.routers.presets import PresetName, find_preset
+from seafoam.extras import require_reports
 
 router = APIRouter(prefix="/api", tags=["accuracy"])
 
@@ -43,7 +44,11 @@ def _answers(description: str, media: str) -> dict[int | str, dict[str, Any]]:
 
 
 async def measured(context: Context, subject: Subject) -> Sweep | Running:
-    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available."""
+    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available.
+
+    Raises :class:`seafoam.extras.MissingExtraError` without the packages of the extra ``reports``.
+    """
+    require_reports()
     await context.pool.wait_until_settled()
     try:
         return await context.plans.run(context.station.sweep, subject)
@@ -109,7 +114,7 @@ def _csv(sweep: Sweep) -> bytes:
     "/accuracy/{preset}.csv",
     responses=_answers("CSV with one row per point; times in milliseconds", "text/csv")
     | _RUNNING
-    | problem_responses(404, 422, 500, 503, 504),
+    | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_accuracy_csv(
@@ -123,7 +128,7 @@ async def get_accuracy_csv(
     "/accuracy/{preset}.png",
     responses=_answers("Plot of time against error, with the Pareto front", "image/png")
     | _RUNNING
-    | problem_responses(404, 422, 500, 503, 504),
+    | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_accuracy_plot(
@@ -137,7 +142,7 @@ async def get_accuracy_plot(
     "/accuracy/{preset}/truth.npy",
     responses=_answers("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
     | _RUNNING
-    | problem_responses(404, 422, 500, 503),
+    | problem_responses(404, 422, 500, 501, 503),
     response_class=Response,
 )
 async def get_truth(
@@ -156,7 +161,7 @@ async def get_truth(
     return _kept(request, content, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
 
 
-@router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 503))
+@router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 501, 503))
 async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> Points:
     """List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
 
@@ -171,7 +176,7 @@ async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], cont
     "/accuracy/{preset}",
     responses={200: {"model": Sweep, "description": "The measurement"}}
     | _RUNNING
-    | problem_responses(404, 422, 500, 503, 504),
+    | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_accuracy(
