@@ -9,9 +9,6 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Error, Page
 
-from browsers import Lane, opened
-from exact import UNFILTERED
-from report import REPORT
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import HardCase
 from seafoam.planner import FramePlan, make_plan
@@ -19,6 +16,9 @@ from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset
+from support.browsers import Lane, opened
+from support.exact import UNFILTERED
+from support.report import REPORT
 
 SIZE = (48, 27)
 CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard]

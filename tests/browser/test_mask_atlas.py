@@ -6,8 +6,6 @@ import json
 import numpy as np
 import pytest
 
-from browsers import Lane, opened
-from gpu import WHOLE
 from seafoam.effects.effect import Inline
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
@@ -20,6 +18,8 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.textures import texture
+from support.browsers import Lane, opened
+from support.probe import WHOLE
 
 COMPARE = Inline("""uniform usampler2D u_drawn;
 uniform usampler2D u_made;
