@@ -125,22 +125,23 @@ class Contribution:
     passes: tuple[PassSpec, ...] = ()
     bound: "Bound | None" = None
     """Upper bound of the effect's change to a pixel; ``None``: visible."""
-    top: float = 0.0
-    """Upper bound of the effect's share of the surface height above still water, m."""
-    trough: float = 0.0
-    """Lower bound of the effect's share of the surface height, m; at most 0."""
-    steepest: float = 0.0
-    """Upper bound of the effect's share of the surface slope."""
-    curvature: float = 0.0
-    """Upper bound of the effect's share of the surface's second derivative along any direction, 1/m: how sharply its
-    troughs turn up. :data:`UNBOUNDED` if unknown."""
-    grain: float = 0.0
-    """Upper bound of the drawn surface's excess over what its slope at a place and ``curvature`` say, m, caused by the
-    interpolation and the number format of a map."""
-    bottom: float | None = None
+    max_height: float = 0.0
+    """Upper bound of the effect's contribution to the surface's height over still water, m."""
+    min_height: float = 0.0
+    """Lower bound of the effect's contribution to the surface's height, m; at most 0."""
+    max_slope: float = 0.0
+    """Upper bound of the effect's contribution to the surface's slope."""
+    max_curvature: float = 0.0
+    """Upper bound of the effect's contribution to the surface's second derivative in any direction, 1/m: the curvature
+    of its troughs. :data:`UNBOUNDED` if unknown."""
+    map_error: float = 0.0
+    """Upper bound of the height by which the drawn surface exceeds the parabola given by its slope at a place and
+    ``max_curvature``, m; caused by the interpolation and the number format of a map."""
+    min_ground: float | None = None
     """Lowest height of the effect's ground, m."""
-    march: int = 1
-    """Factor on the number of ray-marching steps: steep crests, or crests that fill their slab thinly, need more."""
+    march_factor: int = 1
+    """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
+    lowest and highest water."""
 
 
 @dataclass(frozen=True)

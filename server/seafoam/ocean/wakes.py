@@ -53,7 +53,7 @@ class Wake:
         return 1.5 * self.boat.wake if self.shows else 0.0
 
     @property
-    def steepest(self) -> float:
+    def max_slope(self) -> float:
         """Upper bound of the slope: a·k of both systems, and the slope of their windows."""
         if not self.shows:
             return 0.0
@@ -80,7 +80,7 @@ class Wake:
         window = _OPENING * self.height * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
         return (waves + window) / 0.75**2, (waves + window / NEAR**2) / 0.75**2
 
-    def grain(self, texel: float) -> float:
+    def map_error(self, texel: float) -> float:
         """Upper bound of the excess of a bilinear map of ``texel`` m over what its slope and curvature say, m.
 
         In units of the second derivative of its shortest waves times texel²; the factor is measured, plus a tenth.
@@ -100,4 +100,4 @@ def wake_height(boats: tuple[Boat, ...]) -> float:
 
 def wake_slope(boats: tuple[Boat, ...]) -> float:
     """Return an upper bound of the slope of all wakes together."""
-    return float(f"{sum(wake.steepest for wake in wakes(boats)):.7g}")
+    return float(f"{sum(wake.max_slope for wake in wakes(boats)):.7g}")

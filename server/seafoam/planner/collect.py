@@ -40,14 +40,14 @@ class Collection:
         self.textures: dict[str, TextureUse] = {}
         self.targets: dict[str, Target] = {}
         self.passes: list[PassSpec] = []
-        self.top = 0.0
-        self.trough = 0.0
-        self.grain = 0.0
-        self.steepest = 0.0
+        self.max_height = 0.0
+        self.min_height = 0.0
+        self.map_error = 0.0
+        self.max_slope = 0.0
         self.bounds = [0.0, 0.0, 0.0]
         """Upper bounds of height, slope and curvature of what does not measure its own."""
-        self.bottom = LOWEST
-        self.march = 1
+        self.min_ground = LOWEST
+        self.march_factor = 1
         self.bound_fields: set[str] = set()
         self.readers: dict[str, str] = {}
         """Sampler -> the effect that adds it."""
@@ -74,15 +74,15 @@ class Collection:
         self.readers |= dict.fromkeys(given.inputs, name)
         self.slots += given.slots
         self.passes += given.passes
-        self.top += given.top
-        self.trough += given.trough
-        self.grain += given.grain
-        self.steepest += given.steepest
+        self.max_height += given.max_height
+        self.min_height += given.min_height
+        self.map_error += given.map_error
+        self.max_slope += given.max_slope
         if not any(file.slot == "bounds" for file in given.slots):
-            more = (given.top, given.steepest, given.curvature)
+            more = (given.max_height, given.max_slope, given.max_curvature)
             self.bounds = [a + b for a, b in zip(self.bounds, more, strict=True)]
-        self.bottom = given.bottom if given.bottom is not None else self.bottom
-        self.march = max(self.march, given.march)
+        self.min_ground = given.min_ground if given.min_ground is not None else self.min_ground
+        self.march_factor = max(self.march_factor, given.march_factor)
         for mine, theirs in (
             (self.consts, given.consts),
             (self.uniforms, given.uniforms),

@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from seafoam.effects.bounds import surface_top, surface_trough
+from seafoam.effects.bounds import max_surface_height, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, TextureUse
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.effects.water.seafloor import bed_sun
-from seafoam.effects.waves.parametric import steepest_profile
+from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, significant, vector
 from seafoam.ocean.cascades import RAISED, cascades
@@ -260,7 +260,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     surf = shore.surf
     slope, share, floor_slope, land_slope, land_top, curvature = _limits(shore, quality)
-    swing = max(surface_top(scene), -surface_trough(scene))
+    swing = max(max_surface_height(scene), -min_surface_height(scene))
     steepest = _up(slope + share * swing)
     # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
     bend = _up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * swing)
@@ -359,12 +359,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
         },
         passes=map_passes(shore, quality),
-        bottom=-shore.deep,
+        min_ground=-shore.deep,
         bound=_bound(scene, shore, land_top),
-        top=surf.height,
-        steepest=steepest,
-        curvature=bend,
-        march=2,
+        max_height=surf.height,
+        max_slope=steepest,
+        max_curvature=bend,
+        march_factor=2,
     )
 
 
@@ -372,9 +372,9 @@ def _open_slope(scene: Scene) -> float:
     """No slope of the open sea's waves is steeper."""
     steepest = ring_slope(scene)
     for wave in scene.waves:
-        steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * steepest_profile(wave.exponent)
+        steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * max_profile_slope(wave.exponent)
     if scene.sea is not None and scene.sea.wind > 0.0:
-        steepest += sum(of.steepest for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+        steepest += sum(of.max_slope for of in cascades(scene.sea, scene.water.depth)[:RAISED])
     return steepest
 
 

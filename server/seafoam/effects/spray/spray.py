@@ -15,7 +15,7 @@ from seafoam.effects.effect import (
     TextureUse,
 )
 from seafoam.effects.light.noise import HASH
-from seafoam.effects.waves.parametric import steepest_profile
+from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Constant, Loop, Uniform, Wrap, array, number, significant, vector
@@ -35,7 +35,7 @@ Source = Literal["rocks", "waves", "none"]
 
 def fastest_rise(scene: Scene) -> float:
     """Greatest speed at which single waves can raise the surface, m/s: all at once, in one place."""
-    return sum(angular_frequency(wave) * wave.amplitude * steepest_profile(wave.exponent) for wave in scene.waves)
+    return sum(angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
 
 
 def _source(scene: Scene, spray: Spray) -> tuple[Source, str, float]:

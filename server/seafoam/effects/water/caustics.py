@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.bounds import surface_trough
+from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile
 from seafoam.effects.light.light import sun_direction, sun_irradiance
 from seafoam.framegraph.passes import Grid, Points
@@ -223,7 +223,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 uniforms=weights,
             ),
         ),
-        bound=_bound(scene, light, max(depth + surface_trough(scene), 0.0), waves),
+        bound=_bound(scene, light, max(depth + min_surface_height(scene), 0.0), waves),
     )
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.bounds import surface_trough
+from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.effects.light.noise import VALUE_NOISE
@@ -21,7 +21,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and
     # deep water differ by less than the floor at reflectance 1.
     ways = 1.0 if water.view_below else 2.0
-    least = max(water.depth + surface_trough(scene), 0.0)
+    least = max(water.depth + min_surface_height(scene), 0.0)
     most = 0.0
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
         passed = math.exp(-ways * least * (1.0 / length + water.scattering))
@@ -36,7 +36,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **bed_sun(light),
             **_tiles(water),
         },
-        bottom=-water.depth,
+        min_ground=-water.depth,
         bound=Bound(
             most,
             f"no light comes back from {least:g} m",

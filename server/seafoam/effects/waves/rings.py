@@ -96,11 +96,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "u_ring_shape": _shapes(shown),
             },
             bound=bound,
-            top=height,
-            trough=-height,
-            steepest=steepest,
-            curvature=curvature,
-            march=march,
+            max_height=height,
+            min_height=-height,
+            max_slope=steepest,
+            max_curvature=curvature,
+            march_factor=march,
         )
     corners = [
         (Constant(value=(corner_x - t.ring.place[0],)), Constant(value=(corner_z - t.ring.place[1],))) for t in shown
@@ -150,12 +150,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             *measured,
         ),
         bound=bound,
-        top=height,
-        trough=-height,
-        steepest=steepest,
-        curvature=curvature,
-        grain=height * HALF_FLOAT,
-        march=march,
+        max_height=height,
+        min_height=-height,
+        max_slope=steepest,
+        max_curvature=curvature,
+        map_error=height * HALF_FLOAT,
+        march_factor=march,
     )
 
 

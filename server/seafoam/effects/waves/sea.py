@@ -4,7 +4,7 @@ import cmath
 import math
 from collections.abc import Sequence
 
-from seafoam.effects.bounds import crest_limit, slope_sensitivity, surface_top, surface_trough
+from seafoam.effects.bounds import crest_limit, max_surface_height, min_surface_height, slope_sensitivity
 from seafoam.effects.effect import (
     HALF_FLOAT,
     Bound,
@@ -94,7 +94,7 @@ def tile_uniforms(of: Cascade, number_of: int, wanted: float, size: int) -> dict
         "u_sea_block": number(float(number_of)),
         "u_sea_texel": number(significant(of.size / size)),
         "u_sea_choppiness": number(significant(of.choppiness(wanted))),
-        "u_sea_limit": vector((significant(of.limit), significant(of.steepest))),
+        "u_sea_limit": vector((significant(of.limit), significant(of.max_slope))),
     }
 
 
@@ -240,7 +240,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             for i, of in enumerate(raised)
         )
     top = sum(of.limit for of in raised)
-    steepest = sum(of.steepest for of in raised)
+    steepest = sum(of.max_slope for of in raised)
     height = 4.0 * math.sqrt(sum(of.variance for of in tiles))
     waves = sum(len(of.waves) for of in tiles)
     how = f"{waves} waves on {len(tiles)} tiles" if gerstner else f"{len(tiles)} tiles by FFT, {size}²"
@@ -270,12 +270,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         textures=textures,
         targets=targets,
         passes=passes,
-        bound=_bound(scene, sum(of.steepest for of in tiles)),
-        top=top,
-        trough=-top,
-        steepest=steepest,
-        grain=sum(of.grain(size) + of.limit * HALF_FLOAT for of in raised),
-        march=2,
+        bound=_bound(scene, sum(of.max_slope for of in tiles)),
+        max_height=top,
+        min_height=-top,
+        max_slope=steepest,
+        map_error=sum(of.map_error(size) + of.limit * HALF_FLOAT for of in raised),
+        march_factor=2,
     )
 
 
@@ -287,7 +287,9 @@ def _bound(scene: Scene, steepest: float) -> Bound | None:
     if scene.light is None:
         return Bound(0.0, "nothing lies on it, and there is no light")
     return Bound(
-        slope_sensitivity(scene) * steepest + 0.1 * (surface_top(scene) - surface_trough(scene)) + crest_limit(scene),
+        slope_sensitivity(scene) * steepest
+        + 0.1 * (max_surface_height(scene) - min_surface_height(scene))
+        + crest_limit(scene),
         f"slopes are never above {steepest:.1g}",
         ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
     )
