@@ -10,10 +10,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.hash import chance
 from seafoam.ocean.spectrum import (
-    Floats,
     dispersion,
     frequency_spectrum,
     peak_frequency,

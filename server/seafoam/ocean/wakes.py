@@ -3,12 +3,11 @@
 import math
 from dataclasses import dataclass
 
+from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.boats import Boat
 
 LEAST_SPEED = 0.5
 """Speed below which a boat leaves no wake, m/s."""
-
-_GRAVITY = 9.81
 
 NEAR = 2.0
 """Distance from a boat's middle, in lengths, beyond which the window at its bow is negligible."""
@@ -30,7 +29,7 @@ class Wake:
     @property
     def k(self) -> float:
         """Wavenumber of the transverse waves, whose phase speed is the boat's: g/v², rad/m."""
-        return _GRAVITY / max(self.boat.speed, LEAST_SPEED) ** 2
+        return GRAVITY / max(self.boat.speed, LEAST_SPEED) ** 2
 
     @property
     def wavelength(self) -> float:

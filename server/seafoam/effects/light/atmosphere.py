@@ -5,13 +5,12 @@ from functools import lru_cache
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.scene.light import Light
 from seafoam.scene.sky import Clouds, Direction, direction
 
 Rgb = tuple[float, float, float]
-Floats = NDArray[np.float64]
 
 RAYLEIGH: Rgb = (0.055, 0.108, 0.215)
 SUN_POWER = 20.0

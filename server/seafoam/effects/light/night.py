@@ -4,7 +4,7 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.noise import HASH, PERLIN_2
+from seafoam.effects.noise import HASH, PERLIN_2
 from seafoam.framegraph.rules import number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene

@@ -10,12 +10,13 @@ from scipy import ndimage
 from seafoam.effects.bounds import max_surface_height, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, TextureUse
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.water.seafloor import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, significant, vector
 from seafoam.ocean.cascades import RAISED, cascades
+from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.rings import ring_slope
 from seafoam.ocean.seabed import floor_grid
@@ -81,7 +82,7 @@ def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> t
     inland = _smooth(-1.2 * max(surf.height, 0.05) / shore.slope, 0.0, d)
     tall = surf.height * shoal * inland * (1.0 - _smooth(0.45 * shore.deep, 0.9 * shore.deep, depth))
     least = max(0.3 * surf.height, 0.05)
-    per_metre = 1.0 / (surf.period * np.sqrt(9.81 * (least + shore.slope * np.maximum(d, 0.0))))
+    per_metre = 1.0 / (surf.period * np.sqrt(GRAVITY * (least + shore.slope * np.maximum(d, 0.0))))
     skew = 1.0 - _smooth(breaks, 2.5 * breaks, depth)
     table = shore_profiles(nodes, surf.skew, surf.sharpness).astype(np.float64)
 

@@ -5,7 +5,7 @@ import math
 from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light

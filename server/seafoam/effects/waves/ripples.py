@@ -6,16 +6,13 @@ from dataclasses import dataclass, field
 
 from seafoam.effects.bounds import slope_sensitivity
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile, Source
-from seafoam.effects.light.noise import PERLIN_3
+from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant
 from seafoam.ocean.ripples import BANDS, WAVES_PER_TILE, Ripple, ripples, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Chop
-
-CELLS = 256
-"""The noise of gusts repeats after so many cells."""
 
 
 def _data(waves: Sequence[Ripple], first_band: int = 0) -> list[Constant]:
@@ -125,17 +122,10 @@ def _gusts(chop: Chop) -> _Gusts:
     gusts = chop.gusts
     if gusts is None or gusts.strength == 0.0:
         return _Gusts()
-    turn = 2.0 * math.pi / (CELLS * gusts.size)
-    speed = (gusts.speed * math.cos(chop.wind_direction), gusts.speed * math.sin(chop.wind_direction))
-    place = [
-        Phase(offset=0.0, rate=-turn * speed[0], k=(turn, 0.0)),
-        Phase(offset=0.0, rate=-turn * speed[1], k=(0.0, turn)),
-        Phase(offset=0.0, rate=2.0 * math.pi / (CELLS * gusts.change), k=(0.0, 0.0)),
-    ]
     return _Gusts(
         {"GUST_SEED": 64 * gusts.seed},
         {
-            "u_gust_phase": array("float", place, 3),
+            "u_gust_phase": drifting_noise(gusts.size, gusts.speed, chop.wind_direction, gusts.change),
             "u_gust_size": number(gusts.size),
             "u_gust_strength": number(gusts.strength, "/water/chop/gusts/strength"),
         },
