@@ -2,6 +2,7 @@
 
 import math
 
+from seafoam.effects.effect import Bound
 from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.levels import paper_level
@@ -121,6 +122,26 @@ def slope_sensitivity(scene: Scene) -> float:
     if scene.light is None:
         return 0.0
     return (7.4 / scene.water.roughness + 30.0) * max(1.0, math.exp2(scene.light.exposure))
+
+
+def waves_bound(scene: Scene, max_slope: float, height: float) -> Bound | None:
+    """Bound of waves of this slope and height from trough to crest, m; ``None`` where other things show them.
+
+    Foam, ripples, spray, boats and a floor move with the waves or are seen through them. Without these, waves show by
+    their slope, by light through their crests, and by the haze before them: a crest changes it by its share of the
+    camera's height, at most a tenth per metre.
+    """
+    ripples = scene.water.chop is not None and scene.light is not None
+    floor = scene.water.depth is not None or scene.shore is not None
+    if scene.foam is not None or scene.spray is not None or scene.boats or ripples or floor:
+        return None
+    if scene.light is None:
+        return Bound(0.0, "the scene has no light, and nothing floats on the waves")
+    return Bound(
+        slope_sensitivity(scene) * max_slope + 0.1 * height + crest_limit(scene),
+        f"the greatest slope is {max_slope:.1g}",
+        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
+    )
 
 
 def crest_limit(scene: Scene) -> float:

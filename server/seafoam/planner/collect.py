@@ -2,7 +2,18 @@
 
 from collections.abc import Sequence
 
-from seafoam.effects.effect import Const, Contribution, Effect, PassSpec, SlotFile, SlotRef, TextureUse, path_of
+from seafoam.effects.effect import (
+    AssemblyError,
+    Const,
+    Contribution,
+    Effect,
+    PassSpec,
+    SlotFile,
+    SlotRef,
+    TextureUse,
+    path_of,
+    united,
+)
 from seafoam.framegraph.plan import EffectNote
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
@@ -18,10 +29,6 @@ START_TILE = 4
 
 LOWEST = -100.0
 """Maximum depth of the camera without a floor, m: there is nothing more to see."""
-
-
-class AssemblyError(RuntimeError):
-    """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
 
 
 class Collection:
@@ -83,17 +90,14 @@ class Collection:
             self.bounds = [a + b for a, b in zip(self.bounds, more, strict=True)]
         self.min_ground = given.min_ground if given.min_ground is not None else self.min_ground
         self.march_factor = max(self.march_factor, given.march_factor)
-        for mine, theirs in (
-            (self.consts, given.consts),
-            (self.uniforms, given.uniforms),
-            (self.inputs, given.inputs),
-            (self.textures, given.textures),
-            (self.targets, given.targets),
-        ):
-            taken = mine.keys() & theirs.keys()
-            if taken:
-                raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
-            mine.update(theirs)  # type: ignore[arg-type]
+        try:
+            self.consts = united((self.consts, given.consts))
+            self.uniforms = united((self.uniforms, given.uniforms))
+            self.inputs = united((self.inputs, given.inputs))
+            self.textures = united((self.textures, given.textures))
+            self.targets = united((self.targets, given.targets))
+        except AssemblyError as error:
+            raise AssemblyError(f"effect {name}: {error}") from None
 
     def add_starts(self, side: int) -> None:
         """Return the pass that finds, for tiles of the picture, the start distances of their rays to water and land.

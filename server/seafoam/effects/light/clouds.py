@@ -3,14 +3,10 @@
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile
 from seafoam.effects.light import atmosphere
 from seafoam.effects.noise import PERLIN_3, drifting_noise
-from seafoam.framegraph.rules import number, significant, vector
+from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import Clouds
-
-
-def _rounded(values: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(significant(value) for value in values)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -34,13 +30,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms={
             "u_cloud_phase": drifting_noise(clouds.size, clouds.wind, clouds.wind_direction, clouds.change),
             "u_cloud_shape": vector(
-                _rounded((clouds.height, clouds.size, atmosphere.cloud_start(clouds), clouds.thickness))
+                rounded((clouds.height, clouds.size, atmosphere.cloud_start(clouds), clouds.thickness))
             ),
             "u_cloud_softness": number(clouds.softness),
             "u_cloud_mean": number(significant(atmosphere.cloud_mean(clouds))),
-            "u_cloud_toward": vector(_rounded(lamp)),
-            "u_cloud_light": vector(_rounded(atmosphere.cloud_light(light))),
-            "u_cloud_sky": vector(_rounded(atmosphere.cloud_sky(light))),
+            "u_cloud_toward": vector(rounded(lamp)),
+            "u_cloud_light": vector(rounded(atmosphere.cloud_light(light))),
+            "u_cloud_sky": vector(rounded(atmosphere.cloud_sky(light))),
         },
         bound=_bound(clouds),
     )

@@ -5,9 +5,10 @@ import math
 from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile
 from seafoam.effects.light.light import sun_direction, sun_irradiance
+from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant, vector
+from seafoam.framegraph.rules import Constant, Uniform, Wrap, array, number, significant, vector
 from seafoam.ocean.ripples import Ripple, ripples, tiles
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
@@ -237,9 +238,7 @@ def _slopes(waves: list[Ripple], tile: float) -> dict[str, Uniform]:
         "u_caustic_wave": array(
             "vec4", [Constant(value=(w.kx, w.kz, significant(w.slope), 0.0)) for w in waves], len(waves)
         ),
-        "u_caustic_phase": array(
-            "float", [Phase(offset=w.phase, rate=w.omega, k=(0.0, 0.0)) for w in waves], len(waves)
-        ),
+        "u_caustic_phase": ripple_phases(waves),
         "u_caustic_tile": number(tile),
     }
 

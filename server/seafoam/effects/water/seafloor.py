@@ -6,7 +6,7 @@ from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
-from seafoam.framegraph.rules import Uniform, Wrap, array, number, significant, vector
+from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -79,8 +79,7 @@ def _tiles(water: Water) -> dict[str, Uniform]:
     if water.floor_tile is None:
         return {}
     side = water.floor_tile
-    place = [Wrap(k=k, period=256.0) for k in ((1.0 / side, 0.0), (0.0, 1.0 / side))]
-    return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", place, 1)}
+    return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", in_tile(side, period=256.0), 1)}
 
 
 EFFECT = Effect("floor", contribute)

@@ -2,8 +2,8 @@
 
 import math
 
-from seafoam.effects.bounds import crest_limit, parametric_wave_height, slope_sensitivity
-from seafoam.effects.effect import UNBOUNDED, Bound, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.bounds import parametric_wave_height, waves_bound
+from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, Knob, SlotFile
 from seafoam.effects.foam.living import carries
 from seafoam.framegraph.rules import Constant, Phase, array, number, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
@@ -117,27 +117,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_mean": array("vec3", means, len(waves)),
             "u_parametric_level": number(significant(level)),
         },
-        bound=_bound(scene, steepest),
+        bound=waves_bound(scene, steepest, parametric_wave_height(scene)),
         max_height=parametric_wave_height(scene) - level,
         min_height=-level,
         max_slope=steepest,
         max_curvature=min(significant(curvature), UNBOUNDED),
-    )
-
-
-def _bound(scene: Scene, steepest: float) -> Bound | None:
-    """Waves that nothing lies on (foam, ripples) show by their slopes and, over a floor, by their height alone."""
-    ripples = scene.water.chop is not None and scene.light is not None
-    lying = scene.foam is not None or ripples or scene.spray is not None or scene.boats
-    if lying or scene.water.depth is not None or scene.shore is not None:
-        return None
-    # A crest also moves the haze before it, by its share of the eye's height: a tenth for any camera above 10 m/m.
-    if scene.light is None:
-        return Bound(0.0, "nothing lies on them, and there is no light")
-    return Bound(
-        slope_sensitivity(scene) * steepest + 0.1 * parametric_wave_height(scene) + crest_limit(scene),
-        f"slopes are never above {steepest:.1g}",
-        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
     )
 
 
