@@ -20,7 +20,7 @@ from seafoam.scene.water import Chop
 INDEX = 1.34
 COLOURS = ("red", "green", "blue")
 COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
-"""Refractive index of water for red, green and blue (650, 550, 450 nm) less that for green (Daimon and Masumura 2007)."""
+"""Refractive index of water at 650, 550 and 450 nm less that at 550 nm (Daimon and Masumura 2007)."""
 RIM = 4
 """Border around the map, texels, that contains photons which land near the edge and the support of the smoothing."""
 MAX_SPREAD = 4.0
