@@ -2,6 +2,7 @@
 
 import math
 
+from seafoam.effects.effect import Bound
 from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
 from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.levels import paper_level
@@ -25,18 +26,18 @@ SATURATION_CAP = 4.0
 """Cap of the saturation: no look distinguishes greater values (docs/formulae.md, section 4)."""
 
 
-def waves_top(scene: Scene) -> float:
+def parametric_wave_height(scene: Scene) -> float:
     """Greatest height of the parametric waves over their troughs, m: every crest in one place."""
     return sum(wave.amplitude for wave in scene.waves)
 
 
-def surface_top(scene: Scene) -> float:
+def max_surface_height(scene: Scene) -> float:
     """Greatest height of everything that raises the surface, m: all crests in one place."""
-    top = waves_top(scene) - paper_level(scene) + _swing(scene)
+    top = parametric_wave_height(scene) - paper_level(scene) + _swing(scene)
     return top if scene.shore is None else top + scene.shore.surf.height
 
 
-def surface_trough(scene: Scene) -> float:
+def min_surface_height(scene: Scene) -> float:
     """Lowest that the surface can be, m, at most 0: all troughs in one place."""
     return -(paper_level(scene) + _swing(scene))
 
@@ -56,7 +57,7 @@ def front_limit(front: FrontSaturation, scene: Scene) -> float:
 
 def height_limit(height: HeightSaturation, scene: Scene) -> float:
     """Greatest height saturation: that of the greatest height."""
-    reached = (surface_top(scene) + paper_level(scene) - height.base) / (height.full - height.base)
+    reached = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
     return min(max(reached, 0.0), SATURATION_CAP)
 
 
@@ -81,7 +82,7 @@ def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
 
 def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
     """Greatest slope saturation: that of a wall; none where nothing raises the surface."""
-    return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if surface_top(scene) > 0.0 else 0.0
+    return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if max_surface_height(scene) > 0.0 else 0.0
 
 
 def source_limit(source: Saturation, scene: Scene) -> float:
@@ -123,10 +124,30 @@ def slope_sensitivity(scene: Scene) -> float:
     return (7.4 / scene.water.roughness + 30.0) * max(1.0, math.exp2(scene.light.exposure))
 
 
+def waves_bound(scene: Scene, max_slope: float, height: float) -> Bound | None:
+    """Bound of waves of this slope and height from trough to crest, m; ``None`` where other things show them.
+
+    Foam, ripples, spray, boats and a floor move with the waves or are seen through them. Without these, waves show by
+    their slope, by light through their crests, and by the haze before them: a crest changes it by its share of the
+    camera's height, at most a tenth per metre.
+    """
+    ripples = scene.water.chop is not None and scene.light is not None
+    floor = scene.water.depth is not None or scene.shore is not None
+    if scene.foam is not None or scene.spray is not None or scene.boats or ripples or floor:
+        return None
+    if scene.light is None:
+        return Bound(0.0, "the scene has no light, and nothing floats on the waves")
+    return Bound(
+        slope_sensitivity(scene) * max_slope + 0.1 * height + crest_limit(scene),
+        f"the greatest slope is {max_slope:.1g}",
+        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
+    )
+
+
 def crest_limit(scene: Scene) -> float:
     """Brightest light through a crest, display white = 1."""
     light, water = scene.light, scene.water
-    if light is None or surface_top(scene) == 0.0:
+    if light is None or max_surface_height(scene) == 0.0:
         return 0.0
     passed = (
         water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(lamp_angles(light)[1])

@@ -5,9 +5,9 @@ Effects describe; the planner assembles.
 """
 
 import importlib
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Literal
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Literal, Self, TypeVar
 
 from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Points, View
 from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
@@ -30,6 +30,8 @@ UNBOUNDED = 1e9
 
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -110,11 +112,10 @@ class PassSpec:
     """Files of the fragment shader for cameras that can be below crests; empty: the same files."""
 
 
-@dataclass(frozen=True)
-class Contribution:
-    """All that one effect adds to a plan, and why it runs."""
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """Shader files, numbers, textures, targets and passes that belong together: a map and the passes that draw it."""
 
-    why: str
     slots: tuple[SlotFile, ...] = ()
     consts: dict[str, Const] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
@@ -123,24 +124,46 @@ class Contribution:
     """Name in the plan -> what it holds and how it is sampled."""
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
+
+    def joined(self, *others: "Part") -> Self:
+        """Return this with everything that ``others`` have, after its own. Raises :class:`AssemblyError`."""
+        every: tuple[Part, ...] = (self, *others)
+        return replace(
+            self,
+            slots=tuple(slot for part in every for slot in part.slots),
+            consts=united(part.consts for part in every),
+            uniforms=united(part.uniforms for part in every),
+            inputs=united(part.inputs for part in every),
+            textures=united(part.textures for part in every),
+            targets=united(part.targets for part in every),
+            passes=tuple(spec for part in every for spec in part.passes),
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contribution(Part):
+    """All that one effect adds to a plan, and why it runs."""
+
+    why: str
     bound: "Bound | None" = None
     """Upper bound of the effect's change to a pixel; ``None``: visible."""
-    top: float = 0.0
-    """Upper bound of the effect's share of the surface height above still water, m."""
-    trough: float = 0.0
-    """Lower bound of the effect's share of the surface height, m; at most 0."""
-    steepest: float = 0.0
-    """Upper bound of the effect's share of the surface slope."""
-    curvature: float = 0.0
-    """Upper bound of the effect's share of the surface's second derivative along any direction, 1/m: how sharply its
-    troughs turn up. :data:`UNBOUNDED` if unknown."""
-    grain: float = 0.0
-    """Upper bound of the drawn surface's excess over what its slope at a place and ``curvature`` say, m, caused by the
-    interpolation and the number format of a map."""
-    bottom: float | None = None
+    max_height: float = 0.0
+    """Upper bound of the effect's contribution to the surface's height over still water, m."""
+    min_height: float = 0.0
+    """Lower bound of the effect's contribution to the surface's height, m; at most 0."""
+    max_slope: float = 0.0
+    """Upper bound of the effect's contribution to the surface's slope."""
+    max_curvature: float = 0.0
+    """Upper bound of the effect's contribution to the surface's second derivative in any direction, 1/m: the curvature
+    of its troughs. :data:`UNBOUNDED` if unknown."""
+    map_error: float = 0.0
+    """Upper bound of the height by which the drawn surface exceeds the parabola given by its slope at a place and
+    ``max_curvature``, m; caused by the interpolation and the number format of a map."""
+    min_ground: float | None = None
     """Lowest height of the effect's ground, m."""
-    march: int = 1
-    """Factor on the number of ray-marching steps: steep crests, or crests that fill their slab thinly, need more."""
+    march_factor: int = 1
+    """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
+    lowest and highest water."""
 
 
 @dataclass(frozen=True)
@@ -228,6 +251,21 @@ class Effect:
         beside = importlib.import_module(f"{self.contribute.__module__}_cases")
         cases: Cases = beside.CASES[self.name]
         return cases
+
+
+class AssemblyError(RuntimeError):
+    """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
+
+
+def united(mappings: Iterable[Mapping[str, T]]) -> dict[str, T]:
+    """Return the entries of all mappings. Raises :class:`AssemblyError` if two have the same key."""
+    result: dict[str, T] = {}
+    for mapping in mappings:
+        repeated = result.keys() & mapping.keys()
+        if repeated:
+            raise AssemblyError(f"{', '.join(sorted(repeated))}: defined twice")
+        result.update(mapping)
+    return result
 
 
 class PlanError(ValueError):

@@ -10,10 +10,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.hash import chance
 from seafoam.ocean.spectrum import (
-    Floats,
     dispersion,
     frequency_spectrum,
     peak_frequency,
@@ -96,11 +96,11 @@ class Cascade:
         return min(CREST * math.sqrt(self.variance), 2.0 * float(np.abs(self.h0).sum()))
 
     @property
-    def steepest(self) -> float:
+    def max_slope(self) -> float:
         """Upper bound of the slope of the drawn height."""
         return slope_limit(math.sqrt(self.mean_square_slope))
 
-    def grain(self, texels: int) -> float:
+    def map_error(self, texels: int) -> float:
         """How far the tile's height, read bilinearly between ``texels``² texels, stands over what its slopes and its
         curvature say, m. Its unit is second derivative times texel²; the factor is measured, with a tenth to spare."""
         deviation = math.sqrt(float(2.0 * (np.abs(self.k**2 * self.h0) ** 2).sum()))

@@ -4,8 +4,8 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.seabed import floor_grid
 from seafoam.scene.shore import Shore
 
@@ -18,7 +18,7 @@ _SEED = 7
 
 
 @lru_cache(maxsize=16)
-def rocks(ground: str, steep: float) -> NDArray[np.float64]:
+def rocks(ground: str, steep: float) -> Floats:
     """(ROCKS, 4): places on the coast (x, z) from the square's middle, m, and the way out to sea there, a unit vector.
 
     Where the ground at the water's edge is as steep as ``steep`` or more, in a random order, some more than once;
@@ -40,16 +40,16 @@ def rocks(ground: str, steep: float) -> NDArray[np.float64]:
         else:
             x = x + share
         uphill = np.stack((along_x[row, column], along_z[row, column]), axis=-1)
-        slope: NDArray[np.float64] = np.hypot(uphill[:, 0], uphill[:, 1])
+        slope: Floats = np.hypot(uphill[:, 0], uphill[:, 1])
         out = -uphill / np.maximum(slope, 1e-6)[:, None]
         places = np.stack((x, z), axis=-1) * texel - 0.5 * shore.size
-        both: NDArray[np.float64] = np.concatenate((places, out), axis=1)
+        both: Floats = np.concatenate((places, out), axis=1)
         found.append(both[slope >= steep])
     every = np.concatenate(found)
     if len(every) == 0:
         return np.zeros((0, 4))
     random = np.random.Generator(np.random.PCG64(_SEED))
     chosen = np.concatenate([random.permutation(len(every)) for _ in range(math.ceil(ROCKS / len(every)))])[:ROCKS]
-    result: NDArray[np.float64] = np.round(every[chosen] * 1024.0) / 1024.0
+    result: Floats = np.round(every[chosen] * 1024.0) / 1024.0
     result.setflags(write=False)
     return result

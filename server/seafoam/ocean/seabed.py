@@ -5,8 +5,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.hash import chance
-from seafoam.scene.shore import STEPS, Floats, Shore, decoded_image
+from seafoam.scene.shore import STEPS, Shore, decoded_image
 
 
 def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:

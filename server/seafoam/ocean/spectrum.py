@@ -8,15 +8,13 @@ et al. 1963). docs/formulae.md, section 2.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.waves import Sea
 
 GAMMA = 3.3
 """Peak enhancement of JONSWAP."""
-
-Floats = NDArray[np.float64]
 
 
 def peak_frequency(wind: float, fetch: float) -> float:

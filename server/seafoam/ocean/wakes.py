@@ -3,12 +3,11 @@
 import math
 from dataclasses import dataclass
 
+from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.boats import Boat
 
 LEAST_SPEED = 0.5
 """Speed below which a boat leaves no wake, m/s."""
-
-_GRAVITY = 9.81
 
 NEAR = 2.0
 """Distance from a boat's middle, in lengths, beyond which the window at its bow is negligible."""
@@ -30,7 +29,7 @@ class Wake:
     @property
     def k(self) -> float:
         """Wavenumber of the transverse waves, whose phase speed is the boat's: g/v², rad/m."""
-        return _GRAVITY / max(self.boat.speed, LEAST_SPEED) ** 2
+        return GRAVITY / max(self.boat.speed, LEAST_SPEED) ** 2
 
     @property
     def wavelength(self) -> float:
@@ -53,7 +52,7 @@ class Wake:
         return 1.5 * self.boat.wake if self.shows else 0.0
 
     @property
-    def steepest(self) -> float:
+    def max_slope(self) -> float:
         """Upper bound of the slope: a·k of both systems, and the slope of their windows."""
         if not self.shows:
             return 0.0
@@ -80,7 +79,7 @@ class Wake:
         window = _OPENING * self.height * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
         return (waves + window) / 0.75**2, (waves + window / NEAR**2) / 0.75**2
 
-    def grain(self, texel: float) -> float:
+    def map_error(self, texel: float) -> float:
         """Upper bound of the excess of a bilinear map of ``texel`` m over what its slope and curvature say, m.
 
         In units of the second derivative of its shortest waves times texel²; the factor is measured, plus a tenth.
@@ -100,4 +99,4 @@ def wake_height(boats: tuple[Boat, ...]) -> float:
 
 def wake_slope(boats: tuple[Boat, ...]) -> float:
     """Return an upper bound of the slope of all wakes together."""
-    return float(f"{sum(wake.steepest for wake in wakes(boats)):.7g}")
+    return float(f"{sum(wake.max_slope for wake in wakes(boats)):.7g}")

@@ -2,7 +2,18 @@
 
 from collections.abc import Sequence
 
-from seafoam.effects.effect import Const, Contribution, Effect, PassSpec, SlotFile, SlotRef, TextureUse, path_of
+from seafoam.effects.effect import (
+    AssemblyError,
+    Const,
+    Contribution,
+    Effect,
+    PassSpec,
+    SlotFile,
+    SlotRef,
+    TextureUse,
+    path_of,
+    united,
+)
 from seafoam.framegraph.plan import EffectNote
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
@@ -18,10 +29,6 @@ START_TILE = 4
 
 LOWEST = -100.0
 """Maximum depth of the camera without a floor, m: there is nothing more to see."""
-
-
-class AssemblyError(RuntimeError):
-    """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
 
 
 class Collection:
@@ -40,14 +47,14 @@ class Collection:
         self.textures: dict[str, TextureUse] = {}
         self.targets: dict[str, Target] = {}
         self.passes: list[PassSpec] = []
-        self.top = 0.0
-        self.trough = 0.0
-        self.grain = 0.0
-        self.steepest = 0.0
+        self.max_height = 0.0
+        self.min_height = 0.0
+        self.map_error = 0.0
+        self.max_slope = 0.0
         self.bounds = [0.0, 0.0, 0.0]
         """Upper bounds of height, slope and curvature of what does not measure its own."""
-        self.bottom = LOWEST
-        self.march = 1
+        self.min_ground = LOWEST
+        self.march_factor = 1
         self.bound_fields: set[str] = set()
         self.readers: dict[str, str] = {}
         """Sampler -> the effect that adds it."""
@@ -74,26 +81,23 @@ class Collection:
         self.readers |= dict.fromkeys(given.inputs, name)
         self.slots += given.slots
         self.passes += given.passes
-        self.top += given.top
-        self.trough += given.trough
-        self.grain += given.grain
-        self.steepest += given.steepest
+        self.max_height += given.max_height
+        self.min_height += given.min_height
+        self.map_error += given.map_error
+        self.max_slope += given.max_slope
         if not any(file.slot == "bounds" for file in given.slots):
-            more = (given.top, given.steepest, given.curvature)
+            more = (given.max_height, given.max_slope, given.max_curvature)
             self.bounds = [a + b for a, b in zip(self.bounds, more, strict=True)]
-        self.bottom = given.bottom if given.bottom is not None else self.bottom
-        self.march = max(self.march, given.march)
-        for mine, theirs in (
-            (self.consts, given.consts),
-            (self.uniforms, given.uniforms),
-            (self.inputs, given.inputs),
-            (self.textures, given.textures),
-            (self.targets, given.targets),
-        ):
-            taken = mine.keys() & theirs.keys()
-            if taken:
-                raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
-            mine.update(theirs)  # type: ignore[arg-type]
+        self.min_ground = given.min_ground if given.min_ground is not None else self.min_ground
+        self.march_factor = max(self.march_factor, given.march_factor)
+        try:
+            self.consts = united((self.consts, given.consts))
+            self.uniforms = united((self.uniforms, given.uniforms))
+            self.inputs = united((self.inputs, given.inputs))
+            self.textures = united((self.textures, given.textures))
+            self.targets = united((self.targets, given.targets))
+        except AssemblyError as error:
+            raise AssemblyError(f"effect {name}: {error}") from None
 
     def add_starts(self, side: int) -> None:
         """Return the pass that finds, for tiles of the picture, the start distances of their rays to water and land.

@@ -56,7 +56,7 @@ class FrameBuilder:
     def __init__(self, collection: Collection, scene: Scene, quality: Quality) -> None:
         self.collection, self.scene, self.quality = collection, scene, quality
         self.side = math.isqrt(quality.samples)
-        self.level = collection.top == 0.0
+        self.level = collection.max_height == 0.0
         self.shore, self.below = collection.fills("shore"), collection.fills("below")
         # Land stands above the horizon, where no mesh of the sea reaches.
         self.mesh = quality.surface.method == "mesh" and not self.level and not self.shore
@@ -66,7 +66,7 @@ class FrameBuilder:
             **collection.consts,
             "SURFACE_FILTER": quality.surface.filter,
             "REFINE": quality.surface.refine,
-            "MARCH_STEPS": quality.surface.steps * collection.march,
+            "MARCH_STEPS": quality.surface.steps * collection.march_factor,
             "MARCH_TOLERANCE": quality.surface.tolerance,
             "START_SHARE": START_SHARE,
             "SAMPLE_SIDE": self.side,

@@ -3,12 +3,11 @@
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
-from seafoam.effects.effect import PlanError, TextureUse
+from seafoam.effects.effect import AssemblyError, PlanError, TextureUse
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.resources import Target, Texture
 from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
 from seafoam.framegraph.shader import Program, declared_uniforms
-from seafoam.planner.collect import AssemblyError
 from seafoam.textures import texture
 
 MOST_SAMPLERS = 16

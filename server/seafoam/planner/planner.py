@@ -31,7 +31,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     :class:`seafoam.effects.effect.PlanError` if the scene names something that does not exist, such as an unknown mask,
     or more effects together than one shader can read the textures of.
     """
-    scene = _with_steepest_waves(scene, quality.waves)
+    scene = _steepest_waves(scene, quality.waves)
     collection = Collection(EFFECTS, scene, quality, economy=economy)
     frame = FrameBuilder(collection, scene, quality)
     passes = frame.passes()
@@ -40,7 +40,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     for each in passes:
         refuse_integers(each, frame.targets)
     camera = camera_uniforms(
-        collection.top, collection.trough, collection.steepest, collection.grain, collection.bounds
+        collection.max_height, collection.min_height, collection.max_slope, collection.map_error, collection.bounds
     )
     uniforms = {**collection.uniforms, **camera, **frame.uniforms}
     textures = {name: texture_entry(use) for name, use in collection.textures.items()}
@@ -58,14 +58,14 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         uniforms=used,
         linear=frame.linear,
         samples=quality.samples,
-        top=collection.top,
-        bottom=collection.bottom,
+        top=collection.max_height,
+        bottom=collection.min_ground,
         live=tuple(sorted(live_fields(used) - collection.bound_fields)),
     )
     return plan if economy else everywhere(plan)
 
 
-def _with_steepest_waves(scene: Scene, count: int) -> Scene:
+def _steepest_waves(scene: Scene, count: int) -> Scene:
     """Return the scene with its ``count`` steepest waves, in their own order."""
     if len(scene.waves) <= count:
         return scene

@@ -342,7 +342,7 @@ def test_slopes_stay_under_the_marchs_bound(wind: float) -> None:
             tile = truth.tile(of, 40.0 * seed, 1.0, 256)
             step = of.size / 256
             across = [np.diff(tile.height, axis=axis, append=np.take(tile.height, [0], axis)) / step for axis in (0, 1)]
-            assert np.hypot(*across).max() <= of.steepest
+            assert np.hypot(*across).max() <= of.max_slope
             assert np.abs(tile.height).max() <= of.limit
 
 

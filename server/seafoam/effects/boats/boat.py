@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.bounds import surface_top, surface_trough
+from seafoam.effects.bounds import max_surface_height, min_surface_height
 from seafoam.effects.effect import (
     ABOVE,
     Contribution,
@@ -138,7 +138,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
     )
     under = (over, "light/shade/optics.glsl", SlotRef("ceiling"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
-    swing = max(surface_top(scene), -surface_trough(scene))
+    swing = max(max_surface_height(scene), -min_surface_height(scene))
     picture = PassSpec(
         name="boats",
         program="boat",

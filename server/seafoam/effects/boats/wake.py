@@ -42,7 +42,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         count,
     )
     mapped = quality.wake == "map"
-    bounds = [(significant(wake.steepest), *map(significant, wake.curvature)) for wake in wakes(scene.boats)]
+    bounds = [(significant(wake.max_slope), *map(significant, wake.curvature)) for wake in wakes(scene.boats)]
     declared = {
         "u_wake_highest": number(height),
         "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count),
@@ -101,12 +101,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         targets=targets if mapped else {},
         passes=passes if mapped else (),
         bound=Bound(0.0, "no boat moves, or none raises a wave") if height == 0.0 else None,
-        top=height,
-        trough=-height,
-        steepest=steepest,
-        curvature=sum(near for _, near, _ in bounds),
-        grain=significant(sum(wake.grain(wake.length / size) for wake in wakes(scene.boats))) if mapped else 0.0,
-        march=2,
+        max_height=height,
+        min_height=-height,
+        max_slope=steepest,
+        max_curvature=sum(near for _, near, _ in bounds),
+        map_error=significant(sum(wake.map_error(wake.length / size) for wake in wakes(scene.boats)))
+        if mapped
+        else 0.0,
+        march_factor=2,
     )
 
 

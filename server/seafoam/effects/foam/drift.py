@@ -16,7 +16,7 @@ from seafoam.effects.effect import (
     SlotFile,
     Source,
 )
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, TargetInput, TextureInput
 from seafoam.framegraph.rules import Constant, Held, Loop, Uniform, array, number, significant, vector

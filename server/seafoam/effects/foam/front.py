@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.bounds import front_limit, waves_top
+from seafoam.effects.bounds import front_limit, parametric_wave_height
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, SlotFile, TextureUse
 from seafoam.effects.foam.living import carries
 from seafoam.effects.waves.parametric import profile_square, shares_phase
@@ -162,12 +162,12 @@ def _orbits(scene: Scene) -> Uniform:
 
 def _weights(scene: Scene) -> list[float]:
     """Each wave's share of the sum of all amplitudes; of none, the same share each."""
-    total = waves_top(scene)
+    total = parametric_wave_height(scene)
     return [wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves) for wave in scene.waves]
 
 
 def _shared_waves(scene: Scene) -> dict[str, Uniform]:
-    return {"u_front_share": number(significant(1.0 / waves_top(scene)))}
+    return {"u_front_share": number(significant(1.0 / parametric_wave_height(scene)))}
 
 
 def _group(front: FrontSaturation) -> Uniform:

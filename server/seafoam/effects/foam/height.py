@@ -6,7 +6,7 @@ import numpy as np
 
 from seafoam.effects.bounds import height_limit
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, SlotFile
-from seafoam.effects.waves.parametric import steepest_profile
+from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
 from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.levels import paper_level
@@ -33,7 +33,7 @@ def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]
     h = np.zeros_like(x)
     for wave, k in waves:
         h += wave.amplitude * np.power(0.5 + 0.5 * np.cos(k * x), wave.exponent)
-    steepest = sum(k * wave.amplitude * steepest_profile(wave.exponent) for wave, k in waves)
+    steepest = sum(k * wave.amplitude * max_profile_slope(wave.exponent) for wave, k in waves)
     seen = [(float(h.mean()), float(h.std()))] * NODES
     for i in range(NODES - 1):
         over = h + steepest * (i / (NODES - 1)) ** 2 * x

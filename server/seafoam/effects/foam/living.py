@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.effect import Contribution, Effect, Piece, SlotFile, Source, constant_function
-from seafoam.effects.light.noise import PERLIN_2
+from seafoam.effects.noise import PERLIN_2
 from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality

@@ -19,7 +19,7 @@ from seafoam.effects.effect import (
 )
 from seafoam.effects.foam import drift, mask_atlas
 from seafoam.effects.foam.living import AGE, living
-from seafoam.effects.light.noise import HASH
+from seafoam.effects.noise import HASH
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, mask_by_name

@@ -5,7 +5,7 @@ import math
 from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP, wake_limit
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Constant, array, significant
 from seafoam.ocean.wakes import LEAST_SPEED
 from seafoam.quality import Quality

@@ -5,13 +5,12 @@ from functools import lru_cache
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.scene.light import Light
 from seafoam.scene.sky import Clouds, Direction, direction
 
 Rgb = tuple[float, float, float]
-Floats = NDArray[np.float64]
 
 RAYLEIGH: Rgb = (0.055, 0.108, 0.215)
 SUN_POWER = 20.0
@@ -23,7 +22,8 @@ MOON_RADIUS = 0.0045
 MOON_FACE = 2.5
 """Radiance of a full moon's face over its irradiance: not the 15 000 of its solid angle, so that the face shows."""
 NIGHT = 0.002
-_FORWARD = 0.76
+ASYMMETRY = 0.76
+"""Asymmetry parameter g of the haze's Henyey-Greenstein phase function."""
 _NODES = 96
 
 
@@ -38,9 +38,14 @@ def mie_depth(light: Light) -> float:
     return 0.01 + 0.04 * (light.turbidity - 1.0)
 
 
+def air_mass(height: float) -> float:
+    """Air mass on the way down from a lamp at this sine of elevation; the zenith has about 1."""
+    return 1.0 / (max(height, 0.0) + 0.03)
+
+
 def path(light: Light, height: float) -> Rgb:
     """Optical depth of the air that light of a lamp at this sine of elevation passes down to the sea."""
-    mass = 1.0 / (max(height, 0.0) + 0.03)
+    mass = air_mass(height)
     red, green, blue = ((tau + mie_depth(light)) * mass for tau in RAYLEIGH)
     return red, green, blue
 
@@ -137,7 +142,7 @@ def _glow(light: Light, toward: Direction, power: Rgb | float, least: float, d: 
     rayleigh, mie, haze = np.array(RAYLEIGH), mie_depth(light), sky.haze * 0.02 / (height + 0.02)
     mass = 1.0 / (height + 0.09)
     depth = (rayleigh + mie) * mass + haze
-    forward = (1.0 - _FORWARD**2) / (4.0 * math.pi * (1.0 + _FORWARD**2 - 2.0 * _FORWARD * gamma) ** 1.5)
+    forward = (1.0 - ASYMMETRY**2) / (4.0 * math.pi * (1.0 + ASYMMETRY**2 - 2.0 * ASYMMETRY * gamma) ** 1.5)
     once = (rayleigh * mass * 3.0 / (16.0 * math.pi) * (1.0 + gamma**2) + (mie * mass + haze) * forward) / depth
     passed = np.array(path(light, toward[1]))
     full = np.asarray(power)

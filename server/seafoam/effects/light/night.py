@@ -4,16 +4,12 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.noise import HASH, PERLIN_2
-from seafoam.framegraph.rules import number, significant, vector
+from seafoam.effects.noise import HASH, PERLIN_2
+from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 STAR_POWER = 1.0
-
-
-def _rounded(values: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(significant(value) for value in values)
 
 
 def moon(scene: Scene, quality: Quality) -> Contribution | None:
@@ -41,14 +37,14 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile("moon disc", "light/sky/moon_disc.glsl", needs=PERLIN_2),
         ),
         uniforms={
-            "u_moon_direction": vector(_rounded(toward)),
-            "u_moon_path": vector(_rounded(atmosphere.path(light, toward[1]))),
-            "u_moon_power": vector(_rounded(atmosphere.moon_power(light))),
-            "u_moon_right": vector(_rounded(right)),
-            "u_moon_up": vector(_rounded(up)),
+            "u_moon_direction": vector(rounded(toward)),
+            "u_moon_path": vector(rounded(atmosphere.path(light, toward[1]))),
+            "u_moon_power": vector(rounded(atmosphere.moon_power(light))),
+            "u_moon_right": vector(rounded(right)),
+            "u_moon_up": vector(rounded(up)),
             "u_moon_radius": number(significant(radius)),
             "u_moon_sun": vector(
-                _rounded(
+                rounded(
                     tuple(
                         sum(a * b for a, b in zip(sun, axis, strict=True))
                         for axis in (right, up, tuple(-value for value in toward))
@@ -56,7 +52,7 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
                 )
             ),
             "u_moon_radiance": vector(
-                _rounded(
+                rounded(
                     tuple(
                         face * tint * math.exp(-0.5 * tau)
                         for tint, tau in zip(atmosphere.MOON_TINT, atmosphere.path(light, toward[1]), strict=True)
@@ -78,7 +74,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
         why="stars",
         slots=(SlotFile("stars", "light/sky/stars.glsl", needs=("lib/cube_face.glsl", HASH)),),
         uniforms={
-            "u_star_path": vector(_rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
+            "u_star_path": vector(rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),
         },
         bound=Bound(0.0, "the sun is up") if dark == 0.0 else None,

@@ -4,7 +4,7 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile, Source
 from seafoam.effects.light.glitter import brightest_glint, smooth_glint
-from seafoam.effects.light.noise import HASH
+from seafoam.effects.noise import HASH
 from seafoam.framegraph.rules import Loop, array, number, significant
 from seafoam.quality import Quality
 from seafoam.scene.light import Sparkles

@@ -1,6 +1,6 @@
 """Sunlight through thin crests. docs/formulae.md, section 6."""
 
-from seafoam.effects.bounds import crest_limit, surface_top, surface_trough
+from seafoam.effects.bounds import crest_limit, max_surface_height, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
@@ -13,7 +13,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by ``light`` on translucent water."""
     if scene.light is None:
         return None
-    top, trough = surface_top(scene), surface_trough(scene)
+    top, trough = max_surface_height(scene), min_surface_height(scene)
     return Contribution(
         why=f"crests up to {top:g} m against the sun",
         slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/sun.glsl",)),),

@@ -4,7 +4,7 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, SlotRef
 from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradiance
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
 from seafoam.scene.light import Light

@@ -67,7 +67,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "MIRROR_FAR": 0.0 if scene.shore is None else scene.shore.size,
         },
         inputs={"u_mirror": TargetInput(target="mirror")},
-        targets={"mirror": Target(size=FixedSize(width=size, height=size), format="RGBA16F")},
+        targets={"mirror": Target(size=FixedSize.square(size), format="RGBA16F")},
         passes=(
             PassSpec(
                 name=f"planar mirror, {size} texels",

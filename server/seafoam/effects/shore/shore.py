@@ -7,15 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from seafoam.effects.bounds import surface_top, surface_trough
+from seafoam.effects.bounds import max_surface_height, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, TextureUse
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.water.seafloor import bed_sun
-from seafoam.effects.waves.parametric import steepest_profile
+from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, significant, vector
 from seafoam.ocean.cascades import RAISED, cascades
+from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.rings import ring_slope
 from seafoam.ocean.seabed import floor_grid
@@ -81,7 +82,7 @@ def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> t
     inland = _smooth(-1.2 * max(surf.height, 0.05) / shore.slope, 0.0, d)
     tall = surf.height * shoal * inland * (1.0 - _smooth(0.45 * shore.deep, 0.9 * shore.deep, depth))
     least = max(0.3 * surf.height, 0.05)
-    per_metre = 1.0 / (surf.period * np.sqrt(9.81 * (least + shore.slope * np.maximum(d, 0.0))))
+    per_metre = 1.0 / (surf.period * np.sqrt(GRAVITY * (least + shore.slope * np.maximum(d, 0.0))))
     skew = 1.0 - _smooth(breaks, 2.5 * breaks, depth)
     table = shore_profiles(nodes, surf.skew, surf.sharpness).astype(np.float64)
 
@@ -260,7 +261,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     surf = shore.surf
     slope, share, floor_slope, land_slope, land_top, curvature = _limits(shore, quality)
-    swing = max(surface_top(scene), -surface_trough(scene))
+    swing = max(max_surface_height(scene), -min_surface_height(scene))
     steepest = _up(slope + share * swing)
     # The open sea's share changes its slope twice, and is smooth over the length of its own ramp.
     bend = _up(curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * swing)
@@ -359,12 +360,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
         },
         passes=map_passes(shore, quality),
-        bottom=-shore.deep,
+        min_ground=-shore.deep,
         bound=_bound(scene, shore, land_top),
-        top=surf.height,
-        steepest=steepest,
-        curvature=bend,
-        march=2,
+        max_height=surf.height,
+        max_slope=steepest,
+        max_curvature=bend,
+        march_factor=2,
     )
 
 
@@ -372,9 +373,9 @@ def _open_slope(scene: Scene) -> float:
     """No slope of the open sea's waves is steeper."""
     steepest = ring_slope(scene)
     for wave in scene.waves:
-        steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * steepest_profile(wave.exponent)
+        steepest += wave.amplitude * math.hypot(*wavevector(wave, scene.water.depth)) * max_profile_slope(wave.exponent)
     if scene.sea is not None and scene.sea.wind > 0.0:
-        steepest += sum(of.steepest for of in cascades(scene.sea, scene.water.depth)[:RAISED])
+        steepest += sum(of.max_slope for of in cascades(scene.sea, scene.water.depth)[:RAISED])
     return steepest
 
 

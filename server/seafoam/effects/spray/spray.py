@@ -14,11 +14,12 @@ from seafoam.effects.effect import (
     SlotRef,
     TextureUse,
 )
-from seafoam.effects.light.noise import HASH
-from seafoam.effects.waves.parametric import steepest_profile
+from seafoam.effects.noise import HASH
+from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Constant, Loop, Uniform, Wrap, array, number, significant, vector
+from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency
 from seafoam.ocean.rocks import ROCKS, rocks
 from seafoam.quality import Quality
@@ -35,7 +36,7 @@ Source = Literal["rocks", "waves", "none"]
 
 def fastest_rise(scene: Scene) -> float:
     """Greatest speed at which single waves can raise the surface, m/s: all at once, in one place."""
-    return sum(angular_frequency(wave) * wave.amplitude * steepest_profile(wave.exponent) for wave in scene.waves)
+    return sum(angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
 
 
 def _source(scene: Scene, spray: Spray) -> tuple[Source, str, float]:
@@ -45,7 +46,7 @@ def _source(scene: Scene, spray: Spray) -> tuple[Source, str, float]:
         if shore.surf.height == 0.0 or len(rocks(shore.ground, spray.steep)) == 0:
             return "none", "no surf breaks on any rock", 0.0
         # Waves are at most 1.2 times their breaking height where they reach the coast, by Green's law.
-        fastest = spray.speed * math.sqrt(9.81 * 1.2 * shore.surf.height / 0.3)
+        fastest = spray.speed * math.sqrt(GRAVITY * 1.2 * shore.surf.height / 0.3)
         return "rocks", f"surf on rocks starts drops at {fastest:.2g} m/s at most", fastest
     waves = [wave for wave in scene.waves if wave.amplitude > 0.0]
     if not waves:

@@ -2,11 +2,11 @@
 
 import math
 
-from seafoam.effects.bounds import surface_trough
+from seafoam.effects.bounds import min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
-from seafoam.effects.light.noise import VALUE_NOISE
-from seafoam.framegraph.rules import Uniform, Wrap, array, number, significant, vector
+from seafoam.effects.noise import VALUE_NOISE
+from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -21,7 +21,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and
     # deep water differ by less than the floor at reflectance 1.
     ways = 1.0 if water.view_below else 2.0
-    least = max(water.depth + surface_trough(scene), 0.0)
+    least = max(water.depth + min_surface_height(scene), 0.0)
     most = 0.0
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
         passed = math.exp(-ways * least * (1.0 / length + water.scattering))
@@ -36,7 +36,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             **bed_sun(light),
             **_tiles(water),
         },
-        bottom=-water.depth,
+        min_ground=-water.depth,
         bound=Bound(
             most,
             f"no light comes back from {least:g} m",
@@ -79,8 +79,7 @@ def _tiles(water: Water) -> dict[str, Uniform]:
     if water.floor_tile is None:
         return {}
     side = water.floor_tile
-    place = [Wrap(k=k, period=256.0) for k in ((1.0 / side, 0.0), (0.0, 1.0 / side))]
-    return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", place, 1)}
+    return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", in_tile(side, period=256.0), 1)}
 
 
 EFFECT = Effect("floor", contribute)

@@ -2,8 +2,8 @@
 
 import math
 
-from seafoam.effects.bounds import crest_limit, slope_sensitivity, waves_top
-from seafoam.effects.effect import UNBOUNDED, Bound, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.bounds import parametric_wave_height, waves_bound
+from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, Knob, SlotFile
 from seafoam.effects.foam.living import carries
 from seafoam.framegraph.rules import Constant, Phase, array, number, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
@@ -30,7 +30,7 @@ def _profile_slope(exponent: float, s: float, c: float) -> float:
     return exponent * math.pow(held, 2.0 * exponent - 1.0) * c
 
 
-def steepest_profile(exponent: float) -> float:
+def max_profile_slope(exponent: float) -> float:
     """Greatest |d(u^K)/dθ|: at u = (K − ½)/K for K > ½, else at the trough, where it is held."""
     if exponent <= 0.5:
         return _profile_slope(exponent, _HELD, 1.0)
@@ -38,7 +38,7 @@ def steepest_profile(exponent: float) -> float:
     return exponent * math.pow(u, exponent - 0.5) * math.sqrt(1.0 - u)
 
 
-def sharpest_profile(exponent: float) -> float:
+def max_profile_curvature(exponent: float) -> float:
     """Greatest d²(u^K)/dθ² = K u^(K−1) (K − ½ − K u), at u = (K − 1)(K − ½)/K² for K ≥ 1; below 1 there is none."""
     if exponent < 1.0:
         return UNBOUNDED
@@ -65,7 +65,7 @@ def shares_phase(scene: Scene) -> bool:
     Where δ is π/2 they are the same. Foam by slope shades other places in between, and a shore other waves.
     """
     fronts = () if scene.foam is None else (one for one in scene.foam.saturation if isinstance(one, FrontSaturation))
-    like = any(one.constants == "text" for one in fronts) and waves_top(scene) >= _LEAST_SHARED
+    like = any(one.constants == "text" for one in fronts) and parametric_wave_height(scene) >= _LEAST_SHARED
     return like and scene.shore is None and shares_place(scene)
 
 
@@ -93,8 +93,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         reach = orbit(wave, scene.water.depth) / k if carries(scene) else 0.0
         values = ((k * wave.amplitude) ** 2 * square, wave_level(wave), reach)
         means.append(Constant(value=tuple(significant(value) for value in values)))
-        steepest += k * wave.amplitude * steepest_profile(wave.exponent)
-        curvature += k * k * wave.amplitude * sharpest_profile(wave.exponent)
+        steepest += k * wave.amplitude * max_profile_slope(wave.exponent)
+        curvature += k * k * wave.amplitude * max_profile_curvature(wave.exponent)
     level = paper_level(scene)
     shared = shares_place(scene)
     carry: tuple[SlotFile, ...] = ()
@@ -117,27 +117,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_mean": array("vec3", means, len(waves)),
             "u_parametric_level": number(significant(level)),
         },
-        bound=_bound(scene, steepest),
-        top=waves_top(scene) - level,
-        trough=-level,
-        steepest=steepest,
-        curvature=min(significant(curvature), UNBOUNDED),
-    )
-
-
-def _bound(scene: Scene, steepest: float) -> Bound | None:
-    """Waves that nothing lies on (foam, ripples) show by their slopes and, over a floor, by their height alone."""
-    ripples = scene.water.chop is not None and scene.light is not None
-    lying = scene.foam is not None or ripples or scene.spray is not None or scene.boats
-    if lying or scene.water.depth is not None or scene.shore is not None:
-        return None
-    # A crest also moves the haze before it, by its share of the eye's height: a tenth for any camera above 10 m/m.
-    if scene.light is None:
-        return Bound(0.0, "nothing lies on them, and there is no light")
-    return Bound(
-        slope_sensitivity(scene) * steepest + 0.1 * waves_top(scene) + crest_limit(scene),
-        f"slopes are never above {steepest:.1g}",
-        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
+        bound=waves_bound(scene, steepest, parametric_wave_height(scene)),
+        max_height=parametric_wave_height(scene) - level,
+        min_height=-level,
+        max_slope=steepest,
+        max_curvature=min(significant(curvature), UNBOUNDED),
     )
 
 

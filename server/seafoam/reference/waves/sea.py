@@ -125,7 +125,7 @@ def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
     a_xx, a_zz, a_xz = 1.0 + choppiness * found.xx, 1.0 + choppiness * found.zz, choppiness * found.xz
     h_x, h_z = (a_zz * found.h_x - a_xz * found.h_z) / held, (a_xx * found.h_z - a_xz * found.h_x) / held
     length = np.hypot(h_x, h_z)
-    kept = np.minimum(1.0, of.steepest / np.maximum(length, 1e-300))
+    kept = np.minimum(1.0, of.max_slope / np.maximum(length, 1e-300))
     height = np.clip(found.h, -of.limit, of.limit)
     return Tile(of.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
 
