@@ -16,6 +16,9 @@ MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5
 GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
 """The height field. Its files do not declare the camera's position, so that the map's passes are drawn once."""
 
+FIND_LAND = ("shore/ground.glsl", "surface/begin.glsl", "shore/maxima.glsl", "shore/find_land.glsl")
+"""Files that find the land that a ray meets, for passes that have no surface shader around them."""
+
 
 def blur_deviation(shore: Shore, texels: int) -> float:
     """Standard deviation of the map's smoothing, texels; at most a twelfth of the map."""
