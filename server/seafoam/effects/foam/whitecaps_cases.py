@@ -1,4 +1,4 @@
-"""Hard cases of foam.fold, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.whitecaps, and scenes that call for it and cannot show it."""
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
