@@ -115,25 +115,9 @@ class Shore(Part):
         return max(self.depth - self.level, 0.1)
 
     @property
-    def ground(self) -> str:
-        """Everything that determines the height field, as text; equal texts have the same floor."""
-        values = [str(getattr(self, name)) for name in _GROUND]
-        if self.image is not None:
-            # The alphabet of base64 that addresses take.
-            values.append(self.image.replace("+", "-").replace("/", "_"))
-        return ",".join(values)
-
-    @staticmethod
-    def of_ground(text: str) -> "Shore":
-        """Return a shore with the ground described by :attr:`ground`. Raises ``ValueError`` if the text is invalid."""
-        values = text.split(",")
-        names = _GROUND if len(values) == len(_GROUND) else (*_GROUND, "image")
-        if len(values) != len(names):
-            raise ValueError(text)
-        found = dict(zip(names, values, strict=True))
-        if "image" in found:
-            found["image"] = found["image"].replace("-", "+").replace("_", "/")
-        return Shore.model_validate(found)
+    def ground(self) -> "Shore":
+        """The same ground, all else at its default: equal ones have the same height field."""
+        return Shore.model_construct(**{name: getattr(self, name) for name in _GROUND})
 
 
 _GROUND = (
@@ -148,7 +132,9 @@ _GROUND = (
     "roughness",
     "level",
     "seed",
+    "image",
 )
+"""Fields that determine the height field."""
 
 
 @lru_cache(maxsize=16)

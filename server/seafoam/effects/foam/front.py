@@ -13,7 +13,7 @@ from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
-from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
+from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 
 LEAST_RATE = 1e-3
 """Mean frequency of the waves, rad/s, where the foam drifts as fast as they run."""
@@ -68,6 +68,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             bound=bound,
         )
     uniforms["u_front_relief"] = number(significant(_relief(scene, turn / (2.0 * math.pi))))
+    integral = FrontIntegral(intensity=front.intensity, log_base=log_base)
     return Contribution(
         why=f"{why}, averaged over footprints",
         slots=(SlotFile("saturation", "foam/saturation/front_filtered.glsl", prefix="front", needs=needs),),
@@ -80,7 +81,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         uniforms=uniforms,
         inputs={"u_front_integral": TextureInput(texture="front_integral")},
-        textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},
+        textures={"front_integral": TextureUse(integral, wrap="clamp_to_edge")},
         bound=bound,
     )
 

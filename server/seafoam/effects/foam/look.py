@@ -28,12 +28,12 @@ from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
-from seafoam.textures import foam_texture
+from seafoam.textures import FoamTexture, MaskTable, MaskTexture, foam_texture
 
 CELLS = 4096
 """Cells along each side of their lattice before their turns come again."""
 
-_MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
+_MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 _TEXTURE_FILE = "foam/texture.glsl"
 _TEXTURE_PAIR_FILE = "foam/texture_pair.glsl"
 
@@ -145,16 +145,16 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if masked and foam.look != "filtered":
         needs += (f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl")
         inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
-        textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")
+        textures["mask_ranks"] = TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))
     if textured:
         needs += (_TEXTURE_FILE if foam.texture_second is None else _TEXTURE_PAIR_FILE,)
         consts["FOAM_TEXTURE_SIZE"] = foam_texture().shape[0]
         uniforms |= _texture_uniforms(foam)
         inputs["u_foam_texture"] = TextureInput(texture="foam_texture")
-        textures["foam_texture"] = TextureUse("foam", filter="linear_mipmap_linear")
+        textures["foam_texture"] = TextureUse(FoamTexture(), filter="linear_mipmap_linear")
     if foam.look == "filtered":
         octaves = min(foam.octaves, quality.foam_octaves)
-        tables = "ramps" if octaves > 1 else "quantiles"
+        tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
         levels = mask.ranks.shape[0].bit_length()
         rows = levels + (2 if octaves > 1 else 1)
         if not textured:

@@ -22,7 +22,7 @@ from seafoam.ocean.seabed import floor_grid
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.textures import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
+from seafoam.textures import ROWS, ShoreFloor, ShoreProfiles, shore_profiles
 
 PERIOD = 2.0**18
 """The shore stands once in a square of so many metres; no eye sees so far."""
@@ -347,8 +347,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_land_maxima": TargetInput(target="land_maxima"),
         },
         textures={
-            "shore_floor": TextureUse(shore_floor_name(shore, quality.shore_floor), wrap="clamp_to_edge"),
-            "shore_profiles": TextureUse(shore_profiles_name(surf.skew, surf.sharpness, quality.shore_profile)),
+            "shore_floor": TextureUse(ShoreFloor(shore=shore, texels=quality.shore_floor), wrap="clamp_to_edge"),
+            "shore_profiles": TextureUse(
+                ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
+            ),
         },
         targets={
             **{

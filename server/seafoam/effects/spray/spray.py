@@ -24,7 +24,7 @@ from seafoam.ocean.rocks import ROCKS, rocks
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
-from seafoam.textures import spray_rocks_name
+from seafoam.textures import SprayRocks
 
 EPOCHS = 65536
 """After so many lives, or periods of the surf, the same drops fly again."""
@@ -42,7 +42,7 @@ def _source(scene: Scene, spray: Spray) -> tuple[Source, str, float]:
     """What throws up drops, in words, and how fast it does so at most, m/s."""
     shore = scene.shore
     if shore is not None:
-        if shore.surf.height == 0.0 or len(rocks(shore.ground, spray.steep)) == 0:
+        if shore.surf.height == 0.0 or len(rocks(shore, spray.steep)) == 0:
             return "none", "no surf breaks on any rock", 0.0
         # Waves are at most 1.2 times their breaking height where they reach the coast, by Green's law.
         fastest = spray.speed * math.sqrt(9.81 * 1.2 * shore.surf.height / 0.3)
@@ -86,7 +86,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         uniforms["u_spray_life"] = number(min(spray.life, cycle - _DELAY))
         uniforms["u_spray_period"] = number(cycle)
         inputs["u_spray_rocks"] = TextureInput(texture="spray_rocks")
-        textures["spray_rocks"] = TextureUse(spray_rocks_name(scene.shore, spray.steep), wrap="clamp_to_edge")
+        textures["spray_rocks"] = TextureUse(SprayRocks(shore=scene.shore, steep=spray.steep), wrap="clamp_to_edge")
     elif source == "waves":
         waves = [wave for wave in scene.waves if wave.amplitude > 0.0]
         side = 2.0 * spray.reach

@@ -23,7 +23,7 @@ from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, 
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
-from seafoam.textures import sea_spectrum_name
+from seafoam.textures import FftTwiddles, SeaSpectrum
 
 FOLDING_WIND = 7.0
 """Under this wind, m/s, hardly a wave folds (whitecaps cover less than 0.3 %, Monahan and O'Muircheartaigh 1980)."""
@@ -32,7 +32,7 @@ CALM_SIZE = 256
 truth (swell 4.78 for 4.56 levels, explosion 24.3 for 23.0) and took up to twice the time."""
 NEWTON = 2
 """Newton steps from a corner of the tile to the water that rests under it."""
-TWIDDLES = {"fft_twiddles": TextureUse("fft-twiddles", wrap="clamp_to_edge")}
+TWIDDLES = {"fft_twiddles": TextureUse(FftTwiddles(), wrap="clamp_to_edge")}
 
 
 def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[PassSpec, ...], str]:
@@ -163,7 +163,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     else:
         targets["sea_b"] = float_target
         textures = {
-            "sea_spectrum": TextureUse(sea_spectrum_name(sea, scene.water.depth), wrap="clamp_to_edge"),
+            "sea_spectrum": TextureUse(SeaSpectrum(sea=sea, depth=scene.water.depth), wrap="clamp_to_edge"),
             **TWIDDLES,
         }
         first = PassSpec(
