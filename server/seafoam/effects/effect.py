@@ -15,6 +15,7 @@ from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
+from seafoam.textures import TextureSpec
 
 BENEATH = "beneath"
 """The target of surface and sky if passes of stage ``after`` follow; those can read it."""
@@ -170,7 +171,7 @@ class Contribution(Part):
 class TextureUse:
     """A texture of the store, and its sampler state."""
 
-    source: str
+    source: TextureSpec
     filter: Filter = "nearest"
     wrap: WrapMode = "repeat"
 

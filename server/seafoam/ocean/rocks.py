@@ -17,14 +17,17 @@ _TEXELS = 256
 _SEED = 7
 
 
-@lru_cache(maxsize=16)
-def rocks(ground: str, steep: float) -> Floats:
+def rocks(shore: Shore, steep: float) -> Floats:
     """(ROCKS, 4): places on the coast (x, z) from the square's middle, m, and the way out to sea there, a unit vector.
 
     Where the ground at the water's edge is as steep as ``steep`` or more, in a random order, some more than once;
-    (0, 4) where there is none. ``ground``: :attr:`Shore.ground`. Rounded to 1/1024.
+    (0, 4) where there is none. Rounded to 1/1024.
     """
-    shore = Shore.of_ground(ground)
+    return _rocks(shore.ground, steep)
+
+
+@lru_cache(maxsize=16)
+def _rocks(shore: Shore, steep: float) -> Floats:
     height = floor_grid(shore, _TEXELS)[..., 0]
     texel = shore.size / _TEXELS
     # Heights are level where the square ends: no coast is lost with the last row and column.

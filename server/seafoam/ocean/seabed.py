@@ -36,8 +36,7 @@ def floor_grid(shore: Shore, texels: int) -> Floats:
 
 
 @lru_cache(maxsize=16)
-def _floor_grid(ground: str, texels: int) -> Floats:
-    shore = Shore.of_ground(ground)
+def _floor_grid(shore: Shore, texels: int) -> Floats:
     half = 0.5 * shore.size
     centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")

@@ -23,8 +23,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.water import Water
 from seafoam.scene.waves import Sea
-from seafoam.textures import texture
-from seafoam.textures.sea import sea_spectrum_name
+from seafoam.textures import SeaSpectrum, texture
 from support.exact import EXACT
 from support.report import Report
 
@@ -312,14 +311,14 @@ def test_dc_and_nyquist_are_empty(executor: Executor) -> None:
 
 
 def test_a_seed_is_a_sea() -> None:
-    names = [sea_spectrum_name(SEAS["fft"].model_copy(update={"seed": seed}), None) for seed in (1, 1, 2)]
+    seas = [SeaSpectrum(sea=SEAS["fft"].model_copy(update={"seed": seed})) for seed in (1, 1, 2)]
     sea_tiles.cascades.cache_clear()
     texture.cache_clear()
-    first = texture(names[0]).sha256
+    first = texture(seas[0]).sha256
     sea_tiles.cascades.cache_clear()
     texture.cache_clear()
-    assert texture(names[1]).sha256 == first
-    assert texture(names[2]).sha256 != first
+    assert texture(seas[1]).sha256 == first
+    assert texture(seas[2]).sha256 != first
 
 
 def test_a_river_has_no_wave_against_its_wind() -> None:

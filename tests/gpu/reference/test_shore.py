@@ -33,7 +33,7 @@ from seafoam.scene.foam import Foam, SurfSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.waves import ParametricWave
-from seafoam.textures import TextureData, shore_floor_name, shore_profiles, texture
+from seafoam.textures import ShoreFloor, TextureData, shore_profiles, texture
 from support.exact import EXACT
 from support.probe import WHOLE
 from support.report import Report
@@ -149,9 +149,11 @@ def test_distances_are_scipys(executor: Executor, report: Report, monkeypatch: p
         grid = np.stack((sharpened(heights), np.zeros_like(heights)), axis=-1).astype("<f4")
         raw = grid.tobytes()
         sha = hashlib.sha256(raw).hexdigest()
-        data = TextureData("coast", raw, sha, "RG32F", size, size, 1)
-        monkeypatch.setattr(executors, "texture", lambda asked, d=data: d if asked == "coast" else genuine(asked))
-        texture = plan.textures["shore_floor"].model_copy(update={"url": "/api/textures/coast", "sha256": sha})
+        data = TextureData(raw, sha, "RG32F", size, size, 1)
+        monkeypatch.setattr(
+            executors, "texture", lambda asked, d=data: d if isinstance(asked, ShoreFloor) else genuine(asked)
+        )
+        texture = plan.textures["shore_floor"].model_copy(update={"sha256": sha})
         changed = plan.model_copy(update={"textures": {**plan.textures, "shore_floor": texture}})
         got = drawn(executor, changed, "shore_rough")[..., 0]
         want = maps.signed_distance(land)
@@ -406,7 +408,7 @@ def test_a_picture_is_a_shore() -> None:
     assert (grid[52:76, 44:56] > 0.0).all()
     assert (grid[:46] < 0.0).all()
     assert (grid[:, 64:] < 0.0).all()
-    stored = np.frombuffer(texture(shore_floor_name(shore, 128)).data, "<f4").reshape(128, 128, 2)
+    stored = np.frombuffer(texture(ShoreFloor(shore=shore, texels=128)).data, "<f4").reshape(128, 128, 2)
     assert (stored[..., 0] == grid).all()
 
 

@@ -14,7 +14,7 @@ from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
-from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
+from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 
 LEAST_RATE = 1e-3
 """Least mean frequency of the waves as drifting water meets them, rad/s."""
@@ -74,7 +74,7 @@ def _at_samples(scene: Scene, front: FrontSaturation, intensity_field: str) -> C
 def _averaged(scene: Scene, front: FrontSaturation) -> Contribution:
     """Foam of the present fronts, averaged over footprints by a table of its integral."""
     constants = _CONSTANTS[front.constants]
-    integral = front_integral_name(front.intensity, constants.log_base)
+    integral = FrontIntegral(intensity=front.intensity, log_base=constants.log_base)
     return Contribution(
         why=f"{_why(scene, front)}, averaged over footprints",
         slots=(_present_slot(scene, "front_filtered", "front_seen"),),

@@ -30,12 +30,12 @@ from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
-from seafoam.textures import foam_texture
+from seafoam.textures import FoamTexture, MaskTable, MaskTexture, foam_texture
 
 CELLS = 4096
 """Number of cells along each side of their lattice after which their rotations repeat."""
 
-_MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
+_MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
 T = TypeVar("T")
 
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
@@ -174,14 +174,14 @@ def _exact_mask(foam: Foam, quality: Quality) -> _Part:
     return _Part(
         needs=(f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl"),
         inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
-        textures={"mask_ranks": TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")},
+        textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
     )
 
 
 def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Quality) -> _Part:
     """The thresholds under a footprint, from the atlas of all masks."""
     octaves = min(foam.octaves, quality.foam_octaves)
-    tables = "ramps" if octaves > 1 else "quantiles"
+    tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
     mask = masks[0].mask
     levels = mask.ranks.shape[0].bit_length()
     return _Part(
@@ -222,7 +222,7 @@ def _texture(foam: Foam) -> _Part:
         {"FOAM_TEXTURE_SIZE": foam_texture().shape[0]},
         uniforms,
         {"u_foam_texture": TextureInput(texture="foam_texture")},
-        {"foam_texture": TextureUse("foam", filter="linear_mipmap_linear")},
+        {"foam_texture": TextureUse(FoamTexture(), filter="linear_mipmap_linear")},
     )
 
 

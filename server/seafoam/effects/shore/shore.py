@@ -18,7 +18,7 @@ from seafoam.ocean.rings import ring_slope
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.textures import ROWS, shore_floor_name, shore_profiles_name
+from seafoam.textures import ROWS, ShoreFloor, ShoreProfiles
 
 PERIOD = 2.0**18
 """Side of the square in which the shore repeats, m: farther than any camera sees."""
@@ -54,8 +54,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_land_maxima": TargetInput(target="land_maxima"),
         },
         textures={
-            "shore_floor": TextureUse(shore_floor_name(shore, quality.shore_floor), wrap="clamp_to_edge"),
-            "shore_profiles": TextureUse(shore_profiles_name(surf.skew, surf.sharpness, quality.shore_profile)),
+            "shore_floor": TextureUse(ShoreFloor(shore=shore, texels=quality.shore_floor), wrap="clamp_to_edge"),
+            "shore_profiles": TextureUse(
+                ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
+            ),
         },
         targets=map_targets(quality, cells),
         passes=map_passes(shore, quality),

@@ -28,7 +28,7 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
 from seafoam.scene.waves import ParametricWave
-from seafoam.textures import spray_rocks_name
+from seafoam.textures import SprayRocks
 
 EPOCHS = 65536
 """Number of lives, or of surf periods, after which the same drops are emitted again."""
@@ -59,7 +59,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         cycle = scene.shore.surf.period
         uniforms |= _rock_uniforms(spray, cycle)
         consts |= {"SPRAY_ROCKS": ROCKS, "SPRAY_DELAY": _DELAY}
-        textures["spray_rocks"] = TextureUse(spray_rocks_name(scene.shore, spray.steep), wrap="clamp_to_edge")
+        textures["spray_rocks"] = TextureUse(SprayRocks(shore=scene.shore, steep=spray.steep), wrap="clamp_to_edge")
     elif emission.source == "waves":
         uniforms |= _wave_uniforms(scene, spray)
     if emission.source != "none":
@@ -83,7 +83,7 @@ def fastest_rise(scene: Scene) -> float:
 def _emission(scene: Scene, spray: Spray) -> _Emission:
     shore = scene.shore
     if shore is not None:
-        if shore.surf.height == 0.0 or len(rocks(shore.ground, spray.steep)) == 0:
+        if shore.surf.height == 0.0 or len(rocks(shore, spray.steep)) == 0:
             return _Emission("none", "no surf breaks on any rock")
         # At the coast waves are at most 1.2 times their breaking height, by Green's law.
         fastest = spray.speed * math.sqrt(GRAVITY * 1.2 * shore.surf.height / 0.3)

@@ -24,7 +24,7 @@ from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, create_context
 from seafoam.scene.camera import Camera
-from seafoam.textures import texture
+from seafoam.textures import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
 
@@ -317,7 +317,7 @@ class Executor:
 
     def _texture(self, name: str, model: Texture) -> moderngl.Texture:
         def make() -> moderngl.Texture:
-            data = texture(model.url.removeprefix("/api/textures/"))
+            data = texture(spec_of(model.url))
             if data.sha256 != model.sha256:
                 raise RuntimeError(f"texture {name} differs from the one named by the plan")
             components, dtype = TEXTURE_FORMATS[model.format]
