@@ -44,6 +44,8 @@ _HARD = (
         guard="0/0 taken as exponent 0 (foam/saturation/front_profile.glsl)",
         without="6 % of samples off by more than 2 levels, by up to 133",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
+        apart="the phase of a sum that is 0 is rounding",
+        coarse_apart="what is drawn is rounding",
     ),
     HardCase(
         name="filtered, where the phase turns endlessly fast",
@@ -52,6 +54,8 @@ _HARD = (
         "(foam/saturation/front_filtered.glsl)",
         without="4 % of samples flipped, off by up to 237 levels",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
+        apart="the phase of a sum that is 0 is rounding",
+        coarse_apart="what is drawn is rounding",
     ),
     HardCase(
         name="a gate without width",

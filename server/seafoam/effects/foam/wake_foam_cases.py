@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Cases, HardCase
+from seafoam.effects.effect import Bounds, Cases, HardCase
 from seafoam.scene.boats import Boat
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, WakeSaturation
@@ -25,6 +25,8 @@ _HARD = (
         "(boats/wake/way.glsl, foam/saturation/wake.glsl)",
         without="nothing on llvmpipe: exponentials end at 0, and no sample is at the centre",
         camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
+        # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
+        bounds=Bounds(mean=1.0, share=0.01),
     ),
 )
 

@@ -1,6 +1,7 @@
 """Hard cases of shore.shore, and scenes that call for it and cannot show it."""
 
 import math
+from dataclasses import replace
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -120,17 +121,23 @@ _HARD = (
         camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
         times=(-1e9, 1e9),
     ),
-    _case(
-        "eye inside a hill",
-        "the way to land is never negative (shore/ground.glsl)",
-        "36 levels off in the mean: land from behind the eye",
-        camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
+    replace(
+        _case(
+            "eye inside a hill",
+            "the way to land is never negative (shore/ground.glsl)",
+            "36 levels off in the mean: land from behind the eye",
+            camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
+        ),
+        apart="the reference looks for the hill from its inside, the march takes the eye's own place",
     ),
-    _case(
-        "eye under water",
-        "a search that ends before it begins finds nothing (shore/ground.glsl)",
-        "nothing on llvmpipe: the loop ends at its first step, and what it found is not taken",
-        camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
+    replace(
+        _case(
+            "eye under water",
+            "a search that ends before it begins finds nothing (shore/ground.glsl)",
+            "nothing on llvmpipe: the loop ends at its first step, and what it found is not taken",
+            camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
+        ),
+        apart="the reference looks for the surface from below, the march takes the eye's own place",
     ),
 )
 
