@@ -24,7 +24,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         bound=Bound(
             crest_limit(scene),
-            "there are no crests, no sunlight, or the water is too dark to transmit it",
+            "no crests, no sunlight, or water that absorbs all of it",
             ("/light/exposure", "/water/absorption_length", "/water/translucency"),
         ),
     )
