@@ -1,4 +1,4 @@
-"""Texture data that plans refer to: the same bytes for every executor, generated from the name."""
+"""Texture data that plans refer to, generated from their names with the same bytes for every executor."""
 
 from seafoam.textures.foam import foam_texture
 from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_integral_name

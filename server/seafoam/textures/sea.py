@@ -14,7 +14,7 @@ ROOTS = 512
 
 
 class UnknownSeaError(KeyError):
-    """The words name no sea."""
+    """The name is not that of a sea."""
 
 
 def sea_spectrum_name(sea: Sea, depth: float | None) -> str:
@@ -25,7 +25,9 @@ def sea_spectrum_name(sea: Sea, depth: float | None) -> str:
 
 
 def sea_spectrum(words: list[str]) -> NDArray[np.float32]:
-    """(4·BAND, 8·BAND, 2) float32 of the words behind ``sea/``: first (Re, Im) of h₀ in m, then (turns in a loop, 0).
+    """(4·BAND, 8·BAND, 2) float32: first (Re, Im) of h₀ in m, then (periods in a loop, 0).
+
+    ``words``: the parts of the texture's name after ``sea/``.
 
     Raises :class:`UnknownSeaError`.
     """
@@ -42,15 +44,15 @@ def sea_spectrum(words: list[str]) -> NDArray[np.float32]:
         water = Water(depth=None if depth == "deep" else float(depth))
     except (ValueError, ValidationError) as error:
         raise UnknownSeaError("/".join(words)) from error
-    made = cascades(sea, water.depth)
-    amplitude = np.concatenate([of.h0 for of in made], axis=1)
-    turns = np.concatenate([of.turns for of in made], axis=1)
+    tiles = cascades(sea, water.depth)
+    amplitude = np.concatenate([tile.h0 for tile in tiles], axis=1)
+    turns = np.concatenate([tile.turns for tile in tiles], axis=1)
     below = np.stack((amplitude.real, amplitude.imag), axis=-1)
     above = np.stack((turns, np.zeros_like(turns)), axis=-1)
     return np.concatenate((below, above)).astype(np.float32)
 
 
 def fft_twiddles() -> NDArray[np.float32]:
-    """(512, 2) float32: cos and sin of j/512 of a turn, by ``math`` alone."""
+    """(512, 2) float32: cos and sin of 2πj/512, computed by ``math`` alone."""
     angles = [2.0 * math.pi * j / ROOTS for j in range(ROOTS)]
     return np.array([(math.cos(angle), math.sin(angle)) for angle in angles], np.float32)

@@ -21,7 +21,7 @@ def shore_floor_name(shore: Shore, texels: int) -> str:
 
 
 def shore_floor(texels: str, ground: str) -> NDArray[np.float32]:
-    """(texels, texels, 2) float32: height (m) and tint. Raises ``ValueError`` for what no shore has."""
+    """(texels, texels, 2) float32: height (m) and tint. Raises ``ValueError`` for other sizes and grounds."""
     if texels not in map(str, _SIZES):
         raise ValueError(texels)
     shore = Shore.of_ground(ground)
@@ -34,7 +34,7 @@ def shore_profiles_name(skew: float, sharpness: float, nodes: int) -> str:
 
 
 def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(rows, nodes, 2): each entry beside that of the next row, so that a fetch gets both; the last row has itself."""
+    """(rows, nodes, 2): each entry with that of the next row, for one fetch of both; the last row is repeated."""
     return np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1)
 
 
@@ -42,7 +42,7 @@ def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
 def shore_profiles(nodes: int, skew: float, sharpness: float) -> NDArray[np.float32]:
     """(ROWS, nodes) float32: height of a wave in [0, 1] at x = (i + ½)/nodes wavelengths, the front toward rising x.
 
-    Where the trochoid overhangs, the highest of its branches counts. Raises ``ValueError`` out of range.
+    Where the trochoid overhangs, its highest branch is used. Raises ``ValueError`` out of range.
     """
     if nodes not in _SIZES or not (0.0 <= skew <= 1.0 and 0.0 <= sharpness <= 0.15):
         raise ValueError(nodes, skew, sharpness)
@@ -70,6 +70,6 @@ def shore_profiles(nodes: int, skew: float, sharpness: float) -> NDArray[np.floa
                 height = y[:-1][inside] + share * (y[1:] - y[:-1])[inside]
                 np.maximum.at(top, place[inside], height)
         smooth = np.fft.irfft(np.fft.rfft(top) * spread, fine)
-        found = np.interp(at, places, smooth, period=1.0)
-        table[row] = np.round(np.clip(found, 0.0, 1.0) * 65536.0) / 65536.0
+        profile = np.interp(at, places, smooth, period=1.0)
+        table[row] = np.round(np.clip(profile, 0.0, 1.0) * 65536.0) / 65536.0
     return table

@@ -10,16 +10,16 @@ from seafoam.scene.shore import Shore
 
 
 def spray_rocks_name(shore: Shore, steep: float) -> str:
-    """Name in the texture store of the places on a shore's rocks."""
+    """Name in the texture store of the points on a shore's rocks."""
     return f"spray-rocks/{steep!r}/{shore.ground}"
 
 
 def spray_rocks(steep: str, ground: str) -> NDArray[np.float32]:
-    """(1, ROCKS, 4) float32, see :func:`seafoam.ocean.rocks.rocks`. Raises ``ValueError`` where there are none."""
+    """(1, ROCKS, 4) float32, see :func:`seafoam.ocean.rocks.rocks`. Raises ``ValueError`` if there are none."""
     least = float(steep)
     if not (math.isfinite(least) and 0.0 <= least <= 2.0):
         raise ValueError(steep)
-    found = rocks(ground, least)
-    if len(found) == 0:
+    points = rocks(ground, least)
+    if len(points) == 0:
         raise ValueError(ground)
-    return found.astype(np.float32)[None]
+    return points.astype(np.float32)[None]

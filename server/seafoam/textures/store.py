@@ -92,11 +92,11 @@ def texture(name: str) -> TextureData:
 
 def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
     try:
-        masks = [mask_by_name(one) for one in mask_name.split("+")]
+        masks = [mask_by_name(part) for part in mask_name.split("+")]
     except (UnknownMaskError, ValueError) as error:
         raise UnknownTextureError(name) from error
     mask = masks[0]
-    if len(masks) > 1 and (kind not in ("quantiles", "ramps") or len({one.ranks.shape for one in masks}) > 1):
+    if len(masks) > 1 and (kind not in ("quantiles", "ramps") or len({each.ranks.shape for each in masks}) > 1):
         raise UnknownTextureError(name)
     size = mask.ranks.shape[0]
     match kind:
@@ -110,9 +110,9 @@ def _mask_texture(name: str, mask_name: str, kind: str) -> TextureData:
             image = atlas(mask.ranks, mask.spans)
             return _data(name, "RG32UI", image.shape[1], size, 1, image.astype("<u4").tobytes())
         case "quantiles":
-            return _entries(name, np.concatenate([one.quantiles for one in masks]))
+            return _entries(name, np.concatenate([each.quantiles for each in masks]))
         case "ramps":
-            return _entries(name, np.concatenate([one.ramps for one in masks]))
+            return _entries(name, np.concatenate([each.ramps for each in masks]))
         case _:
             raise UnknownTextureError(name)
 
