@@ -1,4 +1,4 @@
-"""The effects, in the order in which they contribute. A new effect is one module here, its GLSL, and a line below."""
+"""The effects, in the order in which they contribute. A new effect is a module here, its GLSL, and a line below."""
 
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect

@@ -1,4 +1,4 @@
-"""Upper bounds of parts of a scene, at any place and time, from which the effects' bounds are derived."""
+"""Upper bounds of parts of a scene at any place and time, from which the effects' bounds are derived."""
 
 import math
 
@@ -23,70 +23,70 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 
 SATURATION_CAP = 4.0
-"""Cap of the saturation: no look distinguishes greater values (docs/formulae.md, section 4)."""
+"""Upper limit of the saturation: all looks are the same above it (docs/formulae.md, section 4)."""
 
 
 def parametric_wave_height(scene: Scene) -> float:
-    """Greatest height of the parametric waves over their troughs, m: every crest in one place."""
+    """Return the height of the parametric waves from trough to crest, m, where all crests coincide."""
     return sum(wave.amplitude for wave in scene.waves)
 
 
 def max_surface_height(scene: Scene) -> float:
-    """Greatest height of everything that raises the surface, m: all crests in one place."""
-    top = parametric_wave_height(scene) - paper_level(scene) + _swing(scene)
-    return top if scene.shore is None else top + scene.shore.surf.height
+    """Return the greatest height of the surface over still water, m, where all crests coincide."""
+    height = parametric_wave_height(scene) - paper_level(scene) + _amplitude(scene)
+    return height if scene.shore is None else height + scene.shore.surf.height
 
 
 def min_surface_height(scene: Scene) -> float:
-    """Lowest that the surface can be, m, at most 0: all troughs in one place."""
-    return -(paper_level(scene) + _swing(scene))
+    """Return the lowest height of the surface over still water, m, at most 0, where all troughs coincide."""
+    return -(paper_level(scene) + _amplitude(scene))
 
 
-def _swing(scene: Scene) -> float:
-    """Greatest height of what rises as far over still water as it falls under it: rings, wakes and open sea; m."""
-    swing = ring_height(scene) + wake_height(scene.boats)
+def _amplitude(scene: Scene) -> float:
+    """Return the greatest amplitude of waves that are symmetric about still water: rings, wakes and open sea; m."""
+    amplitude = ring_height(scene) + wake_height(scene.boats)
     if scene.sea is not None and scene.sea.wind > 0.0:
-        swing += sum(of.limit for of in cascades(scene.sea, scene.water.depth)[:RAISED])
-    return swing
+        amplitude += sum(tile.limit for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
+    return amplitude
 
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
-    """Greatest front saturation: the cap, which every front reaches at its pole, unless the gate never opens."""
+    """Return the greatest front saturation: the limit, which every front reaches, or 0 if the group threshold is 1."""
     return SATURATION_CAP if scene.waves and front.group[0] < 1.0 else 0.0
 
 
 def height_limit(height: HeightSaturation, scene: Scene) -> float:
-    """Greatest height saturation: that of the greatest height."""
-    reached = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
-    return min(max(reached, 0.0), SATURATION_CAP)
+    """Return the greatest height saturation: that of the highest crest."""
+    fraction = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
+    return min(max(fraction, 0.0), SATURATION_CAP)
 
 
 def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
-    """Greatest surf saturation: on a thin film 2.4 of the front's, and twice the veil, or nothing without surf."""
+    """Return the greatest surf saturation: 2.4 times ``amount`` on thin water and twice ``veil``; 0 without surf."""
     if scene.shore is None or scene.shore.surf.height == 0.0:
         return 0.0
     return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
 
 
 def drift_limit(drift: DriftSaturation, scene: Scene) -> float:
-    """Greatest drift saturation: the ages that are alive together weigh 2."""
+    """Return the greatest drift saturation: the weights of overlapping ages add up to 2."""
     return min(2.0 * drift.amount, SATURATION_CAP) if scene.drift is not None else 0.0
 
 
 def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
-    """Greatest wake saturation: none where no boat moves."""
+    """Return the greatest wake saturation: 0 if no boat moves."""
     if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):
         return 0.0
     return min(len(scene.boats) * (1.2 * wake.amount + 1.7 * wake.bow), SATURATION_CAP)
 
 
 def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
-    """Greatest slope saturation: that of a wall; none where nothing raises the surface."""
+    """Return the greatest slope saturation: that of a vertical surface; 0 if the surface is level."""
     return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if max_surface_height(scene) > 0.0 else 0.0
 
 
 def source_limit(source: Saturation, scene: Scene) -> float:
-    """Greatest saturation of one source."""
+    """Return the greatest saturation of a source."""
     match source:
         case FrontSaturation():
             return front_limit(source, scene)
@@ -105,7 +105,7 @@ def source_limit(source: Saturation, scene: Scene) -> float:
 
 
 def greatest_saturation(foam: Foam, scene: Scene) -> float:
-    """Greatest saturation of the sources as they join."""
+    """Return the greatest saturation of all sources combined."""
     limits = [source_limit(source, scene) for source in foam.saturation]
     if foam.combine == "max":
         return max(limits)
@@ -113,11 +113,11 @@ def greatest_saturation(foam: Foam, scene: Scene) -> float:
 
 
 def slope_sensitivity(scene: Scene) -> float:
-    """Most by which a slope of the surface changes a pixel, display white = 1, a unit of slope.
+    """Return the greatest change of a pixel per unit of surface slope, display white = 1.
 
-    Glitter L below white changes by at most L·2t/σ² a unit, t = tan of the facet's tilt, and is below white only for
-    t < σ√(ln(peak)) ≤ 3.7 σ: 7.4/σ with σ at least the water's own roughness. Sky, Fresnel and body are gentler; 30
-    covers them at any exposure that does not bring the sky to white.
+    Glitter L below white changes by at most L·2t/σ² per unit, where t is the tangent of the facet's tilt, and is below
+    white only for t < σ√(ln(peak)) ≤ 3.7 σ: 7.4/σ, with σ at least the water's roughness. Sky, Fresnel reflectance and
+    body of the water change less: together by at most 30 at any exposure at which the sky is not white.
     """
     if scene.light is None:
         return 0.0
@@ -145,19 +145,19 @@ def waves_bound(scene: Scene, max_slope: float, height: float) -> Bound | None:
 
 
 def crest_limit(scene: Scene) -> float:
-    """Brightest light through a crest, display white = 1."""
+    """Return the greatest radiance of sunlight through a crest, display white = 1."""
     light, water = scene.light, scene.water
     if light is None or max_surface_height(scene) == 0.0:
         return 0.0
-    passed = (
+    transmitted = (
         water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(lamp_angles(light)[1])
         for sun, length in zip(sun_irradiance(light), water.absorption_length, strict=True)
     )
-    return max(passed) * math.exp2(light.exposure)
+    return max(transmitted) * math.exp2(light.exposure)
 
 
 def saturation_fields(foam: Foam) -> tuple[str, ...]:
-    """JSON pointers of the live fields that :func:`greatest_saturation` hangs on."""
+    """Return the JSON pointers of the live fields that :func:`greatest_saturation` depends on."""
     return tuple(
         f"/foam/saturation/{i}/{name}"
         for i, source in enumerate(foam.saturation)
@@ -173,16 +173,16 @@ def saturation_fields(foam: Foam) -> tuple[str, ...]:
 
 
 def body_limit(scene: Scene) -> float:
-    """Brightest light from within the water, what it scatters and a white floor alike, display white = 1."""
+    """Return the greatest radiance from within the water, scattered or from a white floor, display white = 1."""
     return 0.0 if scene.light is None else 0.95 / math.pi * _brightest_irradiance(scene.light)
 
 
 def foam_limit(foam: Foam, scene: Scene) -> float:
-    """Brightest foam, display white = 1; at least white."""
+    """Return the greatest radiance of foam, display white = 1; at least 1."""
     return 1.0 if scene.light is None else max(foam.albedo / math.pi * _brightest_irradiance(scene.light), 1.0)
 
 
 def _brightest_irradiance(light: Light) -> float:
-    """Of the sun overhead and the whole sky, its brightest channel, exposed."""
+    """Exposed irradiance of overhead sun and whole sky, the brightest channel."""
     both = (sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True))
     return max(both) * math.exp2(light.exposure)

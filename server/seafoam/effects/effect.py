@@ -1,5 +1,4 @@
-"""What an effect gives to a frame plan: slot files, compile-time numbers, textures, targets, passes, bounds, hard
-cases.
+"""The contribution of an effect to a frame plan: slot files, constants, textures, targets, passes, bounds, hard cases.
 
 Effects describe; the planner assembles.
 """
@@ -18,16 +17,16 @@ from seafoam.scene.models import Scene
 from seafoam.textures import TextureSpec
 
 BENEATH = "beneath"
-"""The target of surface and sky if passes of stage ``after`` follow; those can read it."""
+"""The target of surface and sky if passes of stage ``after`` follow, which can read it."""
 
 ABOVE = "above"
-"""The target of passes of stage ``after``: premultiplied light, blended over :data:`BENEATH`; half floats."""
+"""The target of passes of stage ``after``: half floats, premultiplied colour that is blended over :data:`BENEATH`."""
 
 HALF_FLOAT = 2.0**-11
-"""Relative rounding of a half float."""
+"""Relative rounding error of a half float."""
 
 UNBOUNDED = 1e9
-"""Curvature of a surface with kinks, 1/m: steps by its slope are always longer than any that this allows."""
+"""Curvature of a surface with kinks, 1/m: so large that ray marching uses the slope bound instead."""
 
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
@@ -37,9 +36,9 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Source:
-    """A file of ``shaders/`` in which names are replaced, ``rename``: (old, new).
+    """A file of ``shaders/`` in which names are replaced, so that another file can define these names and call it.
 
-    So another file can stand in its place and call it.
+    ``rename``: pairs (old, new).
     """
 
     path: str
@@ -48,38 +47,39 @@ class Source:
 
 @dataclass(frozen=True)
 class Inline:
-    """GLSL that stands in no file."""
+    """GLSL source that is not in a file."""
 
     text: str
 
 
 def constant_function(returns: str, name: str, parameters: str, value: str = "") -> Inline:
-    """A GLSL function that gives ``value``, or 0, whatever it is called with: what stands in a slot nothing fills."""
+    """Return a GLSL function that returns ``value``, or 0, for all arguments: the default of a slot."""
     value = value or ("0.0" if returns == "float" else f"{returns}(0.0)")
     return Inline(f"{returns} {name}({parameters}) {{\n    return {value};\n}}\n")
 
 
 @dataclass(frozen=True)
 class SlotRef:
-    """Whatever fills a slot of the surface's shader."""
+    """The files that fill a slot of the surface's shader."""
 
     slot: str
 
 
 Piece = str | Source | Inline
-"""A part of a shader's text; a bare string is the path of a file of ``shaders/``, taken as it is."""
+"""A piece of a shader's source; a string is the path of a file of ``shaders/``, included unchanged."""
 
 
 def path_of(piece: Piece | SlotRef) -> str | None:
-    """Path of the file that a piece is; None: it is none."""
+    """Return the path of a piece's file; None if it is not a file."""
     return piece.path if isinstance(piece, Source) else piece if isinstance(piece, str) else None
 
 
 @dataclass(frozen=True)
 class SlotFile:
-    """A GLSL file that fills a slot. ``prefix`` names its functions where several files share a slot.
+    """A GLSL file that fills a slot.
 
-    ``needs``: helpers that go in before it, once however many ask for them.
+    ``prefix``: of the names of its functions, if several files can fill the slot. ``needs``: files that it calls, which
+    are included before it, and only once if several files need them.
     """
 
     slot: str
@@ -90,11 +90,11 @@ class SlotFile:
 
 @dataclass(frozen=True)
 class PassSpec:
-    """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
+    """A pass that an effect adds; ``vertex`` and ``fragment`` list the files of its shaders.
 
-    It covers its whole target unless told otherwise. A :class:`SlotRef` among the files brings what its slot reads.
-    ``stage``: before the surface is
-    drawn, or after surface and sky into :data:`ABOVE`, which is cleared for the first of them.
+    A :class:`SlotRef` among them also adds the inputs of its slot. ``mesh``: what is drawn, by default the whole
+    target. ``stage``: drawn before the surface, or after surface and sky into :data:`ABOVE`, which is cleared before
+    the first of these passes.
     """
 
     name: str
@@ -110,7 +110,7 @@ class PassSpec:
     clear: bool = False
     view: View = "any"
     under: tuple[Piece | SlotRef, ...] = ()
-    """Files of the fragment shader for cameras that can be below crests; empty: the same files."""
+    """Files of the fragment shader for cameras that can be below crests; empty: the files of ``fragment``."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -122,7 +122,7 @@ class Part:
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     textures: dict[str, "TextureUse"] = field(default_factory=dict)
-    """Name in the plan -> what it holds and how it is sampled."""
+    """Name in the plan -> texture."""
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
 
@@ -143,11 +143,11 @@ class Part:
 
 @dataclass(frozen=True, kw_only=True)
 class Contribution(Part):
-    """All that one effect adds to a plan, and why it runs."""
+    """Everything that an effect adds to a plan. ``why``: the reason for which it is in the plan, for people."""
 
     why: str
     bound: "Bound | None" = None
-    """Upper bound of the effect's change to a pixel; ``None``: visible."""
+    """Upper bound of the effect's change to any pixel; ``None``: unknown, so the effect is drawn."""
     max_height: float = 0.0
     """Upper bound of the effect's contribution to the surface's height over still water, m."""
     min_height: float = 0.0
@@ -169,7 +169,7 @@ class Contribution(Part):
 
 @dataclass(frozen=True)
 class TextureUse:
-    """A texture of the store, and its sampler state."""
+    """A texture of the store (``source``: its name there), and its sampler state."""
 
     source: TextureSpec
     filter: Filter = "nearest"
@@ -180,9 +180,9 @@ class TextureUse:
 class Bound:
     """Upper bound of an effect's change to any pixel, from any camera, at any time.
 
-    ``value``: exposed linear light, display white = 1, pictures clipped there. ``why``: the reason. ``fields``: JSON
-    pointers of scene fields that the bound depends on and that could otherwise change without a new plan; if the
-    effect is left out, they cannot.
+    ``value``: exposed linear light, display white = 1, after clipping to white. ``why``: the reason, for people.
+    ``fields``: JSON pointers of live scene fields that the bound depends on; if the effect is left out, a change of one
+    of them needs a new plan.
     """
 
     value: float
@@ -247,10 +247,9 @@ class HardCase:
 
 @dataclass(frozen=True)
 class Cases:
-    """What holds an effect to its word: scenes that it cannot be seen in, and scenes that provoke a failure.
+    """Test scenes of an effect. ``hard``: scenes that provoke a numerical failure.
 
-    ``invisible``: scenes that call for the effect and cannot show it; an effect that shows wherever it is called for
-    says why in ``always_visible`` instead.
+    ``invisible``: scenes that contain the effect but cannot show it. ``always_visible``: why there are no such scenes.
     """
 
     hard: tuple[HardCase, ...] = ()
@@ -260,10 +259,10 @@ class Cases:
 
 @dataclass(frozen=True)
 class Effect:
-    """An effect: its name, and what it gives to the plan of a scene.
+    """An effect: its name, and the function that returns its contribution to the plan of a scene.
 
-    ``contribute`` returns ``None`` where the scene does not call for the effect. Its :class:`Cases` stand in ``CASES``
-    of the module beside its own, ``NAME_cases``, by the effect's name: no server loads them.
+    ``contribute`` returns ``None`` if the scene does not contain the effect. The effect's :class:`Cases` are the entry
+    under its name in ``CASES`` of the module ``NAME_cases`` beside its own, which servers do not load.
     """
 
     name: str
@@ -272,7 +271,7 @@ class Effect:
 
     @property
     def cases(self) -> Cases:
-        """The effect's cases. Raises ``ImportError`` where there is no module of them."""
+        """The effect's cases. Raises ``ImportError`` if their module does not exist."""
         beside = importlib.import_module(f"{self.contribute.__module__}_cases")
         cases: Cases = beside.CASES[self.name]
         return cases

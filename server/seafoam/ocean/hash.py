@@ -1,4 +1,4 @@
-"""Random numbers that are the same on every machine: a hash of integers."""
+"""Pseudo-random numbers that are the same on every machine: a hash of integers."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ _LOW = np.uint64(0xFFFFFFFF)
 def chance(*words: int | NDArray[np.integer]) -> Floats:
     """Return a number in (0, 1) for integers taken modulo 2³², in the shape to which they broadcast.
 
-    They are chained through PCG-RXS-M-XS 32 (O'Neill 2014): pcg(… pcg(pcg(first) ⊕ second) … ⊕ last).
+    The integers are chained through PCG-RXS-M-XS 32 (O'Neill 2014): pcg(… pcg(pcg(first) ⊕ second) … ⊕ last).
     """
     word: _Words = np.zeros((1,), np.uint64)
     for part in words:

@@ -11,7 +11,7 @@ from seafoam.scene.shore import STEPS, Shore, decoded_image
 
 
 def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
-    """Return the quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
+    """Return the quadratic B-spline of an image at x, z in [0, 1]; of the shape of ``x``."""
     taps = []
     for place, count in ((z, grey.shape[0]), (x, grey.shape[1])):
         at = place * count - 0.5
@@ -29,8 +29,8 @@ def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
 def floor_grid(shore: Shore, texels: int) -> Floats:
     """Return (texels, texels, 2): height of floor or land above y = 0 (m), and a tint in [0, 1]; row z, column x.
 
-    Values are at texel centres. Only sums, products, quotients and square roots (and one sine and cosine), rounded to
-    1/1024: the same bytes on every machine.
+    Values are at texel centres. They are computed by sums, products, quotients and square roots (and one sine and
+    cosine) and rounded to 1/1024, so that every machine gets the same bytes.
     """
     return _floor_grid(shore.ground, texels)
 
@@ -45,7 +45,7 @@ def _floor_grid(shore: Shore, texels: int) -> Floats:
         return _finished(shore, x, z, grey * (shore.depth + shore.height) - shore.depth)
     strays = shore.roughness * 0.3 * min(shore.size, 8.0 * shore.radius if shore.kind != "beach" else shore.size)
     e = _plain(shore, x, z) + strays * (_fbm(x, z, 0.3 * shore.size, shore.seed, 5) - 0.5)
-    # Whatever the shape, the sea is all round: the floor is level where the square ends.
+    # The square's edge is sea for every kind of shore, and the floor there is level.
     edge = np.maximum(np.abs(x), np.abs(z)) - 0.84 * half
     e = 0.5 * (e + edge + np.sqrt((e - edge) ** 2 + (0.04 * shore.size) ** 2))
     sea, land = np.maximum(e, 0.0), np.maximum(-e, 0.0)
@@ -61,14 +61,14 @@ def _floor_grid(shore: Shore, texels: int) -> Floats:
     inland = smoothstep(0.0, 0.12 * shore.size if shore.kind == "beach" else 0.8 * shore.radius, land)
     rest = shore.height - 0.3 * shore.height
     floor += dune * rise / np.sqrt(1.0 + rise * rise) + rest * inland * (0.25 + 1.1 * hills * hills)
-    # Sand ripples and bars, gone at the water's edge and in the deep.
+    # Sand ripples and bars, absent at the water's edge and in deep water.
     floor += (
         0.25
         * shore.roughness
         * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
         * smoothstep(0.0, 30.0, np.abs(e))
     )
-    # Off the coast it sinks to the deep long before the square ends, and in the round: no edge shows from the air.
+    # The floor sinks to full depth well inside the square, in a rounded shape, so that no edge is visible from above.
     out = np.sqrt(np.sqrt(x**4 + z**4)) / half
     floor += (-shore.depth - floor) * smoothstep(0.5, 0.95, out) * smoothstep(0.0, 0.14 * shore.size, e)
     return _finished(shore, x, z, floor)
@@ -103,11 +103,11 @@ def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
                 draws = [chance(shore.seed + 401, i, k) for k in range(3)]
                 at_x, at_z = (0.62 * shore.size * (float(draw) - 0.5) for draw in draws[:2])
                 size = shore.radius * (0.35 + 0.65 * float(draws[2]))
-                one = np.sqrt((x - at_x) ** 2 + (z - at_z) ** 2) - size
-                # Two that come near grow together.
+                island = np.sqrt((x - at_x) ** 2 + (z - at_z) ** 2) - size
+                # Smooth minimum: islands near each other merge.
                 blend = 0.5 * shore.radius
-                share = np.clip(0.5 + 0.5 * (e - one) / blend, 0.0, 1.0)
-                e = e + (one - e) * share - blend * share * (1.0 - share)
+                share = np.clip(0.5 + 0.5 * (e - island) / blend, 0.0, 1.0)
+                e = e + (island - e) * share - blend * share * (1.0 - share)
             return e
         case _:
             width = 0.16 * shore.radius
@@ -140,7 +140,7 @@ def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
     """Octaves of value noise, the largest with cells of ``cell`` m; in [0, 1], mean about ½."""
     total, weight, sum_of_weights = np.zeros_like(x), 1.0, 0.0
     for octave in range(octaves):
-        # Each octave is turned against the last (3-4-5), so that no lattice shows.
+        # Each octave is rotated against the last (by 3-4-5 triangles), which hides the lattice.
         x, z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
         total += weight * _value_noise(x / cell, z / cell, seed + 17 * octave)
         sum_of_weights += weight

@@ -1,6 +1,6 @@
-"""The planner: scenes become frame plans.
+"""The planner: compiles scenes into frame plans.
 
-It knows slots and passes; of effects it knows what they contribute, and no formula.
+It uses the contributions of effects and contains no formula of theirs.
 """
 
 from seafoam.effects.effect import AssemblyError, PlanError

@@ -1,4 +1,4 @@
-"""GLSL assembly: files and joining functions, in order, after one prologue with the compile-time numbers."""
+"""GLSL assembly: files and joining functions, in order, after a prologue with the compile-time constants."""
 
 import hashlib
 import re
@@ -19,7 +19,7 @@ PROLOGUE = (
 )
 
 COMMON = ("lib/numbers.glsl", "lib/camera.glsl")
-"""Files that most fragment shaders begin with."""
+"""First files of most fragment shaders."""
 FULLSCREEN = ("vertex/fullscreen.glsl",)
 """The vertex shader of a triangle that covers its target."""
 
@@ -48,7 +48,7 @@ def const_line(name: str, value: Const) -> str:
 
 
 def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[Piece]:
-    """The files and joining functions that make up a slot."""
+    """Return the files and joining functions of a slot."""
     files = [file for file in chosen if file.slot == slot.name]
     pieces: list[Piece] = []
     for file in files:
@@ -61,9 +61,9 @@ def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[Piece]:
 
 
 def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
-    """A shader from files of ``shaders/``, each once, and text in between.
+    """Return a shader from files of ``shaders/``, each included once, and inline source.
 
-    Only the constants that the text names are defined.
+    Only constants that occur in the source are defined.
     """
     parts: list[tuple[str, str]] = []
     seen: set[Source] = set()

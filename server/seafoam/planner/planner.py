@@ -37,14 +37,14 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     passes = frame.passes()
     for program in frame.programs.values():
         refuse_too_many_samplers(program, collection.readers)
-    for each in passes:
-        refuse_integers(each, frame.targets)
+    for drawn in passes:
+        refuse_integers(drawn, frame.targets)
     camera = camera_uniforms(
         collection.max_height, collection.min_height, collection.max_slope, collection.map_error, collection.bounds
     )
     uniforms = {**collection.uniforms, **camera, **frame.uniforms}
     textures = {name: texture_entry(use) for name, use in collection.textures.items()}
-    linked = [with_inputs(each, frame.programs, uniforms) for each in passes]
+    linked = [with_inputs(drawn, frame.programs, uniforms) for drawn in passes]
     timed, kept = with_setup(linked, frame.programs, uniforms, frame.targets, textures)
     used = declared_in(uniforms, frame.programs)
     plan = FramePlan(

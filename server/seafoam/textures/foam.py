@@ -1,4 +1,4 @@
-"""The foam texture: a froth of bubbles of several sizes, bright where walls meet. Ours, tileable, deterministic."""
+"""The foam texture: bubbles of several sizes with bright walls. Tileable and deterministic."""
 
 from functools import lru_cache
 from typing import ClassVar

@@ -50,6 +50,6 @@ class FftTwiddles(TextureSpec):
 
 
 def fft_twiddles() -> NDArray[np.float32]:
-    """(512, 2) float32: cos and sin of j/512 of a turn, by ``math`` alone."""
+    """(512, 2) float32: cos and sin of 2πj/512, computed by ``math`` alone."""
     angles = [2.0 * math.pi * j / ROOTS for j in range(ROOTS)]
     return np.array([(math.cos(angle), math.sin(angle)) for angle in angles], np.float32)

@@ -51,7 +51,7 @@ class ShoreProfiles(TextureSpec):
 
 
 def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(rows, nodes, 2): each entry beside that of the next row, so that a fetch gets both; the last row has itself."""
+    """(rows, nodes, 2): each entry with that of the next row, for one fetch of both; the last row is repeated."""
     return np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1)
 
 
@@ -85,6 +85,6 @@ def shore_profiles(nodes: int, skew: float, sharpness: float) -> NDArray[np.floa
                 height = y[:-1][inside] + share * (y[1:] - y[:-1])[inside]
                 np.maximum.at(top, place[inside], height)
         smooth = np.fft.irfft(np.fft.rfft(top) * spread, fine)
-        found = np.interp(at, places, smooth, period=1.0)
-        table[row] = np.round(np.clip(found, 0.0, 1.0) * 65536.0) / 65536.0
+        profile = np.interp(at, places, smooth, period=1.0)
+        table[row] = np.round(np.clip(profile, 0.0, 1.0) * 65536.0) / 65536.0
     return table

@@ -24,7 +24,7 @@ class SprayRocks(TextureSpec):
 
     def image(self) -> Image:
         """Return the places as a row. Raises ``ValueError`` where there are none."""
-        found = rocks(self.shore, self.steep)
-        if len(found) == 0:
+        places = rocks(self.shore, self.steep)
+        if len(places) == 0:
             raise ValueError("shore: has no rocks as steep as that")
-        return Image("RGBA32F", (found.astype("<f4")[None],))
+        return Image("RGBA32F", (places.astype("<f4")[None],))

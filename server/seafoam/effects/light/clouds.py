@@ -10,7 +10,7 @@ from seafoam.scene.sky import Clouds
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.sky.clouds``."""
+    """Active if the sky has clouds."""
     light = scene.light
     if light is None or light.sky is None or light.sky.clouds is None:
         return None
@@ -44,8 +44,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _bound(clouds: Clouds) -> Bound | None:
     if clouds.cover == 0.0:
-        return Bound(0.0, "no share of the sky is covered")
-    return Bound(0.0, "clouds without thickness") if clouds.thickness == 0.0 else None
+        return Bound(0.0, "clouds cover no part of the sky")
+    return Bound(0.0, "clouds have no thickness") if clouds.thickness == 0.0 else None
 
 
 EFFECT = Effect(

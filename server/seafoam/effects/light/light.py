@@ -29,25 +29,25 @@ def _view_air_mass(y: float) -> float:
 
 
 def lamp_angles(light: Light) -> tuple[float, float]:
-    """Azimuth and elevation of what lights the water, rad: the sun, or a moon once the sun is well down."""
+    """Return azimuth and elevation of the lamp, rad: the sun, or the moon if the sun is well below the horizon."""
     if light.sky is not None and light.sky.moon is not None and atmosphere.moon_is_lamp(light):
         return light.sky.moon.azimuth, light.sky.moon.elevation
     return light.sun
 
 
 def sun_direction(light: Light) -> Rgb:
-    """Unit vector toward the lamp, the sun or the moon."""
+    """Return the unit vector toward the lamp, sun or moon."""
     return direction(*lamp_angles(light))
 
 
 def sun_irradiance(light: Light) -> Rgb:
-    """E_s: the lamp's irradiance on a surface that faces it, less what clouds take in the mean."""
+    """Return E_s, the lamp's irradiance on a surface that faces it, less the mean absorption of clouds."""
     clear = 1.0 if light.sky is None else 1.0 - atmosphere.cloud_mean(light.sky.clouds)
     return _rgb(clear * value for value in atmosphere.direct(light))
 
 
 def sun_disc(light: Light) -> Rgb:
-    """Radiance of the sun's disc, held at 3000, well inside half floats."""
+    """Return the radiance of the sun's disc, at most :data:`_MAX_DISC`."""
     if light.sky is None:
         irradiance = sun_irradiance(light)
     else:
@@ -57,7 +57,7 @@ def sun_disc(light: Light) -> Rgb:
 
 
 def air_light(light: Light) -> Rgb:
-    """E_a: irradiance of the light that the air scatters."""
+    """Return E_a, the irradiance of the light that the air scatters."""
     y = math.sin(light.sun[1])
     mass, twilight = air_mass(y), math.exp(12.0 * min(y, 0.0))
     return _rgb(
@@ -66,7 +66,7 @@ def air_light(light: Light) -> Rgb:
 
 
 def air_parts(light: Light) -> dict[str, list[float]]:
-    """Terms of the sky's radiance that hang on no direction, for ``light/sky/analytic.glsl``."""
+    """Return the terms of the sky's radiance that do not depend on direction, for ``light/sky/analytic.glsl``."""
     mie, air = mie_depth(light), air_light(light)
     depth = [tau + mie for tau in RAYLEIGH]
     whole = [e / tau for e, tau in zip(air, depth, strict=True)]
@@ -81,7 +81,7 @@ def air_parts(light: Light) -> dict[str, list[float]]:
 
 @lru_cache(maxsize=64)
 def sky_irradiance(light: Light) -> Rgb:
-    """E_sky: irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
+    """Return E_sky, the irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
     if light.sky is not None:
         return _rgb(atmosphere.irradiance(light))
     sun = sun_direction(light)
@@ -89,7 +89,7 @@ def sky_irradiance(light: Light) -> Rgb:
     count = 96
     total = [0.0, 0.0, 0.0]
     for i in range(count):
-        # Even steps in sin² of the elevation angle weigh by the cosine of incidence: dΩ cos = ½ d(y²) dφ.
+        # Equal steps in sin² of the elevation contain the cosine of incidence: cos dΩ = ½ d(y²) dφ.
         y = math.sqrt((i + 0.5) / count)
         level = math.sqrt(1.0 - y * y)
         mass = _view_air_mass(y)
@@ -109,7 +109,7 @@ def sky_irradiance(light: Light) -> Rgb:
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light``."""
+    """Active if the scene has a light."""
     light = scene.light
     if light is None:
         return None
@@ -132,7 +132,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_sky_sun_power": number(significant(atmosphere.sun_power(light))),
         }
     return Contribution(
-        why=f"sun {math.degrees(light.sun[1]):.0f}° over the horizon, sky, haze",
+        why=f"sun {math.degrees(light.sun[1]):.0f}° above the horizon, sky, haze",
         slots=(
             *sky,
             SlotFile(

@@ -10,28 +10,29 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 STAR_POWER = 1.0
+"""Brightness of the brightest stars at night."""
 
 
 def moon(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.sky.moon``."""
+    """Active if the sky has a moon."""
     light = scene.light
     if light is None or light.sky is None or light.sky.moon is None:
         return None
-    of = light.sky.moon
+    model = light.sky.moon
     toward = atmosphere.moon(light)
     assert toward is not None
     sun = atmosphere.sun(light)
-    right = (-math.sin(of.azimuth), 0.0, math.cos(of.azimuth))
+    right = (-math.sin(model.azimuth), 0.0, math.cos(model.azimuth))
     up = (
-        -math.sin(of.elevation) * math.cos(of.azimuth),
-        math.cos(of.elevation),
-        -math.sin(of.elevation) * math.sin(of.azimuth),
+        -math.sin(model.elevation) * math.cos(model.azimuth),
+        math.cos(model.elevation),
+        -math.sin(model.elevation) * math.sin(model.azimuth),
     )
-    radius = atmosphere.MOON_RADIUS * of.size
-    face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * of.brightness
+    radius = atmosphere.MOON_RADIUS * model.size
+    face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * model.brightness
     lit = 100.0 * math.sqrt(atmosphere.moon_phase(light))
     return Contribution(
-        why=f"moon {math.degrees(of.elevation):.0f}° over the horizon, {lit:.0f} % lit",
+        why=f"moon {math.degrees(model.elevation):.0f}° above the horizon, {lit:.0f} % illuminated",
         slots=(
             SlotFile("moon", "light/sky/moon_glow.glsl"),
             SlotFile("moon disc", "light/sky/moon_disc.glsl", needs=PERLIN_2),
@@ -60,12 +61,12 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
                 )
             ),
         },
-        bound=Bound(0.0, "the moon is down") if toward[1] < -max(0.02, 2.0 * radius) else None,
+        bound=Bound(0.0, "the moon is below the horizon") if toward[1] < -max(0.02, 2.0 * radius) else None,
     )
 
 
 def stars(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.sky.stars``."""
+    """Active if the sky has stars."""
     light = scene.light
     if light is None or light.sky is None or light.sky.stars == 0.0:
         return None
@@ -77,7 +78,7 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
             "u_star_path": vector(rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),
         },
-        bound=Bound(0.0, "the sun is up") if dark == 0.0 else None,
+        bound=Bound(0.0, "the sun is above the horizon") if dark == 0.0 else None,
     )
 
 

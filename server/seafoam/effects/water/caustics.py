@@ -1,4 +1,4 @@
-"""Caustics: sunlight that ripples focus on a level floor, drawn into a map each frame. docs/formulae.md, section 11."""
+"""Caustics: sunlight focused by ripples on a level floor, drawn into a map each frame. docs/formulae.md, section 11."""
 
 import math
 from collections.abc import Iterable, Mapping

@@ -78,7 +78,7 @@ _HARD = (
         _case(
             "colours as far apart as they go",
             "the grid extends beyond the tile as far as light of any colour is displaced (effects/water/caustics.py)",
-            "with a grid as large as the tile, the tile's edges are dark: 18 % of samples are off by more than 2 levels",
+            "with a grid as large as the tile, its edges are dark: 18 % of samples are off by more than 2 levels",
             Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), chop=Chop(slope=0.06)),
             Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
         ),

@@ -14,22 +14,22 @@ from seafoam.scene.water import Water
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``water.depth`` under a light; a shore has a floor of its own."""
+    """Active if the water has a depth and the scene a light; a shore has its own floor."""
     water, light = scene.water, scene.light
     if water.depth is None or light is None or scene.shore is not None:
         return None
-    # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and
-    # deep water differ by less than the floor at reflectance 1.
-    ways = 1.0 if water.view_below else 2.0
-    least = max(water.depth + min_surface_height(scene), 0.0)
-    most = 0.0
+    # The shortest path is vertical, below a trough, down and back; a camera below the surface can be at the floor.
+    # Floor and deep water differ by less than the radiance of a white floor.
+    crossings = 1.0 if water.view_below else 2.0
+    min_depth = max(water.depth + min_surface_height(scene), 0.0)
+    difference = 0.0
     for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        passed = math.exp(-ways * least * (1.0 / length + water.scattering))
-        most = max(most, passed * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
-    looked_at = light.caustics is not None or water.floor_tile is not None
+        transmittance = math.exp(-crossings * min_depth * (1.0 / length + water.scattering))
+        difference = max(difference, transmittance * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
+    refracted = light.caustics is not None or water.floor_tile is not None
     return Contribution(
-        why=f"a floor {water.depth:g} m under still water" + (", by the refracted ray" if looked_at else ""),
-        slots=_slots(water, looked_at),
+        why=f"a floor {water.depth:g} m under still water" + (", seen along the refracted ray" if refracted else ""),
+        slots=_slots(water, refracted),
         uniforms={
             "u_floor_albedo": vector(water.floor_albedo, "/water/floor_albedo"),
             "u_floor_depth": number(water.depth),
@@ -38,17 +38,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         min_ground=-water.depth,
         bound=Bound(
-            most,
-            f"no light comes back from {least:g} m",
+            difference,
+            f"no light returns from a depth of {min_depth:g} m",
             ("/light/exposure", "/water/absorption_length", "/water/scattering"),
         ),
     )
 
 
-def _slots(water: Water, looked_at: bool) -> tuple[SlotFile, ...]:
-    """Where places tell apart (``looked_at``), the ray refracted at the surface finds the one that is seen."""
+def _slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
+    """``refracted``: the floor varies from point to point, so that the refracted ray must find the visible one."""
     level = "water/seafloor/level.glsl"
-    laid = (
+    floor = (
         (level, "water/seafloor/plain.glsl")
         if water.floor_tile is None
         else (level, *VALUE_NOISE, "water/seafloor/tiles.glsl")
@@ -56,23 +56,23 @@ def _slots(water: Water, looked_at: bool) -> tuple[SlotFile, ...]:
     under = (
         SlotFile("reach", "water/seafloor/reach.glsl", needs=(level,)),
         SlotFile(
-            "under bed", "water/seafloor/floor.glsl", needs=laid if looked_at else ("water/seafloor/even.glsl", *laid)
+            "under bed", "water/seafloor/floor.glsl", needs=floor if refracted else ("water/seafloor/even.glsl", *floor)
         ),
     )
-    if not looked_at:
+    if not refracted:
         return (SlotFile("body", "water/body/floor.glsl", needs=(level,)), *under)
     return (
         SlotFile("body", "water/seafloor/body.glsl"),
-        SlotFile("bed", "water/seafloor/floor.glsl", needs=laid),
+        SlotFile("bed", "water/seafloor/floor.glsl", needs=floor),
         SlotFile("through", "water/seafloor/through.glsl"),
         *under,
     )
 
 
 def bed_sun(light: Light) -> dict[str, Uniform]:
-    """The way of the sun's light down to a floor."""
-    upright = math.sin(lamp_angles(light)[1])
-    return {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - upright * upright) / 1.34**2)))}
+    """Cosine between the refracted sunlight and the vertical."""
+    height = math.sin(lamp_angles(light)[1])
+    return {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - height * height) / 1.34**2)))}
 
 
 def _tiles(water: Water) -> dict[str, Uniform]:

@@ -1,4 +1,4 @@
-"""Bounds of waves that a map holds, measured in each frame: passes that find its greatest height, slope and curvature.
+"""Bounds of waves in a map, measured in each frame: passes that find its greatest height, slope and curvature.
 
 docs/formulae.md, section 3.
 """
@@ -8,7 +8,7 @@ from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import number
 
 BLOCK = 16
-"""Texels along a side of the blocks whose greatest values are found first."""
+"""Side of the blocks whose maxima are found first, texels."""
 
 
 def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Part:

@@ -27,20 +27,24 @@ from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from seafoam.textures import FftTwiddles, SeaSpectrum
 
-FOLDING_WIND = 7.0
-"""Under this wind, m/s, hardly a wave folds (whitecaps cover less than 0.3 %, Monahan and O'Muircheartaigh 1980)."""
+WHITECAP_WIND = 7.0
+"""Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
 CALM_SIZE = 256
-"""Texels that a tile of such a sea has at most where footprints take short waves out: with 512 it was no nearer to the
-truth (swell 4.78 for 4.56 levels, explosion 24.3 for 23.0) and took up to twice the time."""
+"""Maximum number of texels along a tile below that wind, if footprints filter short waves: with 512, the error against
+the reference was no smaller (swell 4.78 instead of 4.56 levels, explosion 24.3 instead of 23.0) and the time up to
+twice as long."""
 NEWTON = 2
-"""Newton steps from a corner of the tile to the water that rests under it."""
+"""Newton steps that invert the horizontal displacement at a texel."""
 
 
 def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[PassSpec, ...], str]:
-    """Passes that transform the blocks of ``first``, between it and ``second``; and the target they end in."""
+    """Return passes that transform the blocks of ``first``, alternating with ``second``, and the target of the result.
+
+    ``size``: side of a block, texels. ``name``: in the passes' names.
+    """
     radices = {64: (8, 8), 32: (8, 4), 128: (8, 4, 4), 256: (8, 8, 4), 512: (8, 8, 8)}[size]
     passes = []
-    source, other = first, second
+    source, destination = first, second
     for axis in (0, 1):
         span = 1
         for radix in radices:
@@ -49,7 +53,7 @@ def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[Pass
                     name=f"{name}: {'columns' if axis else 'rows'}, {span} to {span * radix}",
                     program=f"fft_{radix}",
                     fragment=(f"waves/sea/radix_{radix}.glsl", "waves/sea/fft_pass.glsl"),
-                    target=other,
+                    target=destination,
                     inputs={
                         "u_fft_from": TargetInput(target=source),
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
@@ -57,13 +61,13 @@ def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[Pass
                     uniforms={"u_fft": vector((float(size), float(span), float(axis)))},
                 )
             )
-            source, other = other, source
+            source, destination = destination, source
             span *= radix
     return tuple(passes), source
 
 
 def loop_uniforms() -> dict[str, Uniform]:
-    """The moment's place in the loop, whole and within its 1024th part."""
+    """Time in the loop, s, modulo the loop and modulo its 1024th part."""
     return {
         "u_sea_loop": Uniform(type="float", rules=(Loop(period=LOOP),)),
         "u_sea_fine": Uniform(type="float", rules=(Loop(period=LOOP / 1024.0),)),
@@ -71,17 +75,17 @@ def loop_uniforms() -> dict[str, Uniform]:
 
 
 def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:
-    """The waves of tiles that are summed wave by wave. ``size``: texels of the splines that are drawn; 0: none."""
+    """Waves of tiles that are summed wave by wave. ``size``: texels along a tile read by B-spline; 0: not so read."""
     data, phases = [], []
-    for of, (row, column) in ((tile, place) for tile in tiles for place in tile.waves):
+    for tile, row, column in ((cascade, *indices) for cascade in tiles for indices in cascade.waves):
         iz, ix = row - BAND, column - BAND
-        h0 = complex(of.h0[row, column])
-        omega = 2.0 * math.pi / LOOP * int(of.turns[row, column])
+        h0 = complex(tile.h0[row, column])
+        omega = 2.0 * math.pi / LOOP * int(tile.turns[row, column])
         response = math.prod((2.0 + math.cos(2.0 * math.pi * i / size)) / 3.0 for i in (ix, iz)) if size else 1.0
         data.append(Constant(value=(ix, iz, significant(2.0 * abs(h0) / response), significant(omega))))
         phases.append(Phase(offset=significant(cmath.phase(h0)), rate=-omega, k=(0.0, 0.0)))
     if not data:
-        # GLSL has no array of none: a wave of no height stands in it.
+        # GLSL has no empty arrays, so the array contains a wave of height 0.
         data, phases = [Constant(value=(1.0, 0.0, 0.0, 0.0))], [Phase(offset=0.0, rate=0.0, k=(0.0, 0.0))]
     return {
         "u_gerstner": array("vec4", data, len(data)),
@@ -89,32 +93,32 @@ def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]
     }
 
 
-def tile_uniforms(of: Cascade, number_of: int, wanted: float, size: int) -> dict[str, Uniform]:
-    """What turns displaced water into a height field."""
+def tile_uniforms(tile: Cascade, index: int, choppiness: float, size: int) -> dict[str, Uniform]:
+    """Uniforms of passes that turn displaced water into a height field. ``index``: of the tile's block."""
     return {
-        "u_sea_block": number(float(number_of)),
-        "u_sea_texel": number(significant(of.size / size)),
-        "u_sea_choppiness": number(significant(of.choppiness(wanted))),
-        "u_sea_limit": vector((significant(of.limit), significant(of.max_slope))),
+        "u_sea_block": number(float(index)),
+        "u_sea_texel": number(significant(tile.size / size)),
+        "u_sea_choppiness": number(significant(tile.choppiness(choppiness))),
+        "u_sea_limit": vector((significant(tile.limit), significant(tile.max_slope))),
     }
 
 
 def fitted(sea: Sea, quality: Quality) -> Quality:
-    """The quality with no more texels a tile than show in this sea."""
-    if sea.wind >= FOLDING_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
+    """Return the quality with no more texels along a tile than make a visible difference in this sea."""
+    if sea.wind >= WHITECAP_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
         return quality
     return quality.model_copy(update={"sea_size": CALM_SIZE})
 
 
 def displaced_target(scene: Scene, quality: Quality) -> str:
-    """Name of the target that holds the displaced water."""
+    """Return the name of the target with the displacements of the water."""
     if scene.sea is None or scene.sea.model == "gerstner":
         return "sea_a"
     return transform("sea", "sea_a", "sea_b", fitted(scene.sea, quality).sea_size)[1]
 
 
 def tile_target(quality: Quality, size: int) -> Target:
-    """A tile that the surface reads between its texels."""
+    """Return the target of a tile that the surface reads by interpolation."""
     full = quality.sea_digits == "float"
     return Target(
         size=FixedSize.square(size),
@@ -125,7 +129,7 @@ def tile_target(quality: Quality, size: int) -> Target:
 
 
 def drawn(scene: Scene, quality: Quality) -> tuple[Cascade, ...]:
-    """The tiles that a quality draws of the scene's sea."""
+    """Return the tiles of the scene's sea that are drawn at a quality."""
     if scene.sea is None or scene.sea.wind <= 0.0:
         return ()
     return cascades(scene.sea, scene.water.depth)[: quality.sea_tiles]
@@ -236,13 +240,13 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
     )
 
 
-def _height_map(sea: Sea, number_of: int, tile: Cascade, displaced: str, quality: Quality) -> Part:
+def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Quality) -> Part:
     """Height and slopes of a tile over the level plane, and its measured bounds if it displaces the surface."""
-    name, size = f"sea_tile_{number_of}", quality.sea_size
+    name, size = f"sea_tile_{index}", quality.sea_size
     part = Part(
         uniforms={
-            f"u_sea_offset_{number_of}": array("vec2", in_tile(tile.size), 1),
-            f"u_sea_size_{number_of}": number(tile.size),
+            f"u_sea_offset_{index}": array("vec2", in_tile(tile.size), 1),
+            f"u_sea_size_{index}": number(tile.size),
         },
         targets={name: tile_target(quality, size)},
         passes=(
@@ -252,15 +256,15 @@ def _height_map(sea: Sea, number_of: int, tile: Cascade, displaced: str, quality
                 fragment=("waves/sea/resample_pass.glsl", "waves/sea/tile_pass.glsl"),
                 target=name,
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
-                uniforms=tile_uniforms(tile, number_of, sea.choppiness, size),
+                uniforms=tile_uniforms(tile, index, sea.choppiness, size),
             ),
         ),
     )
-    if number_of >= RAISED:
+    if index >= RAISED:
         return part
     inputs: dict[str, TextureInput | TargetInput] = {
-        f"u_sea_tile_{number_of}": TargetInput(target=name),
-        f"u_sea_bounds_{number_of}": TargetInput(target=f"{name}_bounds"),
+        f"u_sea_tile_{index}": TargetInput(target=name),
+        f"u_sea_bounds_{index}": TargetInput(target=f"{name}_bounds"),
     }
     return part.joined(Part(inputs=inputs), measured_bounds(name, size, tile.size / size))
 
