@@ -23,7 +23,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from starlette.exceptions import HTTPException
 from starlette.responses import JSONResponse
 
-from seafoam.accuracy.station import FailedError
+from seafoam.accuracy.sweep_service import FailedError
 from seafoam.api.allowed import Schema, allowed_at
 from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError

@@ -12,7 +12,7 @@ import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
 from seafoam.api.routers.presets import _summary, warm
-from seafoam.api.workshop import Workshop
+from seafoam.api.threads import ThreadPool
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
@@ -242,7 +242,7 @@ def test_openapi_describes_every_operation_with_its_problems(client):
 def test_presets_are_planned_before_a_visitor_asks() -> None:
     asked: list[str] = []
 
-    class Noted(Workshop):
+    class Noted(ThreadPool):
         async def run(self, function: Any, *args: Any, **kwargs: Any) -> Any:
             asked.append(args[0])
             return function(*args, **kwargs)

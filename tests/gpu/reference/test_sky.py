@@ -85,7 +85,7 @@ def test_clouds_cover_their_share(report: Report, cover: float) -> None:
     clouds = Clouds(cover=cover, softness=1.0)
     rng = np.random.default_rng(6)
     drawn = noise.fractal(rng.uniform(0.0, 256.0, (60_000, 3)), np.zeros(60_000), 6, 64)
-    share = float((atmosphere.Heaven._density(clouds, drawn) > 0.156).mean())
+    share = float((atmosphere.Sky._density(clouds, drawn) > 0.156).mean())
     report.add("Share of the layer that clouds cover", asked=f"{cover:.2f}", measured=f"{share:.3f}")
     assert abs(share - cover) <= 0.03
 

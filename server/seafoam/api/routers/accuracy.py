@@ -11,8 +11,8 @@ from starlette.responses import JSONResponse, Response
 
 from seafoam.accuracy.model import Points, Running, Sweep
 from seafoam.accuracy.points import points_of
-from seafoam.accuracy.station import StationFullError
 from seafoam.accuracy.sweep import Subject, truth_info
+from seafoam.accuracy.sweep_service import QueueFullError
 from seafoam.accuracy.truth import Truth
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
@@ -51,8 +51,8 @@ async def measured(context: Context, subject: Subject) -> Sweep | Running:
     require_reports()
     await context.pool.wait_until_settled()
     try:
-        return await context.plans.run(context.station.sweep, subject)
-    except StationFullError as error:
+        return await context.plans.run(context.sweeps.sweep, subject)
+    except QueueFullError as error:
         raise BusyError(str(error), FULL_WAIT) from error
 
 
@@ -151,13 +151,13 @@ async def get_truth(
     """Get the converged float64 picture against which errors are measured. Requires no renderer."""
     subject = _subject(preset)
     try:
-        found = await context.plans.run(context.station.truth, subject)
-    except StationFullError as error:
+        found = await context.plans.run(context.sweeps.truth, subject)
+    except QueueFullError as error:
         raise BusyError(str(error), FULL_WAIT) from error
     if isinstance(found, Running):
         return _wait(found)
     content = await context.plans.run(_npy, found)
-    info = truth_info(subject, context.station.settings)
+    info = truth_info(subject, context.sweeps.settings)
     return _kept(request, content, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
 
 
@@ -169,7 +169,7 @@ async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], cont
     """
     subject = _subject(preset)
     points = await context.plans.run(points_of, subject.scene)
-    return Points(preset=preset, truth=truth_info(subject, context.station.settings), points=points)
+    return Points(preset=preset, truth=truth_info(subject, context.sweeps.settings), points=points)
 
 
 @router.get(
