@@ -14,7 +14,7 @@ from seafoam.effects.effect import (
     Source,
     constant_function,
 )
-from seafoam.effects.light.light import sky_irradiance
+from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.water.underside import WATER
 from seafoam.framegraph.passes import Ball
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
@@ -26,9 +26,7 @@ from seafoam.framegraph.rules import (
     Uniform,
     UniformType,
     array,
-    number,
     significant,
-    vector,
 )
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
@@ -46,7 +44,7 @@ FAR = 1e8
 
 COURSE = "boats/hull/course.glsl"
 TRACE = (COURSE, "boats/hull/hull.glsl", "boats/hull/trace.glsl")
-LIGHT = ("light/shade/fresnel.glsl", "light/shade/sun.glsl", "boats/hull/light.glsl")
+LIGHT = ("lib/refraction.glsl", *ILLUMINATION, "boats/hull/light.glsl")
 
 
 def _courses(boats: tuple[Boat, ...]) -> Uniform:
@@ -92,12 +90,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     ashore = scene.shore is not None
     motors = sum(boat.kind == "motor" for boat in boats)
     kinds = [f"{n} {name}" for n, name in ((count - motors, "under sail"), (motors, "under power")) if n]
-    lit: dict[str, Uniform] = {}
-    if scene.light is not None:
-        lit = {
-            "u_boat_ambient": vector(sky_irradiance(scene.light)),
-            "u_boat_visibility": number(scene.light.visibility, "/light/visibility"),
-        }
     pose = PassSpec(
         name="how boats float",
         program="boat_pose",
@@ -187,7 +179,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     for boat in boats
                 ]
             ),
-            **lit,
             "u_boat_hull": _each([boat.hull for boat in boats]),
             "u_boat_sails": _each([boat.sails for boat in boats]),
         },

@@ -13,6 +13,9 @@ from seafoam.scene.sky import direction
 
 Rgb = tuple[float, float, float]
 
+ILLUMINATION = ("light/shade/irradiance.glsl", "light/shade/haze.glsl")
+"""Irradiance of sun and sky, and the haze before what they light; after the sky's files."""
+
 _RAYLEIGH: Rgb = (0.055, 0.108, 0.215)
 _E0 = 20.0
 _G = 0.76
@@ -151,7 +154,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "shade",
                 "light/shade/lit.glsl",
-                needs=("light/shade/fresnel.glsl", "light/shade/sun.glsl", "light/shade/optics.glsl"),
+                needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade/optics.glsl"),
             ),
             SlotFile("tone", "output/tone/filmic.glsl"),
         ),

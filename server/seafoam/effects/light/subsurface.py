@@ -16,7 +16,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     top, trough = surface_top(scene), surface_trough(scene)
     return Contribution(
         why=f"crests up to {top:g} m against the sun",
-        slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/sun.glsl",)),),
+        slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/irradiance.glsl",)),),
         uniforms={
             "u_translucency": number(scene.water.translucency, "/water/translucency"),
             "u_crest_trough": number(significant(trough)),

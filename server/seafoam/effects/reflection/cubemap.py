@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, SlotRef
-from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradiance
+from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
@@ -20,7 +20,7 @@ SHORE = (
     "shore/maxima.glsl",
 )
 """Where land is, and what colour."""
-LIT_LAND = ("shore/land_lit.glsl", "reflection/land.glsl")
+LIT_LAND = (*ILLUMINATION, "lib/refraction.glsl", "shore/land_lit.glsl", "reflection/land.glsl")
 """Land under sun and sky, along any ray."""
 
 
@@ -33,21 +33,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if quality.cube == "exact":
         around: tuple[str, ...] = ("reflection/open.glsl",)
         if shore:
-            lit = ("light/shade/sun.glsl", "light/shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
-            around = (*SHORE, *lit, "reflection/land_around.glsl")
+            around = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
         return Contribution(
             why="mirrors what stands around, found for each sample",
             slots=(SlotFile("reflection", "reflection/exact.glsl", needs=around),),
             bound=_bound(scene, light),
         )
-    land = (
-        *SHORE,
-        "light/shade/sun.glsl",
-        "light/shade/fresnel.glsl",
-        "reflection/around_shade.glsl",
-        *LIT_LAND,
-        "reflection/land_around.glsl",
-    )
+    land = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
     inputs: dict[str, TextureInput | TargetInput] = {}
     if shore:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")

@@ -46,7 +46,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else (_NO_BOATS,)
     if quality.reflection == "traced":
-        met = (*boats, *_land(scene, "reflection/prototypes.glsl"), "reflection/met.glsl")
+        met = (*boats, *_land(scene), "reflection/met.glsl")
         return Contribution(
             why=f"rays from the water to {_things(scene)}",
             slots=(SlotFile("reflection", "reflection/traced.glsl", needs=met),),
@@ -77,7 +77,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "lib/camera.glsl",
                     SlotRef("sky"),
                     *boats,
-                    *_land(scene, "reflection/around_shade.glsl"),
+                    *_land(scene),
                     "reflection/met.glsl",
                     "reflection/map_pass.glsl",
                 ),
@@ -88,11 +88,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _land(scene: Scene, shade: str) -> tuple[Piece, ...]:
-    """What finds and lights land; ``shade``: where ``irradiance`` and ``in_air`` come from."""
-    if scene.shore is None:
-        return (_NO_LAND,)
-    return (*SHORE, "light/shade/sun.glsl", "light/shade/fresnel.glsl", shade, *LIT_LAND, "reflection/land_met.glsl")
+def _land(scene: Scene) -> tuple[Piece, ...]:
+    """What finds and lights land."""
+    return (_NO_LAND,) if scene.shore is None else (*SHORE, *LIT_LAND, "reflection/land_met.glsl")
 
 
 def _things(scene: Scene) -> str:

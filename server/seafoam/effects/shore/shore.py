@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from seafoam.effects.bounds import surface_top, surface_trough
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, surface_top, surface_trough
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, TextureUse
-from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.effects.water.seafloor import bed_sun
 from seafoam.effects.waves.parametric import steepest_profile
@@ -289,7 +288,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "through",
                 "shore/through.glsl",
-                needs=("shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
+                needs=("lib/refraction.glsl", "shore/ground.glsl", *(() if lit else ("shore/body.glsl",))),
             ),
             SlotFile(
                 "land",
@@ -384,17 +383,8 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
         return None
     if scene.light is None:
         return Bound(0.0, "no coast, and no light on the floor")
-    light, water = scene.light, scene.water
-    # Down and back; an eye under water may lie on the floor.
-    ways = 1.0 if water.view_below else 2.0
-    most = 0.0
-    for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        passed = math.exp(ways * top * (1.0 / length + water.scattering))
-        most = max(most, passed * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
     return Bound(
-        most,
-        f"no coast, and no light comes back from {-top:.3g} m",
-        ("/light/exposure", "/water/absorption_length", "/water/scattering"),
+        floor_limit(scene, scene.light, -top), f"no coast, and no light comes back from {-top:.3g} m", FLOOR_FIELDS
     )
 
 

@@ -14,6 +14,7 @@ from seafoam.effects.effect import (
     SlotRef,
     TextureUse,
 )
+from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.light.noise import HASH
 from seafoam.effects.waves.parametric import steepest_profile
 from seafoam.framegraph.passes import Points
@@ -111,7 +112,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotRef("waves"),
             SlotRef("find"),
             SlotRef("sky"),
-            *(("light/shade/sun.glsl", "spray/lit.glsl") if lit else ("spray/unlit.glsl",)),
+            *((*ILLUMINATION, "spray/lit.glsl") if lit else ("spray/unlit.glsl",)),
             HASH,
             "spray/flight.glsl",
             f"spray/{source}.glsl",

@@ -2,19 +2,19 @@
 
 import math
 
-from seafoam.effects.bounds import surface_trough
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, surface_trough
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile
-from seafoam.effects.light.light import sun_direction, sun_irradiance
+from seafoam.effects.light.light import sun_direction
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, number, significant, vector
+from seafoam.ocean.refraction import INDEX, refracted_cosine
 from seafoam.ocean.ripples import Ripple, ripples, tiles
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Chop
 
-INDEX = 1.34
 COLOURS = ("red", "green", "blue")
 COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
 """Index of water for red, green and blue, less that for green (Daimon and Masumura 2007: 650, 550 and 450 nm)."""
@@ -38,7 +38,7 @@ def landing(light: Light, depth: float, slope: tuple[float, float], index: float
     size = math.sqrt(1.0 + slope[0] ** 2 + slope[1] ** 2)
     n = (-slope[0] / size, 1.0 / size, -slope[1] / size)
     c = max(sum(a * b for a, b in zip(n, sun, strict=True)), 0.0)
-    turn = c / index - math.sqrt(1.0 - (1.0 - c * c) / index**2)
+    turn = c / index - refracted_cosine(c, index)
     ray = tuple(turn * a - b / index for a, b in zip(n, sun, strict=True))
     way = depth / max(-ray[1], _LEVEL)
     return ray[0] * way, ray[2] * way
@@ -197,7 +197,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 PassSpec(
                     name=f"caustics: {name} light",
                     program="caustic_light",
-                    vertex=("water/caustics/landing.glsl", vertex),
+                    vertex=("lib/refraction.glsl", "water/caustics/landing.glsl", vertex),
                     fragment=(fragment,),
                     target=drawn[name],
                     mesh=mesh,
@@ -246,15 +246,10 @@ def _slopes(waves: list[Ripple], tile: float) -> dict[str, Uniform]:
 
 def _bound(scene: Scene, light: Light, depth: float, waves: list[Ripple]) -> Bound:
     """The sun's light that comes back from the floor, as many times as a texel can hold of it."""
-    ways = 1.0 if scene.water.view_below else 2.0
-    shown = 0.0
-    for sun, length in zip(sun_irradiance(light), scene.water.absorption_length, strict=True):
-        passed = math.exp(-ways * depth * (1.0 / length + scene.water.scattering))
-        shown = max(shown, passed * 0.95 * sun / math.pi * 2.0**light.exposure)
     return Bound(
-        _BRIGHTEST * shown,
+        _BRIGHTEST * floor_limit(scene, light, depth, sky=False),
         f"no sunlight comes back from {depth:g} m",
-        ("/light/exposure", "/water/absorption_length", "/water/scattering"),
+        FLOOR_FIELDS,
     )
 
 

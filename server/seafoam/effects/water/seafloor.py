@@ -2,11 +2,12 @@
 
 import math
 
-from seafoam.effects.bounds import surface_trough
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, surface_trough
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
-from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
+from seafoam.effects.light.light import lamp_angles
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Uniform, Wrap, array, number, significant, vector
+from seafoam.ocean.refraction import refracted_cosine
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -18,14 +19,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     water, light = scene.water, scene.light
     if water.depth is None or light is None or scene.shore is not None:
         return None
-    # The shortest way down and back is straight, under a trough; an eye under water may lie on the floor. Floor and
-    # deep water differ by less than the floor at reflectance 1.
-    ways = 1.0 if water.view_below else 2.0
+    # Floor and deep water differ by less than the floor at reflectance 1.
     least = max(water.depth + surface_trough(scene), 0.0)
-    most = 0.0
-    for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        passed = math.exp(-ways * least * (1.0 / length + water.scattering))
-        most = max(most, passed * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
     looked_at = light.caustics is not None or water.floor_tile is not None
     return Contribution(
         why=f"a floor {water.depth:g} m under still water" + (", by the refracted ray" if looked_at else ""),
@@ -38,9 +33,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         bottom=-water.depth,
         bound=Bound(
-            most,
+            floor_limit(scene, light, least),
             f"no light comes back from {least:g} m",
-            ("/light/exposure", "/water/absorption_length", "/water/scattering"),
+            FLOOR_FIELDS,
         ),
     )
 
@@ -60,11 +55,11 @@ def _slots(water: Water, looked_at: bool) -> tuple[SlotFile, ...]:
         ),
     )
     if not looked_at:
-        return (SlotFile("body", "water/body/floor.glsl", needs=(level,)), *under)
+        return (SlotFile("body", "water/body/floor.glsl", needs=("lib/refraction.glsl", level)), *under)
     return (
         SlotFile("body", "water/seafloor/body.glsl"),
         SlotFile("bed", "water/seafloor/floor.glsl", needs=laid),
-        SlotFile("through", "water/seafloor/through.glsl"),
+        SlotFile("through", "water/seafloor/through.glsl", needs=("lib/refraction.glsl",)),
         *under,
     )
 
@@ -72,7 +67,7 @@ def _slots(water: Water, looked_at: bool) -> tuple[SlotFile, ...]:
 def bed_sun(light: Light) -> dict[str, Uniform]:
     """The way of the sun's light down to a floor."""
     upright = math.sin(lamp_angles(light)[1])
-    return {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - upright * upright) / 1.34**2)))}
+    return {"u_bed_sun": number(significant(refracted_cosine(upright)))}
 
 
 def _tiles(water: Water) -> dict[str, Uniform]:
