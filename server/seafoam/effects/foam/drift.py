@@ -52,6 +52,7 @@ SOFTNESS = 0.1
 _FAR = 1e8
 """Places are held so far from the eye, m: no picture reaches there."""
 _NUMBERS = ("lib/numbers.glsl", "foam/drift/square.glsl")
+_FLOW_MAP = ("lib/bilinear.glsl", "foam/drift/flow_map.glsl")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -116,7 +117,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "saturation",
                 "foam/saturation/drift.glsl",
                 prefix="drift",
-                needs=("foam/drift/square.glsl", "foam/drift/clock.glsl", "foam/saturation/drift_rim.glsl"),
+                needs=(
+                    "lib/bilinear.glsl",
+                    "foam/drift/square.glsl",
+                    "foam/drift/clock.glsl",
+                    "foam/saturation/drift_rim.glsl",
+                ),
             ),
         ),
         consts=given.consts,
@@ -237,12 +243,12 @@ class _Given:
         back = (
             *_NUMBERS,
             "foam/drift/clock.glsl",
-            "foam/drift/flow_map.glsl",
+            *_FLOW_MAP,
             "foam/drift/ago.glsl",
             "foam/drift/back.glsl",
         )
         # Without the clock, whose hands would have them drawn in every frame.
-        still = (*_NUMBERS, "foam/drift/flow_map.glsl", "foam/drift/ago.glsl")
+        still = (*_NUMBERS, *_FLOW_MAP, "foam/drift/ago.glsl")
         return (
             PassSpec(
                 name="drift, quarters of a brood back",
@@ -311,7 +317,7 @@ class _Given:
                 vertex=(
                     *_NUMBERS,
                     "foam/drift/clock.glsl",
-                    "foam/drift/flow_map.glsl",
+                    *_FLOW_MAP,
                     "foam/drift/forward_vertex.glsl",
                 ),
                 fragment=("foam/drift/forward_pass.glsl",),
@@ -339,8 +345,9 @@ def carries(scene: Scene, quality: Quality) -> bool:
 
 def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that stands in for a look's where its mask is carried, and what it needs."""
-    ways = "foam/drift/way_exact.glsl" if quality.drift == "exact" else "foam/drift/way_map.glsl"
-    return "foam/drift/carried.glsl", (ways, Source(look, (("foam_amount", "still_amount"),)))
+    exact = quality.drift == "exact"
+    ways = ("foam/drift/way_exact.glsl",) if exact else ("lib/bilinear.glsl", "foam/drift/way_map.glsl")
+    return "foam/drift/carried.glsl", (*ways, Source(look, (("foam_amount", "still_amount"),)))
 
 
 def turning(vortex: Vortex) -> float:

@@ -157,8 +157,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         tables = "ramps" if octaves > 1 else "quantiles"
         levels = mask.ranks.shape[0].bit_length()
         rows = levels + (2 if octaves > 1 else 1)
-        if not textured:
-            needs += (_NO_TEXTURE,)
+        needs += ("lib/cubic_spline.glsl",) if textured else ("lib/cubic_spline.glsl", _NO_TEXTURE)
         consts |= {
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,

@@ -49,7 +49,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "reflection",
                 "reflection/cubemap.glsl",
-                needs=("lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
+                needs=("lib/bilinear.glsl", "lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
             ),
         ),
         consts={"CUBE_SIZE": quality.cube_size},

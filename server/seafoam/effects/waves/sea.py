@@ -32,6 +32,8 @@ CALM_SIZE = 256
 truth (swell 4.78 for 4.56 levels, explosion 24.3 for 23.0) and took up to twice the time."""
 NEWTON = 2
 """Newton steps from a corner of the tile to the water that rests under it."""
+RESAMPLED = ("lib/cubic_spline.glsl", "waves/sea/resample_pass.glsl")
+"""Where the water that is at a place rests, and what it has brought along."""
 TWIDDLES = {"fft_twiddles": TextureUse("fft-twiddles", wrap="clamp_to_edge")}
 
 
@@ -181,7 +183,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"sea, {of.size:g} m tile",
                 program="sea_tile",
-                fragment=("waves/sea/resample_pass.glsl", "waves/sea/tile_pass.glsl"),
+                fragment=(*RESAMPLED, "waves/sea/tile_pass.glsl"),
                 target=f"sea_tile_{i}",
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(of, i, sea.choppiness, size),
@@ -191,7 +193,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             found, measured = measured_bounds(f"sea_tile_{i}", size, of.size / size)
             targets |= found
             passes += measured
-    fetch = f"waves/sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
+    fetch = (
+        ("lib/bilinear.glsl", "lib/cubic_spline.glsl", "waves/sea/fetch_exact.glsl")
+        if quality.sea_digits == "float"
+        else ("lib/cubic_spline.glsl", "waves/sea/fetch_linear.glsl")
+    )
     seen = "sea_seen" if quality.surface.filter else "sea_tile"
     if quality.surface.filter:
         for i, of in enumerate(tiles):
@@ -205,12 +211,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 PassSpec(
                     name=f"sea, {of.size:g} m tile as seen",
                     program="sea_seen",
-                    fragment=(fetch, "waves/sea/seen_pass.glsl"),
+                    fragment=(*fetch, "waves/sea/seen_pass.glsl"),
                     target=f"sea_seen_{i}",
                     inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
                 ),
             )
-    needs = (fetch, "waves/sea/level.glsl", f"waves/sea/seen{'' if quality.surface.filter else '_exact'}.glsl")
+    needs = (*fetch, "waves/sea/level.glsl", f"waves/sea/seen{'' if quality.surface.filter else '_exact'}.glsl")
     slots = [
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
         SlotFile("bounds", "waves/sea/bounds.glsl", prefix="sea"),
@@ -232,7 +238,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             PassSpec(
                 name=f"orbits, {of.size:g} m tile",
                 program="sea_orbit",
-                fragment=("waves/sea/resample_pass.glsl", "foam/carry/sea_orbit_pass.glsl"),
+                fragment=(*RESAMPLED, "foam/carry/sea_orbit_pass.glsl"),
                 target="sea_orbits",
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(of, i, sea.choppiness, size),
