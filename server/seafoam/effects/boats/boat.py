@@ -15,6 +15,7 @@ from seafoam.effects.effect import (
     constant_function,
 )
 from seafoam.effects.light.light import ILLUMINATION
+from seafoam.effects.shore.shore import FIND_LAND
 from seafoam.effects.water.underside import WATER
 from seafoam.framegraph.passes import Ball
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
@@ -112,10 +113,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         *shade_files(scene),
         *(
             (
-                "shore/ground.glsl",
-                "surface/begin.glsl",
-                "shore/maxima.glsl",
-                "shore/find_land.glsl",
+                *FIND_LAND,
                 "boats/hull/land.glsl",
             )
             if ashore

@@ -17,6 +17,7 @@ SHORE = (
     "shore/floor.glsl",
     *VALUE_NOISE,
     "shore/ground.glsl",
+    "shore/march.glsl",
     "shore/maxima.glsl",
 )
 """Where land is, and what colour."""

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, surface_top, surface_trough
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, TextureUse
+from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, Piece, SlotFile, TextureUse, refine
 from seafoam.effects.light.noise import VALUE_NOISE
 from seafoam.effects.water.seafloor import bed_sun
 from seafoam.effects.waves.parametric import steepest_profile
@@ -32,6 +32,14 @@ LAND_CELLS, LAND_COARSEST, LAND_ROUNDS = 128, 4, 64
 """Cells along a side of the finest (texels, if fewer) and coarsest level of land's tree; cells a beam asks at most."""
 _GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
 """The height field. Without the eye's place, so that the map's passes are drawn once."""
+MARCH_GROUND: tuple[Piece, ...] = (
+    "surface/begin.glsl",
+    "shore/ground.glsl",
+    "shore/march.glsl",
+    refine("refine_ground", "shore_floor", "vec4"),
+)
+FIND_LAND: tuple[Piece, ...] = (*MARCH_GROUND, "shore/maxima.glsl", "shore/find_land.glsl")
+"""What finds the land that the eye's rays meet."""
 
 
 def _smooth(low: float, high: float, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -268,7 +276,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
     reach = min(max(math.ceil(3.0 * _spread(shore, quality.shore_map)), 1), 48)
     under = (
-        SlotFile("reach", "shore/reach.glsl", needs=("shore/ground.glsl",)),
+        SlotFile("reach", "shore/reach.glsl", needs=MARCH_GROUND),
         SlotFile("under bed", "water/seafloor/floor.glsl", needs=("water/seafloor/even.glsl", "shore/bed.glsl")),
     )
     return Contribution(
@@ -293,7 +301,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "land",
                 "shore/before.glsl",
-                needs=("surface/begin.glsl", "shore/ground.glsl", "shore/maxima.glsl", "shore/find_land.glsl"),
+                needs=FIND_LAND,
             ),
             SlotFile(
                 "land color",

@@ -101,14 +101,14 @@ _HARD = (
     ),
     _case(
         "ripples that face away",
-        "the refracted ray falls by at least a quarter (shore/ground.glsl)",
+        "the refracted ray falls by at least a quarter (shore/through.glsl)",
         "light off by up to 0.5 levels where ripples tilt the ray almost level",
         water=Water(chop=Chop(slope=0.6), scattering=0.01),
         camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
     ),
     _case(
         "straight down on the water's edge",
-        "a way across of at least 1e-9 (shore/ground.glsl)",
+        "a way across of at least 1e-9 (shore/march.glsl)",
         "nothing on llvmpipe: the quotient is infinite there, and its minimum the other side's",
         camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
     ),
@@ -122,13 +122,13 @@ _HARD = (
     ),
     _case(
         "eye inside a hill",
-        "the way to land is never negative (shore/ground.glsl)",
+        "the way to land is never negative (shore/march.glsl)",
         "36 levels off in the mean: land from behind the eye",
         camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
     ),
     _case(
         "eye under water",
-        "a search that ends before it begins finds nothing (shore/ground.glsl)",
+        "a search that ends before it begins finds nothing (shore/find_land.glsl)",
         "nothing on llvmpipe: the loop ends at its first step, and what it found is not taken",
         camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
     ),

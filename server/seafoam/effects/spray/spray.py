@@ -16,6 +16,7 @@ from seafoam.effects.effect import (
 )
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.light.noise import HASH
+from seafoam.effects.shore.shore import FIND_LAND
 from seafoam.effects.waves.parametric import steepest_profile
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import TextureInput
@@ -98,11 +99,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     if source != "none":
         uniforms["u_spray_time"] = array("float", [Loop(period=cycle), Loop(period=cycle * EPOCHS)], 2)
-    land = (
-        ("shore/ground.glsl", "surface/begin.glsl", "shore/maxima.glsl", "shore/find_land.glsl", "spray/over_land.glsl")
-        if source == "rocks"
-        else ("spray/over_water.glsl",)
-    )
+    land = (*FIND_LAND, "spray/over_land.glsl") if source == "rocks" else ("spray/over_water.glsl",)
     drawn = PassSpec(
         name="spray",
         program="spray",
