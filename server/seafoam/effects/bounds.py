@@ -26,6 +26,10 @@ SATURATION_CAP = 4.0
 """Upper limit of the saturation: all looks are the same above it (docs/formulae.md, section 4)."""
 
 
+FLOOR_FIELDS = ("/light/exposure", "/water/absorption_length", "/water/scattering")
+"""Fields that :func:`floor_limit` depends on and that can change without a new plan."""
+
+
 def parametric_wave_height(scene: Scene) -> float:
     """Return the height of the parametric waves from trough to crest, m, where all crests coincide."""
     return sum(wave.amplitude for wave in scene.waves)
@@ -175,6 +179,21 @@ def saturation_fields(foam: Foam) -> tuple[str, ...]:
 def body_limit(scene: Scene) -> float:
     """Return the greatest radiance from within the water, scattered or from a white floor, display white = 1."""
     return 0.0 if scene.light is None else 0.95 / math.pi * _brightest_irradiance(scene.light)
+
+
+def floor_limit(scene: Scene, light: Light, depth: float, *, sky: bool = True) -> float:
+    """Brightest light that comes back from a floor of reflectance 1, ``depth`` m down, display white = 1.
+
+    ``sky``: of sun and sky; else of the sun alone. The shortest way down and back is straight; an eye under water may
+    lie on the floor.
+    """
+    water = scene.water
+    ways = 1.0 if water.view_below else 2.0
+    most = 0.0
+    for sun, air, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
+        passed = math.exp(-ways * depth * (1.0 / length + water.scattering))
+        most = max(most, passed * 0.95 * (sun + air if sky else sun) / math.pi * 2.0**light.exposure)
+    return most
 
 
 def foam_limit(foam: Foam, scene: Scene) -> float:

@@ -45,6 +45,14 @@ class Source:
     rename: tuple[tuple[str, str], ...] = ()
 
 
+def refine(name: str, field: str, kind: str) -> Source:
+    """Newton's method along a ray to a height field, as a function ``name`` (``lib/newton.glsl``).
+
+    ``field``: the GLSL function of the field's height and gradient, which comes before it, and the type it returns.
+    """
+    return Source("lib/newton.glsl", (("refine", name), ("field_at", field), ("vec4", kind)))
+
+
 @dataclass(frozen=True)
 class Inline:
     """GLSL source that is not in a file."""

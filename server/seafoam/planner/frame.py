@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from seafoam.effects.effect import ABOVE, BENEATH, Const, PassSpec, Piece, SlotFile, SlotRef, Source
+from seafoam.effects.effect import ABOVE, BENEATH, Const, PassSpec, Piece, SlotFile, SlotRef, Source, refine
 from seafoam.framegraph.passes import Eye, Fullscreen, Grid, Mesh, Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
@@ -34,7 +34,7 @@ START_SHARE = 0.25
 LOW_EYE = "surface, low eye"
 """Name of the surface's program for cameras that can be below crests."""
 
-_MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl",))
+_MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl", refine("refine_water", "waves", "vec3")))
 _MARCH_START = SlotFile(
     "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
 )

@@ -34,6 +34,14 @@ def read_file(path: str) -> str:
     return (data_dir("shaders") / path).read_text(encoding="utf-8")
 
 
+def source_text(source: Source) -> str:
+    """Return the source of a file, its names replaced. Raises ``FileNotFoundError``."""
+    text = read_file(source.path)
+    for old, new in source.rename:
+        text = re.sub(rf"\b{old}\b", new, text)
+    return text
+
+
 def const_line(name: str, value: Const) -> str:
     """Return a GLSL constant; floats have the 9 digits that float32 needs."""
     if isinstance(value, tuple):
@@ -74,10 +82,7 @@ def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
         source = piece if isinstance(piece, Source) else Source(piece)
         if source not in seen:
             seen.add(source)
-            text = read_file(source.path)
-            for old, new in source.rename:
-                text = re.sub(rf"\b{old}\b", new, text)
-            parts.append((source.path, text))
+            parts.append((source.path, source_text(source)))
     words = frozenset[str]().union(*(_words(text) for _, text in parts))
     text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
     files: list[SourceFile] = []

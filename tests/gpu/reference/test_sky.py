@@ -154,10 +154,11 @@ def test_the_sun_goes_round() -> None:
         assert np.abs(one - other).max() <= 1e-7
 
 
-CUBE = ["lib/cube_face.glsl", "reflection/cube.glsl"]
+CUBE = ["lib/bilinear.glsl", "lib/cube_face.glsl", "reflection/cube.glsl"]
 SMOOTH = Inline(
-    "vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
-    "    vec3 d = normalize(cube_direction(face, side));\n    return vec3(d.x * d.y, d.z, sin(3.0 * d.x + d.z));\n}\n"
+    "vec4 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
+    "    vec3 d = normalize(cube_direction(face, side));\n"
+    "    return vec4(d.x * d.y, d.z, sin(3.0 * d.x + d.z), 0.0);\n}\n"
 )
 
 

@@ -16,7 +16,7 @@ from seafoam.effects.effect import (
     Source,
     constant_function,
 )
-from seafoam.effects.light.light import sky_irradiance
+from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.underside import WATER
 from seafoam.framegraph.passes import Ball
@@ -29,9 +29,7 @@ from seafoam.framegraph.rules import (
     Uniform,
     UniformType,
     array,
-    number,
     significant,
-    vector,
 )
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
@@ -48,7 +46,7 @@ FAR = 1e8
 
 COURSE = "boats/hull/course.glsl"
 TRACE = (COURSE, "boats/hull/hull.glsl", "boats/hull/trace.glsl")
-LIGHT = ("light/shade/fresnel.glsl", "light/shade/sun.glsl", "boats/hull/light.glsl")
+LIGHT = ("lib/refraction.glsl", *ILLUMINATION, "boats/hull/light.glsl")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -61,7 +59,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"boats: {', '.join(kinds)}",
         consts=_consts(boats, quality),
-        uniforms={"u_boat_course": _courses(boats), **_form_uniforms(boats), **_light_uniforms(scene)},
+        uniforms={"u_boat_course": _courses(boats), **_form_uniforms(boats)},
         inputs={"u_boat_pose": TargetInput(target="boat_pose")},
         targets={"boat_pose": Target(size=FixedSize(width=len(boats), height=1), format="RGBA32F")},
         passes=(_pose_pass(scene), _picture_pass(scene)),
@@ -125,15 +123,6 @@ def _direction(angle: float) -> tuple[float, float]:
 def _per_boat(values: Sequence[tuple[float, ...]]) -> Uniform:
     kind: UniformType = "vec3" if len(values[0]) == 3 else "vec4"
     return array(kind, [Constant(value=value) for value in values], len(values))
-
-
-def _light_uniforms(scene: Scene) -> dict[str, Uniform]:
-    if scene.light is None:
-        return {}
-    return {
-        "u_boat_ambient": vector(sky_irradiance(scene.light)),
-        "u_boat_visibility": number(scene.light.visibility, "/light/visibility"),
-    }
 
 
 def _pose_pass(scene: Scene) -> PassSpec:

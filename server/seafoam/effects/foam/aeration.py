@@ -25,9 +25,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(
         why=f"bubbles down to {water.plume_depth:g} m under foam",
         slots=(
-            SlotFile(
-                "plume", "water/plume/bubbles.glsl", needs=("light/shade/optics.glsl", "light/shade/fresnel.glsl")
-            ),
+            SlotFile("plume", "water/plume/bubbles.glsl", needs=("light/shade/optics.glsl", "lib/refraction.glsl")),
         ),
         uniforms={
             "u_aeration": number(water.aeration, "/water/aeration"),

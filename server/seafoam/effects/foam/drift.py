@@ -54,6 +54,7 @@ SOFTNESS = 0.1
 _FAR = 1e8
 """Limit of the distance from a place to the camera, along each axis, m: beyond what any picture shows."""
 _NUMBERS = ("lib/numbers.glsl", "foam/drift/square.glsl")
+_FLOW_MAP = ("lib/bilinear.glsl", "foam/drift/flow_map.glsl")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -205,12 +206,12 @@ class _Advection:
         back = (
             *_NUMBERS,
             "foam/drift/clock.glsl",
-            "foam/drift/flow_map.glsl",
+            *_FLOW_MAP,
             "foam/drift/ago.glsl",
             "foam/drift/back.glsl",
         )
         # Without clock.glsl, whose time-dependent uniform would have these passes drawn in every frame.
-        still = (*_NUMBERS, "foam/drift/flow_map.glsl", "foam/drift/ago.glsl")
+        still = (*_NUMBERS, *_FLOW_MAP, "foam/drift/ago.glsl")
         return (
             PassSpec(
                 name="drift, quarters of a brood back",
@@ -280,7 +281,7 @@ class _Advection:
                 vertex=(
                     *_NUMBERS,
                     "foam/drift/clock.glsl",
-                    "foam/drift/flow_map.glsl",
+                    *_FLOW_MAP,
                     "foam/drift/forward_vertex.glsl",
                 ),
                 fragment=("foam/drift/forward_pass.glsl",),
@@ -308,8 +309,9 @@ def carries(scene: Scene, quality: Quality) -> bool:
 
 def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file where the flow advects the mask, and the files that it needs."""
-    ways = "foam/drift/way_exact.glsl" if quality.drift == "exact" else "foam/drift/way_map.glsl"
-    return "foam/drift/carried.glsl", (ways, Source(look, (("foam_amount", "still_amount"),)))
+    exact = quality.drift == "exact"
+    paths = ("foam/drift/way_exact.glsl",) if exact else ("lib/bilinear.glsl", "foam/drift/way_map.glsl")
+    return "foam/drift/carried.glsl", (*paths, Source(look, (("foam_amount", "still_amount"),)))
 
 
 def turning(vortex: Vortex) -> float:

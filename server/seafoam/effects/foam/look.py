@@ -200,6 +200,7 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Q
             **mask_atlas.consts(mask),
         },
         uniforms={"u_foam_fade": number(foam.fade), "u_foam_texture_share": number(foam.texture)},
+        needs=("lib/cubic_spline.glsl",),
         inputs={
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
             "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),

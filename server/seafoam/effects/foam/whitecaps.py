@@ -6,6 +6,7 @@ from typing import Literal
 
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, Piece, SlotFile, Source
 from seafoam.effects.waves.sea import (
+    RESAMPLED,
     displaced_target,
     drawn,
     fitted,
@@ -134,7 +135,7 @@ def _recent(
         PassSpec(
             name=f"earlier folds, {of.size:g} m tile",
             program="age_tile",
-            fragment=("waves/sea/resample_pass.glsl", "waves/sea/age_tile_pass.glsl"),
+            fragment=(*RESAMPLED, "lib/bilinear.glsl", "waves/sea/age_tile_pass.glsl"),
             target="age_tiles",
             inputs={
                 "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
@@ -161,7 +162,7 @@ def _old(
     foam = PassSpec(
         name="foam of long ago",
         program="old_foam",
-        fragment=("waves/sea/resample_pass.glsl", "waves/sea/old_foam_pass.glsl"),
+        fragment=(*RESAMPLED, "lib/bilinear.glsl", "waves/sea/old_foam_pass.glsl"),
         target="old_foam",
         inputs={
             "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),

@@ -14,12 +14,12 @@ from seafoam.scene.models import Scene
 def smooth_glint(light: Light) -> tuple[str, tuple[str, ...], dict[str, Uniform]]:
     """Return the file of the light's highlight model, the files that it calls, and its uniforms."""
     if light.specular == "glint":
-        return "light/glitter/beckmann.glsl", ("light/shade/fresnel.glsl", "light/shade/sun.glsl"), {}
+        return "light/glitter/beckmann.glsl", ("lib/refraction.glsl", "light/shade/irradiance.glsl"), {}
     uniforms = {
         "u_specular_power": number(light.specular_power, "/light/specular_power"),
         "u_specular_perturb": number(light.specular_perturb, "/light/specular_perturb"),
     }
-    return "light/glitter/blinn_phong.glsl", ("light/shade/sun.glsl",), uniforms
+    return "light/glitter/blinn_phong.glsl", ("light/shade/irradiance.glsl",), uniforms
 
 
 def brightest_glint(scene: Scene) -> float:

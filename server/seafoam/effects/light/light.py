@@ -13,6 +13,8 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import direction
 
+ILLUMINATION = ("light/shade/irradiance.glsl", "light/shade/haze.glsl")
+"""Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
 _DISC_SOLID_ANGLE = 6.8e-5
 """Solid angle of the sun's disc, sr."""
 _MAX_DISC = 3000.0
@@ -138,7 +140,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "shade",
                 "light/shade/lit.glsl",
-                needs=("light/shade/fresnel.glsl", "light/shade/sun.glsl", "light/shade/optics.glsl"),
+                needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade/optics.glsl"),
             ),
             SlotFile("tone", "output/tone/filmic.glsl"),
         ),

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, SlotRef
-from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradiance
+from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
@@ -17,10 +17,11 @@ SHORE = (
     "shore/floor.glsl",
     *VALUE_NOISE,
     "shore/ground.glsl",
+    "shore/march.glsl",
     "shore/maxima.glsl",
 )
 """Files that give the land's height and colour."""
-LIT_LAND = ("shore/land_lit.glsl", "reflection/land.glsl")
+LIT_LAND = (*ILLUMINATION, "lib/refraction.glsl", "shore/land_lit.glsl", "reflection/land.glsl")
 """Files that light the land along any ray."""
 
 
@@ -33,21 +34,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if quality.cube == "exact":
         scenery: tuple[str, ...] = ("reflection/open.glsl",)
         if shore:
-            lit = ("light/shade/sun.glsl", "light/shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
-            scenery = (*SHORE, *lit, "reflection/land_around.glsl")
+            scenery = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
         return Contribution(
             why="reflects sky and land, traced for each sample",
             slots=(SlotFile("reflection", "reflection/exact.glsl", needs=scenery),),
             bound=_bound(scene, light),
         )
-    land = (
-        *SHORE,
-        "light/shade/sun.glsl",
-        "light/shade/fresnel.glsl",
-        "reflection/around_shade.glsl",
-        *LIT_LAND,
-        "reflection/land_around.glsl",
-    )
+    land = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
     inputs: dict[str, TextureInput | TargetInput] = {}
     if shore:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
@@ -57,7 +50,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             SlotFile(
                 "reflection",
                 "reflection/cubemap.glsl",
-                needs=("lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
+                needs=("lib/bilinear.glsl", "lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
             ),
         ),
         consts={"CUBE_SIZE": quality.cube_size},

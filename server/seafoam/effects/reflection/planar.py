@@ -45,7 +45,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
     boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else (_NO_BOATS,)
     if quality.reflection == "traced":
-        met = (*boats, *_land(scene, "reflection/prototypes.glsl"), "reflection/met.glsl")
+        met = (*boats, *_land(scene), "reflection/met.glsl")
         return Contribution(
             why=f"reflected rays are traced to {_objects(scene)}",
             slots=(SlotFile("reflection", "reflection/traced.glsl", needs=met),),
@@ -76,7 +76,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "lib/camera.glsl",
                     SlotRef("sky"),
                     *boats,
-                    *_land(scene, "reflection/around_shade.glsl"),
+                    *_land(scene),
                     "reflection/met.glsl",
                     "reflection/map_pass.glsl",
                 ),
@@ -87,11 +87,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _land(scene: Scene, shade: str) -> tuple[Piece, ...]:
-    """Files that intersect and light land; ``shade``: the file with ``irradiance`` and ``in_air``."""
-    if scene.shore is None:
-        return (_NO_LAND,)
-    return (*SHORE, "light/shade/sun.glsl", "light/shade/fresnel.glsl", shade, *LIT_LAND, "reflection/land_met.glsl")
+def _land(scene: Scene) -> tuple[Piece, ...]:
+    """Files that intersect and light land."""
+    return (_NO_LAND,) if scene.shore is None else (*SHORE, *LIT_LAND, "reflection/land_met.glsl")
 
 
 def _objects(scene: Scene) -> str:

@@ -5,7 +5,7 @@ docs/formulae.md, section 8.
 
 import math
 
-from seafoam.effects.effect import PassSpec
+from seafoam.effects.effect import PassSpec, Piece, refine
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import Phase, Rule, Uniform, array, number, significant, vector
 from seafoam.quality import Quality
@@ -16,8 +16,15 @@ MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5
 GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
 """The height field. Its files do not declare the camera's position, so that the map's passes are drawn once."""
 
-FIND_LAND = ("shore/ground.glsl", "surface/begin.glsl", "shore/maxima.glsl", "shore/find_land.glsl")
-"""Files that find the land that a ray meets, for passes that have no surface shader around them."""
+MARCH_GROUND: tuple[Piece, ...] = (
+    "surface/begin.glsl",
+    "shore/ground.glsl",
+    "shore/march.glsl",
+    refine("refine_ground", "shore_floor", "vec4"),
+)
+"""Files that march along a ray to the ground."""
+FIND_LAND: tuple[Piece, ...] = (*MARCH_GROUND, "shore/maxima.glsl", "shore/find_land.glsl")
+"""Files that find the land that a ray from the camera meets."""
 
 
 def blur_deviation(shore: Shore, texels: int) -> float:

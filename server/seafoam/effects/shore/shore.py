@@ -2,12 +2,11 @@
 
 import math
 
-from seafoam.effects.bounds import max_surface_height, min_surface_height
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_surface_height, min_surface_height
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, SlotFile, TextureUse
-from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
-from seafoam.effects.shore.maps import GROUND, blur_deviation, map_passes, map_targets
+from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, blur_deviation, map_passes, map_targets
 from seafoam.effects.water.seafloor import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.resources import TargetInput, TextureInput
@@ -73,20 +72,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 def _slots(*, lit: bool) -> tuple[SlotFile, ...]:
     waves = ("shore/place.glsl", *GROUND, *VALUE_NOISE, "shore/field.glsl")
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
-    through = ("shore/ground.glsl", *(() if lit else ("shore/body.glsl",)))
-    land = ("surface/begin.glsl", "shore/ground.glsl", "shore/maxima.glsl", "shore/find_land.glsl")
+    through = ("lib/refraction.glsl", "shore/ground.glsl", *(() if lit else ("shore/body.glsl",)))
     colour = ("shore/ground.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl")
     start = ("surface/pyramid.glsl", "shore/ground.glsl", "shore/maxima.glsl")
     floor = ("water/seafloor/even.glsl", "shore/bed.glsl")
     underwater = (
-        SlotFile("reach", "shore/reach.glsl", needs=("shore/ground.glsl",)),
+        SlotFile("reach", "shore/reach.glsl", needs=MARCH_GROUND),
         SlotFile("under bed", "water/seafloor/floor.glsl", needs=floor),
     )
     return (
         SlotFile("shore", "shore/waves.glsl", needs=waves),
         *((SlotFile("body", "shore/body.glsl"),) if lit else ()),
         SlotFile("through", "shore/through.glsl", needs=through),
-        SlotFile("land", "shore/before.glsl", needs=land),
+        SlotFile("land", "shore/before.glsl", needs=FIND_LAND),
         SlotFile("land color", "shore/color.glsl", needs=colour),
         SlotFile("beyond", "shore/beyond.glsl"),
         SlotFile("start", "shore/start.glsl", prefix="land", needs=start),
@@ -165,17 +163,10 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
         return None
     if scene.light is None:
         return Bound(0.0, "no coast, and no light on the floor")
-    light, water = scene.light, scene.water
-    # Light passes the depth down and back; a camera under water may be at the floor.
-    passes = 1.0 if water.view_below else 2.0
-    brightest = 0.0
-    for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        transmitted = math.exp(passes * top * (1.0 / length + water.scattering))
-        brightest = max(brightest, transmitted * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
     return Bound(
-        brightest,
-        f"no coast, and no light returns from a floor {-top:.3g} m deep",
-        ("/light/exposure", "/water/absorption_length", "/water/scattering"),
+        floor_limit(scene, scene.light, -top),
+        f"no coast, and no light returns from a depth of {-top:.3g} m",
+        FLOOR_FIELDS,
     )
 
 

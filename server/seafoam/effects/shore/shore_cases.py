@@ -102,14 +102,14 @@ _HARD = (
     ),
     _case(
         "ripples that face away",
-        "the refracted ray's direction has y of at most -0.25 (shore/ground.glsl)",
+        "the refracted ray's direction has y of at most -0.25 (shore/through.glsl)",
         "up to 0.5 levels off where ripples make the ray almost horizontal",
         water=Water(chop=Chop(slope=0.6), scattering=0.01),
         camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
     ),
     _case(
         "straight down on the water's edge",
-        "horizontal part of the ray at least 1e-9 (shore/ground.glsl)",
+        "horizontal part of the ray at least 1e-9 (shore/march.glsl)",
         "no change on llvmpipe: the quotient is infinite, and the minimum takes the other side's",
         camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
     ),
@@ -124,7 +124,7 @@ _HARD = (
     replace(
         _case(
             "eye inside a hill",
-            "the distance to land is at least 0 (shore/ground.glsl)",
+            "the distance to land is at least 0 (shore/march.glsl)",
             "mean error 36 levels: land behind the camera is drawn",
             camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
         ),
@@ -133,7 +133,7 @@ _HARD = (
     replace(
         _case(
             "eye under water",
-            "a search interval with its end before its start has no intersection (shore/ground.glsl)",
+            "a search interval with its end before its start has no intersection (shore/find_land.glsl)",
             "no change on llvmpipe: the loop ends at its first step, and its result is not used",
             camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
         ),

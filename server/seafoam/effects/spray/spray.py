@@ -15,6 +15,7 @@ from seafoam.effects.effect import (
     SlotRef,
     TextureUse,
 )
+from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.noise import HASH
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.waves.parametric import max_profile_slope
@@ -131,7 +132,7 @@ def _wave_uniforms(scene: Scene, spray: Spray) -> dict[str, Uniform]:
 
 def _drop_pass(scene: Scene, quality: Quality, emission: _Emission) -> PassSpec:
     """The drops, as points blended over the picture."""
-    light = ("spray/unlit.glsl",) if scene.light is None else ("light/shade/sun.glsl", "spray/lit.glsl")
+    light = ("spray/unlit.glsl",) if scene.light is None else (*ILLUMINATION, "spray/lit.glsl")
     on_rocks = emission.source == "rocks"
     hidden = (*FIND_LAND, "spray/over_land.glsl") if on_rocks else ("spray/over_water.glsl",)
     return PassSpec(

@@ -4,20 +4,20 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from seafoam.effects.bounds import min_surface_height
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, Part, PassSpec, SlotFile
-from seafoam.effects.light.light import sun_direction, sun_irradiance
+from seafoam.effects.light.light import sun_direction
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Uniform, array, in_tile, number, rounded, significant, vector
+from seafoam.ocean.refraction import INDEX, refracted_cosine
 from seafoam.ocean.ripples import Ripple, ripples, tiles
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Chop
 
-INDEX = 1.34
 COLOURS = ("red", "green", "blue")
 COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
 """Refractive index of water at 650, 550 and 450 nm less that at 550 nm (Daimon and Masumura 2007)."""
@@ -45,7 +45,7 @@ def landing(light: Light, depth: float, slope: tuple[float, float], index: float
     size = math.sqrt(1.0 + slope[0] ** 2 + slope[1] ** 2)
     n = (-slope[0] / size, 1.0 / size, -slope[1] / size)
     c = max(sum(a * b for a, b in zip(n, sun, strict=True)), 0.0)
-    turn = c / index - math.sqrt(1.0 - (1.0 - c * c) / index**2)
+    turn = c / index - refracted_cosine(c, index)
     ray = tuple(turn * a - b / index for a, b in zip(n, sun, strict=True))
     length = depth / max(-ray[1], _MIN_FALL)
     return ray[0] * length, ray[2] * length
@@ -288,7 +288,7 @@ def _light_pass(
     return PassSpec(
         name=f"caustics: {colour} light",
         program="caustic_light",
-        vertex=("water/caustics/landing.glsl", vertex),
+        vertex=("lib/refraction.glsl", "water/caustics/landing.glsl", vertex),
         fragment=(fragment,),
         target=target,
         mesh=mesh,
@@ -319,15 +319,10 @@ def _map_pass(shader: str, lights: Mapping[str, str], weights: dict[str, Uniform
 
 def _bound(scene: Scene, light: Light, depth: float) -> Bound:
     """Sunlight reflected by a white floor under the lowest water, focused as far as a texel can resolve it."""
-    crossings = 1.0 if scene.water.view_below else 2.0
-    reflected = 0.0
-    for sun, length in zip(sun_irradiance(light), scene.water.absorption_length, strict=True):
-        transmittance = math.exp(-crossings * depth * (1.0 / length + scene.water.scattering))
-        reflected = max(reflected, transmittance * 0.95 * sun / math.pi * 2.0**light.exposure)
     return Bound(
-        _MAX_FOCUS * reflected,
+        _MAX_FOCUS * floor_limit(scene, light, depth, sky=False),
         f"no sunlight returns from a depth of {depth:g} m",
-        ("/light/exposure", "/water/absorption_length", "/water/scattering"),
+        FLOOR_FIELDS,
     )
 
 

@@ -2,11 +2,12 @@
 
 import math
 
-from seafoam.effects.bounds import min_surface_height
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
-from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
+from seafoam.effects.light.light import lamp_angles
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Uniform, array, in_tile, number, significant, vector
+from seafoam.ocean.refraction import refracted_cosine
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -18,14 +19,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     water, light = scene.water, scene.light
     if water.depth is None or light is None or scene.shore is not None:
         return None
-    # The shortest path is vertical, below a trough, down and back; a camera below the surface can be at the floor.
     # Floor and deep water differ by less than the radiance of a white floor.
-    crossings = 1.0 if water.view_below else 2.0
     min_depth = max(water.depth + min_surface_height(scene), 0.0)
-    difference = 0.0
-    for sun, sky, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
-        transmittance = math.exp(-crossings * min_depth * (1.0 / length + water.scattering))
-        difference = max(difference, transmittance * 0.95 * (sun + sky) / math.pi * 2.0**light.exposure)
     refracted = light.caustics is not None or water.floor_tile is not None
     return Contribution(
         why=f"a floor {water.depth:g} m under still water" + (", seen along the refracted ray" if refracted else ""),
@@ -38,9 +33,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         min_ground=-water.depth,
         bound=Bound(
-            difference,
+            floor_limit(scene, light, min_depth),
             f"no light returns from a depth of {min_depth:g} m",
-            ("/light/exposure", "/water/absorption_length", "/water/scattering"),
+            FLOOR_FIELDS,
         ),
     )
 
@@ -60,11 +55,11 @@ def _slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
         ),
     )
     if not refracted:
-        return (SlotFile("body", "water/body/floor.glsl", needs=(level,)), *under)
+        return (SlotFile("body", "water/body/floor.glsl", needs=("lib/refraction.glsl", level)), *under)
     return (
         SlotFile("body", "water/seafloor/body.glsl"),
         SlotFile("bed", "water/seafloor/floor.glsl", needs=floor),
-        SlotFile("through", "water/seafloor/through.glsl"),
+        SlotFile("through", "water/seafloor/through.glsl", needs=("lib/refraction.glsl",)),
         *under,
     )
 
@@ -72,7 +67,7 @@ def _slots(water: Water, refracted: bool) -> tuple[SlotFile, ...]:
 def bed_sun(light: Light) -> dict[str, Uniform]:
     """Cosine between the refracted sunlight and the vertical."""
     height = math.sin(lamp_angles(light)[1])
-    return {"u_bed_sun": number(significant(math.sqrt(1.0 - (1.0 - height * height) / 1.34**2)))}
+    return {"u_bed_sun": number(significant(refracted_cosine(height)))}
 
 
 def _tiles(water: Water) -> dict[str, Uniform]:

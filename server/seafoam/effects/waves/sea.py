@@ -35,6 +35,8 @@ the reference was no smaller (swell 4.78 instead of 4.56 levels, explosion 24.3 
 twice as long."""
 NEWTON = 2
 """Newton steps that invert the horizontal displacement at a texel."""
+RESAMPLED = ("lib/cubic_spline.glsl", "waves/sea/resample_pass.glsl")
+"""Files that find the rest position of the water at a place, and what moves with it."""
 
 
 def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[PassSpec, ...], str]:
@@ -189,14 +191,16 @@ def _consts(sea: Sea, tiles: Sequence[Cascade], size: int) -> dict[str, Const]:
     }
 
 
-def _fetch(quality: Quality) -> str:
-    """The file that reads a tile bilinearly: filtered by the sampler, or by the shader from full floats."""
-    return f"waves/sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
+def _fetch(quality: Quality) -> tuple[str, ...]:
+    """The files that read a tile bilinearly: filtered by the sampler, or by the shader from full floats."""
+    if quality.sea_digits == "float":
+        return ("lib/bilinear.glsl", "lib/cubic_spline.glsl", "waves/sea/fetch_exact.glsl")
+    return ("lib/cubic_spline.glsl", "waves/sea/fetch_linear.glsl")
 
 
 def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
     filtered = f"waves/sea/seen{'' if quality.surface.filter else '_exact'}.glsl"
-    needs = (_fetch(quality), "waves/sea/level.glsl", filtered)
+    needs = (*_fetch(quality), "waves/sea/level.glsl", filtered)
     slots = [
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
         SlotFile("bounds", "waves/sea/bounds.glsl", prefix="sea"),
@@ -253,7 +257,7 @@ def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Qu
             PassSpec(
                 name=f"sea, {tile.size:g} m tile",
                 program="sea_tile",
-                fragment=("waves/sea/resample_pass.glsl", "waves/sea/tile_pass.glsl"),
+                fragment=(*RESAMPLED, "waves/sea/tile_pass.glsl"),
                 target=name,
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(tile, index, sea.choppiness, size),
@@ -284,7 +288,7 @@ def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Part:
             PassSpec(
                 name=f"sea, {tile.size:g} m tile as seen",
                 program="sea_seen",
-                fragment=(_fetch(quality), "waves/sea/seen_pass.glsl"),
+                fragment=(*_fetch(quality), "waves/sea/seen_pass.glsl"),
                 target=f"sea_seen_{i}",
                 inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
             )
@@ -305,7 +309,7 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Qualit
             PassSpec(
                 name=f"orbits, {tile.size:g} m tile",
                 program="sea_orbit",
-                fragment=("waves/sea/resample_pass.glsl", "foam/carry/sea_orbit_pass.glsl"),
+                fragment=(*RESAMPLED, "foam/carry/sea_orbit_pass.glsl"),
                 target="sea_orbits",
                 inputs={"u_sea_displaced": TargetInput(target=displaced)},
                 uniforms=tile_uniforms(tile, i, sea.choppiness, quality.sea_size),
