@@ -104,7 +104,7 @@ def _per_sample(common: Contribution, advection: "_Advection") -> Contribution:
 
 def _from_map(common: Contribution, advection: "_Advection") -> Contribution:
     """Patches read from a map that passes draw in every frame."""
-    files = ("foam/drift/square.glsl", "foam/drift/clock.glsl", "foam/saturation/drift_rim.glsl")
+    files = ("lib/bilinear.glsl", "foam/drift/square.glsl", "foam/drift/clock.glsl", "foam/saturation/drift_rim.glsl")
     maps = {"u_drift_map": "drift", "u_drift_coarse": "drift_coarse"}
     if not advection.forward:
         maps["u_drift_way"] = "drift_way"
