@@ -22,9 +22,11 @@ from seafoam.api.parameters import one_value_each
 from seafoam.api.routers import accuracy, frames, health, masks, plans, presets, textures
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
+from seafoam.quality import QualityExtensions
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
+from seafoam.scene.models import SceneExtensions
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
@@ -112,6 +114,8 @@ def _describe(app: FastAPI, settings: Settings) -> None:
             schemas = document["components"]["schemas"]
             problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
             schemas |= problem.pop("$defs") | {"Problem": problem}
+            for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
+                del schemas[unused.__name__]
             frame = document["paths"]["/api/frames/{preset}.{format}"]["get"]
             sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
             sides += [one["schema"] for one in frame["parameters"] if one["name"] in ("width", "height")]

@@ -5,6 +5,7 @@ from seafoam.effects.effect import Effect
 from seafoam.effects.foam import aeration, drift, front, height, living, look, relief, slope, surf, wake_foam, whitecaps
 from seafoam.effects.light import clouds, glitter, light, night, sparkles, subsurface
 from seafoam.effects.reflection import cubemap, planar
+from seafoam.effects.registry import declare, load, outside, register, unregister
 from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, seafloor, underside, water
@@ -44,6 +45,10 @@ EFFECTS: tuple[Effect, ...] = (
     boat.EFFECT,
     planar.EFFECT,
 )
-"""All effects."""
+"""All effects of the package."""
 
-__all__ = ["EFFECTS"]
+for _effect in EFFECTS:
+    declare(_effect)
+load()
+
+__all__ = ["EFFECTS", "outside", "register", "unregister"]

@@ -4,21 +4,12 @@ import math
 
 from seafoam.effects.effect import Bound
 from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
+from seafoam.effects.registry import saturation_limits
 from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.levels import paper_level
 from seafoam.ocean.rings import ring_height
-from seafoam.ocean.wakes import LEAST_SPEED, wake_height
-from seafoam.scene.foam import (
-    DriftSaturation,
-    Foam,
-    FoldSaturation,
-    FrontSaturation,
-    HeightSaturation,
-    Saturation,
-    SlopeSaturation,
-    SurfSaturation,
-    WakeSaturation,
-)
+from seafoam.ocean.wakes import wake_height
+from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 
@@ -54,63 +45,9 @@ def _amplitude(scene: Scene) -> float:
     return amplitude
 
 
-def front_limit(front: FrontSaturation, scene: Scene) -> float:
-    """Return the greatest front saturation: the limit, which every front reaches, or 0 if the group threshold is 1."""
-    return SATURATION_CAP if scene.waves and front.group[0] < 1.0 else 0.0
-
-
-def height_limit(height: HeightSaturation, scene: Scene) -> float:
-    """Return the greatest height saturation: that of the highest crest."""
-    fraction = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
-    return min(max(fraction, 0.0), SATURATION_CAP)
-
-
-def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
-    """Return the greatest surf saturation: 2.4 times ``amount`` on thin water and twice ``veil``; 0 without surf."""
-    if scene.shore is None or scene.shore.surf.height == 0.0:
-        return 0.0
-    return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
-
-
-def drift_limit(drift: DriftSaturation, scene: Scene) -> float:
-    """Return the greatest drift saturation: the weights of overlapping ages add up to 2."""
-    return min(2.0 * drift.amount, SATURATION_CAP) if scene.drift is not None else 0.0
-
-
-def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
-    """Return the greatest wake saturation: 0 if no boat moves."""
-    if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):
-        return 0.0
-    return min(len(scene.boats) * (1.2 * wake.amount + 1.7 * wake.bow), SATURATION_CAP)
-
-
-def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
-    """Return the greatest slope saturation: that of a vertical surface; 0 if the surface is level."""
-    return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if max_surface_height(scene) > 0.0 else 0.0
-
-
-def source_limit(source: Saturation, scene: Scene) -> float:
-    """Return the greatest saturation of a source."""
-    match source:
-        case FrontSaturation():
-            return front_limit(source, scene)
-        case HeightSaturation():
-            return height_limit(source, scene)
-        case SlopeSaturation():
-            return slope_limit(source, scene)
-        case FoldSaturation():
-            return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
-        case SurfSaturation():
-            return surf_limit(source, scene)
-        case DriftSaturation():
-            return drift_limit(source, scene)
-        case WakeSaturation():
-            return wake_limit(source, scene)
-
-
 def greatest_saturation(foam: Foam, scene: Scene) -> float:
     """Return the greatest saturation of all sources combined."""
-    limits = [source_limit(source, scene) for source in foam.saturation]
+    limits = saturation_limits(scene)
     if foam.combine == "max":
         return max(limits)
     return min(math.prod(limits), SATURATION_CAP)
@@ -158,22 +95,6 @@ def crest_limit(scene: Scene) -> float:
         for sun, length in zip(sun_irradiance(light), water.absorption_length, strict=True)
     )
     return max(transmitted) * math.exp2(light.exposure)
-
-
-def saturation_fields(foam: Foam) -> tuple[str, ...]:
-    """Return the JSON pointers of the live fields that :func:`greatest_saturation` depends on."""
-    return tuple(
-        f"/foam/saturation/{i}/{name}"
-        for i, source in enumerate(foam.saturation)
-        for name in (
-            ("base", "full")
-            if isinstance(source, HeightSaturation)
-            else ("amount",)
-            if isinstance(source, DriftSaturation)
-            else ("base", "gain")
-        )
-        if not isinstance(source, FrontSaturation)
-    )
 
 
 def body_limit(scene: Scene) -> float:

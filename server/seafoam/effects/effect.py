@@ -6,12 +6,15 @@ Effects describe; the planner assembles.
 import importlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Literal, Self, TypeVar
+from typing import Any, Literal, Self, TypeVar
+
+from pydantic import BaseModel
 
 from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Points, View
 from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
 from seafoam.framegraph.rules import Uniform
-from seafoam.quality import Quality
+from seafoam.quality import Knobs, Quality
+from seafoam.scene.base import Part as ScenePart
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.textures import TextureSpec
@@ -87,13 +90,15 @@ class SlotFile:
     """A GLSL file that fills a slot.
 
     ``prefix``: of the names of its functions, if several files can fill the slot. ``needs``: files that it calls, which
-    are included before it, and only once if several files need them.
+    are included before it, and only once if several files need them. ``instead``: it replaces the files of earlier
+    effects in this slot, which need not know of it.
     """
 
     slot: str
     path: Piece
     prefix: str = ""
     needs: tuple[Piece, ...] = ()
+    instead: bool = False
 
 
 @dataclass(frozen=True)
@@ -258,24 +263,63 @@ class Cases:
     """Test scenes of an effect. ``hard``: scenes that provoke a numerical failure.
 
     ``invisible``: scenes that contain the effect but cannot show it. ``always_visible``: why there are no such scenes.
+    ``variants``: scenes that between them need every file and every compile-time switch of the effect; browsers compile
+    them.
     """
 
     hard: tuple[HardCase, ...] = ()
     invisible: tuple[Scene, ...] = ()
     always_visible: str = ""
+    variants: tuple[Scene, ...] = ()
+
+
+@dataclass(frozen=True)
+class SaturationSource:
+    """A kind of foam saturation, declared by the effect that draws it.
+
+    ``model``: the part of a scene that describes it. ``limit``: ``limit(part, scene)``, the greatest saturation that
+    such a part has anywhere in a scene. ``live``: fields of the part that the limit depends on and that could otherwise
+    change without a new plan.
+    """
+
+    model: type[BaseModel]
+    limit: Callable[[Any, Scene], float]
+    live: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Extension:
+    """Fields and float64 reference of an effect outside the package.
+
+    ``name``: key under ``extensions`` of a scene and of a quality. ``scene``: the part of a scene; without it the
+    effect is off. ``quality``: settings; without them their defaults hold. ``truth``: ``truth(part, scene, points)``
+    in float64, the part's foam saturation at :class:`seafoam.reference.renderer.sources.SurfacePoints`; (r,).
+    """
+
+    name: str
+    scene: type[ScenePart]
+    quality: type[Knobs] | None = None
+    truth: Callable[..., Any] | None = None
 
 
 @dataclass(frozen=True)
 class Effect:
-    """An effect: its name, and the function that returns its contribution to the plan of a scene.
+    """An effect: its name, the function that returns its contribution to the plan of a scene, and its declarations.
 
     ``contribute`` returns ``None`` if the scene does not contain the effect. The effect's :class:`Cases` are the entry
-    under its name in ``CASES`` of the module ``NAME_cases`` beside its own, which servers do not load.
+    under its name in ``CASES`` of the module ``NAME_cases`` beside its own, which servers do not load. ``fields``: JSON
+    pointers of the parts and fields of a scene that belong to the effect, without list indices. ``knobs``: its fields
+    of a quality. ``saturation``: the source of foam that it draws. ``extension``: for effects outside the package,
+    instead of ``fields``; effects of the package have their models in :mod:`seafoam.scene` and :mod:`seafoam.quality`
+    and their float64 form in :mod:`seafoam.reference`.
     """
 
     name: str
     contribute: Callable[[Scene, Quality], Contribution | None]
+    fields: tuple[str, ...] = ()
     knobs: tuple[Knob, ...] = ()
+    saturation: SaturationSource | None = None
+    extension: Extension | None = None
 
     @property
     def cases(self) -> Cases:
@@ -290,10 +334,10 @@ class AssemblyError(RuntimeError):
 
 
 def united(mappings: Iterable[Mapping[str, T]]) -> dict[str, T]:
-    """Return the entries of all mappings. Raises :class:`AssemblyError` if two have the same key."""
+    """Return the entries of all mappings. Raises :class:`AssemblyError` if two have a key with different values."""
     result: dict[str, T] = {}
     for mapping in mappings:
-        repeated = result.keys() & mapping.keys()
+        repeated = {key for key in result.keys() & mapping.keys() if result[key] != mapping[key]}
         if repeated:
             raise AssemblyError(f"{', '.join(sorted(repeated))}: defined twice")
         result.update(mapping)

@@ -79,7 +79,8 @@ class Collection:
         paths = {path for path in map(path_of, pieces) if path is not None}
         self.effects.append(EffectNote(name=name, why=contribution.why, files=tuple(sorted(paths))))
         self.readers |= dict.fromkeys(contribution.inputs, name)
-        self.slots += contribution.slots
+        replaced = {file.slot for file in contribution.slots if file.instead}
+        self.slots = [file for file in self.slots if file.slot not in replaced] + [*contribution.slots]
         self.passes += contribution.passes
         self.max_height += contribution.max_height
         self.min_height += contribution.min_height

@@ -2,7 +2,8 @@
 
 from functools import lru_cache
 
-from seafoam.effects import EFFECTS
+from seafoam.effects import EFFECTS, outside
+from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.visibility import everywhere
 from seafoam.planner.collect import Collection
@@ -32,7 +33,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     or more effects together than one shader can read the textures of.
     """
     scene = _steepest_waves(scene, quality.waves)
-    collection = Collection(EFFECTS, scene, quality, economy=economy)
+    collection = Collection((*EFFECTS, *outside()), scene, quality, economy=economy)
     frame = FrameBuilder(collection, scene, quality)
     passes = frame.passes()
     for program in frame.programs.values():
@@ -63,6 +64,9 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         live=tuple(sorted(live_fields(used) - collection.bound_fields)),
     )
     return plan if economy else everywhere(plan)
+
+
+CHANGED.append(make_plan.cache_clear)
 
 
 def _steepest_waves(scene: Scene, count: int) -> Scene:

@@ -180,6 +180,7 @@ def _bounding_sphere(boat: Boat, swing: float) -> Ball:
 EFFECT = Effect(
     "boats",
     contribute,
+    fields=("/boats",),
     knobs=(
         Knob("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
         Knob("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),

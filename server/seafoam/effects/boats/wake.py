@@ -111,6 +111,7 @@ def _map_passes(boats: int, size: int) -> tuple[dict[str, Target], tuple[PassSpe
 EFFECT = Effect(
     "wakes",
     contribute,
+    fields=("/boats/wake",),
     knobs=(
         Knob("/wake", "wakes", ("map", "exact"), "geometry"),
         Knob("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),

@@ -2,8 +2,9 @@
 
 import math
 
-from seafoam.effects.bounds import body_limit, greatest_saturation, saturation_fields
+from seafoam.effects.bounds import body_limit, greatest_saturation
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.registry import saturation_fields
 from seafoam.framegraph.rules import number
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -20,7 +21,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     bound = Bound(
         whitened * body_limit(scene),
         "next to no bubbles, no foam over them, or no light on them",
-        ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(foam)),
+        ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(scene)),
     )
     return Contribution(
         why=f"bubbles down to {water.plume_depth:g} m under foam",
@@ -36,4 +37,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("milky water", contribute)
+EFFECT = Effect("milky water", contribute, fields=("/water/aeration", "/water/plume_depth"))

@@ -14,6 +14,7 @@ from seafoam.effects.effect import (
     PassSpec,
     Piece,
     PlanError,
+    SaturationSource,
     SlotFile,
     Source,
 )
@@ -61,13 +62,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if a saturation has source ``drift``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, DriftSaturation)]
-    if not found:
+    source = scene.foam.source(DriftSaturation)
+    if source is None:
         return None
-    index, source = found[0]
     if scene.drift is None:
         return Contribution(why="no flow to carry foam", bound=Bound(0.0, "the scene has no drift"))
-    amount = f"/foam/saturation/{index}/amount"
+    amount = f"{scene.foam.pointer(source)}/amount"
     advection = _Advection(scene, scene.foam, scene.drift, source, quality)
     common = Contribution(
         why=advection.why,
@@ -304,7 +304,8 @@ def carries(scene: Scene, quality: Quality) -> bool:
     """Whether the flow advects the mask too: in the filtered look, which can blend two copies of it."""
     if scene.foam is None or scene.drift is None or scene.foam.look != "filtered" or quality.drift == "forward":
         return False
-    return any(isinstance(source, DriftSaturation) and source.amount > 0.0 for source in scene.foam.saturation)
+    source = scene.foam.source(DriftSaturation)
+    return source is not None and source.amount > 0.0
 
 
 def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
@@ -358,9 +359,16 @@ def _to_camera(place: tuple[float, float]) -> tuple[Held, Held]:
     )
 
 
+def drift_limit(source: DriftSaturation, scene: Scene) -> float:
+    """Return the greatest drift saturation: the weights of overlapping ages add up to 2."""
+    return min(2.0 * source.amount, SATURATION_CAP) if scene.drift is not None else 0.0
+
+
 EFFECT = Effect(
     "drifting foam",
     contribute,
+    fields=("/drift", "/drift/vortices"),
+    saturation=SaturationSource(DriftSaturation, drift_limit, ("amount",)),
     knobs=(
         Knob("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
         Knob("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),

@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass, replace
 
-from seafoam.effects.bounds import front_limit, parametric_wave_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SlotFile, TextureUse
+from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile, TextureUse
 from seafoam.effects.foam.living import carries
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
@@ -42,10 +42,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if a saturation has source ``front``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, FrontSaturation)]
-    if not found:
+    front = scene.foam.source(FrontSaturation)
+    if front is None:
         return None
-    index, front = found[0]
     if not scene.waves:
         return Contribution(why="", bound=Bound(0.0, "no wave, so no front"))
     bound = None
@@ -57,7 +56,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     elif filtered:
         contribution = _averaged(scene, front)
     else:
-        contribution = _at_samples(scene, front, f"/foam/saturation/{index}/intensity")
+        contribution = _at_samples(scene, front, f"{scene.foam.pointer(front)}/intensity")
     return replace(contribution, bound=bound)
 
 
@@ -236,4 +235,9 @@ def _relief(scene: Scene, spatial: float) -> float:
     return math.sqrt(2.0 * total)
 
 
-EFFECT = Effect("front foam", contribute)
+def front_limit(front: FrontSaturation, scene: Scene) -> float:
+    """Return the greatest front saturation: the limit, which every front reaches, or 0 if the group threshold is 1."""
+    return SATURATION_CAP if scene.waves and front.group[0] < 1.0 else 0.0
+
+
+EFFECT = Effect("front foam", contribute, saturation=SaturationSource(FrontSaturation, front_limit))

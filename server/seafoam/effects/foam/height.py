@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
-from seafoam.effects.bounds import height_limit
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SlotFile
+from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
 from seafoam.ocean.dispersion import wavevector
@@ -52,11 +52,10 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by a saturation with source ``height``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, HeightSaturation)]
-    if not found:
+    height = scene.foam.source(HeightSaturation)
+    if height is None:
         return None
-    index, height = found[0]
-    pointer = f"/foam/saturation/{index}"
+    pointer = scene.foam.pointer(height)
     name = "height_filtered" if scene.foam.look == "filtered" else "height"
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {}
@@ -88,4 +87,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("height foam", contribute)
+def height_limit(height: HeightSaturation, scene: Scene) -> float:
+    """Return the greatest height saturation: that of the highest crest."""
+    fraction = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
+    return min(max(fraction, 0.0), SATURATION_CAP)
+
+
+EFFECT = Effect(
+    "height foam", contribute, saturation=SaturationSource(HeightSaturation, height_limit, ("base", "full"))
+)

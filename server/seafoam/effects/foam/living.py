@@ -46,7 +46,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     slots = [SlotFile("carry", "foam/carry/still.glsl", prefix="still")]
     if scene.shore is not None:
-        surf = any(isinstance(one, SurfSaturation) for one in (scene.foam.saturation if scene.foam else ()))
+        surf = scene.foam is not None and scene.foam.source(SurfSaturation) is not None
         carry = f"foam/carry/{'surf' if surf else 'shore'}.glsl" if life.carried else _AT_REST
         slots.append(SlotFile("shore carry", carry))
     drift = foam_drift(scene)
@@ -80,4 +80,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("foam that lives", contribute)
+EFFECT = Effect("foam that lives", contribute, fields=("/foam/life",))

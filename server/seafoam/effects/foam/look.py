@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from seafoam.effects.bounds import foam_limit, greatest_saturation, saturation_fields
+from seafoam.effects.bounds import foam_limit, greatest_saturation
 from seafoam.effects.effect import (
     Bound,
     Const,
@@ -22,6 +22,7 @@ from seafoam.effects.effect import (
 from seafoam.effects.foam import drift, mask_atlas
 from seafoam.effects.foam.living import AGE, living
 from seafoam.effects.noise import HASH
+from seafoam.effects.registry import saturation_fields
 from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, mask_by_name
@@ -264,7 +265,7 @@ def _why(scene: Scene, foam: Foam, quality: Quality) -> str:
 def _bound(foam: Foam, scene: Scene) -> Bound | None:
     """Upper bound of foam's change to a pixel: its amount, as white over black."""
     most = greatest_saturation(foam, scene)
-    fields = saturation_fields(foam)
+    fields = saturation_fields(scene)
     if most == 0.0:
         return Bound(0.0, "the saturation is 0 everywhere", fields)
     if foam.look == "textured":
@@ -277,6 +278,7 @@ def _bound(foam: Foam, scene: Scene) -> Bound | None:
 EFFECT = Effect(
     "foam look",
     contribute,
+    fields=("/foam",),
     knobs=(
         Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         Knob("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),

@@ -1,7 +1,8 @@
 """Foam's thickness: it shades the water beside it, edges toward the sun are brighter. docs/formulae.md, section 6."""
 
-from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation, saturation_fields
+from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.registry import saturation_fields
 from seafoam.framegraph.rules import number
 from seafoam.ocean.stokes import foam_life
 from seafoam.quality import Quality
@@ -28,7 +29,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         bound=Bound(
             0.0 if most == 0.0 else body_limit(scene) + foam_limit(foam, scene),
             "no foam that could shade",
-            saturation_fields(foam),
+            saturation_fields(scene),
         ),
     )
 
@@ -36,5 +37,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 EFFECT = Effect(
     "foam relief",
     contribute,
+    fields=("/foam/thickness",),
     knobs=(Knob("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
 )

@@ -3,8 +3,8 @@
 import math
 
 from seafoam.effects.boats.wake import WAY
-from seafoam.effects.bounds import SATURATION_CAP, wake_limit
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.bounds import SATURATION_CAP
+from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, SlotFile
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Constant, array, significant
 from seafoam.ocean.wakes import LEAST_SPEED
@@ -20,10 +20,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Called for by a saturation with source ``wake``."""
     if scene.foam is None:
         return None
-    found = [s for s in scene.foam.saturation if isinstance(s, WakeSaturation)]
-    if not found:
+    wake = scene.foam.source(WakeSaturation)
+    if wake is None:
         return None
-    wake = found[0]
     if wake_limit(wake, scene) == 0.0:
         return Contribution(
             why="no boat moves",
@@ -51,4 +50,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("wake foam", contribute)
+def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
+    """Return the greatest wake saturation: 0 if no boat moves."""
+    if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):
+        return 0.0
+    return min(len(scene.boats) * (1.2 * wake.amount + 1.7 * wake.bow), SATURATION_CAP)
+
+
+EFFECT = Effect("wake foam", contribute, saturation=SaturationSource(WakeSaturation, wake_limit))

@@ -4,7 +4,17 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, Piece, SlotFile, Source
+from seafoam.effects.effect import (
+    Bound,
+    Contribution,
+    Effect,
+    Knob,
+    PassSpec,
+    Piece,
+    SaturationSource,
+    SlotFile,
+    Source,
+)
 from seafoam.effects.waves.sea import (
     RESAMPLED,
     displaced_target,
@@ -49,19 +59,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if a saturation has source ``fold``."""
     if scene.foam is None:
         return None
-    found = [source for source in scene.foam.saturation if isinstance(source, FoldSaturation)]
-    if not found:
+    source = scene.foam.source(FoldSaturation)
+    if source is None:
         return None
     raised = drawn(scene, quality)[:RAISED]
     if scene.sea is None or not raised:
         return Contribution(why="", bound=Bound(0.0, "no sea whose waves could break"))
     quality = fitted(scene.sea, quality)
     steps = quality.age_steps
-    model = fold(scene.sea, found[0], scene.water.depth, steps, quality.age_step, quality.sea_size)
+    model = fold(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size)
     if model is None:
         return Contribution(why="", bound=Bound(0.0, "a sea whose waves do not break, or a coverage of 0"))
     # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
-    shared = not any(isinstance(source, SlopeSaturation) for source in scene.foam.saturation)
+    shared = scene.foam.source(SlopeSaturation) is None
     present = Contribution(
         why=f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}",
         slots=(_slot(model, steps),),
@@ -222,9 +232,15 @@ def _time_uniforms(
     }
 
 
+def fold_limit(source: FoldSaturation, scene: Scene) -> float:
+    """Return the greatest fold saturation: 0 without wind."""
+    return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
+
+
 EFFECT = Effect(
     "fold foam",
     contribute,
+    saturation=SaturationSource(FoldSaturation, fold_limit),
     knobs=(
         Knob("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
         Knob("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),

@@ -51,5 +51,6 @@ def _bound(clouds: Clouds) -> Bound | None:
 EFFECT = Effect(
     "clouds",
     contribute,
+    fields=("/light/sky/clouds",),
     knobs=(Knob("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),),
 )

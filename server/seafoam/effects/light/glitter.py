@@ -34,18 +34,19 @@ def brightest_glint(scene: Scene) -> float:
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the scene has a light; sparkles replace the glint by their own."""
+    """Active if the scene has a light."""
     light = scene.light
     if light is None:
         return None
     path, needs, uniforms = smooth_glint(light)
-    own = (SlotFile("glitter", path, needs=needs),) if light.sparkles is None else ()
     return Contribution(
         why="glitter of the moon" if atmosphere.moon_is_lamp(light) else "glitter of the sun",
-        slots=(*own, SlotFile("disc", "light/sky/sun_disc.glsl")),
-        uniforms={"u_sun_disc": vector(sun_disc(light)), **(uniforms if own else {})},
+        slots=(SlotFile("glitter", path, needs=needs), SlotFile("disc", "light/sky/sun_disc.glsl")),
+        uniforms={"u_sun_disc": vector(sun_disc(light)), **uniforms},
         bound=Bound(brightest_glint(scene), "the lamp is below the horizon", ("/light/exposure", "/water/roughness")),
     )
 
 
-EFFECT = Effect("sun glitter", contribute)
+EFFECT = Effect(
+    "sun glitter", contribute, fields=("/light/specular", "/light/specular_power", "/light/specular_perturb")
+)

@@ -155,4 +155,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("sun and sky", contribute)
+EFFECT = Effect("sun and sky", contribute, fields=("/light", "/light/day", "/light/sky"))

@@ -82,5 +82,5 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-MOON = Effect("moon", moon)
-STARS = Effect("stars", stars)
+MOON = Effect("moon", moon, fields=("/light/sky/moon",))
+STARS = Effect("stars", stars, fields=("/light/sky/stars",))

@@ -38,6 +38,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "glitter",
                 "light/glitter/sparkles.glsl",
                 needs=(*needs, HASH, smooth),
+                instead=True,
             ),
         ),
         consts={"SPARKLE_CELLS": quality.sparkle_cells},
@@ -60,5 +61,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 EFFECT = Effect(
     "sparkles",
     contribute,
+    fields=("/light/sparkles",),
     knobs=(Knob("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),),
 )

@@ -1,6 +1,7 @@
 """Hard cases of light.sparkles, and scenes that call for it and cannot show it."""
 
 import math
+from typing import get_args
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -76,4 +77,10 @@ _HARD = (
     ),
 )
 
-CASES = {"sparkles": Cases(invisible=_INVISIBLE, hard=_HARD)}
+_VARIANTS = tuple(
+    Scene(light=Light(specular=specular, sparkles=Sparkles()))
+    for specular in get_args(Light.model_fields["specular"].annotation)
+)
+"""In place of either glint."""
+
+CASES = {"sparkles": Cases(invisible=_INVISIBLE, hard=_HARD, variants=_VARIANTS)}

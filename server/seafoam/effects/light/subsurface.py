@@ -30,4 +30,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("crest light", contribute)
+EFFECT = Effect("crest light", contribute, fields=("/water/translucency",))

@@ -93,6 +93,7 @@ def _bound(scene: Scene, light: Light) -> Bound | None:
 EFFECT = Effect(
     "cube map",
     contribute,
+    fields=("/light/reflection",),
     knobs=(
         Knob("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
         Knob("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),

@@ -99,6 +99,7 @@ def _objects(scene: Scene) -> str:
 EFFECT = Effect(
     "planar reflection",
     contribute,
+    fields=("/light/reflection",),
     knobs=(
         Knob("/reflection", "planar mirror", ("map", "traced"), "filtering"),
         Knob("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),

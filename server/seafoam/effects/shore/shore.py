@@ -173,6 +173,7 @@ def _bound(scene: Scene, shore: Shore, top: float) -> Bound | None:
 EFFECT = Effect(
     "shore",
     contribute,
+    fields=("/shore", "/shore/surf"),
     knobs=(
         Knob("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
         Knob("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),

@@ -163,5 +163,6 @@ def _drop_pass(scene: Scene, quality: Quality, emission: _Emission) -> PassSpec:
 EFFECT = Effect(
     "spray",
     contribute,
+    fields=("/spray",),
     knobs=(Knob("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),),
 )

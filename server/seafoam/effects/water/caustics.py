@@ -329,6 +329,7 @@ def _bound(scene: Scene, light: Light, depth: float) -> Bound:
 EFFECT = Effect(
     "caustics",
     contribute,
+    fields=("/light/caustics",),
     knobs=(
         Knob("/caustics", "caustics", ("grid", "photons"), "geometry"),
         Knob("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),

@@ -1,6 +1,7 @@
 """Hard cases of water.caustics, and scenes that call for it and cannot show it."""
 
 from dataclasses import replace
+from itertools import product
 
 from seafoam.effects.effect import Bounds, Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -87,4 +88,12 @@ _HARD = (
     ),
 )
 
-CASES = {"caustics": Cases(invisible=_INVISIBLE, hard=_HARD)}
+_VARIANTS = tuple(
+    Scene(
+        water=Water(depth=2.0, floor_tile=tile, view_below=below, chop=Chop()),
+        light=Light(caustics=Caustics(dispersion=dispersion)),
+    )
+    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True))
+)
+
+CASES = {"caustics": Cases(invisible=_INVISIBLE, hard=_HARD, variants=_VARIANTS)}

@@ -77,4 +77,4 @@ def _tiles(water: Water) -> dict[str, Uniform]:
     return {"u_floor_tile": number(side), "u_floor_tile_place": array("vec2", in_tile(side, period=256.0), 1)}
 
 
-EFFECT = Effect("floor", contribute)
+EFFECT = Effect("floor", contribute, fields=("/water/depth", "/water/floor_albedo", "/water/floor_tile"))

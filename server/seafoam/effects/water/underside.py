@@ -25,4 +25,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("view from below", contribute)
+EFFECT = Effect("view from below", contribute, fields=("/water/view_below",))

@@ -21,4 +21,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return Contribution(why="the water absorbs and scatters light", uniforms=uniforms)
 
 
-EFFECT = Effect("water body", contribute)
+EFFECT = Effect("water body", contribute, fields=("/water",))

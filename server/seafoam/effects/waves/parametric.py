@@ -65,18 +65,14 @@ def shares_phase(scene: Scene) -> bool:
     With δ = π/2 these are the fronts' phases. Slope saturation shades other points in between, and a shore changes
     the waves.
     """
-    fronts = (
-        ()
-        if scene.foam is None
-        else (source for source in scene.foam.saturation if isinstance(source, FrontSaturation))
-    )
-    same = any(front.constants == "text" for front in fronts) and parametric_wave_height(scene) >= _MIN_SHARED_HEIGHT
+    front = None if scene.foam is None else scene.foam.source(FrontSaturation)
+    same = front is not None and front.constants == "text" and parametric_wave_height(scene) >= _MIN_SHARED_HEIGHT
     return same and scene.shore is None and shares_place(scene)
 
 
 def shares_place(scene: Scene) -> bool:
     """Whether the point that was shaded last is still the sample's own when its foam is computed."""
-    return scene.foam is None or not any(isinstance(source, SlopeSaturation) for source in scene.foam.saturation)
+    return scene.foam is None or scene.foam.source(SlopeSaturation) is None
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -132,5 +128,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 EFFECT = Effect(
     "parametric waves",
     contribute,
+    fields=("/waves",),
     knobs=(Knob("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
 )

@@ -174,6 +174,7 @@ def _bound(scene: Scene, height: float, max_slope: float) -> Bound | None:
 EFFECT = Effect(
     "rings",
     contribute,
+    fields=("/rings",),
     knobs=(
         Knob("/rings", "rings", ("map", "exact"), "geometry"),
         Knob("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),

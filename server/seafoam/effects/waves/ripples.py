@@ -136,6 +136,7 @@ def _bound(scene: Scene, chop: Chop) -> Bound | None:
 EFFECT = Effect(
     "ripples",
     contribute,
+    fields=("/water/chop", "/water/chop/gusts"),
     knobs=(
         Knob("/chop", "ripples", ("tile", "exact"), "geometry"),
         Knob("/chop_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),

@@ -322,6 +322,7 @@ def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Qualit
 EFFECT = Effect(
     "sea",
     contribute,
+    fields=("/sea",),
     knobs=(
         Knob("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
         Knob("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from seafoam.ocean.stokes import foam_drift, foam_life
+from seafoam.ocean.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import cells, living, looks
 from seafoam.reference.foam.coverage import OCTAVES_MOST, coverage, mask_place, tiles, turned_footprint
-from seafoam.reference.foam.drift import Copy, copies, drift_saturation
-from seafoam.reference.foam.front import CAP, History
-from seafoam.reference.foam.saturation import saturation
+from seafoam.reference.foam.drift import Copy, copies
 from seafoam.reference.light import light
 from seafoam.reference.renderer.assets import Assets
+from seafoam.reference.renderer.sources import saturation
 from seafoam.reference.renderer.state import FrameState
 from seafoam.reference.types import Floats, smoothstep
-from seafoam.reference.waves.sea import fold_saturation
-from seafoam.scene.foam import DriftSaturation, Foam, FoldSaturation
+from seafoam.scene.foam import DriftSaturation, Foam
 
 LOWEST_SHADE = 0.25
 """Sine of the sun's elevation under which shades of foam grow no longer."""
@@ -44,31 +42,7 @@ class FoamStage(FrameState):
         """At r places the look's foam amount, in [0, 3] for ``listing``, else in [0, 1], and f; (r,) each."""
         foam = self.foam
         foot_x, foot_y = self.footprints(t, D, N)
-        filtered = foam.look == "filtered"
-        coast, wakes = self.coast, self.wakes
-        feet = (foot_x, foot_y) if filtered and self.filtering else None
-        f = saturation(
-            foam.saturation,
-            foam.combine,
-            self.fronts,
-            lambda x, z: self.slopes(x, z)[1],
-            x,
-            z,
-            H,
-            cap=1.0 if filtered else CAP,
-            footprints=feet,
-            eye_height=self.eye_y,
-            level=self.waves.level,
-            folds=[
-                fold_saturation(self.scene, source, self.sea, x, z)
-                for source in foam.saturation
-                if isinstance(source, FoldSaturation)
-            ],
-            surf=None if coast is None else lambda source, x, z, H: coast.foam(source, x, z, H, feet),
-            drift=self._drifting,
-            wake=None if wakes is None else lambda source, x, z, cap: wakes.foam(source, x, z, cap, feet),
-            history=History(foam_drift(self.scene), self.carries),
-        )
+        f = saturation(self, foam, x, z, H, (foot_x, foot_y))
         return self._lying(f, x, z, foot_x, foot_y), f
 
     def _past_foam(
@@ -197,13 +171,10 @@ class FoamStage(FrameState):
     def _carried(self, x: Floats, z: Floats) -> list[Copy]:
         """The copies of the mask that a flow carries; none where it lies still."""
         foam = self.foam
-        sources = [one for one in foam.saturation if isinstance(one, DriftSaturation) and one.amount > 0.0]
-        if not sources or self.scene.drift is None or foam.look != "filtered":
+        source = foam.source(DriftSaturation)
+        if source is None or source.amount == 0.0 or self.scene.drift is None or foam.look != "filtered":
             return []
-        return copies(self.scene, sources[0], foam.mask_tile, self.time, self.origin, x, z)
-
-    def _drifting(self, source: DriftSaturation, x: Floats, z: Floats) -> Floats:
-        return drift_saturation(self.scene, source, self.time, self.origin, x, z)
+        return copies(self.scene, source, foam.mask_tile, self.time, self.origin, x, z)
 
     def _amount(
         self,

@@ -112,10 +112,10 @@ class Shader(UnderwaterStage):
         t = distance / np.sqrt(dot(D, D))
         feet = self.footprints(t, D, N)
         amount = np.zeros_like(x)
-        lines = [] if scene.foam is None else [one for one in scene.foam.saturation if isinstance(one, SurfSaturation)]
-        if scene.foam is not None and self.assets is not None and lines and lines[0].line > 0.0:
+        surf = None if scene.foam is None else scene.foam.source(SurfSaturation)
+        if scene.foam is not None and self.assets is not None and surf is not None and surf.line > 0.0:
             filtered = scene.foam.look == "filtered"
-            left = coast.left(lines[0], x, z, height, feet if filtered and self.filtering else None)
+            left = coast.left(surf, x, z, height, feet if filtered and self.filtering else None)
             f = np.minimum(left, 1.0 if filtered else CAP)
             still = np.zeros_like(x), np.zeros_like(x)
             amount = np.minimum(self._lying(f, x, z, *feet, way=still), 1.0)

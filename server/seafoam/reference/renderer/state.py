@@ -78,12 +78,11 @@ class FrameState:
         self.covered = self.eye_y < at_eye
         self.under = scene.water.view_below and self.covered
         self.below = under_of(scene, self.air, time, self.origin, self.coast) if self.under else None
-        sources = () if scene.foam is None else scene.foam.saturation
-        self.fronts: dict[str, WaveSet] = {
-            source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
-            for source in sources
-            if isinstance(source, FrontSaturation)
-        }
+        front = None if scene.foam is None else scene.foam.source(FrontSaturation)
+        self.fronts: dict[str, WaveSet] = {}
+        if front is not None:
+            spatial = FRONT_CONSTANTS[front.constants].spatial
+            self.fronts[front.constants] = wave_set(scene, time, self.origin, spatial)
 
     @property
     def exposure(self) -> float:

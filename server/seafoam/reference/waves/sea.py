@@ -290,8 +290,8 @@ def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: 
     if scene.sea is None or scene.sea.wind <= 0.0:
         return None
     depth = scene.water.depth
-    sources = () if scene.foam is None else scene.foam.saturation
-    lasting = any(isinstance(source, FoldSaturation) and source.lasting for source in sources)
+    source = None if scene.foam is None else scene.foam.source(FoldSaturation)
+    lasting = source is not None and source.lasting
     tiles, earlier, old = _drawn(scene.sea, depth, time, texels, foam_drift(scene), lasting)
     return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
 
