@@ -1,7 +1,7 @@
-"""The atlas that the filtered look reads, made of its masks by passes that are drawn once. docs/masks.md.
+"""The atlas that the filtered look reads, drawn once from its masks. docs/masks.md.
 
-A mask travels as 16 bits a texel; its atlas, :func:`seafoam.masks.prefilter.atlas`, takes ten times as much and is the
-same to the last bit. Where foam lives it has several masks: their atlases and tables lie over one another.
+A mask is transferred as 16 bits per texel; its atlas, :func:`seafoam.masks.prefilter.atlas`, is ten times as large and
+bit-identical on all executors. Foam with a history has several masks: their atlases and tables are stacked.
 """
 
 from collections.abc import Sequence
@@ -16,12 +16,12 @@ MOMENTS = "mask_moments"
 
 
 def consts(mask: Mask) -> dict[str, int]:
-    """``MASK_STEP``: thresholds stand half of so many 65536ths over what the texels hold."""
+    """``MASK_STEP``: thresholds are the texels' values plus half this number of 65536ths."""
     return {"MASK_STEP": max(65536 // mask.ranks.size, 1)}
 
 
 def tables(masks: int, kind: str) -> str:
-    """The texture whose tables the look reads: ``quantiles`` or ``ramps``, of all masks over one another."""
+    """The texture whose tables the look reads: ``quantiles`` or ``ramps`` of all masks, stacked."""
     return f"mask_{kind}" if masks == 1 else "mask_tables"
 
 
@@ -30,14 +30,14 @@ def textures(names: Sequence[str], kind: str) -> dict[str, TextureUse]:
     used: dict[str, TextureUse] = {}
     for i, name in enumerate(names):
         used[f"mask_ranks{_of(i)}"] = TextureUse(f"mask/{name}/ranks")
-        # The atlas is made with the quantiles whatever the look itself reads.
+        # The atlas always needs the quantiles, also where the look reads ramps.
         used[f"mask_quantiles{_of(i)}"] = TextureUse(f"mask/{name}/quantiles", wrap="clamp_to_edge")
     used[tables(len(names), kind)] = TextureUse(f"mask/{'+'.join(names)}/{kind}", wrap="clamp_to_edge")
     return used
 
 
 def targets(masks: Sequence[Mask]) -> dict[str, Target]:
-    """The atlas, and what it is made by way of."""
+    """The atlas and its intermediate targets."""
 
     def whole(width: int, height: int) -> Target:
         return Target(size=FixedSize(width=width, height=height), format="RG32UI")
@@ -53,14 +53,14 @@ def targets(masks: Sequence[Mask]) -> dict[str, Target]:
 
 
 def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
-    """Mean and variance of the thresholds in a texel, then level by level, then the atlas; mask by mask.
+    """For each mask: mean and variance of the thresholds per texel, then per level, then the atlas.
 
-    They read what :func:`textures` names.
+    They read the textures of :func:`textures`.
     """
     if len(masks) == 1:
         return _passes(masks[0], 0, ATLAS)
     alone = [f"{ATLAS}{_of(i)}_alone" for i in range(len(masks))]
-    # The last stands in for those that there are not.
+    # The shader reads three atlases; the last one is repeated where there are fewer.
     which = [min(i, len(masks) - 1) for i in range(3)]
     return (
         *(one for i, mask in enumerate(masks) for one in _passes(mask, i, alone[i])),

@@ -1,4 +1,4 @@
-"""Foam's thickness: it shades the water beside it, edges toward the sun are brighter. docs/formulae.md, section 6."""
+"""Foam's thickness: it shadows the water beside it, and edges toward the sun are brighter. docs/formulae.md, section 6."""
 
 from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation, saturation_fields
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile
@@ -8,11 +8,11 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 SHADE = 0.6
-"""Share of the sun that a hand's breadth of foam takes from what lies behind it; the rest comes through."""
+"""Share of the sun's light that foam blocks; the rest passes through it."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``foam.thickness`` where there is light, in the finer tiers."""
+    """Active if foam has a thickness and there is light, at qualities with ``foam_relief``."""
     foam = scene.foam
     if foam is None or scene.light is None or foam.thickness == 0.0 or not quality.foam_relief:
         return None

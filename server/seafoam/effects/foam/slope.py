@@ -8,18 +8,18 @@ from seafoam.scene.foam import SlopeSaturation
 from seafoam.scene.models import Scene
 
 WIDENED = 1.5
-"""Side of the box that stands for the five places of a blur, in blurs: nearest to them on choppy lakes."""
+"""Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``slope``."""
+    """Active if a saturation has source ``slope``."""
     if scene.foam is None:
         return None
     found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, SlopeSaturation)]
     if not found:
         return None
     index, slope = found[0]
-    # Where nothing is filtered nothing is left of a wider footprint.
+    # Without slope filtering a wider footprint has no effect.
     blurred = "slope_widened" if quality.slope_places == 1 and quality.surface.filter else "slope_blurred"
     name = blurred if slope.blur > 0.0 else "slope"
     consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if scene.foam.look == "filtered" else 4.0}

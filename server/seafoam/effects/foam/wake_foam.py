@@ -13,11 +13,11 @@ from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
 
 HULL_SPEED = 1.25
-"""Speed over the root of the length, √m/s, at which the bow's foam is full."""
+"""Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``wake``."""
+    """Active if a saturation has source ``wake``."""
     if scene.foam is None:
         return None
     found = [s for s in scene.foam.saturation if isinstance(s, WakeSaturation)]

@@ -108,7 +108,7 @@ _HARD = (
     ),
     _case(
         "straight down on the water's edge",
-        "horizontal part of the ray at least 1e-9 (shore/ground.glsl)",
+        "horizontal components of the ray at least 1e-9 (shore/find_land.glsl, shore/square.glsl)",
         "no change on llvmpipe: the quotient is infinite, and the minimum takes the other side's",
         camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
     ),
