@@ -21,13 +21,13 @@ TIMES = (0.0, 2.7, 1000003.5)
 """Times of same-samples frames, s."""
 SAME_SIZE = (320, 180)
 COSTLY_SIZE = (160, 90)
-"""Of same-samples frames with a shore, an open sea, drifting foam, caustics or boats, which cost ten times as much."""
+"""The same for scenes with a shore, an open sea, drifting foam, caustics or boats, which take ten times as long."""
 SAME_SAMPLES = 4
 CONVERGED_TIME = 2.7
 CONVERGED_SIZE = (160, 90)
 CONVERGED_SAMPLES = 16
 EVERY_LOOK = ("default", "paper-halftone")
-"""Presets that have converged frames, one in every look."""
+"""Presets with converged frames, at least one for every look."""
 PROCESSES = 2
 DIRECTORY = Path("tests/references")
 
@@ -92,7 +92,7 @@ def bake(job: Job, directory: Path) -> float:
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Bake the frames that are missing or of another scene; all of them with ``--force``."""
+    """Bake frames that are missing or show another scene; with ``--force`` all of them."""
     parser = argparse.ArgumentParser(prog="python -m seafoam.reference.bake", description=main.__doc__)
     parser.add_argument("--preset", action="append", choices=preset_names(), help="only this one; may be repeated")
     parser.add_argument("--out", type=Path, default=DIRECTORY)

@@ -1,4 +1,4 @@
-"""Foam's thickness: it shadows the water beside it, and edges toward the sun are brighter. docs/formulae.md, section 6."""
+"""Foam's thickness: it shadows water, and its edges toward the sun are brighter. docs/formulae.md, section 6."""
 
 from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation, saturation_fields
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile

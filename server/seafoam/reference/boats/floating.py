@@ -19,7 +19,7 @@ HULL_SPEED = 1.25
 
 @dataclass(frozen=True)
 class Course:
-    """Position of a boat: vector from the centre of its course to the origin (m), bearing (rad), and sense of rotation."""
+    """Position on a course: vector from its centre to the origin (m), bearing (rad), and sense of rotation."""
 
     centre: tuple[float, float]
     bearing: float

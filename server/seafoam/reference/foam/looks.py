@@ -58,7 +58,7 @@ def minification(size: Floats) -> Floats:
 
 
 def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
-    """b and e: mean of the B-spline mask over a footprint (r, 2), (r, 2), and half the range of its values; (r,) each."""
+    """b and e: mean of the B-spline mask over footprints (r, 2), and half the range of its values; (r,) each."""
     mean = spline.value + (spline.bend(foot_u) + spline.bend(foot_v)) / 24.0
     half: Floats = 0.5 * np.hypot(spline.along(foot_u), spline.along(foot_v))
     return mean, half
