@@ -90,7 +90,7 @@ class FrameState:
         return 1.0 if self.scene.light is None else 2.0**self.scene.light.exposure
 
     def slopes(self, x: Floats, z: Floats) -> tuple[tuple[Floats, Floats], ...]:
-        """Slopes at (x, z): of the surface for rays, of the same for shading, and of waves without height; (r,) each."""
+        """Slopes at (x, z): of the surface for rays, of that for shading, and of waves without height; (r,) each."""
         met_x, met_z = self.relief.gradient(x, z)
         c_x, c_z = self.ripples.gradient(x, z)
         if self.gusts.gusts is not None:

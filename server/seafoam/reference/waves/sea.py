@@ -51,7 +51,7 @@ def amplitudes(of: Cascade, time: float) -> NDArray[np.complex128]:
 
 
 def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
-    """The field by summing every wave at every place (m, (r,)): what the grids are held to."""
+    """The field as a sum of all waves at every place (m, (r,)), with which tests compare the grids."""
     step = 2.0 * math.pi / of.size
     rows, columns = np.nonzero(of.h0)
     kx, kz = step * (columns - BAND), step * (rows - BAND)
@@ -67,7 +67,7 @@ def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
 
 
 def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> Field:
-    """The field at texel corners x = j·size/texels, (texels, texels), row z, moved by (x, z) m; by inverse FFT."""
+    """The field at texel corners x = j·size/texels, (texels, texels), row z, shifted by (x, z) m; by inverse FFT."""
     number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
     spectrum = np.zeros((texels, texels), np.complex128)
     rows, columns = np.nonzero(of.h0)
@@ -77,7 +77,7 @@ def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0
     kx, kz = step * number[None, :], step * number[:, None]
     k = np.maximum(np.hypot(kx, kz), 1e-300)
     factors = (np.ones_like(k), 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
-    # Each wave stands once, at +k; the real part is its half of the pair.
+    # Each wave is stored once, at +k; the real part gives its half of the conjugate pair.
     return Field(*(2.0 * np.real(np.fft.ifft2(spectrum * factor)) * texels**2 for factor in factors))
 
 
@@ -94,12 +94,12 @@ class Tile:
     jacobian: Floats
     """det(1 + λ ∂D/∂x)."""
     label_x: Floats
-    """Where the water at each corner rests, texels."""
+    """Rest position of the water at each corner, texels."""
     label_z: Floats
 
 
 def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
-    """Turns a displaced tile into a height field: x + λD(x) = p solved for each corner p."""
+    """Converts a displaced tile to a height field: x + λD(x) = p solved for each corner p."""
     field = grids(of, time, texels)
     choppiness = of.choppiness(wanted)
     scale = choppiness * texels / of.size
@@ -132,19 +132,19 @@ def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
 
 @dataclass(frozen=True, eq=False)
 class SeaSurface:
-    """The open sea at one time around one origin: a part of the relief, and the slopes and folds that go with it."""
+    """The open sea at one time around one origin: a part of the relief, with slopes and Jacobians."""
 
     tiles: tuple[Tile, ...]
     cascades: tuple[Cascade, ...]
     origin: tuple[float, float]
     earlier: tuple[tuple[Floats, ...], ...]
-    """For each raised tile, the fold at each earlier time, carried along with the water; half the texels."""
+    """For each raised tile, λ div D at each earlier time, moved with the water; half the texels."""
     old: tuple[Floats, ...] = ()
-    """The same of the largest tile at each time of long ago, where the scene's foam lasts."""
+    """The same for the largest tile at each older time, if the scene's foam lasts."""
 
     @property
     def top(self) -> float:
-        """The sum of the heights' limits, m."""
+        """Sum of the tiles' upper bounds, m."""
         return sum(of.limit for of in self.cascades[:RAISED])
 
     @property
@@ -162,7 +162,7 @@ class SeaSurface:
 
     @cached_property
     def curvature(self) -> float:
-        """Greatest change of slope over a texel, 1/m: bilinear patches bend at their seams."""
+        """Greatest change of slope over a texel, 1/m: bilinear patches have kinks at their edges."""
         worst = 0.0
         for one in self._raised:
             step = one.size / one.height.shape[0]
@@ -194,15 +194,15 @@ class SeaSurface:
         return h_x, h_z
 
     def shading(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Gradient of the raised tiles as light sees it; (r,) each."""
+        """Gradient of the raised tiles for shading; (r,) each."""
         return self._slopes(self._raised, x, z)
 
     def detail(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Gradient of the tiles that tilt the surface and do not raise it; (r,) each."""
+        """Gradient of the tiles that change only the normals; (r,) each."""
         return self._slopes(self.tiles[RAISED:], x, z)
 
     def folds(self, x: Floats, z: Floats) -> list[Floats]:
-        """λ div D now and at each earlier time, of the raised tiles together; (r,) each."""
+        """λ div D now and at each earlier time, summed over the raised tiles; (r,) each."""
         result = [sum(self._smooth(one, one.fold, x, z) for one in self._raised)]
         for step in range(AGE_STEPS):
             parts = zip(self._raised, self.earlier, strict=True)
@@ -210,14 +210,14 @@ class SeaSurface:
         return [np.asarray(one, np.float64) for one in result]
 
     def long_ago(self, model: Fold, x: Floats, z: Floats) -> Floats:
-        """What is left of foam of long ago; (r,), not held at 1."""
+        """Remaining old foam; (r,), not limited to 1."""
         left = np.zeros_like(self.old[0])
         for share, folded in zip(model.old_shares, self.old, strict=True):
             left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
         return self._at(self.tiles[0], left, x, z)
 
     def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """From (x, z) to where the water that is there rests, m; (r,) each."""
+        """Displacement from (x, z) to where the water there rests, m; (r,) each."""
         way_x, way_z = np.zeros_like(x), np.zeros_like(x)
         for one in self._raised:
             texels = one.label_x.shape[0]
@@ -235,7 +235,7 @@ class SeaSurface:
         return h_x, h_z
 
     def _smooth(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
-        """The uniform cubic B-spline with ``values`` as coefficients, at places from the origin."""
+        """The uniform cubic B-spline with ``values`` as coefficients, at (x, z), m from the origin."""
         scale = values.shape[0] / of.size
         u = (math.fmod(self.origin[0], of.size) + x) * scale
         v = (math.fmod(self.origin[1], of.size) + z) * scale
@@ -243,7 +243,7 @@ class SeaSurface:
         return result
 
     def _at(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
-        """``values`` of a tile, bilinear, at places from the origin."""
+        """``values`` of a tile, bilinear, at (x, z), m from the origin."""
         texels = values.shape[0]
         scale = texels / of.size
         u = x * scale + math.fmod(self.origin[0], of.size) * scale
@@ -269,7 +269,7 @@ def _drawn(
     tiles = tuple(tile(of, time, sea.choppiness, texels) for of in drawn)
 
     def then(of: Cascade, now: Tile, size: int, times: list[float]) -> tuple[Floats, ...]:
-        """Folds on ``size``² texels at times ago, at every second texel, where the water that is there now rests."""
+        """λ div D on ``size``² texels at earlier times, at every second texel, at the rest position of its water."""
         finer = texels // size
         place = now.label_z[::2, ::2] / finer, now.label_x[::2, ::2] / finer
         found = []
@@ -321,5 +321,5 @@ def _spline(values: Floats) -> Floats:
 
 
 def _first(values: Floats, axis: int) -> Floats:
-    """The first row or column, to close the tile."""
+    """Append the first row or column, which closes the tile."""
     return np.take(values, [0], axis=axis)
