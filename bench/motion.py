@@ -87,15 +87,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m bench.motion", description=__doc__)
     parser.add_argument("--docs", action="store_true")
     parser.add_argument("presets", nargs="*", default=PRESETS)
-    asked = parser.parse_args()
+    options = parser.parse_args()
     executor = Executor()
     try:
         with Progress(console=Console(stderr=True)) as progress:
-            table = measure(executor, asked.presets, progress)
+            table = measure(executor, options.presets, progress)
     finally:
         executor.close()
     print(table.text())
-    if asked.docs:
+    if options.docs:
         page = DOCS / "accuracy.md"
         block = f"```\n{table.text()}\n```"
         page.write_text(fill(page.read_text(encoding="utf-8"), "motion", block), encoding="utf-8")

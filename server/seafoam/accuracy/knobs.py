@@ -43,10 +43,10 @@ def all_knobs(scene: Scene) -> tuple[tuple[str, Knob], ...]:
 
 def value_at(quality: Quality, pointer: str) -> Any:
     """Return the value at a JSON pointer."""
-    found: Any = quality
+    value: Any = quality
     for member in pointer.split("/")[1:]:
-        found = getattr(found, member)
-    return found
+        value = getattr(value, member)
+    return value
 
 
 def with_value(quality: Quality, pointer: str, value: Any) -> Quality:

@@ -53,11 +53,11 @@ class WebClient(StaticFiles):
 
 def install(app: FastAPI) -> None:
     """Serve the pages on paths that no route of the application matches."""
-    found = importlib.util.find_spec("fastapi_offline")
-    assert found is not None
-    assert found.origin is not None
+    spec = importlib.util.find_spec("fastapi_offline")
+    assert spec is not None
+    assert spec.origin is not None
     # Swagger UI's files are all that is used of that package: FastAPI's own page would load them from a CDN.
-    app.mount("/docs/static", StaticFiles(directory=Path(found.origin).parent / "static"), name="docs-static")
+    app.mount("/docs/static", StaticFiles(directory=Path(spec.origin).parent / "static"), name="docs-static")
     app.add_api_route("/docs", _manual, include_in_schema=False)
     # The stills' type, which Python 3.11 knows only where the system tells it.
     mimetypes.add_type("image/avif", ".avif")

@@ -97,11 +97,11 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--preset", action="append", choices=preset_names(), help="only this one; may be repeated")
     parser.add_argument("--out", type=Path, default=DIRECTORY)
     parser.add_argument("--force", action="store_true", help="bake current frames too")
-    asked = parser.parse_args(arguments)
-    directory: Path = asked.out
+    options = parser.parse_args(arguments)
+    directory: Path = options.out
     directory.mkdir(parents=True, exist_ok=True)
-    jobs = [job for name in asked.preset or preset_names() for job in jobs_of(name, load_preset(name).scene)]
-    if not asked.force:
+    jobs = [job for name in options.preset or preset_names() for job in jobs_of(name, load_preset(name).scene)]
+    if not options.force:
         jobs = [job for job in jobs if not truth_is_current(truth_file(directory, job.name), job.scene)]
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with (

@@ -28,7 +28,7 @@ def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]
     than at every point before it; its weight is the difference.
     """
     waves = [(wave, math.hypot(*wavevector(wave, scene.water.depth))) for wave in scene.waves if wave.amplitude > 0.0]
-    first = max(waves, key=lambda one: one[0].amplitude)[1]
+    first = max(waves, key=lambda item: item[0].amplitude)[1]
     x = np.arange(_LENGTHS * _PLACES) * (2.0 * math.pi / (first * _PLACES))
     h = np.zeros_like(x)
     for wave, k in waves:

@@ -49,7 +49,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     slots = [SlotFile("carry", "foam/carry/still.glsl", prefix="still")]
     if scene.shore is not None:
-        surf = any(isinstance(one, SurfSaturation) for one in (scene.foam.saturation if scene.foam else ()))
+        surf = any(isinstance(source, SurfSaturation) for source in (scene.foam.saturation if scene.foam else ()))
         carry = f"foam/carry/{'surf' if surf else 'shore'}.glsl" if life.carried else _AT_REST
         slots.append(SlotFile("shore carry", carry))
     drift = foam_drift(scene)

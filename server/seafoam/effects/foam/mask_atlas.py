@@ -43,13 +43,13 @@ def targets(masks: Sequence[Mask]) -> dict[str, Target]:
         return Target(size=FixedSize(width=width, height=height), format="RG32UI")
 
     size = masks[0].ranks.shape[0]
-    made: dict[str, Target] = {}
+    intermediate: dict[str, Target] = {}
     for index in range(len(masks)):
-        made[MOMENTS + _of(index)] = whole(size, size)
-        made |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
+        intermediate[MOMENTS + _of(index)] = whole(size, size)
+        intermediate |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
     if len(masks) > 1:
-        made |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
-    return {ATLAS: whole(5 * size // 2, size * len(masks)), **made}
+        intermediate |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
+    return {ATLAS: whole(5 * size // 2, size * len(masks)), **intermediate}
 
 
 def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
@@ -63,7 +63,7 @@ def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
     # The shader reads three atlases; the last one is repeated where there are fewer.
     which = [min(i, len(masks) - 1) for i in range(3)]
     return (
-        *(one for i, mask in enumerate(masks) for one in _passes(mask, i, alone[i])),
+        *(spec for i, mask in enumerate(masks) for spec in _passes(mask, i, alone[i])),
         PassSpec(
             name="mask: atlases of all ages",
             program="mask_stack",
@@ -77,7 +77,7 @@ def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
 def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     size, moments = mask.ranks.shape[0], MOMENTS + _of(index)
     ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_of(index)}")}
-    made = [
+    specs = [
         PassSpec(
             name="mask: moments",
             program="mask_moments",
@@ -89,7 +89,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     source, side, row, level = moments, size // 2, 0, 0
     while side >= 1:
         level += 1
-        made.append(
+        specs.append(
             PassSpec(
                 name=f"mask: moments, level {level}",
                 program="mask_halve",
@@ -100,7 +100,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
             )
         )
         source, row, side = _levels(level % 2) + _of(index), size - 2 * side, side // 2
-    made.append(
+    specs.append(
         PassSpec(
             name="mask: atlas",
             program="mask_atlas",
@@ -113,7 +113,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
             },
         )
     )
-    return tuple(made)
+    return tuple(specs)
 
 
 def _of(index: int) -> str:

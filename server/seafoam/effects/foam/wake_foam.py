@@ -47,7 +47,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"foam behind boats, {wake.life:g} s to 1/e",
         slots=(SlotFile("saturation", "foam/saturation/wake.glsl", prefix="wake", needs=(*VALUE_NOISE, torn, *WAY)),),
         consts={"WAKE_CAP": 1.0 if filtered else SATURATION_CAP},
-        uniforms={"u_wake_foam": array("vec4", [Constant(value=one) for one in amounts], len(amounts))},
+        uniforms={"u_wake_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts))},
     )
 
 

@@ -58,14 +58,14 @@ class Fleet:
             start = (np.broadcast_to(o, d.shape)[close] - pose.at) + along[close, None] * d[close]
             local, way = pose.inward(start) / size, pose.inward(d[close])
             shift = along[close]
-            found = _Boat(local, way, (least - shift) / size, pose.boat)
-            t = found.t * size + shift
+            traced = _Boat(local, way, (least - shift) / size, pose.boat)
+            t = traced.t * size + shift
             better = t < nearest.t[close]
             rows = close[better]
             nearest.t[rows] = t[better]
-            nearest.normal[rows] = pose.outward(found.normal[better])
-            nearest.place[rows] = local[better] + found.t[better, None] * way[better]
-            nearest.part[rows] = found.part[better]
+            nearest.normal[rows] = pose.outward(traced.normal[better])
+            nearest.place[rows] = local[better] + traced.t[better, None] * way[better]
+            nearest.part[rows] = traced.part[better]
             nearest.boat[rows] = number
         return nearest
 
@@ -219,10 +219,10 @@ def _roots(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
     square = b * b - a * c
     bent = ~straight & (square > 0.0)
     q = -(b + np.where(b < 0.0, -1.0, 1.0) * np.sqrt(np.maximum(square, 0.0)))
-    one = q / np.where(straight, 1.0, a)
+    root = q / np.where(straight, 1.0, a)
     two = c / np.where(q == 0.0, 1.0, q)
-    first = np.where(bent, np.minimum(one, two), first)
-    last = np.where(bent, np.maximum(one, two), last)
+    first = np.where(bent, np.minimum(root, two), first)
+    last = np.where(bent, np.maximum(root, two), last)
     return first, last
 
 

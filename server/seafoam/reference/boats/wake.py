@@ -169,6 +169,6 @@ def _step(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
 
 def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
-    found = wakes(scene.boats)
+    patterns = wakes(scene.boats)
     courses = tuple(course(boat, time, origin) for boat in scene.boats)
-    return WakeSet(found, courses, wake_height(scene.boats), wake_slope(scene.boats))
+    return WakeSet(patterns, courses, wake_height(scene.boats), wake_slope(scene.boats))

@@ -91,15 +91,15 @@ def minified_coverage(
     level. Reads the finest level in which the box is at most three texels wide, blended with the next one near that
     limit.
     """
-    held = np.clip(size.max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
-    level = np.floor(np.log2(held))
-    following = smoothstep(1.75, 2.0, held / 2.0**level)
+    limited = np.clip(size.max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
+    level = np.floor(np.log2(limited))
+    following = smoothstep(1.75, 2.0, limited / 2.0**level)
     covered = np.zeros_like(s)
     for index, image in enumerate(spans):
         weight = np.where(level == index, 1.0 - following, np.where(level + 1.0 == index, following, 0.0))
         here = np.flatnonzero(weight > 0.0)
-        found = _level_coverage(s[here], u[here], v[here], size[here] / 2.0**index, image, tables[index], fade)
-        covered[here] += weight[here] * found
+        coverage = _level_coverage(s[here], u[here], v[here], size[here] / 2.0**index, image, tables[index], fade)
+        covered[here] += weight[here] * coverage
     return covered
 
 
@@ -182,6 +182,6 @@ def _ramp_mean(threshold: Floats, low: Floats, width: Floats, fade: float | Floa
 
 def _ramp(x: Floats, fade: float | Floats) -> Floats:
     """R(x), the integral of the threshold's ramp of width ``fade``."""
-    held = np.clip(x, 0.0, fade)
-    result: Floats = held * held / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)
+    limited = np.clip(x, 0.0, fade)
+    result: Floats = limited * limited / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)
     return result

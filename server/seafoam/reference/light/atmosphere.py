@@ -238,19 +238,19 @@ class Sky:
         word = np.full(rows.shape, 0x5EA57A25, np.uint64) ^ face.astype(np.uint64)
         word = pcg(pcg(pcg(word) ^ cell[:, 0].astype(np.uint64)) ^ cell[:, 1].astype(np.uint64))
         middle = (cell + 0.5) / STAR_CELLS * 2.0 - 1.0
-        held = np.flatnonzero(share(word) < 0.5 * (1.0 + dot(middle, middle)) ** -1.5)
-        if held.size == 0:
+        kept = np.flatnonzero(share(word) < 0.5 * (1.0 + dot(middle, middle)) ** -1.5)
+        if kept.size == 0:
             return result
-        other = [share(pcg((word[held] + np.uint64(i)) & np.uint64(0xFFFFFFFF))) for i in range(1, 5)]
-        star = (cell[held] + 0.25 + 0.5 * np.stack(other[:2], axis=-1)) / STAR_CELLS * 2.0 - 1.0
-        chord = turned[held] - unit(np.column_stack((star, np.ones(held.size))))
-        radius = np.clip(1.5 * pixel[held], 7e-4, 3e-3)
+        other = [share(pcg((word[kept] + np.uint64(i)) & np.uint64(0xFFFFFFFF))) for i in range(1, 5)]
+        star = (cell[kept] + 0.25 + 0.5 * np.stack(other[:2], axis=-1)) / STAR_CELLS * 2.0 - 1.0
+        chord = turned[kept] - unit(np.column_stack((star, np.ones(kept.size))))
+        radius = np.clip(1.5 * pixel[kept], 7e-4, 3e-3)
         inside = np.maximum(1.0 - dot(chord, chord) / radius**2, 0.0)
         flux = 3e-8 / (other[2] ** 2 + 0.004)
         tint = np.array([1.0, 0.82, 0.62]) + other[3][:, None] * np.array([-0.28, 0.03, 0.38])
         shown = bright * flux * 3.0 / (math.pi * radius**2) * inside**2
-        through = np.exp(-(RAYLEIGH + self.mie) / (np.maximum(d[held, 1], 0.0) + 0.03)[:, None])
-        result[held] = tint * shown[:, None] * through
+        through = np.exp(-(RAYLEIGH + self.mie) / (np.maximum(d[kept, 1], 0.0) + 0.03)[:, None])
+        result[kept] = tint * shown[:, None] * through
         return result
 
     @property

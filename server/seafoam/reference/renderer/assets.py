@@ -36,7 +36,7 @@ class Assets:
     def of(mask: Mask, texture: Floats, older: Sequence[Mask] = ()) -> Assets:
         """From a mask, a foam texture (size, size) in [0, 1] and masks of older foam."""
         return Assets(
-            older=tuple(Assets.of(one, texture) for one in older if one.ranks.shape == mask.ranks.shape),
+            older=tuple(Assets.of(other, texture) for other in older if other.ranks.shape == mask.ranks.shape),
             thresholds=sampling.thresholds(mask.ranks),
             spans=[level.astype(np.float64) for level in mask.spans],
             quantiles=mask.quantiles,

@@ -141,8 +141,8 @@ class FoamStage(FrameState):
     ) -> Floats:
         """The same for foam with a history: drifting, in windrows, with masks by age."""
         foam = self.foam
-        held = np.clip(f, 0.0, 1.0)
-        s = looks.faded(held, foam.fade) if foam.octaves > 1 else held
+        limited = np.clip(f, 0.0, 1.0)
+        s = looks.faded(limited, foam.fade) if foam.octaves > 1 else limited
         # The converged frame resolves all windrows, so they are not filtered.
         s = living.gathered(self.scene, self.time, self.origin, s, x, z)
         l_x, l_z = x + way[0] + beside[0], z + way[1] + beside[1]
@@ -152,12 +152,12 @@ class FoamStage(FrameState):
         t = self._texture(l_x, l_z, foot_x, foot_y)
         free = np.ones_like(x)
         masks = (self.images, *self.images.older)
-        for one in living.shares(len(masks), s, held):
-            own = np.flatnonzero(one.weight > 0.0)
+        for part in living.shares(len(masks), s, limited):
+            own = np.flatnonzero(part.weight > 0.0)
             covered = coverage(
                 foam,
-                masks[one.mask],
-                one.s[own],
+                masks[part.mask],
+                part.s[own],
                 u[own] + at[0],
                 v[own] + at[1],
                 feet[0][own],
@@ -199,7 +199,7 @@ class FoamStage(FrameState):
     def _carried(self, x: Floats, z: Floats) -> list[Copy]:
         """The copies of the mask that a flow advects; empty without one."""
         foam = self.foam
-        sources = [one for one in foam.saturation if isinstance(one, DriftSaturation) and one.amount > 0.0]
+        sources = [source for source in foam.saturation if isinstance(source, DriftSaturation) and source.amount > 0.0]
         if not sources or self.scene.drift is None or foam.look != "filtered":
             return []
         return copies(self.scene, sources[0], foam.mask_tile, self.time, self.origin, x, z)

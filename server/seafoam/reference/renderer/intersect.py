@@ -142,10 +142,10 @@ class _Search:
         before[steep], after[steep] = low[steep], high[steep]
         dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
         self._search_dips(dips, side, before, after)
-        found = np.flatnonzero(np.isfinite(after))
+        crossed = np.flatnonzero(np.isfinite(after))
         result = np.full(count, np.inf)
-        if found.size:
-            result[found] = self._refine(found, before[found], after[found], side[found])
+        if crossed.size:
+            result[crossed] = self._refine(crossed, before[crossed], after[crossed], side[crossed])
         return result
 
     def _march(

@@ -39,8 +39,8 @@ class ReflectionStage(FoamStage):
         met = np.flatnonzero(np.isfinite(hit.t) & (hit.t < to_land))
         if met.size:
             own = fleets.Hit(hit.t[met], hit.normal[met], hit.place[met], hit.part[met], hit.boat[met])
-            found = self.fleet.light(self.air, place[met], r[met], own)
-            seen[met] = light.haze(self.air, self.scene.light.visibility, found, r[met], own.t)
+            radiance = self.fleet.light(self.air, place[met], r[met], own)
+            seen[met] = light.haze(self.air, self.scene.light.visibility, radiance, r[met], own.t)
         return seen
 
     def _mirrored_land(self, coast: Coast, place: Floats, r: Floats, way: Floats) -> Floats:
@@ -49,12 +49,12 @@ class ReflectionStage(FoamStage):
         low, high = coast.within(r, place[:, 0], place[:, 2])
         inside = np.flatnonzero(low < high)
         start = place[inside] + low[inside, None] * r[inside]
-        found = low[inside] + coast.crossing(start[:, 0], start[:, 1], start[:, 2], r[inside], FARTHEST)
-        at = place[inside] + found[:, None] * r[inside]
+        distance = low[inside] + coast.crossing(start[:, 0], start[:, 1], start[:, 2], r[inside], FARTHEST)
+        at = place[inside] + distance[:, None] * r[inside]
         ground = coast.ground(*coast.place(at[:, 0], at[:, 2]))[0]
-        met = (found < high[inside]) & (ground > 0.0)
-        way[inside[met]] = found[met]
-        return self._land_light(coast, at[met], r[inside[met]], found[met])
+        met = (distance < high[inside]) & (ground > 0.0)
+        way[inside[met]] = distance[met]
+        return self._land_light(coast, at[met], r[inside[met]], distance[met])
 
     def _land_light(self, coast: Coast, at: Floats, d: Floats, far: Floats) -> Floats:
         """Radiance (n, 3) of land at places (n, 3) toward −d, seen through ``far`` metres of air."""

@@ -112,7 +112,11 @@ class Shader(UnderwaterStage):
         t = distance / np.sqrt(dot(D, D))
         feet = self.footprints(t, D, N)
         amount = np.zeros_like(x)
-        lines = [] if scene.foam is None else [one for one in scene.foam.saturation if isinstance(one, SurfSaturation)]
+        lines = (
+            []
+            if scene.foam is None
+            else [source for source in scene.foam.saturation if isinstance(source, SurfSaturation)]
+        )
         if scene.foam is not None and self.assets is not None and lines and lines[0].line > 0.0:
             filtered = scene.foam.look == "filtered"
             left = coast.left(lines[0], x, z, height, feet if filtered and self.filtering else None)

@@ -84,8 +84,8 @@ class UnderwaterStage(ReflectionStage):
         seen = np.flatnonzero(hit.t < nearer)
         if seen.size:
             own = fleets.Hit(hit.t[seen], hit.normal[seen], hit.place[seen], hit.part[seen], hit.boat[seen])
-            found = fleet.light(bed.air, eye, d[seen], own) * np.exp(-bed.extinction * own.t[:, None])
-            colour[seen] = found + bed.glow(np.full(own.t.shape, -self.eye_y), -d[seen, 1], own.t)
+            seen_through = fleet.light(bed.air, eye, d[seen], own) * np.exp(-bed.extinction * own.t[:, None])
+            colour[seen] = seen_through + bed.glow(np.full(own.t.shape, -self.eye_y), -d[seen, 1], own.t)
 
     def _laid(self, colour: Floats, white: Floats, a: Floats) -> Floats:
         """Foam (r, 3) blended over water (r, 3) by its amount (r,)."""

@@ -120,12 +120,12 @@ def life_on_rocks(spray: Spray, coast: Coast) -> float:
 
 def from_rocks(spray: Spray, coast: Coast, time: float) -> Drops:
     """Drops that surf on rocks throws up."""
-    found = rocks(coast.shore.ground, spray.steep)
-    if len(found) == 0 or coast.shore.surf.height == 0.0:
+    places = rocks(coast.shore.ground, spray.steep)
+    if len(places) == 0 or coast.shore.surf.height == 0.0:
         return _none()
     index = np.arange(DROPS, dtype=np.uint64)
     own = pcg(index)
-    rock = found[np.arange(DROPS) % len(found)]
+    rock = places[np.arange(DROPS) % len(places)]
     out = rock[:, 2:]
     along = np.stack((-out[:, 1], out[:, 0]), axis=-1)
     q = rock[:, :2] + 2.0 * (_number(own, 0) - 0.5)[:, None] * along

@@ -89,9 +89,9 @@ def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOT
 def _photon_map(
     light: Light, caustics: Caustics, chop: Chop, depth: float, time: float, texels: int, photons: int
 ) -> Floats:
-    made = air(light)
+    lighting = air(light)
     h_x, h_z = tile_slopes(chop, time, photons)
-    flat_x, flat_z = (float(part[0]) for part in landing(made, depth, np.zeros(1), np.zeros(1), INDEX)[:2])
+    flat_x, flat_z = (float(part[0]) for part in landing(lighting, depth, np.zeros(1), np.zeros(1), INDEX)[:2])
     start = np.arange(photons) * (texels / photons)
     per_metre = texels / tiles(True)[0]
     sheets: list[Floats] = []
@@ -99,7 +99,7 @@ def _photon_map(
         if caustics.dispersion == 0.0 and sheets:
             sheets.append(sheets[0])
             continue
-        x, z, share = landing(made, depth, h_x, h_z, INDEX + caustics.dispersion * bent)
+        x, z, share = landing(lighting, depth, h_x, h_z, INDEX + caustics.dispersion * bent)
         u = start[None, :] + (x - flat_x) * per_metre
         v = start[:, None] + (z - flat_z) * per_metre
         sheets.append(_splat(u.ravel(), v.ravel(), share.ravel() * (texels / photons) ** 2, texels))
@@ -208,8 +208,8 @@ class Seabed:
             cells.append(np.floor(place).astype(np.int64) % TILES_APART)
         q = np.clip(wide - 0.5, 0.0, 1.0)
         shade = (corner(TILE_KEY, cells[0], cells[1]) - 0.5) * (1.0 - q * q * (3.0 - 2.0 * q))
-        held = np.clip(open_share, 0.0, 1.0)[:, None]
-        result: Floats = JOINT_ALBEDO * (1.0 - held) + bare * (1.0 + 0.24 * shade)[:, None] * held
+        limited = np.clip(open_share, 0.0, 1.0)[:, None]
+        result: Floats = JOINT_ALBEDO * (1.0 - limited) + bare * (1.0 + 0.24 * shade)[:, None] * limited
         return result
 
     def glow(self, depth: Floats, fall: Floats, reach: Floats) -> Floats:

@@ -93,8 +93,8 @@ class RingSet:
 
 def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
     """The scene's active rings at a time (s) around an origin (x, z) in m."""
-    found = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
-    alive = tuple(ring for ring in found if ring.amplitude > 0.0 and ring.front > 0.0)
+    states = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
+    alive = tuple(ring for ring in states if ring.amplitude > 0.0 and ring.front > 0.0)
     return RingSet(rings=alive, top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
 
 
