@@ -19,7 +19,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     whitened = 1.0 - math.exp(-3.0 * water.aeration * water.plume_depth * most)
     bound = Bound(
         whitened * body_limit(scene),
-        "next to no bubbles, no foam over them, or no light on them",
+        "almost no bubbles, no foam above them, or no light on them",
         ("/light/exposure", "/water/aeration", "/water/plume_depth", *saturation_fields(foam)),
     )
     return Contribution(

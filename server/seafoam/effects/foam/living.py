@@ -74,9 +74,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         }
     return Contribution(
         why=f"foam drifts at {math.hypot(*drift):.2g} m/s"
-        + (", carried to and fro by the waves" if life.carried else "")
+        + (", moved by the waves' orbits" if life.carried else "")
         + (f", {len(life.masks)} masks for older foam" if life.masks else "")
-        + (f", in rows {life.windrow_spacing:g} m apart" if life.windrows > 0.0 else ""),
+        + (f", in windrows {life.windrow_spacing:g} m apart" if life.windrows > 0.0 else ""),
         slots=tuple(slots),
         consts={"WINDROW_RIDGE": WINDROW_RIDGE, "WINDROW_SEED": WINDROW_SEED},
         uniforms=uniforms,

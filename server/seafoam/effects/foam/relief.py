@@ -21,13 +21,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam.look == "filtered":
         beside = "foam/beside_lying.glsl" if foam_life(scene) is not None else "foam/beside_filtered.glsl"
     return Contribution(
-        why=f"foam {foam.thickness:g} m thick shades what lies beside it",
+        why=f"foam {foam.thickness:g} m thick casts shadows",
         slots=(SlotFile("relief", "foam/relief.glsl", needs=(beside,)),),
         consts={"FOAM_SHADE": SHADE},
         uniforms={"u_foam_thickness": number(foam.thickness, "/foam/thickness")},
         bound=Bound(
             0.0 if most == 0.0 else body_limit(scene) + foam_limit(foam, scene),
-            "no foam that could shade",
+            "no foam that could cast a shadow",
             saturation_fields(foam),
         ),
     )

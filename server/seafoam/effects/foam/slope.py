@@ -33,7 +33,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if slope.blur > 0.0:
         uniforms["u_slope_blur"] = number(slope.blur)
     return Contribution(
-        why=f"slope saturation, {slope.gain:g} times what the normal lacks of upright",
+        why=f"slope saturation, {slope.gain:g} times 1 - n.y of the normal",
         slots=(
             SlotFile(
                 "saturation", f"foam/saturation/{name}.glsl", prefix="slope", needs=("foam/saturation/slope_lack.glsl",)
@@ -41,9 +41,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts=consts,
         uniforms=uniforms,
-        bound=Bound(0.0, "nothing raises the surface, so nothing is steep")
-        if slope_limit(slope, scene) == 0.0
-        else None,
+        bound=Bound(0.0, "the surface has no waves, so no slope") if slope_limit(slope, scene) == 0.0 else None,
     )
 
 
