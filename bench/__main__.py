@@ -123,12 +123,12 @@ def _asked(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument(
         "--write-table", action="store_true", help="of compiler: write bench/compiler.json, what its test admits"
     )
-    asked = parser.parse_args(arguments)
-    if (asked.docs or asked.write_table) and asked.presets != preset_names():
+    options = parser.parse_args(arguments)
+    if (options.docs or options.write_table) and options.presets != preset_names():
         parser.error("--docs and --write-table need all presets")
-    if asked.write_table and "compiler" not in asked.only:
+    if options.write_table and "compiler" not in options.only:
         parser.error("--write-table needs --only compiler")
-    return asked
+    return options
 
 
 def _presets(text: str) -> tuple[str, ...]:

@@ -343,22 +343,22 @@ def _with_numbers(plan: FramePlan) -> FramePlan:
 
 def _alone(plan: FramePlan) -> FramePlan:
     """The plan with no pass but the surface's; what that reads is there from earlier frames."""
-    alone = (one for one in plan.passes if one.program == "surface")
+    alone = (spec for spec in plan.passes if spec.program == "surface")
     # Straight into the picture: a pass that nothing reads is not drawn.
-    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"target": "screen"}) for one in alone)})
+    return plan.model_copy(update={"passes": tuple(spec.model_copy(update={"target": "screen"}) for spec in alone)})
 
 
 def same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:
     """How the pictures differ. Raises ``RuntimeError`` where they are not the same."""
-    found = []
+    differences = []
     for time in PICTURE_TIMES:
         pictures = [
-            executor.render(one, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear").pixels
-            for one in (plan, other)
+            executor.render(variant, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear").pixels
+            for variant in (plan, other)
         ]
         seen = [np.clip(picture[..., :3].astype(np.float64), 0.0, 1.0) for picture in pictures]
-        found.append(np.abs(seen[0] - seen[1]).max(axis=-1))
-    difference = Difference(float(np.max(found)), float(np.mean(np.array(found) > HALF_A_LEVEL)))
+        differences.append(np.abs(seen[0] - seen[1]).max(axis=-1))
+    difference = Difference(float(np.max(differences)), float(np.mean(np.array(differences) > HALF_A_LEVEL)))
     if difference.share > FLIPPED:
         raise RuntimeError(f"programs that should draw the same do not: {difference}")
     return difference

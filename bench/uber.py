@@ -138,12 +138,12 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     for name in _WAVES.findall(text):
         uniforms[name] = _padded(uniforms[name])
     declared = declared_uniforms(uber.program.fragment)
-    textures = {name: texture for one in uber.plans for name, texture in one.textures.items()}
-    targets = {name: target for one in uber.plans for name, target in one.targets.items()}
+    textures = {name: texture for source in uber.plans for name, texture in source.textures.items()}
+    targets = {name: target for source in uber.plans for name, target in source.targets.items()}
     given = {START: TargetInput(target="start")} | uber.parts.inputs | own.inputs
     inputs = {name: source for name, source in given.items() if name in declared}
     # A plan of level water finds a plane and knows nothing of a start: all its rays begin at 0.
-    free = () if any(one.target == "start" for one in plan.passes) else (NO_START,)
+    free = () if any(spec.target == "start" for spec in plan.passes) else (NO_START,)
     return plan.model_copy(
         update={
             "programs": {**plan.programs, "surface": uber.program},
@@ -154,8 +154,8 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
             "passes": (
                 *free,
                 *(
-                    one.model_copy(update={"inputs": inputs}) if one.program == "surface" else one
-                    for one in plan.passes
+                    spec.model_copy(update={"inputs": inputs}) if spec.program == "surface" else spec
+                    for spec in plan.passes
                 ),
             ),
         }

@@ -44,10 +44,10 @@ def all_knobs(scene: Scene) -> tuple[tuple[str, Knob], ...]:
 
 def value_at(quality: Quality, pointer: str) -> Any:
     """Return the value at a JSON pointer."""
-    found: Any = quality
+    value: Any = quality
     for member in pointer.split("/")[1:]:
-        found = found.part(member) if isinstance(found, Extensions) else getattr(found, member)
-    return found
+        value = value.part(member) if isinstance(value, Extensions) else getattr(value, member)
+    return value
 
 
 def with_value(quality: Quality, pointer: str, value: Any) -> Quality:

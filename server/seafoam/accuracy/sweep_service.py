@@ -68,24 +68,24 @@ class SweepService:
         rig = self._rig()
         key = key_of(_Task(subject, True).key, rig.machine.model_dump())
         with self._change:
-            found = self._sweeps.get(key)
-        if found is None:
-            found = find_sweep(self._store, subject, self.settings, rig.machine)
-        if found is None:
+            stored = self._sweeps.get(key)
+        if stored is None:
+            stored = find_sweep(self._store, subject, self.settings, rig.machine)
+        if stored is None:
             return self._ask(_Task(subject, True))
         with self._change:
-            self._sweeps[key] = found
+            self._sweeps[key] = stored
             while len(self._sweeps) > KEPT:
                 self._sweeps.popitem(last=False)
-        return found
+        return stored
 
     def truth(self, subject: Subject) -> Truth | Running:
         """Return the float64 picture or its progress; the first call starts it. Raises as :meth:`sweep` does."""
         settings = self.settings
         at = (settings.width, settings.height, settings.samples_along)
-        found = find_truth(self._store, subject.scene, subject.time, *at)
-        if found is not None:
-            return found
+        picture = find_truth(self._store, subject.scene, subject.time, *at)
+        if picture is not None:
+            return picture
         with self._change:
             if self._running is not None and self._running[0] == _Task(subject, True).key:
                 return self._now(self._running)

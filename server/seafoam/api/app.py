@@ -118,7 +118,9 @@ def _describe(app: FastAPI, settings: Settings) -> None:
                 del schemas[unused.__name__]
             frame = document["paths"]["/api/frames/{preset}.{format}"]["get"]
             sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
-            sides += [one["schema"] for one in frame["parameters"] if one["name"] in ("width", "height")]
+            sides += [
+                parameter["schema"] for parameter in frame["parameters"] if parameter["name"] in ("width", "height")
+            ]
             for schema in sides:
                 for alternative in schema.get("anyOf", [schema]):
                     if alternative["type"] == "integer":

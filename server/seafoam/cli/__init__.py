@@ -46,11 +46,11 @@ def serve(
     from seafoam.api.app import create_app
     from seafoam.api.settings import Settings
 
-    given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
+    options: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     try:
-        settings = Settings(**given)
+        settings = Settings(**options)
     except ValidationError as error:
-        refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+        refuse(error, Settings, lambda field: f"--{field}" if field in options else f"SEAFOAM_{field.upper()}")
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
     except OSError as error:

@@ -46,9 +46,9 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
 
     ``options``: fields of :class:`FrameParameters` except width and height. Raises :class:`CommandError`.
     """
-    found = find_preset(preset)
+    loaded = find_preset(preset)
     extension = extension_of(output, FRAME_FORMATS)
-    width, height = found.size if size is None else size_of(size)
+    width, height = loaded.size if size is None else size_of(size)
     request = _validated(preset, (width, height), options)
     try:
         executor = gl.Executor()
@@ -69,7 +69,7 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
 
 
 def _validated(preset: str, size: tuple[int, int], options: Mapping[str, object]) -> _Request:
-    found = find_preset(preset)
+    loaded = find_preset(preset)
     fields: dict[str, object] = {"width": size[0], "height": size[1], **options}
     try:
         parameters = FrameParameters.model_validate(
@@ -79,15 +79,15 @@ def _validated(preset: str, size: tuple[int, int], options: Mapping[str, object]
         if automatic != (parameters.budget_ms is not None):
             raise CommandError("--budget-ms: required with --quality auto, and allowed only with it")
         LIMITS.check(*size, 1 if parameters.quality == "auto" else TIERS[parameters.quality].samples_drawn)
-        scene = parameters.apply(found.scene)
+        scene = parameters.apply(loaded.scene)
     except ValidationError as error:
         refuse(error, FrameParameters, _option)
     except FrameTooLargeError as error:
         raise CommandError(f"--size: {error}") from error
     except ApiError as error:
         raise CommandError(f"--{error}") from error
-    time = found.time if parameters.time is None else parameters.time
-    subject = Subject(None if parameters.changed else preset, scene, found.time, found.size)
+    time = loaded.time if parameters.time is None else parameters.time
+    subject = Subject(None if parameters.changed else preset, scene, loaded.time, loaded.size)
     return _Request(parameters, subject, scene, time, size)
 
 

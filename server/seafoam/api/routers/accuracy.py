@@ -67,8 +67,8 @@ def _wait(running: Running) -> Response:
 
 
 def _subject(preset: str) -> Subject:
-    found = find_preset(preset)
-    return Subject(found.name, found.scene, found.time, found.size)
+    loaded = find_preset(preset)
+    return Subject(loaded.name, loaded.scene, loaded.time, loaded.size)
 
 
 def _kept(request: Request, content: bytes, media: str, *identity: Any) -> Response:
@@ -81,10 +81,10 @@ async def _shown(
     preset: str, request: Request, context: Context, render: Callable[[Sweep], bytes], media: str
 ) -> Response:
     """Return the sweep of a preset in one of its formats, or its progress."""
-    found = await measured(context, _subject(preset))
-    if isinstance(found, Running):
-        return _wait(found)
-    return _kept(request, await context.plans.run(render, found), media, found.model_dump(mode="json"))
+    sweep = await measured(context, _subject(preset))
+    if isinstance(sweep, Running):
+        return _wait(sweep)
+    return _kept(request, await context.plans.run(render, sweep), media, sweep.model_dump(mode="json"))
 
 
 def _npy(truth: Truth) -> bytes:

@@ -134,8 +134,8 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 
 def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dict[str, Any]]:
     content = {kind: {} if kind == "application/json" else _BYTES for kind in media}
-    found: dict[int | str, dict[str, Any]] = {200: {"description": description, "content": content}}
-    return found | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
+    responses: dict[int | str, dict[str, Any]] = {200: {"description": description, "content": content}}
+    return responses | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
 
 
 _DATA = ("Mask data", *(media for media, _ in ENCODERS.values()))

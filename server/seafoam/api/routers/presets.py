@@ -82,9 +82,9 @@ async def list_presets(_: Annotated[Parameters, Query()], context: InContext) ->
 @router.get("/presets/{preset}", responses=problem_responses(404, 422, 503))
 async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> PresetDetail:
     """Get a preset with its scene, which can be changed and posted to /api/frames and /api/plans."""
-    found = find_preset(preset)
+    loaded = find_preset(preset)
     summary = await context.plans.run(_summary, preset)
-    return PresetDetail(**summary.model_dump(), scene=found.scene)
+    return PresetDetail(**summary.model_dump(), scene=loaded.scene)
 
 
 @router.get("/quality", responses=problem_responses(422))

@@ -8,17 +8,17 @@ from seafoam.scene.foam import SlopeSaturation
 from seafoam.scene.models import Scene
 
 WIDENED = 1.5
-"""Side of the box that stands for the five places of a blur, in blurs: nearest to them on choppy lakes."""
+"""Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``slope``."""
+    """Active if a saturation has source ``slope``."""
     if scene.foam is None:
         return None
     slope = scene.foam.source(SlopeSaturation)
     if slope is None:
         return None
-    # Where nothing is filtered nothing is left of a wider footprint.
+    # Without slope filtering a wider footprint has no effect.
     blurred = "slope_widened" if quality.slope_places == 1 and quality.surface.filter else "slope_blurred"
     name = blurred if slope.blur > 0.0 else "slope"
     consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if scene.foam.look == "filtered" else 4.0}
@@ -32,7 +32,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if slope.blur > 0.0:
         uniforms["u_slope_blur"] = number(slope.blur)
     return Contribution(
-        why=f"slope saturation, {slope.gain:g} times what the normal lacks of upright",
+        why=f"slope saturation, {slope.gain:g} times 1 - n.y of the normal",
         slots=(
             SlotFile(
                 "saturation", f"foam/saturation/{name}.glsl", prefix="slope", needs=("foam/saturation/slope_lack.glsl",)
@@ -40,9 +40,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts=consts,
         uniforms=uniforms,
-        bound=Bound(0.0, "nothing raises the surface, so nothing is steep")
-        if slope_limit(slope, scene) == 0.0
-        else None,
+        bound=Bound(0.0, "the surface has no waves, so no slope") if slope_limit(slope, scene) == 0.0 else None,
     )
 
 

@@ -9,7 +9,7 @@ from seafoam.scene.models import Scene
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``surf``."""
+    """Active if a saturation has source ``surf``."""
     if scene.foam is None:
         return None
     surf = scene.foam.source(SurfSaturation)

@@ -13,11 +13,11 @@ from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
 
 HULL_SPEED = 1.25
-"""Speed over the root of the length, √m/s, at which the bow's foam is full."""
+"""Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``wake``."""
+    """Active if a saturation has source ``wake``."""
     if scene.foam is None:
         return None
     wake = scene.foam.source(WakeSaturation)
@@ -46,7 +46,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"foam behind boats, {wake.life:g} s to 1/e",
         slots=(SlotFile("saturation", "foam/saturation/wake.glsl", prefix="wake", needs=(*VALUE_NOISE, torn, *WAY)),),
         consts={"WAKE_CAP": 1.0 if filtered else SATURATION_CAP},
-        uniforms={"u_wake_foam": array("vec4", [Constant(value=one) for one in amounts], len(amounts))},
+        uniforms={"u_wake_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts))},
     )
 
 

@@ -1,4 +1,4 @@
-"""Foam where samples meet water or ground."""
+"""Foam where rays meet water or ground."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from seafoam.reference.types import Floats, smoothstep
 from seafoam.scene.foam import DriftSaturation, Foam
 
 LOWEST_SHADE = 0.25
-"""Sine of the sun's elevation under which shades of foam grow no longer."""
+"""Sine of the sun's elevation below which shadows of foam have constant length."""
 FOAM_SHADE = 0.6
-"""Share of the sun that foam takes from what lies behind it."""
+"""Share of the sun's light that foam blocks."""
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 
 class FoamStage(FrameState):
-    """Saturation and amount of foam; asked for where the scene has foam."""
+    """Saturation and amount of foam, for scenes with foam."""
 
     @property
     def foam(self) -> Foam:
@@ -34,12 +34,12 @@ class FoamStage(FrameState):
 
     @property
     def images(self) -> Assets:
-        """What its looks read."""
+        """Masks and textures of the foam."""
         assert self.assets is not None
         return self.assets
 
     def _foam(self, x: Floats, z: Floats, H: Floats, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
-        """At r places the look's foam amount, in [0, 3] for ``listing``, else in [0, 1], and f; (r,) each."""
+        """Foam amount at r places, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""
         foam = self.foam
         foot_x, foot_y = self.footprints(t, D, N)
         f = saturation(self, foam, x, z, H, (foot_x, foot_y))
@@ -56,7 +56,8 @@ class FoamStage(FrameState):
         D: Floats,
         N: Floats,
     ) -> tuple[Floats, Floats]:
-        """What foam beside r places leaves of the sun to their water, and times how much it lights their foam."""
+        """Share of the sun's light that foam beside r places leaves to their water, and the factor on their foam's
+        light."""
         foam = self.foam
         feet = self.footprints(t, D, N)
         sides = [np.maximum(np.hypot(foot[:, 0], foot[:, 1]), 1e-6) for foot in feet]
@@ -81,9 +82,10 @@ class FoamStage(FrameState):
         way: tuple[Floats, Floats] | None = None,
         octaves: int = OCTAVES_MOST,
     ) -> Floats:
-        """The look's foam amount at r places of the water, or (x, z) m beside them, wherever its mask lies; (r,).
+        """Foam amount at r places of the water, or (x, z) m beside them, however its mask is moved; (r,).
 
-        ``way``: to where it rests, m; absent: as the waves carry it. ``octaves``: of the mask at most.
+        ``way``: displacement to where the water rests, m; by default that of the waves. ``octaves``: maximum of the
+        mask's.
         """
         if foam_life(self.scene) is not None:
             rests = self.carry(x, z) if way is None else way
@@ -111,11 +113,11 @@ class FoamStage(FrameState):
         way: tuple[Floats, Floats],
         octaves: int,
     ) -> Floats:
-        """The same where foam lives: carried, gathered, its masks by its age."""
+        """The same for foam with a history: drifting, in windrows, with masks by age."""
         foam = self.foam
-        held = np.clip(f, 0.0, 1.0)
-        s = looks.faded(held, foam.fade) if foam.octaves > 1 else held
-        # Between samples nothing tells rows apart that the filter takes out: the truth has all of them.
+        limited = np.clip(f, 0.0, 1.0)
+        s = looks.faded(limited, foam.fade) if foam.octaves > 1 else limited
+        # The converged frame resolves all windrows, so they are not filtered.
         s = living.gathered(self.scene, self.time, self.origin, s, x, z)
         l_x, l_z = x + way[0] + beside[0], z + way[1] + beside[1]
         u, v = mask_place(l_x, l_z, foam, (0.0, 0.0))
@@ -124,12 +126,12 @@ class FoamStage(FrameState):
         t = self._texture(l_x, l_z, foot_x, foot_y)
         free = np.ones_like(x)
         masks = (self.images, *self.images.older)
-        for one in living.shares(len(masks), s, held):
-            own = np.flatnonzero(one.weight > 0.0)
+        for part in living.shares(len(masks), s, limited):
+            own = np.flatnonzero(part.weight > 0.0)
             covered = coverage(
                 foam,
-                masks[one.mask],
-                one.s[own],
+                masks[part.mask],
+                part.s[own],
                 u[own] + at[0],
                 v[own] + at[1],
                 feet[0][own],
@@ -150,7 +152,7 @@ class FoamStage(FrameState):
         foot_y: Floats,
         octaves: int,
     ) -> Floats:
-        """The look's foam amount at r places of its mask and texture under footprints (r, 2) m; (r,)."""
+        """Foam amount at r places of mask and texture, over footprints (r, 2) m; (r,)."""
         foam = self.foam
         filtered = foam.look == "filtered"
         t = self._texture(x, z, foot_x, foot_y)
@@ -169,7 +171,7 @@ class FoamStage(FrameState):
         return self._amount(f, t, *mask_place(x, z, foam, self.origin), feet, octaves)
 
     def _carried(self, x: Floats, z: Floats) -> list[Copy]:
-        """The copies of the mask that a flow carries; none where it lies still."""
+        """The copies of the mask that a flow advects; empty without one."""
         foam = self.foam
         source = foam.source(DriftSaturation)
         if source is None or source.amount == 0.0 or self.scene.drift is None or foam.look != "filtered":
@@ -185,7 +187,7 @@ class FoamStage(FrameState):
         feet: tuple[Floats, Floats],
         octaves: int,
     ) -> Floats:
-        """The amount of a masked look at places (u, v) of the mask, footprints ``feet`` in its tiles; (r,)."""
+        """Foam amount of a masked look at mask coordinates (u, v), footprints ``feet`` in tiles; (r,)."""
         foam = self.foam
         if foam.look == "filtered":
             covered = coverage(foam, self.images, f, u, v, *feet, filtering=self.filtering, octaves=octaves)

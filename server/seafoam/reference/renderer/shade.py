@@ -128,7 +128,7 @@ class Shader(UnderwaterStage):
         return light.haze(self.air, scene.light.visibility, colour, d, distance) * self.exposure, amount
 
     def _boats(self, fleet: fleets.Fleet, d: Floats, nearer: Floats, colour: Floats) -> None:
-        """Draws boats over ``colour`` (r, 3) where rays d meet them before anything else, ``nearer`` metres away."""
+        """Draw boats over ``colour`` (r, 3) where rays d meet them before what is ``nearer`` metres away."""
         eye = np.array([0.0, self.eye_y, 0.0])
         hit = fleet.trace(eye, d)
         seen = np.flatnonzero(hit.t < nearer)

@@ -1,4 +1,4 @@
-"""What an eye under the surface sees."""
+"""The view from under the surface."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from seafoam.reference.types import Bools, Floats, dot, unit
 from seafoam.reference.water.seafloor import FOAM_THROUGH, Seabed
 
 BRIGHTEST = 65504.0
-"""The greatest half float; a frame holds no more."""
+"""The greatest half float, at which frames are clamped."""
 
 
 class UnderwaterStage(ReflectionStage):
-    """The surface from below, the floor, and what of boats is under water."""
+    """The surface from below, the floor, and the submerged parts of boats."""
 
     def _below(self, bed: Seabed, D: Floats, d: Floats) -> tuple[Floats, Floats, Bools]:
-        """What rays D of an eye under the surface see: colour (r, 3), foam amount (r,); every ray ends in water."""
+        """Colour (r, 3) and foam amount (r,) along rays D of a camera under the surface; every ray ends in water."""
         scene = self.scene
         distance = intersect.first_crossing(self.relief, self.eye_y, d)
         here = np.zeros(d.shape[0])
@@ -78,17 +78,17 @@ class UnderwaterStage(ReflectionStage):
         return np.repeat(amount[:, None], 3, axis=1), amount, np.ones(d.shape[0], np.bool_)
 
     def _sunk(self, fleet: fleets.Fleet, bed: Seabed, d: Floats, nearer: Floats, colour: Floats) -> None:
-        """Draws what of boats is under water over ``colour`` (r, 3), not exposed, through the water between."""
+        """Draw the submerged parts of boats over ``colour`` (r, 3), not exposed, seen through the water."""
         eye = np.array([0.0, self.eye_y, 0.0])
         hit = fleet.trace(eye, d)
         seen = np.flatnonzero(hit.t < nearer)
         if seen.size:
             own = fleets.Hit(hit.t[seen], hit.normal[seen], hit.place[seen], hit.part[seen], hit.boat[seen])
-            found = fleet.light(bed.air, eye, d[seen], own) * np.exp(-bed.extinction * own.t[:, None])
-            colour[seen] = found + bed.glow(np.full(own.t.shape, -self.eye_y), -d[seen, 1], own.t)
+            seen_through = fleet.light(bed.air, eye, d[seen], own) * np.exp(-bed.extinction * own.t[:, None])
+            colour[seen] = seen_through + bed.glow(np.full(own.t.shape, -self.eye_y), -d[seen, 1], own.t)
 
     def _laid(self, colour: Floats, white: Floats, a: Floats) -> Floats:
-        """Foam (r, 3) laid over water (r, 3) by its amount (r,)."""
+        """Foam (r, 3) blended over water (r, 3) by its amount (r,)."""
         if self.scene.foam is not None and self.scene.foam.look == "listing":
             return np.clip(self.exposure * (colour + white * a[:, None]), 0.0, 1.0) / self.exposure
         return colour * (1.0 - a[:, None]) + white * a[:, None]
