@@ -17,7 +17,7 @@ from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInp
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
 from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.stokes import foam_drift
-from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, Fold, fold, old_times
+from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.quality import Quality
 from seafoam.scene.foam import FoldSaturation, SlopeSaturation
 from seafoam.scene.models import Scene
@@ -36,7 +36,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return Contribution(why="", bound=Bound(0.0, "no sea that could fold"))
     quality = fitted(scene.sea, quality)
     steps = quality.age_steps
-    model = fold(scene.sea, found[0], scene.water.depth, steps, quality.age_step, quality.sea_size)
+    model = whitecap_model(scene.sea, found[0], scene.water.depth, steps, quality.age_step, quality.sea_size)
     if model is None:
         return Contribution(why="", bound=Bound(0.0, "a sea that nothing folds, or no foam asked for"))
     slopes = sum(of.mean_square_slope for of in raised)
@@ -139,7 +139,7 @@ def _ages(
 
 
 def _old(
-    scene: Scene, sea: Sea, largest: Cascade, quality: Quality, model: Fold
+    scene: Scene, sea: Sea, largest: Cascade, quality: Quality, model: WhitecapModel
 ) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
     """Targets and passes that draw what foam of long ago is left."""
     rows = OLD_STEPS // 4

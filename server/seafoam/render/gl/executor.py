@@ -225,9 +225,7 @@ class Executor:
 
     def _own_thread(self) -> None:
         if threading.get_ident() != self._thread:
-            raise RuntimeError(
-                "a GL context can be used only in the thread that created it; in others it draws nothing, without an error"
-            )
+            raise RuntimeError("a GL context works only in the thread that created it; elsewhere it draws nothing")
 
     def _set_up(self, plan: FramePlan, drawn: Iterable[int], camera: Camera) -> dict[str, tuple[Any, ...]]:
         """Return the kept targets that passes of ``drawn`` read, with the content that setup passes draw.
