@@ -11,32 +11,27 @@ PORT ?= 8000
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public -type f 2>/dev/null) $(WEB)/index.html $(WEB)/package-lock.json \
 	$(WEB)/vite.config.ts $(WEB)/tsconfig.json
 
-# Two groups of tests at once, each about half the time: what a browser or a server takes part in, with some numbers, and the
-# other numbers.
-BESIDE := tests/reference/test_anywhere.py tests/numerics/test_properties.py
-LIVE := tests/accuracy tests/api tests/browser tests/cli $(BESIDE)
-NUMBERS := $(filter-out $(addsuffix /,$(LIVE) tests/references tests/golden),$(wildcard tests/*/)) $(addprefix --ignore=,$(BESIDE))
+# Two groups of tests at once, each about half the time: browsers and servers with some numbers, and all else.
+LIVE := $(addprefix tests/,fast/accuracy fast/api fast/cli gpu/accuracy gpu/api gpu/cli \
+	gpu/numerics/test_properties.py gpu/reference/test_anywhere.py)
+REST := tests/fast tests/gpu $(addprefix --ignore=,$(LIVE))
 
-# What needs no browser, no server process and next to no drawing; in two halves.
-QUICK := tests/masks tests/smoke $(filter-out %_pool.py %_accuracy.py,$(wildcard tests/api/test_*.py))
-
-.PHONY: demo test quick quick-unit quick-rest quick-lint lint test-python test-live test-numbers test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
+.PHONY: demo test quick quick-fast quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
 
 test: lint test-web test-python
 
+# No browser, no server process and next to no drawing.
 quick: setup-test
-	@$(MAKE) --no-print-directory -j2 quick-unit quick-rest quick-lint
+	@$(MAKE) --no-print-directory -j2 quick-fast quick-rest
 
-quick-unit:
-	$(BIN)/pytest -q -p no:cacheprovider tests/unit
+quick-fast:
+	$(BIN)/pytest -q -p no:cacheprovider tests/fast
 
-quick-rest:
-	$(BIN)/pytest -q -p no:cacheprovider -m "not real" $(QUICK)
-
-quick-lint: $(WEB)/node_modules/.checked
+quick-rest: $(WEB)/node_modules/.checked
+	$(BIN)/pytest -q -p no:cacheprovider tests/gpu/smoke
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -85,13 +80,13 @@ test-web: setup-test
 	cd $(WEB) && ../$(NODE) npm test --silent
 
 test-python: setup-test
-	@$(MAKE) --no-print-directory -j2 test-live test-numbers
+	@$(MAKE) --no-print-directory -j2 test-live test-rest
 
 test-live:
-	$(BIN)/pytest -q -p no:cacheprovider $(LIVE)
+	$(BIN)/pytest -q -p no:cacheprovider $(LIVE) tests/browser
 
-test-numbers:
-	$(BIN)/pytest -q -p no:cacheprovider $(NUMBERS)
+test-rest:
+	$(BIN)/pytest -q -p no:cacheprovider $(REST)
 
 bench: setup-test
 	$(BIN)/python -m bench
@@ -122,7 +117,7 @@ fronts: setup
 
 lock: $(VENV)/.installed
 	$(BIN)/pip install -q uv
-	$(BIN)/uv pip compile pyproject.toml --extra dev --universal --python-version 3.11 --generate-hashes \
+	$(BIN)/uv pip compile pyproject.toml --extra dev --extra reports --universal --python-version 3.11 --generate-hashes \
 		--no-emit-index-url --no-header --upgrade -o requirements.lock
 
 clean:

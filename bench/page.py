@@ -16,7 +16,7 @@ from bench.watch import Watch
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
-from browsers import COMMON, LANES, chromium, launched
+from support.browsers import COMMON, LANES, chromium, launched
 
 __all__ = ["launched", "measure"]
 

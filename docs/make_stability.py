@@ -2,7 +2,7 @@
 
 Run as ``python docs/make_stability.py`` after a change of words. After a change of what is drawn, measure first::
 
-    CI=1 pytest tests/numerics/test_hard_cases.py tests/browser/test_hard_cases.py --figures hard-cases.json
+    CI=1 pytest tests/gpu/numerics/test_hard_cases.py tests/browser/test_hard_cases.py --figures hard-cases.json
     python docs/make_stability.py hard-cases.json
 
 What is measured stands in docs/stability.json; a run of some cases leaves the others' figures as they are.
@@ -23,7 +23,7 @@ FIGURES = Path(__file__).parent / "stability.json"
 MARK = "<!-- cases -->\n"
 REFERENCE = "Hard cases against the float64 reference"
 BROWSER = "Hard cases on SwiftShader"
-"""How the titles of the tests' tables begin (tests/numerics, tests/browser)."""
+"""How the titles of the tests' tables begin (tests/gpu/numerics, tests/browser)."""
 Figures = dict[str, dict[str, Any]]
 """By a case's name: ``of``, what was measured; ``mean`` (levels, null: not compared) and ``over_2`` (%) against the
 reference, ``swiftshader`` (levels)."""

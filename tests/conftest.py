@@ -8,16 +8,19 @@ from pathlib import Path
 
 import pytest
 
-import inputs
-from gpu import Probe
-from report import REPORT, Report
-from room import LIMIT, Room, give_back, resident
 from seafoam.planner.planner import make_plan
 from seafoam.render.gl.executor import Executor
+from support import inputs
+from support.probe import Probe
+from support.report import REPORT, Report
+from support.room import LIMIT, Room, give_back, resident
 
 # llvmpipe compiles in half the time without LLVM's optimisations, and draws the same bytes (test_driver.py); most of
 # what tests draw is drawn once, and small. Servers that they start inherit it, browsers do not.
 os.environ["GALLIVM_PERF"] = "nopt"
+
+
+BROWSER = Path(__file__).with_name("browser")
 
 
 @cache
@@ -29,6 +32,12 @@ def pytest_configure(config: pytest.Config) -> None:
     """Remember checks that passed; let no process grow too large."""
     config.pluginmanager.register(inputs.memo(lambda: _executor().info))
     config.pluginmanager.register(Room())
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Browsers last: Playwright leaves an event loop running in this thread, and the API's clients start their own."""
+    items.sort(key=lambda item: BROWSER in item.path.parents)
 
 
 def pytest_unconfigure() -> None:

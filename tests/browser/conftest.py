@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, Playwright, sync_playwright
 
-from browsers import Lane, launched, opened
+from support.browsers import Lane, launched, opened
 
 
 @pytest.fixture(scope="session")

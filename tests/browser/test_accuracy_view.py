@@ -14,11 +14,11 @@ from PIL import Image
 from playwright.sync_api import Locator, Page, Route, expect
 from test_page import FINGER, PHONE, STILL, TARGETS, Visit, visit
 
-from browsers import Lane
 from seafoam.accuracy.points import points_of
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.scene.presets import load_preset
+from support.browsers import Lane
 
 SIZE = (32, 18)
 LARGE = (1280, 800)

@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 from test_page import STILL, Visit, link, visit
 
-from browsers import Lane
+from support.browsers import Lane
 
 
 def drawn(made: Visit, preset: str) -> NDArray[np.uint8]:

@@ -4,9 +4,9 @@ import pytest
 from playwright.sync_api import Page
 from test_page import STILL, Pixels, link, visit
 
-from browsers import Lane
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
+from support.browsers import Lane
 
 SIZE = (400, 300)
 

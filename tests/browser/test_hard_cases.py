@@ -9,9 +9,6 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Error, Page
 
-from browsers import Lane, opened
-from exact import UNFILTERED
-from report import REPORT
 from seafoam.effects import EFFECTS
 from seafoam.effects.effect import HardCase
 from seafoam.planner import FramePlan, make_plan
@@ -19,6 +16,9 @@ from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset
+from support.browsers import Lane, opened
+from support.exact import UNFILTERED
+from support.report import REPORT
 
 SIZE = (48, 27)
 CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard]
@@ -27,21 +27,6 @@ HARD = {"mean": 3.0, "share_over_2": 0.06}
 SOFT = {"mean": 1.5, "share_over_2": 0.04}
 """What SwiftShader may differ by, as for the presets (test_parity.py); but soft
 looks get a mean of 1.5 and a share of 4 %, 52 of 48 × 27 pixels, for steep crests and waves of 5 cm."""
-SHARP = {
-    "the floor in the focus": 0.15,
-    "colours as far apart as they go": 0.2,
-    "the centre of a vortex in the middle of a pixel": 0.12,
-}
-"""Shares for lines of light in a focus and threads of foam round a vortex, a pixel wide, which that sine moves by its
-2e-4; their means stay within bounds."""
-MAGNIFIED = {
-    "a wall of water, 50 m high and 5 cm long",
-    "five centimetres of black water",
-    "no phase at all: waves in antiphase",
-    "filtered, where the phase turns endlessly fast",
-}
-"""Cases that magnify SwiftShader's sine, good to 2e-4, beyond any useful bound (slopes of 6000), or show
-rounding alone: only sound."""
 HIDDEN = [
     "OES_texture_float_linear",
     "EXT_float_blend",
@@ -119,9 +104,9 @@ def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCa
         # A NaN is black: no more of it than there.
         black = [(picture[..., :3] == 0).all(axis=-1).mean() for picture in (got, want)]
         assert black[0] <= black[1] + 0.01
-        if case.name not in MAGNIFIED:
+        if not case.coarse_apart:
             assert mean <= allowed["mean"]
-            assert over <= SHARP.get(case.name, allowed["share_over_2"])
+            assert over <= (allowed["share_over_2"] if case.coarse_share is None else case.coarse_share)
 
 
 @pytest.mark.parametrize("hidden", HIDDEN)

@@ -6,8 +6,6 @@ import json
 import numpy as np
 import pytest
 
-from browsers import Lane, opened
-from gpu import WHOLE
 from seafoam.effects.effect import Inline
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import TargetInput, Texture, TextureInput
@@ -19,7 +17,9 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
-from seafoam.textures import texture
+from seafoam.textures import MaskTexture, texture, url_of
+from support.browsers import Lane, opened
+from support.probe import WHOLE
 
 COMPARE = Inline("""uniform usampler2D u_drawn;
 uniform usampler2D u_made;
@@ -37,7 +37,7 @@ def comparing(mask: str) -> FramePlan:
     """A plan whose picture is red where the drawn atlas is not the one of the server's resource."""
     foam = Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask)
     plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"])
-    made = texture(f"mask/{mask}/atlas")
+    made = texture(MaskTexture(masks=(mask,), table="atlas"))
     vertex = WHOLE
     compare = Pass(
         name="compare",
@@ -48,7 +48,7 @@ def comparing(mask: str) -> FramePlan:
         inputs={"u_drawn": TargetInput(target="mask_atlas"), "u_made": TextureInput(texture="made")},
     )
     given = Texture(
-        url=f"/api/textures/mask/{mask}/atlas",
+        url=url_of(MaskTexture(masks=(mask,), table="atlas")),
         sha256=made.sha256,
         format="RG32UI",
         width=made.width,
@@ -73,7 +73,7 @@ def test_the_drawn_atlas_is_the_made_one(
 ) -> None:
     browser: Lane = request.getfixturevalue(lane)
     plan, camera = comparing(mask), Camera()
-    made = texture(f"mask/{mask}/atlas")
+    made = texture(MaskTexture(masks=(mask,), table="atlas"))
     page = opened(browser, server)
     answer = page.evaluate(
         "([plan, options]) => window.seafoam.render(plan, options)",

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Locator, Page, TimeoutError, expect
 
-from browsers import Lane
-from report import REPORT
 from seafoam.scene.presets import load_preset, preset_names
+from support.browsers import Lane
+from support.report import REPORT
 
 DESKTOP = (1280, 800)
 PHONE = (390, 844)

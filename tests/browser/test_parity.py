@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Page
 
-from browsers import Lane, opened
-from exact import UNFILTERED
-from report import REPORT
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, SurfaceQuality
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset, preset_names
+from support.browsers import Lane, opened
+from support.exact import UNFILTERED
+from support.report import REPORT
 
 TIMES = (0.0, 2.7, 1e9)
 SIZE = (320, 180)

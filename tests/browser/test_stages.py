@@ -19,7 +19,7 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 
 SIZE = (32, 16)
-FILES = Path(__file__).with_name("stages")
+FILES = Path(__file__).parents[1] / "support" / "stages"
 SCENE = Scene(light=Light(), camera=Camera(pitch=1.5708))
 """Nothing but sky."""
 

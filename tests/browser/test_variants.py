@@ -15,7 +15,7 @@ from playwright.sync_api import Page
 from seafoam.framegraph.shader import Program, Shader
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.resources import data_dir
-from variants import covering, every_program, traits
+from support.variants import covering, every_program, traits
 
 BATCH = 25
 """Programs that the page compiles in one go; it starts them all before it asks about any."""

@@ -3,7 +3,7 @@
 import pytest
 from bench import water_page
 
-from browsers import Lane
+from support.browsers import Lane
 
 
 def test_the_yardstick_draws_water(llvmpipe: Lane) -> None:

@@ -15,13 +15,13 @@ from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddle
 from seafoam.api import errors, pages
 from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
-from seafoam.api.measuring import measuring_station
+from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, NoSniff
 from seafoam.api.parameters import one_value_each
 from seafoam.api.routers import accuracy, frames, health, masks, plans, presets, textures
 from seafoam.api.settings import Settings
-from seafoam.api.workshop import Workshop
+from seafoam.api.threads import ThreadPool
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
@@ -58,9 +58,9 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        station = measuring_station(settings, pool, asyncio.get_running_loop())
+        sweeps = sweep_service(settings, pool, asyncio.get_running_loop())
         app.state.context = Context(
-            settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8), station=station
+            settings, pool, metrics, plans=ThreadPool(2, 64), masks=ThreadPool(1, 8), sweeps=sweeps
         )
         await pool.start()
         warming = asyncio.create_task(presets.warm(app.state.context.plans))
@@ -68,7 +68,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         warming.cancel()
         with suppress(asyncio.CancelledError, errors.BusyError):
             await warming
-        await asyncio.to_thread(station.stop)
+        await asyncio.to_thread(sweeps.stop)
         await pool.stop()
 
     app = FastAPI(

@@ -2,7 +2,7 @@
 
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
-from seafoam.effects.foam import aeration, drift, fold, front, height, living, look, relief, slope, surf, wake_foam
+from seafoam.effects.foam import aeration, drift, front, height, living, look, relief, slope, surf, wake_foam, whitecaps
 from seafoam.effects.light import clouds, glitter, light, night, sparkles, subsurface
 from seafoam.effects.reflection import cubemap, planar
 from seafoam.effects.shore import shore
@@ -19,7 +19,7 @@ EFFECTS: tuple[Effect, ...] = (
     front.EFFECT,
     height.EFFECT,
     slope.EFFECT,
-    fold.EFFECT,
+    whitecaps.EFFECT,
     look.EFFECT,
     living.EFFECT,
     light.EFFECT,

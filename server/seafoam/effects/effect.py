@@ -14,6 +14,7 @@ from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
+from seafoam.textures import TextureSpec
 
 BENEATH = "beneath"
 """The target of surface and sky if passes of stage ``after`` follow, which can read it."""
@@ -170,7 +171,7 @@ class Contribution(Part):
 class TextureUse:
     """A texture of the store (``source``: its name there), and its sampler state."""
 
-    source: str
+    source: TextureSpec
     filter: Filter = "nearest"
     wrap: WrapMode = "repeat"
 
@@ -208,8 +209,23 @@ class Knob:
 
 
 @dataclass(frozen=True)
+class Bounds:
+    """How far a picture may be from another.
+
+    ``mean``: of the pixels' largest differences, levels of linear light, display white = 255. ``share``: of pixels that
+    are off by more than 2 levels, in [0, 1].
+    """
+
+    mean: float
+    share: float
+
+
+@dataclass(frozen=True)
 class HardCase:
-    """A scene, a time and a camera that provoke a failure, the guard against it, and the failure without it."""
+    """A scene, a time and a camera that provoke a failure, the guard against it, and the failure without it.
+
+    Its pictures are compared, and need be no more than sound (finite, not negative) where the case says why not.
+    """
 
     name: str
     scene: Scene
@@ -218,6 +234,15 @@ class HardCase:
     """Result of the frame or function without the guard, measured once: a number and its unit."""
     times: tuple[float, ...] = (0.0,)
     camera: Camera | None = None
+    bounds: Bounds = Bounds(mean=0.5, share=0.01)
+    """Against the float64 reference, at the tests' exact quality."""
+    apart: str = ""
+    """Why the reference's picture is another one; empty: it is the same within ``bounds``."""
+    coarse_share: float | None = None
+    """Of pixels off by more than 2 levels of the display where sines are good to 2e-4 (SwiftShader), in [0, 1]; None:
+    as of presets with such a look."""
+    coarse_apart: str = ""
+    """Why the picture is another one there; empty: it is the same within ``coarse_share``."""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from seafoam.framegraph.resources import TargetInput
 from seafoam.scene.camera import Camera
 
 LEVEL = 0.01
-"""Vertical component, relative to the central ray's length, below which a level ray may hit water or sky."""
+"""Vertical component, relative to the central ray's length, below which a ray may hit water or sky."""
 
 
 def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, target: str) -> dict[int, bool]:

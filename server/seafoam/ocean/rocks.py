@@ -17,14 +17,17 @@ _TEXELS = 256
 _SEED = 7
 
 
-@lru_cache(maxsize=16)
-def rocks(ground: str, steep: float) -> Floats:
+def rocks(shore: Shore, steep: float) -> Floats:
     """(ROCKS, 4): points on the coast (x, z) from the square's centre, m, and unit vectors from there toward the sea.
 
     The points are those of the coast at which the ground's slope is at least ``steep``, in random order, some of them
-    repeated; (0, 4) if there are none. ``ground``: :attr:`Shore.ground`. Rounded to 1/1024.
+    repeated; (0, 4) if there are none. Rounded to 1/1024.
     """
-    shore = Shore.of_ground(ground)
+    return _rocks(shore.ground, steep)
+
+
+@lru_cache(maxsize=16)
+def _rocks(shore: Shore, steep: float) -> Floats:
     height = floor_grid(shore, _TEXELS)[..., 0]
     texel = shore.size / _TEXELS
     # The ground is level at the edge of the square, so the last row and column contain no coast.

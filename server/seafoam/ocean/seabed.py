@@ -36,8 +36,7 @@ def floor_grid(shore: Shore, texels: int) -> Floats:
 
 
 @lru_cache(maxsize=16)
-def _floor_grid(ground: str, texels: int) -> Floats:
-    shore = Shore.of_ground(ground)
+def _floor_grid(shore: Shore, texels: int) -> Floats:
     half = 0.5 * shore.size
     centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")
@@ -53,13 +52,13 @@ def _floor_grid(ground: str, texels: int) -> Floats:
     depth = np.full_like(x, shore.depth)
     if shore.kind == "lagoon":
         r = np.sqrt(x * x + z * z)
-        depth = shore.inner_depth + (shore.depth - shore.inner_depth) * _smoothstep(0.9, 1.15, r / shore.radius)
+        depth = shore.inner_depth + (shore.depth - shore.inner_depth) * smoothstep(0.9, 1.15, r / shore.radius)
     fall = shore.slope * sea / depth
     floor = -depth * fall / np.sqrt(1.0 + fall * fall)
     dune = max(0.3 * shore.height, 1e-3)
     rise = shore.slope * land / dune
     hills = _fbm(x, z, 0.22 * shore.size, shore.seed + 101, 5)
-    inland = _smoothstep(0.0, 0.12 * shore.size if shore.kind == "beach" else 0.8 * shore.radius, land)
+    inland = smoothstep(0.0, 0.12 * shore.size if shore.kind == "beach" else 0.8 * shore.radius, land)
     rest = shore.height - 0.3 * shore.height
     floor += dune * rise / np.sqrt(1.0 + rise * rise) + rest * inland * (0.25 + 1.1 * hills * hills)
     # Sand ripples and bars, absent at the water's edge and in deep water.
@@ -67,11 +66,11 @@ def _floor_grid(ground: str, texels: int) -> Floats:
         0.25
         * shore.roughness
         * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
-        * _smoothstep(0.0, 30.0, np.abs(e))
+        * smoothstep(0.0, 30.0, np.abs(e))
     )
     # The floor sinks to full depth well inside the square, in a rounded shape, so that no edge is visible from above.
     out = np.sqrt(np.sqrt(x**4 + z**4)) / half
-    floor += (-shore.depth - floor) * _smoothstep(0.5, 0.95, out) * _smoothstep(0.0, 0.14 * shore.size, e)
+    floor += (-shore.depth - floor) * smoothstep(0.5, 0.95, out) * smoothstep(0.0, 0.14 * shore.size, e)
     return _finished(shore, x, z, floor)
 
 
@@ -79,7 +78,7 @@ def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
     """Return the floor, levelled toward the edges of the square, with its tint; rounded, read-only."""
     half = 0.5 * shore.size
     # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
-    ends = _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
+    ends = smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
     floor = floor + (-shore.depth - floor) * ends
     tint = _fbm(x, z, 0.09 * shore.size, shore.seed + 307, 5)
     tint += (0.4 - tint) * ends
@@ -113,11 +112,12 @@ def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
         case _:
             width = 0.16 * shore.radius
             along = (x * c + z * s) / np.maximum(r, 1e-6)
-            gap: Floats = np.abs(r - shore.radius) - width + 2.2 * width * _smoothstep(0.90, 0.985, along)
+            gap: Floats = np.abs(r - shore.radius) - width + 2.2 * width * smoothstep(0.90, 0.985, along)
             return gap
 
 
-def _smoothstep(low: float, high: float, x: Floats) -> Floats:
+def smoothstep(low: float, high: float, x: Floats) -> Floats:
+    """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
     q = np.clip((x - low) / (high - low), 0.0, 1.0)
     result: Floats = q * q * (3.0 - 2.0 * q)
     return result

@@ -8,7 +8,7 @@ from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.resources import Target, Texture
 from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
 from seafoam.framegraph.shader import Program, declared_uniforms
-from seafoam.textures import texture
+from seafoam.textures import texture, url_of
 
 MAX_SAMPLERS = 16
 """Maximum number of textures of a fragment shader that WebGL2 guarantees (MAX_TEXTURE_IMAGE_UNITS)."""
@@ -37,7 +37,7 @@ def texture_entry(use: TextureUse) -> Texture:
     """Return the plan's entry for a texture of the store."""
     data = texture(use.source)
     return Texture(
-        url=f"/api/textures/{use.source}",
+        url=url_of(use.source),
         sha256=data.sha256,
         format=data.format,
         width=data.width,

@@ -10,6 +10,15 @@ Share = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
 
 Rgb = tuple[Share, Share, Share]
 
+Place = Annotated[float, Field(ge=-1e7, le=1e7)]
+"""A horizontal coordinate, m."""
+
+Angle = Annotated[float, Field(ge=-6.2832, le=6.2832, json_schema_extra={"unit": "rad"})]
+"""An angle of up to a turn either way, rad."""
+
+Elevation = Annotated[float, Field(ge=-1.5708, le=1.5708, json_schema_extra={"unit": "rad"})]
+"""An angle over the horizon, rad."""
+
 
 class Part(BaseModel):
     """Base class of every part of a scene: immutable, no unknown keys, no NaN or infinity."""

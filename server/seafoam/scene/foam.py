@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from seafoam.scene.base import Part, Share
+from seafoam.scene.base import Angle, Part, Share
 from seafoam.scene.living import MASK_NAME, FoamLife
 
 
@@ -197,13 +197,7 @@ class Foam(Part):
     mask_tile: float = Field(
         default=12.0, ge=0.05, le=1000.0, description="Side of one tile of the mask, m; smaller gives finer bubbles"
     )
-    mask_angle: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Rotation of the mask about +y, rad",
-        json_schema_extra={"unit": "rad"},
-    )
+    mask_angle: Angle = Field(default=0.0, description="Rotation of the mask about +y, rad")
     cells: bool = Field(
         default=False,
         description="Rotate and shift the mask at random in hexagonal cells of one tile's size, so that it "

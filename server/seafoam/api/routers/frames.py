@@ -56,7 +56,7 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 
 @router.get(
     "/frames/{preset}.{format}",
-    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 500, 503, 504),
+    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_frame(
@@ -85,7 +85,9 @@ async def get_frame(
     return not_modified(request, tag, headers) or await _rendered(job, tag, headers, request, context)
 
 
-@router.post("/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 503, 504), response_class=Response)
+@router.post(
+    "/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 501, 503, 504), response_class=Response
+)
 async def render_frame(asked: strictly(FrameRequest), request: Request, context: InContext) -> Response:  # type: ignore[valid-type]
     """Render a frame of a scene sent as JSON."""
     body: FrameRequest = asked

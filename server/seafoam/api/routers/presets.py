@@ -12,7 +12,7 @@ from seafoam.api.context import InContext
 from seafoam.api.errors import NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.planning import compile_scene
-from seafoam.api.workshop import Workshop
+from seafoam.api.threads import ThreadPool
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Group, Preset, load_preset, preset_names
@@ -67,7 +67,7 @@ def _summary(name: str) -> PresetSummary:
     return PresetSummary(**preset.model_dump(include=set(PresetSummary.model_fields)), effects=effects)
 
 
-async def warm(plans: Workshop) -> None:
+async def warm(plans: ThreadPool) -> None:
     """Plan every preset once, so that the first list request is fast; one at a time, so as not to delay others."""
     for name in preset_names():
         await plans.run(_summary, name)

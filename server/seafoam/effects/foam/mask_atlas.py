@@ -10,6 +10,7 @@ from seafoam.effects.effect import PassSpec, TextureUse
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import number
 from seafoam.masks.catalogue import Mask
+from seafoam.textures import MaskTable, MaskTexture
 
 ATLAS = "mask_atlas"
 MOMENTS = "mask_moments"
@@ -25,15 +26,19 @@ def tables(masks: int, kind: str) -> str:
     return f"mask_{kind}" if masks == 1 else "mask_tables"
 
 
-def textures(names: Sequence[str], kind: str) -> dict[str, TextureUse]:
+def textures(names: Sequence[str], kind: MaskTable) -> dict[str, TextureUse]:
     """The textures that the passes and the look read."""
     used: dict[str, TextureUse] = {}
     for i, name in enumerate(names):
-        used[f"mask_ranks{_of(i)}"] = TextureUse(f"mask/{name}/ranks")
+        used[f"mask_ranks{_of(i)}"] = TextureUse(MaskTexture(masks=(name,), table="ranks"))
         # The atlas is made with the quantiles whatever the look itself reads.
-        used[f"mask_quantiles{_of(i)}"] = TextureUse(f"mask/{name}/quantiles", wrap="clamp_to_edge")
-    used[tables(len(names), kind)] = TextureUse(f"mask/{'+'.join(names)}/{kind}", wrap="clamp_to_edge")
+        used[f"mask_quantiles{_of(i)}"] = _table((name,), "quantiles")
+    used[tables(len(names), kind)] = _table(tuple(names), kind)
     return used
+
+
+def _table(names: tuple[str, ...], kind: MaskTable) -> TextureUse:
+    return TextureUse(MaskTexture(masks=names, table=kind), wrap="clamp_to_edge")
 
 
 def targets(masks: Sequence[Mask]) -> dict[str, Target]:

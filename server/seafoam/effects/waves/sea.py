@@ -25,7 +25,7 @@ from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, 
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
-from seafoam.textures import sea_spectrum_name
+from seafoam.textures import FftTwiddles, SeaSpectrum
 
 WHITECAP_WIND = 7.0
 """Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
@@ -232,8 +232,8 @@ def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], si
     )
     return Part(
         textures={
-            "sea_spectrum": TextureUse(sea_spectrum_name(sea, depth), wrap="clamp_to_edge"),
-            "fft_twiddles": TextureUse("fft-twiddles", wrap="clamp_to_edge"),
+            "sea_spectrum": TextureUse(SeaSpectrum(sea=sea, depth=depth), wrap="clamp_to_edge"),
+            "fft_twiddles": TextureUse(FftTwiddles(), wrap="clamp_to_edge"),
         },
         targets={"sea_a": target, "sea_b": target},
         passes=(spectrum, *transform("sea", "sea_a", "sea_b", size)[0]),

@@ -77,7 +77,7 @@ class Lamp:
 
 
 @dataclass(frozen=True, eq=False)
-class Heaven:
+class Sky:
     """A layered sky at one time over one eye."""
 
     light: Light
@@ -155,9 +155,9 @@ class Heaven:
         level = 0.18 / max(math.hypot(self.lit_by[0], self.lit_by[2]), 1e-6)
         shift = np.array([level * self.lit_by[0], level * self.lit_by[2], 0.0])
         before = self._density(clouds, fractal(place + shift, width, OCTAVES - 2, 64 * clouds.seed))
-        lost = smoothstep(0.15, 0.6, width)
+        unresolved = smoothstep(0.15, 0.6, width)
         through = np.exp(-clouds.thickness * density)
-        hides = seen[at] * ((1.0 - through) * (1.0 - lost) + self.taken * lost)
+        hides = seen[at] * ((1.0 - through) * (1.0 - unresolved) + self.taken * unresolved)
         gamma = dot(look, self.lit_by)
         edge = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
         lit = 0.3 * (0.15 + 0.85 * np.exp(-0.5 * clouds.thickness * before)) + 0.3 * edge * through
@@ -276,7 +276,7 @@ class Heaven:
 
 
 @lru_cache(maxsize=8)
-def _integrated(of: Heaven) -> Floats:
+def _integrated(of: Sky) -> Floats:
     """∫ clear cos over the upper half: Gauss–Legendre in the root of the height, even steps around."""
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     root, weights = 0.5 * (nodes + 1.0), 0.5 * weights
@@ -297,7 +297,7 @@ def _axes(moon: Moon) -> tuple[Floats, Floats, Floats]:
     return to_moon, toward(moon.azimuth + 0.5 * math.pi, 0.0), toward(moon.azimuth, moon.elevation + 0.5 * math.pi)
 
 
-def heaven(light: Light, time: float, eye: tuple[float, float, float]) -> Heaven | None:
+def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> Sky | None:
     """The sky of a light at a time (s) over an eye (m); None where it is plain."""
     sky = light.sky
     if sky is None:
@@ -338,4 +338,4 @@ def heaven(light: Light, time: float, eye: tuple[float, float, float]) -> Heaven
             cells * reduced((turn, eye[2]), (-turn * drift[1], time)),
             cells * reduced((2.0 * math.pi / (CELLS * of.change), time)),
         )
-    return Heaven(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, place, eye[1])
+    return Sky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, place, eye[1])

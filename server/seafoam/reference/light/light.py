@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 
 import numpy as np
 
-from seafoam.reference.light.atmosphere import EYE, MIRROR, Heaven, heaven, sun_angles
+from seafoam.reference.light.atmosphere import EYE, MIRROR, Sky, layered_sky, sun_angles
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
@@ -57,7 +57,7 @@ class Air:
     """E_s, (3,)."""
     air_light: Floats
     """E_a, (3,)."""
-    above: Heaven | None = None
+    above: Sky | None = None
     """The sky of section 9, where the scene has one."""
 
     def sky(self, d: Floats) -> Floats:
@@ -102,7 +102,7 @@ def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0,
         ]
     )
     plain = _air(sun, MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
-    above = heaven(light, time, eye)
+    above = layered_sky(light, time, eye)
     if above is None:
         return plain
     return replace(plain, sun=above.lit_by, sun_irradiance=above.direct, above=above)

@@ -40,10 +40,10 @@ class FoamStage(FrameState):
         assert self.assets is not None
         return self.assets
 
-    def _foam(self, x: Floats, z: Floats, H: Floats, tau: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
+    def _foam(self, x: Floats, z: Floats, H: Floats, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
         """At r places the look's foam amount, in [0, 3] for ``listing``, else in [0, 1], and f; (r,) each."""
         foam = self.foam
-        foot_x, foot_y = self.footprints(tau, D, N)
+        foot_x, foot_y = self.footprints(t, D, N)
         filtered = foam.look == "filtered"
         coast, wakes = self.coast, self.wakes
         feet = (foot_x, foot_y) if filtered and self.filtering else None
@@ -78,13 +78,13 @@ class FoamStage(FrameState):
         f: Floats,
         x: Floats,
         z: Floats,
-        tau: Floats,
+        t: Floats,
         D: Floats,
         N: Floats,
     ) -> tuple[Floats, Floats]:
         """What foam beside r places leaves of the sun to their water, and times how much it lights their foam."""
         foam = self.foam
-        feet = self.footprints(tau, D, N)
+        feet = self.footprints(t, D, N)
         sides = [np.maximum(np.hypot(foot[:, 0], foot[:, 1]), 1e-6) for foot in feet]
         way = foam.thickness / max(float(air.sun[1]), LOWEST_SHADE) * air.sun[[0, 2]]
         near = 1.0 - smoothstep(0.25, 1.0, np.maximum(*sides) / max(float(np.hypot(*way)), 1e-6))

@@ -78,13 +78,13 @@ def normal(h_x: Floats, h_z: Floats) -> Floats:
     return np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1)
 
 
-def footprint(tau: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
+def footprint(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
     """∂P/∂X = τ(δ − D (N·δ)/(N·D)) for the step δ (3,) of D from sample to sample; its (x, z) part, (r, 2) m.
 
     N·D is held at −10⁻³ |N||D| or below.
     """
     facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
-    moved = tau[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
+    moved = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
     result: Floats = moved[:, [0, 2]]
     return result
 

@@ -62,23 +62,23 @@ class Shader(UnderwaterStage):
         N = intersect.normal(*met)
         a, f, past = np.zeros_like(x), None, None
         if scene.foam is not None and self.assets is not None:
-            tau = distance / np.sqrt(dot(D, D))
-            a, f = self._foam(x, z, H, tau, D, N)
+            t = distance / np.sqrt(dot(D, D))
+            a, f = self._foam(x, z, H, t, D, N)
             if scene.foam.thickness > 0.0 and air is not None:
-                past = self._past_foam(air, a, f, x, z, tau, D, N)
+                past = self._past_foam(air, a, f, x, z, t, D, N)
         if air is None or scene.light is None:
             colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
             n = unit(intersect.normal(h_x + c_x, h_z + c_z))
             bed = None
             if self.coast is not None:
-                tau = distance / np.sqrt(dot(D, D))
-                feet = self.footprints(tau, D, N)
+                t = distance / np.sqrt(dot(D, D))
+                feet = self.footprints(t, D, N)
                 bed = self.coast.bed(x, z, H, d, n, *feet)
             lit = None
             if self.bed is not None and scene.water.depth is not None:
-                tau = distance / np.sqrt(dot(D, D))
-                feet = self.footprints(tau, D, N)
+                t = distance / np.sqrt(dot(D, D))
+                feet = self.footprints(t, D, N)
                 lit = self.bed.seen(x, z, H, d, n, feet)
             place = np.stack((x, H, z), axis=-1)
             colour = light.water(
@@ -109,8 +109,8 @@ class Shader(UnderwaterStage):
         q_x, q_z = coast.place(x, z)
         height, g_x, g_z, _ = coast.ground(q_x, q_z)
         N = intersect.normal(g_x, g_z)
-        tau = distance / np.sqrt(dot(D, D))
-        feet = self.footprints(tau, D, N)
+        t = distance / np.sqrt(dot(D, D))
+        feet = self.footprints(t, D, N)
         amount = np.zeros_like(x)
         lines = [] if scene.foam is None else [one for one in scene.foam.saturation if isinstance(one, SurfSaturation)]
         if scene.foam is not None and self.assets is not None and lines and lines[0].line > 0.0:

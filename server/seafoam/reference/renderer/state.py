@@ -122,6 +122,6 @@ class FrameState:
                 way_x, way_z = way_x + more_x, way_z + more_z
         return (way_x, way_z) if self.coast is None else self.coast.carry((way_x, way_z), x, z)
 
-    def footprints(self, tau: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
-        """Footprints (r, 2) m of samples along both sides, where rays D meet normals N at ``tau`` of their length."""
-        return intersect.footprint(tau, D, N, self.delta_x), intersect.footprint(tau, D, N, self.delta_y)
+    def footprints(self, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
+        """Footprints (r, 2) m of samples along both sides, where rays D meet normals N at ``t`` of their length."""
+        return intersect.footprint(t, D, N, self.delta_x), intersect.footprint(t, D, N, self.delta_y)

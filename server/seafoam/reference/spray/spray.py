@@ -120,7 +120,7 @@ def life_on_rocks(spray: Spray, coast: Coast) -> float:
 
 def from_rocks(spray: Spray, coast: Coast, time: float) -> Drops:
     """Drops that the surf of a coast throws up."""
-    found = rocks(coast.shore.ground, spray.steep)
+    found = rocks(coast.shore, spray.steep)
     if len(found) == 0 or coast.shore.surf.height == 0.0:
         return _none()
     index = np.arange(DROPS, dtype=np.uint64)

@@ -128,7 +128,7 @@ def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     )
 
 
-class Bed:
+class Seabed:
     """A level floor under a light, at one time around one origin."""
 
     def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float]) -> None:
@@ -233,7 +233,7 @@ class Bed:
         result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(-y, -d[:, 1], reach)
         return result
 
-    def ceiling(
+    def underside(
         self, x: Floats, z: Floats, y: Floats, d: Floats, n: Floats, reach: Floats, feet: tuple[Floats, Floats]
     ) -> Floats:
         """Light (r, 3) that comes through the surface along −d, or is mirrored in it; (x, z, y) the place."""
@@ -260,7 +260,7 @@ class Bed:
         return result
 
 
-class ShoreBed(Bed):
+class ShoreSeabed(Seabed):
     """The floor of a shore."""
 
     def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float], coast: Coast) -> None:
@@ -276,22 +276,22 @@ class ShoreBed(Bed):
         return self.lit(self.coast.albedo(*self.coast.place(x, z), *feet), np.ones((x.size, 3)), down)
 
 
-def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Bed | None:
+def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Seabed | None:
     """The level floor of a scene whose places tell apart; None without one."""
     water, light = scene.water, scene.light
     if light is None or made is None or scene.shore is not None or water.depth is None:
         return None
     looked_at = light.caustics is not None or water.floor_tile is not None
-    return Bed(scene, made, time, origin) if looked_at else None
+    return Seabed(scene, made, time, origin) if looked_at else None
 
 
 def under_of(
     scene: Scene, made: Air | None, time: float, origin: tuple[float, float], coast: Coast | None
-) -> Bed | None:
+) -> Seabed | None:
     """What an eye under the surface looks at; None without light."""
     if made is None:
         return None
-    return Bed(scene, made, time, origin) if coast is None else ShoreBed(scene, made, time, origin, coast)
+    return Seabed(scene, made, time, origin) if coast is None else ShoreSeabed(scene, made, time, origin, coast)
 
 
 def _joints(x: Floats) -> Floats:

@@ -24,7 +24,7 @@ from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, create_context
 from seafoam.scene.camera import Camera
-from seafoam.textures import texture
+from seafoam.textures import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
 
@@ -225,7 +225,9 @@ class Executor:
 
     def _own_thread(self) -> None:
         if threading.get_ident() != self._thread:
-            raise RuntimeError("a GL context works only in the thread that created it; elsewhere it draws nothing")
+            raise RuntimeError(
+                "a GL context draws only in the thread that created it; in others it draws nothing, without an error"
+            )
 
     def _set_up(self, plan: FramePlan, drawn: Iterable[int], camera: Camera) -> dict[str, tuple[Any, ...]]:
         """Return the kept targets that passes of ``drawn`` read, with the content that setup passes draw.
@@ -317,7 +319,7 @@ class Executor:
 
     def _texture(self, name: str, model: Texture) -> moderngl.Texture:
         def make() -> moderngl.Texture:
-            data = texture(model.url.removeprefix("/api/textures/"))
+            data = texture(spec_of(model.url))
             if data.sha256 != model.sha256:
                 raise RuntimeError(f"texture {name}: its bytes do not have the SHA-256 that the plan states")
             components, dtype = TEXTURE_FORMATS[model.format]

@@ -1,0 +1,79 @@
+"""The tiers lie on the measured front of time against error: drawn anew from the figures in docs/reports."""
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from statistics import median
+
+import pytest
+
+from seafoam.accuracy.fronts import beating
+from seafoam.accuracy.points import plan_sha256, points_of
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset, preset_names
+from support.report import Report
+
+REPORTS = Path(__file__).parents[3] / "docs" / "reports"
+AGAIN = "measure anew, as docs/reports/README.md says"
+UNBEATEN = 110
+"""Of the 120 tiers of all presets, so many at least are beaten by no other quality."""
+SPAN = 20.0
+"""From the fastest tier to the slowest, times, in the middle of the presets."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A line of a report: times by round (ms), RMSE (levels), knobs that are not their defaults (JSON)."""
+
+    rounds: tuple[float, ...]
+    error: float
+    quality: str
+
+
+@cache
+def measured(preset: str) -> dict[str, Measured]:
+    """What the preset's report says, by point."""
+    with (REPORTS / f"{preset}.csv").open(newline="") as file:
+        return {
+            row["id"]: Measured(
+                rounds=tuple(float(value) for value in row["rounds_ms"].split()),
+                error=float(row["rmse"]),
+                quality=row["quality"],
+            )
+            for row in csv.DictReader(file)
+        }
+
+
+def points_of_tiers(preset: str) -> dict[str, str]:
+    """The point that stands for each tier: tiers of one plan are one point."""
+    scene = load_preset(preset).scene
+    by_plan = {point.plan: point.id for point in points_of(scene)}
+    return {tier: by_plan[plan_sha256(scene, quality)] for tier, quality in TIERS.items()}
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_a_report_is_of_todays_qualities(preset: str) -> None:
+    today = {
+        point.id: point.quality.model_dump_json(exclude_defaults=True) for point in points_of(load_preset(preset).scene)
+    }
+    assert {id: one.quality for id, one in measured(preset).items()} == today, AGAIN
+
+
+def test_tiers_lie_on_the_front(report: Report) -> None:
+    unbeaten = 0
+    spans = []
+    for preset in preset_names():
+        found = measured(preset)
+        tiers = points_of_tiers(preset)
+        by = beating({id: (one.rounds, one.error) for id, one in found.items()})
+        unbeaten += sum(not by[id] for id in tiers.values())
+        times = [median(found[id].rounds) for id in tiers.values()]
+        spans.append(max(times) / min(times))
+        for tier, id in tiers.items():
+            if by[id]:
+                report.add("Tiers that another quality beats", preset=preset, tier=tier, by=by[id][0])
+    whole = len(TIERS) * len(spans)
+    report.add("Tiers on the front", unbeaten=f"{unbeaten}", of=f"{whole}", span=f"{median(spans):.0f}")
+    assert unbeaten >= UNBEATEN
+    assert median(spans) >= SPAN

@@ -1,0 +1,146 @@
+"""Whitecaps in photographs: the threshold that AWE finds, and the sizes of patches, on pictures of known coverage."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter
+
+from seafoam.accuracy.whitecaps import Rule, awe_coverage, awe_threshold, grey, levelled, patches, pip_curve
+from support.report import Report
+
+SIZE = (480, 640)
+
+
+def photograph(coverage: float, seed: int, water: float = 0.35, foam: float = 0.85) -> NDArray[np.uint8]:
+    """Grey water with noise of all sizes, and blobs of uneven foam over so much of it, edges a pixel wide."""
+    random = np.random.default_rng(seed)
+    smooth = gaussian_filter(random.normal(size=SIZE), 12.0)
+    level = np.quantile(smooth, 1.0 - coverage) if coverage > 0.0 else np.inf
+    share = gaussian_filter((smooth > level).astype(np.float64), 0.7)
+    sea = water + 0.03 * random.normal(size=SIZE) + 0.02 * np.linspace(1.0, -1.0, SIZE[0])[:, None]
+    white = foam + 0.06 * random.normal(size=SIZE)
+    return np.round(255.0 * np.clip(sea + share * (white - sea), 0.0, 1.0)).astype(np.uint8)  # type: ignore[no-any-return]
+
+
+@pytest.mark.parametrize("coverage", [0.005, 0.02, 0.08, 0.25])
+@pytest.mark.parametrize("rule", ["program", "least"])
+def test_awe_finds_a_known_coverage(report: Report, coverage: float, rule: Rule) -> None:
+    found = awe_coverage([photograph(coverage, seed) for seed in range(4)], rule)
+    report.add(
+        "AWE on synthetic photographs",
+        rule=rule,
+        coverage=f"{100 * coverage:.2f} %",
+        found=" ".join(f"{100 * share:.2f}" for share in found),
+    )
+    assert np.abs(found / coverage - 1.0).max() <= 0.2
+
+
+@pytest.mark.parametrize("rule", ["program", "least"])
+def test_awe_finds_nothing_in_water(rule: Rule) -> None:
+    """Stray brightest pixels may count: a ten-thousandth is none."""
+    assert awe_coverage([photograph(0.0, seed) for seed in range(4)], rule).max() <= 1e-4
+    assert awe_threshold(np.full(SIZE, 0.3), rule) is None
+
+
+def test_awe_follows_the_light() -> None:
+    """Half the exposure, half the threshold: no grey is built in."""
+    bright, dark = (awe_threshold(photograph(0.03, 1, k * 0.4, k * 0.95)) for k in (1.0, 0.6))
+    assert bright is not None
+    assert dark is not None
+    assert dark < bright - 0.1
+
+
+def test_bytes_and_shares_are_the_same_picture() -> None:
+    image = photograph(0.02, 3)
+    assert awe_threshold(image) == awe_threshold(image / 255.0)
+
+
+def test_pip_is_the_share_that_a_step_lets_in() -> None:
+    """Of an even ramp N grows by the same at every step: PIP_i = 100/i, where smoothing has little to do."""
+    curve = pip_curve(np.linspace(0.0, 1.0, 480_000).reshape(480, 1000))
+    assert curve is not None
+    steps = np.arange(60, 110)
+    assert np.abs(curve.pip[steps] * (steps + 2) / 100.0 - 1.0).max() <= 0.02
+
+
+@pytest.mark.parametrize(
+    "image", [np.zeros((4, 4, 3)), np.zeros((0, 4)), np.full((4, 4), 1.5), np.full((4, 4), np.nan), -np.ones((4, 4))]
+)
+def test_what_is_no_grey_picture_is_refused(image: NDArray[np.float64]) -> None:
+    with pytest.raises(ValueError, match="grey picture"):
+        awe_threshold(image)
+
+
+def test_grey_is_the_weighted_sum() -> None:
+    picture = np.zeros((2, 3, 4), np.uint8)
+    picture[..., 1] = 255
+    assert grey(picture) == pytest.approx(np.full((2, 3), 0.587))
+    with pytest.raises(ValueError, match="picture"):
+        grey(np.zeros((2, 3)))
+
+
+def test_a_levelled_picture_has_even_rows() -> None:
+    """Water that grows brighter upward becomes as bright as in the middle, and blue is taken where it slopes less."""
+    slope = np.linspace(0.6, 0.2, 200)[:, None]
+    picture = np.repeat(np.tile(slope, (1, 50))[..., None], 3, axis=2)
+    assert levelled(picture) == pytest.approx(np.full((200, 50), slope[100, 0]), abs=2e-4)
+    picture[..., 2] = np.linspace(0.5, 0.4, 200)[:, None]
+    assert levelled(picture) == pytest.approx(np.full((200, 50), picture[100, 0, 2]), abs=2e-4)
+    assert levelled(np.full((4, 4, 3), 255, np.uint8)) == pytest.approx(np.ones((4, 4)), abs=2e-4)
+    with pytest.raises(ValueError, match="picture"):
+        levelled(np.zeros((2, 3)))
+
+
+@pytest.mark.parametrize("coverage", [0.02, 0.08])
+def test_awe_finds_a_known_coverage_on_a_slope(coverage: float) -> None:
+    """Under light that falls to 0.4 from the top to the bottom AWE misses; levelled it finds what is there."""
+    slope = np.linspace(1.15, 0.45, SIZE[0])[:, None]
+    found = []
+    for seed in range(4):
+        lit = np.clip(photograph(coverage, seed) / 255.0 * slope, 0.0, 1.0)
+        picture = np.repeat(np.round(255.0 * lit).astype(np.uint8)[..., None], 3, axis=2)
+        found.append([float(awe_coverage([image])[0]) / coverage for image in (grey(picture), levelled(picture))])
+    plain, levels = np.abs(np.array(found) - 1.0).max(axis=0)
+    assert levels <= 0.2 < plain
+
+
+def test_patches_of_known_shape() -> None:
+    """An ellipse turned by half a radian: area, length, axes; what touches the edge or is small is left out."""
+    y, x = np.mgrid[:400, :400]
+    u = (x - 200) * math.cos(0.5) + (y - 200) * math.sin(0.5)
+    v = -(x - 200) * math.sin(0.5) + (y - 200) * math.cos(0.5)
+    foam = (u / 100.0) ** 2 + (v / 40.0) ** 2 <= 1.0
+    foam[:10, :10] = True
+    foam[390, 390] = True
+    found = patches(foam, 0.25)
+    assert found.areas == pytest.approx([math.pi * 25.0 * 10.0], rel=0.01)
+    assert found.lengths == pytest.approx([50.0], rel=0.02)
+    assert found.axis_ratios == pytest.approx([0.4], rel=0.03)
+
+
+def test_discs_are_smooth_and_their_sizes_are_recovered() -> None:
+    """Discs with areas of a density A^−2: outlines of dimension 1, and the exponent."""
+    foam = np.zeros((3000, 3000), bool)
+    y, x = np.mgrid[-60:61, -60:61]
+    random = np.random.default_rng(1)
+    for i in range(24):
+        for j in range(24):
+            area = min(100.0 / (1.0 - random.uniform()), 10_000.0)
+            foam[62 + 122 * i - 60 : 62 + 122 * i + 61, 62 + 122 * j - 60 : 62 + 122 * j + 61] |= (
+                np.pi * (x**2 + y**2) <= area
+            )
+    found = patches(foam, 1.0)
+    assert found.dimension() == pytest.approx(1.0, abs=0.02)
+    assert found.exponent() == pytest.approx(2.0, abs=0.15)
+
+
+def test_patches_need_a_picture_and_some_patches() -> None:
+    with pytest.raises(ValueError, match="patches need"):
+        patches(np.zeros((2, 2), bool), 0.0)
+    none = patches(np.zeros((9, 9), bool), 1.0)
+    with pytest.raises(ValueError, match="no dimension"):
+        none.dimension()
+    with pytest.raises(ValueError, match="too few"):
+        none.exponent()

@@ -1,0 +1,156 @@
+"""The cost of accuracy over HTTP: 202 until it is measured, then every form of it, and quality=auto from it."""
+
+import io
+import time
+
+import numpy as np
+import pytest
+
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset
+from support.api_fakes import FakeRenderer, no_renderer
+
+PRESET = "paper-threshold"
+URL = f"/api/accuracy/{PRESET}"
+SMALL = {"accuracy_width": 32, "accuracy_height": 18, "accuracy_samples": 2, "accuracy_rounds": 2}
+FRAME = {"width": 24, "height": 16}
+
+
+def eventually(ask, seconds=60.0):
+    """The answers until one is neither 202 nor 503."""
+    until = time.monotonic() + seconds
+    answers = [ask()]
+    while answers[-1].status_code in (202, 503):
+        assert int(answers[-1].headers["Retry-After"]) >= 1
+        assert answers[-1].headers["Cache-Control"] == "no-store"
+        assert time.monotonic() < until, answers[-1].text
+        time.sleep(0.1)
+        answers.append(ask())
+    return answers
+
+
+@pytest.fixture(scope="module")
+def fresh(serve, tmp_path_factory):
+    """An app that has measured nothing yet."""
+    with serve(FakeRenderer, cache=tmp_path_factory.mktemp("cache"), **SMALL) as client:
+        yield client
+
+
+def test_measured_on_request(fresh):
+    asked = {"quality": "auto", "budget_ms": 8, **FRAME}
+    early = fresh.get(f"/api/frames/{PRESET}.png", params=asked)
+    assert early.status_code == 503
+    assert early.json()["type"] == "urn:seafoam:problem:not-measured"
+    assert "measure" in early.json()["detail"]
+    first, *_, last = eventually(lambda: fresh.get(URL))
+    assert first.status_code == 202
+    assert first.json()["status"] in ("queued", "running")
+    assert 0.0 <= first.json()["progress"] <= 1.0
+    assert last.status_code == 200, last.text
+    found = last.json()
+    assert found["preset"] == PRESET
+    assert found["machine"]["renderer"] == "gradient"
+    # The preset is level water without ripples, where a draft is the standard.
+    assert {point["id"] for point in found["points"]} >= set(TIERS) - {"draft"}
+    assert set(found["front"]) <= {point["id"] for point in found["points"]}
+    assert fresh.get(URL, headers={"If-None-Match": last.headers["ETag"]}).status_code == 304
+    points = fresh.get(f"{URL}/points").json()
+    assert [point["id"] for point in points["points"]] == [point["id"] for point in found["points"]]
+    assert points["truth"] == found["truth"]
+
+
+def test_every_form_of_it(fresh):
+    eventually(lambda: fresh.get(URL))
+    table = fresh.get(f"{URL}.csv")
+    assert table.headers["Content-Type"].startswith("text/csv")
+    assert table.text.startswith("id,tier")
+    assert fresh.get(f"{URL}.png").content.startswith(b"\x89PNG")
+    truth = np.load(io.BytesIO(fresh.get(f"{URL}/truth.npy").content), allow_pickle=False)
+    assert (truth.shape, truth.dtype) == ((18, 32, 4), np.dtype("<f4"))
+    assert truth[..., 3].max() > 0.0
+
+
+def test_auto_says_what_it_took_and_why(fresh):
+    eventually(lambda: fresh.get(URL))
+    asked = {"quality": "auto", "budget_ms": 8, **FRAME}
+    response = fresh.get(f"/api/frames/{PRESET}.png", params=asked)
+    assert response.status_code == 200, response.text
+    ids = {point["id"]: point for point in fresh.get(URL).json()["points"]}
+    chosen = ids[response.headers["Seafoam-Quality"]]
+    assert response.headers["Seafoam-Plan"] == chosen["plan"]
+    assert "of 8 ms at 24 x 16" in response.headers["Seafoam-Quality-Why"]
+    assert f"of {len(ids)} measured" in response.headers["Seafoam-Quality-Why"]
+    hurried = fresh.get(f"/api/frames/{PRESET}.png", params=asked | {"budget_ms": 1e-3})
+    assert "none within budget" in hurried.headers["Seafoam-Quality-Why"]
+    scene = load_preset(PRESET).scene.model_dump(mode="json")
+    posted = fresh.post("/api/frames", json={"scene": scene, "quality": "auto", "budget_ms": 8, **FRAME})
+    assert posted.headers["Seafoam-Quality"] == response.headers["Seafoam-Quality"]
+    assert "Seafoam-Quality" not in fresh.get(f"/api/frames/{PRESET}.png", params=FRAME).headers
+
+
+def test_a_changed_preset_is_measured_by_itself(fresh):
+    eventually(lambda: fresh.get(URL))
+    asked = {"quality": "auto", "budget_ms": 8, "mask": "vac-6", **FRAME}
+    assert fresh.get(f"/api/frames/{PRESET}.png", params=asked).status_code == 503
+
+
+def test_auto_and_its_budget_come_together(fresh):
+    scene = load_preset(PRESET).scene.model_dump(mode="json")
+    for given in ({"quality": "auto"}, {"budget_ms": 8}, {"quality": "auto", "budget_ms": 0}):
+        got = fresh.get(f"/api/frames/{PRESET}.png", params=FRAME | given)
+        assert got.status_code == 422
+        assert got.json()["errors"][0]["parameter"] == "budget_ms"
+        posted = fresh.post("/api/frames", json={"scene": scene, **FRAME, **given})
+        assert posted.status_code == 422
+        assert posted.json()["errors"][0]["pointer"] == "/budget_ms"
+    assert fresh.get(f"/api/plans/{PRESET}", params={"quality": "auto"}).status_code == 422
+
+
+def test_auto_refuses_what_cannot_be_planned_or_drawn(fresh):
+    auto = {"quality": "auto", "budget_ms": 8}
+    got = fresh.get(f"/api/frames/{PRESET}.png", params=FRAME | auto | {"mask": "nobody-has"})
+    assert got.json()["errors"][0]["parameter"] == "mask"
+    wide = fresh.get(f"/api/frames/{PRESET}.png", params=FRAME | auto | {"width": 10**6})
+    assert wide.json()["errors"][0]["parameter"] == "width"
+
+
+@pytest.mark.parametrize("path", ["", ".csv", ".png", "/points", "/truth.npy"])
+def test_there_is_no_such_preset(fresh, path):
+    response = fresh.get(f"/api/accuracy/nope{path}")
+    assert response.status_code == 404
+    assert PRESET in response.json()["errors"][0]["allowed"]["enum"]
+
+
+def test_a_finished_measurement_outlives_the_server(fresh, serve):
+    found = eventually(lambda: fresh.get(URL))[-1].json()
+    cache = fresh.app.state.context.settings.cache
+    with serve(FakeRenderer, cache=cache, **SMALL) as again:
+        response = again.get(URL)
+        assert response.status_code == 200
+        assert response.json() == found
+
+
+def test_without_gl_there_is_truth_but_no_time(serve, tmp_path):
+    with serve(no_renderer, cache=tmp_path, **SMALL) as client:
+        assert client.get(f"{URL}/points").status_code == 200
+        assert client.get(URL).status_code == 503
+        assert client.get(URL).json()["remedy"]
+        assert eventually(lambda: client.get(f"{URL}/truth.npy"))[-1].status_code == 200
+
+
+def test_a_server_stops_in_the_middle_of_a_measurement(serve, tmp_path):
+    began = time.monotonic()
+    with serve(FakeRenderer, cache=tmp_path, **(SMALL | {"accuracy_width": 640, "accuracy_samples": 32})) as client:
+        assert client.get("/api/accuracy/default/truth.npy").status_code == 202
+        assert client.get("/api/accuracy/default").status_code == 202
+        time.sleep(0.5)
+    assert time.monotonic() - began < 20.0
+
+
+def test_quality_lists_the_knobs(client):
+    measured = {knob["pointer"]: knob for knob in client.get("/api/quality").json()["measured"]}
+    assert measured["/samples"]["owner"] == "frame"
+    assert measured["/chop"] == {
+        "owner": "ripples", "pointer": "/chop", "title": "ripples", "cause": "geometry", "steps": ["tile", "exact"],
+    }  # fmt: skip
+    assert set(measured["/surface/filter"]) == {"owner", "pointer", "title", "cause", "steps"}

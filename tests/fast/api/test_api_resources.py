@@ -1,0 +1,255 @@
+"""What is not a frame: presets, plans, textures, quality, pages, health, metrics."""
+
+import asyncio
+import gzip
+import hashlib
+import json
+import re
+from itertools import pairwise
+from typing import Any, get_args
+
+import pytest
+from prometheus_client.parser import text_string_to_metric_families
+
+from seafoam.api.routers.presets import _summary, warm
+from seafoam.api.threads import ThreadPool
+from seafoam.framegraph.plan import FramePlan
+from seafoam.quality import TIERS
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import Group, preset_names
+
+
+def test_presets_are_listed_in_the_order_of_the_menu(client):
+    listed = client.get("/api/presets").json()
+    assert [preset["name"] for preset in listed] == list(preset_names())
+    for preset in listed:
+        assert set(preset) == {"name", "group", "title", "summary", "size", "time", "effects"}
+        assert preset["effects"]
+    groups = [preset["group"] for preset in listed]
+    assert list(dict.fromkeys(groups)) == list(get_args(Group)), "each group stands together, in the menu's order"
+    assert len([1 for a, b in pairwise(groups) if a != b]) == len(get_args(Group)) - 1
+
+
+def test_a_preset_comes_with_a_scene_that_is_accepted_back(client):
+    preset = client.get("/api/presets/default").json()
+    scene = Scene.model_validate(preset["scene"])
+    own = client.get("/api/plans/default")
+    sent = client.post("/api/plans", json={"scene": preset["scene"]})
+    assert scene.waves
+    assert sent.content == own.content
+
+
+def test_a_plan_is_what_its_headers_say(client):
+    response = client.get("/api/plans/default", params={"quality": "draft"})
+    digest = hashlib.sha256(response.content).hexdigest()
+    assert response.headers["Seafoam-Plan"] == digest
+    assert response.headers["ETag"] == f'"{digest}"'
+    assert FramePlan.model_validate_json(response.content).sha256 == digest
+
+
+def test_a_plan_is_compressed_on_the_wire(client):
+    response = client.get("/api/plans/default", headers={"Accept-Encoding": "gzip"})
+    assert response.headers["Content-Encoding"] == "gzip"
+    assert int(response.headers["Content-Length"]) < len(response.content) / 3
+    plain = client.get("/api/plans/default", headers={"Accept-Encoding": "identity"})
+    assert plain.content == response.content
+    assert len(gzip.compress(plain.content)) < len(plain.content) / 3
+
+
+def test_overrides_change_the_plan(client):
+    plans = {
+        client.get("/api/plans/default", params=params).headers["Seafoam-Plan"]
+        for params in ({}, {"quality": "high"}, {"look": "halftone"}, {"mask": "vac-6"}, {"mask": "vac:3:64:1"})
+    }
+    assert len(plans) == 5
+
+
+def test_single_knobs_make_another_plan_than_the_tier(client):
+    knobs = TIERS["standard"].model_dump(mode="json")
+    tier = client.post("/api/plans", json={"scene": {}, "quality": "standard"})
+    same = client.post("/api/plans", json={"scene": {}, "quality": knobs})
+    other = client.post("/api/plans", json={"scene": {}, "quality": {"samples": 4}})
+    assert tier.content == same.content
+    assert other.json()["samples"] == 4
+
+
+def test_every_texture_of_every_preset_is_there(client):
+    textures = {}
+    for name in preset_names():
+        textures |= {one["url"]: one for one in client.get(f"/api/plans/{name}").json()["textures"].values()}
+    assert textures
+    for url, described in textures.items():
+        response = client.get(url)
+        assert response.status_code == 200, url
+        assert hashlib.sha256(response.content).hexdigest() == described["sha256"]
+        assert response.headers["Cache-Control"] == "public, no-cache"
+        assert response.headers["ETag"] == f'"{described["sha256"]}"'
+
+
+def test_an_atlas_comes_packed_where_that_is_understood(client):
+    url = "/api/textures/mask/vac-24/atlas"
+    plain = client.get(url, headers={"Accept-Encoding": "identity"})
+    packed = client.get(url, headers={"Accept-Encoding": "gzip"})
+    assert "Content-Encoding" not in plain.headers
+    assert packed.headers["Content-Encoding"] == "gzip"
+    assert int(packed.headers["Content-Length"]) < 0.4 * len(plain.content)
+    assert packed.content == plain.content
+    assert plain.headers["Vary"] == packed.headers["Vary"] == "Accept-Encoding"
+    # Ranks are as good as random: there is nothing to gain.
+    assert "Content-Encoding" not in client.get("/api/textures/mask/vac-24/ranks").headers
+
+
+def test_a_texture_asked_for_by_hash_is_kept_for_ever_and_never_another(client):
+    digest = client.get("/api/textures/foam").headers["ETag"].strip('"')
+    kept = client.get("/api/textures/foam", params={"sha256": digest})
+    assert kept.headers["Cache-Control"] == "public, max-age=31536000, immutable"
+    other = client.get("/api/textures/foam", params={"sha256": "0" * 64})
+    assert other.status_code == 422
+    assert other.json()["errors"][0]["allowed"] == {"enum": [digest]}
+
+
+@pytest.mark.parametrize(
+    "url", ["/api/plans/default", "/api/textures/foam", "/api/masks/vac-6/data.png", "/api/masks/mix/spectrum"]
+)
+def test_a_current_copy_is_not_sent_again(client, url):
+    first = client.get(url)
+    for sent in (first.headers["ETag"], f'"other", W/{first.headers["ETag"]}', "*"):
+        again = client.get(url, headers={"If-None-Match": sent})
+        assert again.status_code == 304
+        assert again.content == b""
+        assert again.headers["ETag"] == first.headers["ETag"]
+        assert again.headers["Cache-Control"] == first.headers["Cache-Control"]
+    assert client.get(url, headers={"If-None-Match": '"other"'}).status_code == 200
+
+
+@pytest.mark.parametrize("url", ["/", "/api/presets", "/api/plans/default", "/api/frames/default.png?width=9&height=9"])
+def test_head_answers_what_get_would_without_the_body(client, url):
+    got, head = client.get(url), client.head(url)
+    assert head.status_code == got.status_code == 200
+    assert head.content == b""
+    for name in ("content-type", "content-length", "etag", "cache-control"):
+        assert head.headers.get(name) == got.headers.get(name)
+
+
+def test_quality_names_tiers_and_the_range_of_every_knob(client):
+    quality = client.get("/api/quality").json()
+    assert list(quality["tiers"]) == ["draft", "standard", "high", "reference"]
+    assert quality["tiers"]["standard"] == TIERS["standard"].model_dump(mode="json")
+    assert quality["knobs"]["properties"]["chop_size"]["maximum"] == 1024
+
+
+def test_the_manual_loads_nothing_from_elsewhere(client):
+    page = client.get("/docs").text
+    addresses = re.findall(r"""(?:src=|href=|url: )["']([^"']+)""", page)
+    assert len(addresses) >= 4
+    for address in addresses:
+        assert address.startswith("/"), address
+        assert client.get(address).status_code == 200, address
+
+
+def test_what_needs_a_package_that_is_not_installed_says_so(client, monkeypatch):
+    monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None if name == "matplotlib" else object())
+    for url in ("/api/masks/custom/spectrum.png?family=vac&sigma=2&size=64&seed=9", "/api/accuracy/default"):
+        response = client.get(url)
+        assert response.status_code == 501
+        assert response.json()["type"] == "urn:seafoam:problem:not-installed"
+        assert response.json()["remedy"] == "pip install 'seafoam[reports]'"
+
+
+def test_the_page_is_revalidated_and_its_hashed_files_are_kept(serve, tmp_path, monkeypatch):
+    monkeypatch.setattr("seafoam.api.pages.data_dir", lambda kind: tmp_path / kind)
+    with serve() as client:
+        text = client.get("/")
+        assert text.status_code == 200
+        assert "make webclient" in text.text
+        assert "make webclient" in client.get("/docs").text
+        # Built while the server runs: the page is there at the next request.
+        (tmp_path / "webclient" / "assets").mkdir(parents=True)
+        (tmp_path / "webclient" / "index.html").write_text("<title>sea</title>")
+        (tmp_path / "webclient" / "assets" / "index-abc.js").write_text("export {}")
+        page = client.get("/")
+        assert page.headers["Content-Type"].startswith("text/html")
+        assert page.headers["Cache-Control"] == "public, no-cache"
+        script = client.get("/assets/index-abc.js")
+        assert "immutable" in script.headers["Cache-Control"]
+        assert client.get("/../conftest.py").status_code == 404
+        # Packed by the build, and sent so to who takes it.
+        (tmp_path / "webclient" / "assets" / "index-abc.js.br").write_bytes(b"what the build packed")
+        for taken, packed in (("gzip, deflate, br", True), ("gzip", False), ("br;q=0", False), ("", False)):
+            script = client.get("/assets/index-abc.js", headers={"Accept-Encoding": taken})
+            assert (script.headers.get("Content-Encoding") == "br") is packed
+            assert script.headers["Content-Type"].startswith("text/javascript")
+            assert "immutable" in script.headers["Cache-Control"]
+            assert "Accept-Encoding" in script.headers.get("Vary", "") or not packed
+        assert client.get("/assets/none.js").headers["Content-Type"] == "application/problem+json"
+
+
+def test_health_and_readiness(client):
+    assert client.get("/healthz").json() == {"status": "alive"}
+    client.get("/api/frames/default.png?width=4&height=4")
+    ready = client.get("/readyz")
+    assert ready.headers["Cache-Control"] == "no-store"
+    body = ready.json()
+    assert body["renderer"] == {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
+    assert 0 <= body["last_drawn"] < 60
+    assert (body["workers"], body["waiting"], body["queue"]) == (1, 0, 2)
+
+
+def test_metrics_count_requests_by_route_and_frames_by_stage(client):
+    def read():
+        families = text_string_to_metric_families(client.get("/metrics").text)
+        return {(s.name, *sorted(s.labels.items())): s.value for f in families for s in f.samples}
+
+    route = ("route", "/api/frames/{preset}.{format}")
+    before = read()
+    client.get("/api/frames/default.png?width=5&height=5")
+    client.get("/api/frames/nope.png")
+    after = read()
+
+    def grew(*key):
+        return after[key] - before.get(key, 0.0)
+
+    assert grew("seafoam_requests_total", ("method", "GET"), route, ("status", "200")) == 1
+    assert grew("seafoam_requests_total", ("method", "GET"), route, ("status", "404")) == 1
+    assert grew("seafoam_frames_total", ("format", "png")) == 1
+    for stage in ("queue", "plan", "render", "read", "encode"):
+        assert grew("seafoam_frame_stage_seconds_count", ("stage", stage)) == 1
+    assert grew("seafoam_response_bytes_total", route) > 0
+    assert after["seafoam_workers",] == 1
+    assert after["seafoam_queue_limit",] == 2
+    assert after["seafoam_queue_waiting",] == 0
+    assert after["seafoam_renderer_state", ("state", "ready")] == 1
+
+
+def test_openapi_describes_every_operation_with_its_problems(client):
+    document = client.get("/openapi.json").json()
+    for path, methods in document["paths"].items():
+        for method, operation in methods.items():
+            assert operation.get("description"), f"{method} {path}"
+            assert "application/problem+json" in operation["responses"]["422"]["content"], f"{method} {path}"
+            for parameter in operation.get("parameters", ()):
+                assert parameter.get("description"), f"{method} {path}: {parameter['name']}"
+                told = any(word in str(parameter["schema"]) for word in ("example", "enum", "pattern", "default"))
+                assert told, f"{method} {path}: {parameter['name']}"
+    text = json.dumps(document)
+    missing = {name for name in re.findall(r"#/components/schemas/(\w+)", text)} - set(
+        document["components"]["schemas"]
+    )
+    assert not missing
+    assert "HTTPValidationError" not in text
+
+
+def test_presets_are_planned_before_a_visitor_asks() -> None:
+    asked: list[str] = []
+
+    class Noted(ThreadPool):
+        async def run(self, function: Any, *args: Any, **kwargs: Any) -> Any:
+            asked.append(args[0])
+            return function(*args, **kwargs)
+
+    asyncio.run(warm(Noted(1, 1)))
+    assert asked == list(preset_names())
+    planned = _summary.cache_info()
+    assert planned.currsize == len(asked)
+    asyncio.run(warm(Noted(1, 1)))
+    assert _summary.cache_info().misses == planned.misses

@@ -1,0 +1,282 @@
+"""The command: what it writes, and that bad input ends in one line that names the field and what it may be."""
+
+import io
+import json
+import logging
+import os
+import signal
+import socket
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from seafoam import cli, doctor
+from seafoam.doctor import Finding
+from seafoam.masks.catalogue import load_mask
+from seafoam.masks.construct import make_mask
+from seafoam.masks.formats import to_u16
+from seafoam.render.gl.executor import NoRendererError
+from seafoam.scene.presets import load_preset, preset_names
+from support.command import run
+
+
+@pytest.fixture
+def seafoam(capsys):
+    """The command in this process: exit code, stdout, stderr."""
+
+    def call(*arguments):
+        with pytest.raises(SystemExit) as left:
+            cli.main([str(argument) for argument in arguments])
+        out, err = capsys.readouterr()
+        return left.value.code, out, err
+
+    return call
+
+
+def picture(path):
+    return Image.open(io.BytesIO(path.read_bytes()))
+
+
+class Recorder:
+    """Stands in for the executor and keeps what it was asked to draw."""
+
+    info = {"vendor": "A", "renderer": "B", "version": "C"}  # noqa: RUF012
+    asked: dict = {}  # noqa: RUF012
+
+    def render(self, plan, **asked):
+        self.asked.update(asked, plan=plan)
+        shape = (asked["height"], asked["width"], 4)
+        pixels = np.zeros(shape, np.float32 if asked["output"] == "linear" else np.uint8)
+        return SimpleNamespace(pixels=pixels, timings={"render": 0.0, "read": 0.0})
+
+
+@pytest.mark.parametrize(("name", "format"), [("a.png", "PNG"), ("a.WEBP", "WEBP"), ("a.npy", None)])
+def test_render_writes_the_format_of_the_extension(seafoam, monkeypatch, tmp_path, name, format):
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", Recorder)
+    code, _, err = seafoam("render", "default", "-o", tmp_path / name, "--size", "48x27")
+    assert code == 0, err
+    if format is None:
+        assert np.load(tmp_path / name).shape == (27, 48, 4)
+    else:
+        assert picture(tmp_path / name).format == format
+
+
+def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", Recorder)
+    output = ("-o", tmp_path / "a.png")
+    changes = ("--look", "halftone", "--mask", "vac:3:64:1", "--yaw", "1", "--y", "9", "--time", "-1e9")
+    assert seafoam("render", "default", *output, "--size", "8x9", *changes)[0] == 0
+    preset = load_preset("default")
+    asked = Recorder.asked
+    assert (asked["width"], asked["height"], asked["time"]) == (8, 9, -1e9)
+    assert asked["camera"].yaw == 1.0
+    assert asked["camera"].position == (preset.scene.camera.position[0], 9.0, preset.scene.camera.position[2])
+    assert asked["camera"].fov == preset.scene.camera.fov
+    assert any("vac:3:64:1" in texture.url for texture in asked["plan"].textures.values())
+    assert seafoam("render", "default", *output)[0] == 0
+    assert (asked["width"], asked["height"], asked["time"]) == (*preset.size, preset.time)
+    assert asked["camera"] == preset.scene.camera
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["nope", "-o", "a.png"], ["PRESET", "'nope'", "default"]),
+        (["default", "-o", "a.gif"], ["--output", ".png, .webp, .npy"]),
+        (["default", "-o", "a"], ["--output", ".png, .webp, .npy"]),
+        (["default"], ["--output"]),
+        (["default", "-o", "a.png", "--size", "12"], ["--size", "WIDTHxHEIGHT"]),
+        (["default", "-o", "a.png", "--size", "0x9"], ["--size", "1"]),
+        (["default", "-o", "a.png", "--size", "9000x9"], ["--size", "1 to 8192"]),
+        (["default", "-o", "a.png", "--size", "8192x8", "--quality", "reference"], ["--size", "1 to 3276"]),
+        (["default", "-o", "a.png", "--time", "2e9"], ["--time", "-1e+09 to 1e+09"]),
+        (["default", "-o", "a.png", "--time", "nan"], ["--time", "-1e+09 to 1e+09"]),
+        (["default", "-o", "a.png", "--time", "noon"], ["--time", "number"]),
+        (["default", "-o", "a.png", "--quality", "best"], ["--quality", "draft, standard, high, reference"]),
+        (["default", "-o", "a.png", "--look", "nice"], ["--look", "filtered"]),
+        (["default", "-o", "a.png", "--mask", "zzz"], ["--mask", "zzz"]),
+        (["default", "-o", "a.png", "--mask", "vac:99:64:1"], ["--mask", "0.5..8"]),
+        (["default", "-o", "a.png", "--fov", "9"], ["--fov", "0.01 to 2.6"]),
+        (["default", "-o", "a.png", "--x", "1e9"], ["--x", "-1e+07 to 1e+07"]),
+        (["default", "-o", "a.png", "--zoom", "2"], ["--zoom"]),
+    ],
+)
+def test_bad_input_of_render(seafoam, monkeypatch, arguments, said):
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", lambda: None)
+    code, _, err = seafoam("render", *arguments)
+    assert code == 2
+    assert err.count("\n") == 1
+    for part in said:
+        assert part in err
+
+
+def test_a_file_that_cannot_be_written(seafoam, tmp_path):
+    code, _, err = seafoam("masks", "make", "--size", "32", "--sigma", "1", "-o", tmp_path / "none" / "a.png")
+    assert code == 1
+    assert err.count("\n") == 1
+    assert "cannot write" in err
+
+
+def test_render_without_gl_says_what_to_install(seafoam, monkeypatch, tmp_path):
+    def fail():
+        raise NoRendererError("no OpenGL context; install a driver")
+
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", fail)
+    code, _, err = seafoam("render", "default", "-o", tmp_path / "a.png", "--size", "8x8")
+    assert code == 1
+    assert err == "seafoam: no OpenGL context; install a driver\n"
+
+
+def test_no_traceback_reaches_the_user():
+    done = run("render", "default", "-o", "/nowhere/a.gif")
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_no_arguments_show_the_help(seafoam):
+    code, out, err = seafoam()
+    assert code == 2
+    assert "render" in out
+    assert err == ""
+
+
+def test_presets_and_masks_are_listed(seafoam):
+    code, out, _ = seafoam("presets")
+    assert code == 0
+    for name in preset_names():
+        assert name in out
+    code, out, _ = seafoam("masks", "list")
+    assert code == 0
+    assert load_mask("vac-24").entry.sha256[:12] in out
+
+
+def test_masks_are_made_in_every_format(seafoam, tmp_path):
+    ranks = make_mask("clump", sigma=2.0, size=64, seed=7)
+    for name in ("a.png", "a.npy", "a.u16", "a.dds"):
+        code, out, _ = seafoam(
+            "masks", "make", "--family", "clump", "--sigma", "2", "--size", "64", "--seed", "7", "-o", tmp_path / name
+        )
+        assert code == 0
+        assert "64 × 64" in out
+    assert (tmp_path / "a.u16").read_bytes() == to_u16(ranks)
+    assert picture(tmp_path / "a.png").mode == "I;16"
+    seafoam("masks", "make", "--family", "clump", "--size", "64", "--bits", "8", "-o", tmp_path / "b.png")
+    assert picture(tmp_path / "b.png").mode == "L"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["make", "--family", "zac", "-o", "a.png"], ["--family", "vac, blur"]),
+        (["make", "--sigma", "99", "--size", "64", "-o", "a.png"], ["--sigma", "0.5..8"]),
+        (["make", "--size", "65", "-o", "a.png"], ["--size", "64"]),
+        (["make", "--seed", "-1", "-o", "a.png"], ["--seed", "0.."]),
+        (["make", "--method", "fast", "-o", "a.png"], ["--method", "exact"]),
+        (["make", "--bits", "12", "-o", "a.png"], ["--bits", "8, 16"]),
+        (["make", "-o", "a.jpg"], ["--output", ".png, .npy, .u16, .dds"]),
+        (["spectrum", "vac-9", "--json"], ["NAME", "vac-24"]),
+        (["spectrum", "vac:9:64:1", "--json"], ["NAME", "0.5..8"]),
+        (["spectrum", "vac-6"], ["--output or --json"]),
+        (["spectrum", "vac-6", "-o", "a.jpg"], ["--output", ".png"]),
+    ],
+)
+def test_bad_input_of_masks(seafoam, arguments, said):
+    code, _, err = seafoam("masks", *arguments)
+    assert code == 2
+    assert err.count("\n") == 1
+    for part in said:
+        assert part in err
+
+
+def test_the_spectrum_as_json_and_as_a_plot(seafoam, tmp_path):
+    code, out, _ = seafoam("masks", "spectrum", "vac-6", "--json")
+    assert code == 0
+    assert json.loads(out) == load_mask("vac-6").spectrum.to_json()
+    code, _, _ = seafoam("masks", "spectrum", "blur:2:64:0", "-o", tmp_path / "a.png")
+    assert code == 0
+    assert picture(tmp_path / "a.png").format == "PNG"
+
+
+def test_openapi_is_printed(seafoam):
+    code, out, _ = seafoam("openapi")
+    assert code == 0
+    assert "/api/frames/{preset}.{format}" in json.loads(out)["paths"]
+
+
+def test_doctor_looks_at_everything():
+    findings = {finding.what: finding for finding in doctor.examine(good_probe)}
+    assert {"Python", "OpenGL", "GLSL ES 3.00", "Masks", "Web client", "Node.js", "Chromium"} <= set(findings)
+    assert "hardware" in findings["OpenGL"].detail
+    assert all(finding.remedy for finding in findings.values() if finding.state != "good")
+
+
+def good_probe():
+    return {"vendor": "A", "renderer": "B", "version": "C"}
+
+
+def bad_probe():
+    raise NoRendererError("no OpenGL context: none; install a driver")
+
+
+def dying_probe():
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+@pytest.mark.parametrize(
+    ("probe", "detail", "remedy"),
+    [(bad_probe, "no OpenGL context: none", "install a driver"), (dying_probe, "crashed", "apt-get install")],
+)
+def test_doctor_without_gl(probe, detail, remedy):
+    findings = doctor.examine(probe)
+    gl = next(finding for finding in findings if finding.what == "OpenGL")
+    assert gl.state == "missing"
+    assert detail in gl.detail
+    assert remedy in gl.remedy
+    assert not doctor.able_to_render(findings)
+
+
+@pytest.mark.parametrize(("state", "code"), [("good", 0), ("optional", 0), ("missing", 1)])
+def test_doctor_exits_by_whether_frames_can_be_rendered(seafoam, monkeypatch, state, code):
+    remedy = "" if state == "good" else "make it"
+    monkeypatch.setattr(doctor, "examine", lambda: [Finding("Thing", state, "as it is", remedy)])
+    left, out, _ = seafoam("doctor")
+    assert left == code
+    assert "as it is" in out
+    assert remedy in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "said"),
+    [
+        (["--port", "99999"], {}, ["--port", "0 to 65535"]),
+        ([], {"SEAFOAM_WORKERS": "0"}, ["SEAFOAM_WORKERS", "1 to 64"]),
+        ([], {"SEAFOAM_DEADLINE": "soon"}, ["SEAFOAM_DEADLINE", "at most 3600"]),
+    ],
+)
+def test_bad_input_of_serve(seafoam, monkeypatch, arguments, environment, said):
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    code, _, err = seafoam("serve", *arguments)
+    assert code == 2
+    assert err.count("\n") == 1
+    for part in said:
+        assert part in err
+
+
+def test_a_port_in_use(seafoam):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        code, _, err = seafoam("serve", "--port", taken.getsockname()[1])
+    assert code == 1
+    assert "--port" in err
+
+
+@pytest.mark.parametrize(
+    ("path", "kept"), [("/healthz", False), ("/readyz", False), ("/metrics", False), ("/api/presets", True)]
+)
+def test_health_checks_are_not_logged(path, kept):
+    arguments = ("127.0.0.1:5", "GET", path, "1.1", 200)
+    record = logging.LogRecord("uvicorn.access", logging.INFO, "", 0, '%s - "%s %s HTTP/%s" %d', arguments, None)
+    assert cli._not_a_probe(record) is kept

@@ -1,0 +1,103 @@
+"""A GPU's compiler takes every program, and none of them gets worse than the checked-in table admits."""
+
+import hashlib
+import shutil
+from dataclasses import replace
+
+import pytest
+from bench import compiler, radv
+from bench.compiler import Compiled, Use, compiled, gone, not_admitted, read_table, uses, worse
+from bench.radv import CompilerError, Figures
+
+from seafoam.framegraph.shader import Program
+from seafoam.quality import TIERS, Tier
+from seafoam.scene.presets import preset_names
+from support.report import Report
+
+HELD: tuple[Tier, ...] = ("draft", "standard")
+"""The tiers that a GPU draws in motion; all four take twice as long, and the bench compiles them."""
+
+GOOD = Figures(instructions=1000, vgprs=80, waves=12, spills=0, bytes=5000)
+
+
+def test_no_program_gets_worse_for_a_gpu(report: Report) -> None:
+    found = compiled(uses(preset_names(), HELD))
+    made_by, _ = read_table()
+    report.add(
+        "A GPU's compiler",
+        compiler=found.driver,
+        programs=str(found.programs),
+        held="spills, waves, instructions" if made_by == found.driver else f"spills alone: the table is of {made_by}",
+    )
+    lines = not_admitted(found, HELD)
+    assert not lines, "\n".join([*lines, f"Where that is meant, write the table anew: {compiler.WRITE}"])
+
+
+def test_the_table_knows_every_tier() -> None:
+    _, admitted = read_table()
+    assert {use.split(" ")[1] for use in admitted} == set(TIERS)
+    assert {use.split(" ")[0] for use in admitted} == set(preset_names())
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"spills": 1}, "1 registers spilled, 0 admitted"),
+        ({"waves": 11}, "11 waves, 12 admitted"),
+        ({"instructions": 1031}, "1031 instructions, +3.10 % for 1000 admitted"),
+    ],
+)
+def test_what_the_table_does_not_admit_is_named(change: dict[str, int], said: str) -> None:
+    (line,) = worse({"default standard surface": replace(GOOD, **change)}, {"default standard surface": GOOD})
+    assert line.startswith("default standard surface: ")
+    assert said in line
+
+
+def test_what_the_table_admits_passes() -> None:
+    better = replace(GOOD, instructions=900, vgprs=40, waves=24, bytes=4000)
+    for now in (GOOD, better, replace(GOOD, instructions=1030)):
+        assert worse({"default standard surface": now}, {"default standard surface": GOOD}) == []
+
+
+def test_programs_that_came_or_went_are_named() -> None:
+    (came,) = worse({"default draft new": GOOD}, {})
+    assert came == "default draft new: not in the table"
+    table = ("default draft surface", "default draft old", "default high old")
+    assert gone(["default draft surface"], table, HELD) == ["default draft old: in the table, and nowhere else"]
+
+
+def test_another_driver_is_held_to_no_spills_alone() -> None:
+    figures = {"default draft a": replace(GOOD, waves=1), "default draft b": replace(GOOD, spills=3)}
+    other = Compiled(driver="another", figures=figures, programs=2)
+    assert not_admitted(other, HELD) == ["default draft b: 3 registers spilled"]
+
+
+def test_a_text_that_is_no_glsl_is_refused_with_its_line() -> None:
+    use, program = next(iter(uses(["paper-threshold"], ["standard"]).items()))
+    with pytest.raises(CompilerError, match="undeclared identifier"):
+        compiled({use: _with_fragment(program, "    nothing = 1;\n}\n")})
+
+
+def test_a_text_that_only_desktops_take_is_refused() -> None:
+    """Chromium would refuse it too: glslang reads GLSL ES 3.00 by the letter."""
+    use, program = next(iter(uses(["paper-threshold"], ["standard"]).items()))
+    with pytest.raises(CompilerError, match=r"GLSL ES 3\.00"):
+        compiled({use: _with_fragment(program, "    float half_of_it = 1 / 2.0;\n}\n")})
+
+
+def _with_fragment(program: Program, end: str) -> Program:
+    text = program.fragment.text.rpartition("}")[0] + end
+    sha256 = hashlib.sha256(text.encode()).hexdigest()
+    return program.model_copy(update={"fragment": program.fragment.model_copy(update={"text": text, "sha256": sha256})})
+
+
+def test_what_is_missing_is_named_with_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shutil, "which", lambda tool: None)
+    monkeypatch.setattr(radv, "icd", lambda: None)
+    with pytest.raises(CompilerError) as error:
+        compiled({})
+    assert str(error.value) == "missing: glslang-tools, spirv-tools, mesa-vulkan-drivers; run scripts/system.sh test"
+
+
+def test_uses_are_named_by_preset_tier_and_program() -> None:
+    assert str(Use("default", "high", "surface, low eye")) == "default high surface, low eye"

@@ -1,0 +1,58 @@
+"""What is generated and checked in is what would be generated now."""
+
+import json
+import subprocess
+from pathlib import Path
+
+from docs import make_stability
+
+from seafoam.api.app import create_app
+from seafoam.effects import EFFECTS
+
+WEB = Path(__file__).parents[3] / "webclient"
+
+
+def test_the_openapi_document_is_the_apis() -> None:
+    written = json.loads((WEB / "openapi.json").read_text(encoding="utf-8"))
+    assert written == json.loads(json.dumps(create_app().openapi())), "run make docs"
+
+
+def test_the_clients_types_are_of_that_document(tmp_path: Path) -> None:
+    made = tmp_path / "api.ts"
+    script = json.loads((WEB / "package.json").read_text(encoding="utf-8"))["scripts"]["types"]
+    words = [str(made) if word == "src/generated/api.ts" else word for word in script.split()]
+    command = [WEB.parent / "scripts" / "node.sh", "npx", "--no-install", *words]
+    subprocess.run(command, cwd=WEB, check=True, capture_output=True)
+    assert made.read_text() == (WEB / "src" / "generated" / "api.ts").read_text(), "run make docs"
+
+
+def test_the_table_of_hard_cases_is_the_effects() -> None:
+    figures = json.loads(make_stability.FIGURES.read_text(encoding="utf-8"))
+    cases = [case for effect in EFFECTS for case in effect.cases.hard]
+    stale = [case.name for case in cases if figures.get(case.name, {}).get("of") != make_stability.drawn(case)]
+    assert not stale, "measure them: docs/make_stability.py says how"
+    assert set(figures) == {case.name for case in cases}
+    page = make_stability.PAGE.read_text(encoding="utf-8")
+    assert page == make_stability.filled(page, figures), "run python docs/make_stability.py"
+
+
+def test_figures_are_of_the_case_as_it_is() -> None:
+    """A run's figures replace a case's own and no others; what was measured of another scene is forgotten."""
+    first, second, third = EFFECTS[0].cases.hard[:3]
+    known = {
+        first.name: {"of": make_stability.drawn(first), "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},
+        second.name: {"of": "another scene", "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},
+        third.name: {"of": "another scene", "mean": 0.5, "over_2": 1.0, "swiftshader": 0.1},
+        "no case": {"of": "nothing", "mean": 0.5, "over_2": 1.0},
+    }
+    tables = {
+        make_stability.REFERENCE: [{"case": second.name, "mean": "apart", "over_2": ""}],
+        make_stability.BROWSER: [
+            {"case": first.name, "mean": "0.200"},
+            {"case": first.name, "mean": "0.300"},
+        ],
+    }
+    assert make_stability.merged(known, tables) == {
+        first.name: {**known[first.name], "swiftshader": 0.3},
+        second.name: {"of": make_stability.drawn(second), "mean": None, "over_2": None},
+    }

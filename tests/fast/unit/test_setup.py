@@ -1,0 +1,155 @@
+"""Passes that are drawn once: which they are, and what their targets hang on."""
+
+import pytest
+
+from seafoam.effects.effect import Inline
+from seafoam.framegraph.passes import Fullscreen, Pass, Points, State
+from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
+from seafoam.framegraph.rules import Held, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
+from seafoam.framegraph.shader import Program
+from seafoam.planner import make_plan
+from seafoam.planner.glsl import assemble
+from seafoam.planner.schedule import with_setup
+from seafoam.quality import TIERS
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+from support.probe import WHOLE
+
+STANDARD = TIERS["standard"]
+SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]
+
+FLOWING = ("flow of drift", "drift, quarters of a brood back", "drift, two broods further back")
+
+FIXED = Target.model_validate({"size": {"rule": "fixed", "width": 4, "height": 4}, "format": "RGBA16F"})
+SHADER = assemble(
+    [Inline("uniform float u_number;\nuniform sampler2D u_read;\nout vec4 o;\nvoid main() { o = vec4(0.0); }\n")], {}
+)
+BLIND = assemble([Inline("uniform float u_number;\nout vec4 o;\nvoid main() { o = vec4(u_number); }\n")], {})
+PROGRAMS = {
+    "read": Program(vertex=WHOLE, fragment=SHADER),
+    "blind": Program(vertex=WHOLE, fragment=BLIND),
+}
+STILL = number(1.0)
+
+
+def one(target: str, *read: str, **fields: object) -> Pass:
+    inputs = {"u_read": TargetInput(target=read[0])} if read else {}
+    given = {"name": target, "when": "frame", "program": "read" if read else "blind", "mesh": Fullscreen(), **fields}
+    return Pass(target=target, inputs=inputs, **given)  # type: ignore[arg-type]
+
+
+def settled(*passes: Pass, number: Uniform = STILL, targets: dict[str, Target] | None = None) -> tuple[str, set[str]]:
+    """What each pass is, s for setup or f for frame, and the targets that are kept."""
+    found = {"a": FIXED, "b": FIXED, "c": FIXED, **(targets or {})}
+    timed, kept = with_setup(passes, PROGRAMS, {"u_number": number}, found, {})
+    return "".join(one.when[0] for one in timed), set(kept)
+
+
+def rules(rule: Rule) -> Uniform:
+    return Uniform(type="float", rules=(rule,))
+
+
+class TestInference:
+    def test_what_nothing_moves_is_drawn_once(self) -> None:
+        assert settled(one("a"), one("b", "a"), one("screen", "b")) == ("ssf", {"b"})
+
+    @pytest.mark.parametrize(
+        ("rule", "still"),
+        [
+            (Phase(offset=1.0, rate=0.0, k=(0.0, 0.0)), True),
+            (Phase(offset=0.0, rate=1.0, k=(0.0, 0.0)), False),
+            (Phase(offset=0.0, rate=0.0, k=(0.0, 1e-9)), False),
+            (Wrap(k=(0.0, 0.0)), True),
+            (Wrap(k=(1.0, 0.0)), False),
+            (Held(offset=2.0, low=0.0, high=1.0), True),
+            (Held(offset=2.0, rate=1.0, low=0.0, high=1.0), False),
+            (Held(offset=2.0, k=(0.0, 1.0), low=0.0, high=1.0), False),
+            (Loop(period=3.0), False),
+        ],
+    )
+    def test_a_rule_of_time_or_place_moves_a_pass_and_all_that_reads_it(self, rule: Rule, still: bool) -> None:
+        found, kept = settled(one("a"), one("b", "a"), one("screen", "b"), number=rules(rule))
+        assert (found, kept) == (("ssf", {"b"}) if still else ("fff", set()))
+        own = one("b", "a", uniforms={"u_number": rules(rule)})
+        found, kept = settled(one("a"), own, one("screen", "b"))
+        assert (found, kept) == (("ssf", {"b"}) if still else ("sff", {"a"}))
+
+    def test_a_target_as_large_as_the_picture_is_drawn_in_every_frame(self) -> None:
+        large = Target(size=ViewportSize(), format="RGBA16F")
+        assert settled(one("a"), one("screen", "a"), targets={"a": large}) == ("ff", set())
+        size = Uniform(type="vec2", rules=(Viewport(),))
+        assert settled(one("a", uniforms={"u_number": size}), one("screen", "a")) == ("sf", {"a"})
+
+    def test_what_is_drawn_for_some_eyes_or_views_alone_is_not_kept(self) -> None:
+        assert settled(one("a", eye="over"), one("screen", "a")) == ("ff", set())
+        assert settled(one("a", view="rising"), one("screen", "a")) == ("ff", set())
+
+    def test_every_writer_counts(self) -> None:
+        moved = {"u_number": rules(Loop(period=1.0))}
+        added = State(blend="add")
+        assert settled(one("a"), one("a", state=added), one("screen", "a")) == ("ssf", {"a"})
+        assert settled(one("a"), one("a", state=added, uniforms=moved), one("screen", "a")) == ("fff", set())
+        assert settled(one("a", uniforms=moved), one("a"), one("screen", "a")) == ("fff", set())
+
+    @pytest.mark.parametrize(
+        "first", [{"state": State(blend="add")}, {"mesh": Points(count=3)}, {"state": State(depth=True)}]
+    )
+    def test_the_first_writer_must_leave_nothing_of_what_was_there(self, first: dict[str, object]) -> None:
+        assert settled(one("a", **first), one("screen", "a")) == ("ff", set())
+        state = first.get("state", State())
+        assert isinstance(state, State)
+        cleared = {**first, "state": state.model_copy(update={"clear": True})}
+        assert settled(one("a", **cleared), one("screen", "a")) == ("sf", {"a"})
+
+    def test_a_target_that_is_drawn_again_after_a_frame_pass_read_it_is_not_kept(self) -> None:
+        assert settled(one("a"), one("screen", "a"), one("a"), one("screen", "a")) == ("ffff", set())
+        # Among setup passes the order is kept.
+        assert settled(one("a"), one("b", "a"), one("a", "b"), one("b", "a"), one("screen", "b")) == ("ssssf", {"b"})
+
+    def test_what_the_last_frame_left_is_no_still_picture(self) -> None:
+        assert settled(one("a", "b"), one("b", "a"), one("screen", "b")) == ("fff", set())
+
+
+@pytest.mark.parametrize("tier", TIERS)
+@pytest.mark.parametrize("preset", SHORES)
+def test_a_shores_map_is_drawn_once_but_for_its_last_pass(preset: str, tier: str) -> None:
+    plan = make_plan(load_preset(preset).scene, TIERS[tier])  # type: ignore[index]
+    passes = [one for one in plan.passes if one.name.startswith("shore: ")]
+    assert [one.when for one in passes] == ["setup"] * (len(passes) - 1) + ["frame"]
+    assert "shore_smooth" in plan.kept
+    assert not plan.kept.keys() & {"shore_near_0", "shore_near_1", "shore_rough", "shore_half", "shore_map"}
+
+
+def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
+    plan = make_plan(load_preset("drift-vortices").scene, STANDARD)
+    when = {one.name: one.when for one in plan.passes}
+    assert when["flow of drift"] == "setup"
+    assert when["drift, quarters of a brood back"] == when["drift, two broods further back"] == "setup"
+    assert when["drift, ways of the youngest"] == when["drift, followed back"] == "frame"
+    assert plan.kept.keys() == {"drift_flow", "drift_still", "drift_older", "mask_atlas"}
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_nothing_else_is_taken_for_still(preset: str) -> None:
+    """By name: a pass that became still by mistake would freeze what it draws."""
+    plan = make_plan(load_preset(preset).scene, STANDARD)
+    still = {one.name for one in plan.passes if one.when == "setup"}
+    assert all(name.startswith(("shore: ", "mask: ", "wakes, ")) or name in FLOWING for name in still), still
+
+
+def test_plans_share_what_hangs_on_the_same() -> None:
+    scene = load_preset("island-surf").scene
+    assert scene.shore is not None
+
+    def kept(**changes: object) -> str:
+        shore = scene.shore
+        assert shore is not None
+        return make_plan(
+            Scene(shore=shore.model_copy(update=changes), light=scene.light, water=scene.water), STANDARD
+        ).kept["shore_smooth"]
+
+    assert kept() == make_plan(scene, STANDARD).kept["shore_smooth"]
+    assert kept() == kept(sand=(0.1, 0.1, 0.1), place=(9.0, 9.0), plants_from=99.0)
+    assert len({kept(), kept(smoothing=9.0), kept(level=0.1), kept(size=400.0)}) == 4
+    finer = STANDARD.model_copy(update={"shore_map": 128})
+    assert make_plan(scene, finer).kept["shore_smooth"] != kept()

@@ -1,0 +1,44 @@
+"""Each preset has a still for the page to begin with, and it shows what the preset starts with."""
+
+import importlib.util
+import json
+import re
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from seafoam.scene.presets import load_preset, preset_names
+
+WEBCLIENT = Path(__file__).parents[3] / "webclient"
+_SPEC = importlib.util.spec_from_file_location("make_stills", WEBCLIENT / "make_stills.py")
+assert _SPEC is not None
+assert _SPEC.loader is not None
+stills = importlib.util.module_from_spec(_SPEC)
+_SPEC.loader.exec_module(stills)
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_a_preset_has_its_still(name: str) -> None:
+    made_for = json.loads(stills.INDEX.read_text(encoding="utf-8"))
+    assert made_for.get(name) == stills.start_of(load_preset(name)), "the preset starts otherwise: make stills"
+    for path, size, most in (
+        (stills.still_of(name), stills.SIZE, 180_000),
+        (stills.thumbnail_of(name), stills.SMALL, 12_000),
+    ):
+        with Image.open(path) as picture:
+            assert (picture.format, picture.size) == ("AVIF", size)
+        assert path.stat().st_size <= most, "a first visit waits for it"
+
+
+def test_nothing_else_lies_there() -> None:
+    known = {path for name in preset_names() for path in (stills.still_of(name), stills.thumbnail_of(name))}
+    assert set(stills.FOLDER.iterdir()) == known
+    assert list(json.loads(stills.INDEX.read_text(encoding="utf-8"))) == list(preset_names())
+
+
+def test_the_page_begins_with_the_first_preset() -> None:
+    page = (WEBCLIENT / "index.html").read_text(encoding="utf-8")
+    found = re.search(r'data-preset="([\w-]+)"', page)
+    assert found is not None
+    assert found[1] == preset_names()[0]

@@ -1,0 +1,276 @@
+"""Sweeps: with a renderer whose times and errors are known, then with GL and the float64 reference."""
+
+import csv
+import time
+from functools import partial
+
+import numpy as np
+import pytest
+
+from seafoam.accuracy import plots, report, sweep
+from seafoam.accuracy.budget import choose
+from seafoam.accuracy.cache import Store, cache_dir
+from seafoam.accuracy.fronts import beating, front
+from seafoam.accuracy.model import Running, Sweep
+from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, make_sweep
+from seafoam.accuracy.sweep_service import FailedError, SweepService
+from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
+from seafoam.quality import Quality
+from seafoam.render.service.jobs import measure
+from seafoam.scene.models import Scene
+from support.accuracy_rigs import FIXED_MS, NS, grey_truth, noisy
+
+SETTINGS = Settings(32, 18, 2, 3)
+
+
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory):
+    """Where the known sweep is kept."""
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture(scope="module")
+def known(kept):
+    """A sweep of the default preset by the noisy renderer."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sweep, "make_truth", grey_truth)
+        return make_sweep(Store(kept), Subject.of_preset("default"), SETTINGS, noisy())
+
+
+def test_the_front_is_what_nothing_beats_in_both():
+    found = {"a": (1.0, 9.0), "b": (2.0, 9.0), "c": (2.0, 4.0), "d": (3.0, 5.0), "e": (9.0, 1.0), "f": (9.0, 2.0)}
+    assert front(found) == ("a", "c", "e")
+    assert front({}) == ()
+
+
+def test_who_beats_whom_beyond_the_noise():
+    # Every round is slower than the one before: only times of one round are compared.
+    found = {
+        "a": ((1.0, 2.0, 4.0), 5.0),
+        "b": ((1.5, 3.1, 6.2), 5.0),
+        "c": ((1.4, 2.1, 4.1), 6.0),
+        "d": ((9.0, 18.0, 36.0), 4.0),
+        "e": ((8.5, 17.0, 34.5), 1.0),
+        "f": ((7.0, 14.0, 39.0), 1.0),
+    }
+    assert beating(found) == {"a": (), "b": ("a",), "c": (), "d": (), "e": (), "f": ()}
+    assert beating(found | {"g": ((10.0, 20.0, 40.0), 6.0)})["g"] == ("e", "f", "d", "a", "b", "c")
+
+
+def test_times_are_taken_at_a_size_that_shows_more_than_maps(known):
+    assert sweep.LEAST_SHARE * known.timing.width >= 1280
+    assert sweep.LEAST_SHARE * known.timing.height >= 720
+
+
+def test_times_and_their_model(known):
+    point = known.point("samples=4")
+    # Of frames as large as the preset's own, which were not drawn.
+    assert (known.timing.own_width, known.timing.own_height) == (1280, 720)
+    assert known.timing.width < 1280
+    assert point.time.median_ms == pytest.approx(FIXED_MS + 4e-6 * NS * 1280 * 720)
+    assert point.model.fixed_ms == pytest.approx(FIXED_MS, rel=1e-3)
+    assert point.model.ns_per_pixel == pytest.approx(4 * NS, rel=1e-3)
+    assert point.model.at(1280, 720) == pytest.approx(FIXED_MS + 4e-6 * NS * 1280 * 720, rel=1e-3)
+    # Large enough that what a call costs does not hide what a pixel costs.
+    timed = known.point("standard").model.at(known.timing.width, known.timing.height)
+    assert timed >= 999.0 * sweep.ENOUGH_SECONDS
+
+
+def test_errors_and_their_causes(known):
+    standard, four = known.point("standard"), known.point("samples=4")
+    assert standard.error.rmse == pytest.approx(25.5, rel=0.1)
+    assert four.error.rmse == pytest.approx(standard.error.rmse / 4, rel=1e-3)
+    assert standard.causes.filtering == pytest.approx(standard.error.rmse * 24 / 25, rel=1e-3)
+    assert standard.causes.geometry == standard.causes.precision == 0.0
+    assert standard.causes.rest == pytest.approx(standard.error.rmse / 25, rel=1e-3)
+    assert known.point("reference").causes.filtering == 0.0
+    assert {point.causes is None for point in known.points if point.tier is None} == {True}
+
+
+def test_what_it_says(known):
+    assert [known.point(id).quality.samples for id in known.front] == [1, 4, 9, 16, 25]
+    (step,) = [step for step in known.steps if step.point_from == "samples=4"]
+    assert (step.pointer, step.value_from, step.value_to, step.point_to) == ("/samples", 4, 9, "samples=9")
+    assert step.time_measurable
+    assert step.error_factor == pytest.approx(9 / 4, rel=1e-2)
+    assert step.error_per_ms == pytest.approx(step.error_removed / step.added_ms)
+    assert "2.2× the time buys 2.2× less error" in step.sentence
+    (same,) = [step for step in known.steps if step.pointer == "/target"]
+    assert same.error_per_ms is None
+    assert "no measurable difference in time and the same error" in same.sentence
+    assert len(known.sentences) == 4
+
+
+def test_rounds_turn(monkeypatch, tmp_path):
+    monkeypatch.setattr(sweep, "make_truth", grey_truth)
+    log = []
+    make_sweep(Store(tmp_path), Subject(None, Scene(), 3.0, (32, 18)), SETTINGS, noisy(log))
+    timed = [job for job in log if len(job.draws) == 3]
+    points = {job.quality for job in timed}
+    per_round = len(timed) // SETTINGS.rounds
+    rounds = [timed[i : i + per_round] for i in range(0, len(timed), per_round)]
+    assert all({job.quality for job in one} == points for one in rounds)
+    assert len({tuple(job.quality for job in one) for one in rounds}) == len(rounds)
+    assert [one[0].time for one in rounds] == pytest.approx([3.0, 3.0 + 1 / 60, 3.0 + 2 / 60])
+
+
+def test_a_sweep_survives_json_and_is_found_again(known, kept, monkeypatch):
+    assert Sweep.model_validate_json(known.model_dump_json()) == known
+    subject = Subject.of_preset("default")
+    log = []
+    assert make_sweep(Store(kept), subject, SETTINGS, noisy(log)) == known
+    assert not log
+    monkeypatch.setattr(sweep, "make_truth", grey_truth)
+    make_sweep(Store(kept), subject, SETTINGS, noisy(log), again=True)
+    assert log
+    other = noisy(log).machine.model_copy(update={"renderer": "another"})
+    assert sweep.find_sweep(Store(kept), subject, SETTINGS, other) is None
+    assert sweep.find_sweep(Store(kept), subject, Settings(32, 18, 2, 4), noisy().machine) is None
+
+
+def test_a_scene_that_is_a_preset_is_its_preset():
+    assert Subject.of_scene(Subject.of_preset("shallows").scene) == Subject.of_preset("shallows")
+    assert Subject.of_scene(Scene()).preset is None
+
+
+def test_a_sweep_can_be_called_off(monkeypatch, tmp_path):
+    monkeypatch.setattr(sweep, "make_truth", grey_truth)
+    shares = []
+    watcher = Watcher(lambda stage, share, remaining: shares.append(share), lambda: len(shares) > 10)
+    with pytest.raises(StoppedError):
+        make_sweep(Store(tmp_path), Subject(None, Scene(), 0.0, (32, 18)), SETTINGS, noisy(), watcher)
+    assert shares == sorted(shares)
+    assert 0.3 <= shares[0] <= shares[-1] < 1.0
+
+
+def test_reports_of_a_sweep(known):
+    lines = list(csv.reader(report.csv_of(known).splitlines()))
+    assert len(lines) == len(known.points) + 1
+    assert {len(line) for line in lines} == {len(report.COLUMNS)}
+    qualities = [line[report.COLUMNS.index("quality")] for line in lines[1:]]
+    assert [Quality.model_validate_json(text) for text in qualities] == [point.quality for point in known.points]
+    assert plots.plot_sweep(known).startswith(b"\x89PNG")
+    page = report.page(known, "seafoam accuracy <default>")
+    assert "seafoam accuracy &lt;default&gt;" in page
+    assert "data:image/png;base64," in page
+    assert "http" not in page
+    assert known.sentences[0] in page
+
+
+def test_a_budget_takes_the_least_error_that_fits(known):
+    size = (160, 90)
+    one = FIXED_MS + 1e-6 * NS * 160 * 90
+    sixteen = FIXED_MS + 16e-6 * NS * 160 * 90
+    assert choose(known, *size, one * 1.01).point.quality.samples == 1
+    assert choose(known, *size, sixteen * 0.99).point.quality.samples == 9
+    best = choose(known, *size, sixteen * 1.01)
+    assert best.point.quality.samples == 16
+    assert best.fits
+    assert best.predicted_ms == pytest.approx(sixteen, rel=1e-2)
+    assert "RMSE" in best.why
+    assert best.why.isascii()
+    assert choose(known, 1280, 720, sixteen * 1.01).point.quality.samples == 1
+
+
+def test_a_budget_that_nothing_fits_takes_the_fastest(known):
+    found = choose(known, 160, 90, 0.001)
+    assert not found.fits
+    assert "none within budget" in found.why
+    assert found.predicted_ms == min(point.model.at(160, 90) for point in known.points)
+
+
+def test_a_budget_takes_only_what_may_be_drawn(known):
+    found = choose(known, 160, 90, 1e6, lambda quality: quality.samples < 9)
+    assert found.point.quality.samples == 4
+    with pytest.raises(ValueError, match="no measured quality"):
+        choose(known, 160, 90, 1e6, lambda quality: False)
+
+
+def test_the_cache_is_where_the_system_keeps_caches(monkeypatch, tmp_path):
+    monkeypatch.setenv("SEAFOAM_CACHE", str(tmp_path))
+    assert cache_dir() == tmp_path
+    monkeypatch.delenv("SEAFOAM_CACHE")
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.setenv("XDG_CACHE_HOME", "/x")
+    assert str(cache_dir()) == "/x/seafoam"
+    monkeypatch.setattr("sys.platform", "darwin")
+    assert cache_dir().parts[-3:] == ("Library", "Caches", "seafoam")
+
+
+def test_a_cache_that_cannot_be_written_keeps_things_in_memory(tmp_path, caplog):
+    (tmp_path / "file").write_text("")
+    store = Store(tmp_path / "file")
+    assert store.get("a", "b") is None
+    store.put("a", "b", b"c")
+    assert store.get("a", "b") == b"c"
+    assert "kept for the life of this process" in caplog.text
+
+
+def test_a_damaged_cache_is_measured_again(known, kept, tmp_path):
+    (file,) = (kept / "sweeps").iterdir()
+    (tmp_path / "sweeps").mkdir()
+    (tmp_path / "sweeps" / file.name).write_bytes(b"{")
+    assert sweep.find_sweep(Store(tmp_path), Subject.of_preset("default"), SETTINGS, noisy().machine) is None
+
+
+def eventually(ask, seconds=20.0):
+    until = time.monotonic() + seconds
+    while isinstance(found := ask(), Running):
+        assert time.monotonic() < until, found
+        time.sleep(0.02)
+    return found
+
+
+def test_a_service_measures_one_after_the_other(monkeypatch, tmp_path):
+    monkeypatch.setattr(sweep, "make_truth", grey_truth)
+    service = SweepService(Store(tmp_path), SETTINGS, noisy)
+    first, second = (Subject(None, Scene(), at, (32, 18)) for at in (0.0, 1.0))
+    assert service.sweep(first).status in ("queued", "running")
+    assert service.sweep(second).status == "queued"
+    assert eventually(lambda: service.sweep(second)).time == 1.0
+    assert isinstance(service.sweep(first), Sweep)
+    service.stop()
+
+
+def test_a_service_tells_a_failure_once_and_tries_again(monkeypatch, tmp_path):
+    def fail(*_, **__):
+        raise OSError("disk on fire")
+
+    monkeypatch.setattr(sweep, "make_truth", fail)
+    service = SweepService(Store(tmp_path), SETTINGS, noisy)
+    subject = Subject(None, Scene(), 0.0, (32, 18))
+    with pytest.raises(FailedError, match="disk on fire"):
+        eventually(lambda: service.sweep(subject))
+    monkeypatch.setattr(sweep, "make_truth", grey_truth)
+    assert isinstance(eventually(lambda: service.sweep(subject)), Sweep)
+    service.stop()
+
+
+def test_truth_is_computed_once(tmp_path):
+    store, scene = Store(tmp_path), Scene()
+    assert find_truth(store, scene, 0.0, 16, 16, 2) is None
+    truth = make_truth(store, scene, 0.0, 16, 16, 2)
+    assert (truth.shape, truth.dtype) == ((16, 16, 4), np.dtype(np.float32))
+    assert truth[..., :3].std() > 0.01
+    np.testing.assert_array_equal(find_truth(store, scene, 0.0, 16, 16, 2), truth)
+    with pytest.raises(StoppedError):
+        make_truth(store, scene, 1.0, 640, 640, 16, stopped=lambda: True)
+
+
+def test_a_real_sweep_end_to_end(executor, monkeypatch, tmp_path):
+    """Few points of a preset, against the reference itself."""
+    wanted = {"draft", "standard", "reference", "samples=4"}
+    every = sweep.points_of
+    monkeypatch.setattr(sweep, "points_of", lambda scene: tuple(point for point in every(scene) if point.id in wanted))
+    subject = Subject.of_preset("paper-halftone")
+    subject = Subject(subject.preset, subject.scene, subject.time, (32, 18))
+    rig = Rig(partial(measure, executor), executor.info, 1)
+    settings = Settings(32, 18, 8, 2)
+    found = make_sweep(Store(tmp_path), subject, settings, rig)
+    assert {point.id for point in found.points} == wanted
+    errors = {point.id: point.error.rmse for point in found.points}
+    assert errors["reference"] < errors["samples=4"] < errors["standard"]
+    assert found.point("standard").causes.filtering > 0.0
+    assert all(point.time.median_ms > 0.0 for point in found.points)
+    assert "reference" in found.front
+    assert make_sweep(Store(tmp_path), subject, settings, rig) == found

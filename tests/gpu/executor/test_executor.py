@@ -1,0 +1,76 @@
+"""The executor's caches: what is let go is made again, and nothing of it is left in use."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from seafoam.framegraph.rules import PlanPart
+from seafoam.framegraph.shader import Shader
+from seafoam.planner import FramePlan, make_plan
+from seafoam.quality import TIERS, SurfaceQuality
+from seafoam.render.gl import executor as module
+from seafoam.render.gl.executor import Executor, ShaderError
+from seafoam.scene.presets import load_preset
+
+
+def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkeypatch: pytest.MonkeyPatch) -> None:
+    """GL hands the numbers of released programs to new ones: an array kept by number would feed the wrong program."""
+    monkeypatch.setattr(executor._programs, "_size", 2)
+    scene = load_preset("default").scene
+    qualities = [
+        TIERS["standard"].model_copy(update={"surface": SurfaceQuality(method="mesh", cells=8 + i, steps=64 + i)})
+        for i in range(5)
+    ]
+    plans = [make_plan(scene, quality) for quality in qualities] + [make_plan(scene, TIERS["standard"])]
+
+    def draw(plan: FramePlan) -> bytes:
+        return executor.render(plan, time=1.0, camera=scene.camera, width=32, height=18).pixels.tobytes()
+
+    first = [draw(plan) for plan in plans]
+    assert [draw(plan) for plan in plans] == first
+    assert len(executor._programs._items) <= 2
+
+
+def test_all_let_go_and_made_again_draws_the_same(executor: Executor) -> None:
+    """moderngl binds the last framebuffer again whenever it makes an object: it must not be one that was released."""
+    scene = load_preset("island-surf").scene
+    plan = make_plan(scene, TIERS["draft"])
+
+    def draw() -> bytes:
+        return executor.render(plan, time=1.0, camera=scene.camera, width=32, height=18).pixels.tobytes()
+
+    first = draw()
+    executor.forget()
+    assert draw() == first
+
+
+def test_a_shader_that_does_not_compile_names_its_files(executor: Executor) -> None:
+    plan = make_plan(load_preset("default").scene, TIERS["standard"])
+    program = plan.programs["present"]
+    broken = program.fragment.text.replace("vec3 tone(vec3 x) {", "vec3 tone(vec3 x) { nonsense;")
+    fragment = Shader(text=broken, sha256="0" * 64, files=program.fragment.files)
+    with pytest.raises(ShaderError, match=r"tone/filmic\.glsl from line"):
+        executor.compile(program.model_copy(update={"fragment": fragment}))
+
+
+def test_another_thread_is_refused(executor: Executor) -> None:
+    scene = load_preset("default").scene
+    plan = make_plan(scene, TIERS["standard"])
+    with ThreadPoolExecutor(1) as pool, pytest.raises(RuntimeError, match="only in the thread that created it"):
+        pool.submit(executor.render, plan, time=0.0, camera=scene.camera, width=8, height=8).result()
+
+
+def test_grid_covers_the_unit_square() -> None:
+    vertices, indices = module.grid(3, 2)
+    assert vertices.shape == (12, 2)
+    assert indices.max() == 11
+    corners = vertices[indices.reshape(-1, 3)].astype(np.float64)
+    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    assert np.isclose(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2, 1.0)
+
+
+def test_plan_parts_are_immutable() -> None:
+    with pytest.raises(ValueError, match="frozen"):
+        make_plan(load_preset("default").scene, TIERS["standard"]).samples = 2  # type: ignore[misc]
+    assert issubclass(FramePlan, PlanPart)

@@ -1,0 +1,307 @@
+"""Over any scene that the schema admits, from any camera, at any time (docs/stability.md).
+
+Hypothesis draws a seed; a scene is then drawn evenly from the schema's ranges. Its own floats crowd at the simple ones,
+where little goes wrong, and give the same few scenes again and again.
+"""
+
+import math
+from collections.abc import Callable
+from random import Random
+from typing import Any, get_args
+
+import numpy as np
+from annotated_types import Ge, Le
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from pydantic import BaseModel
+
+from seafoam.effects.light.light import sky_irradiance, sun_irradiance
+from seafoam.ocean.dispersion import angular_frequency
+from seafoam.ocean.rings import trains
+from seafoam.ocean.ripples import TILES, ripples
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.rings import Ring
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
+from support.exact import UNFILTERED
+from support.report import Report
+
+SIZE = (32, 18)
+STABLE: dict[str, Any] = {"deadline": None, "derandomize": True, "database": None}
+SEEDS = st.integers(0, 2**32 - 1)
+QUALITIES = {
+    name: quality.model_copy(update={"samples": 1, "target": "RGBA32F"})
+    for name, quality in (("draft", TIERS["draft"]), ("standard", TIERS["standard"]), ("exact", UNFILTERED))
+}
+LEAST = 1e-30
+"""Amplitudes between 0 and this are not drawn: 1/height overflows float32 there."""
+TABLE = "Properties of any scene, 32 × 18: the worst that was met"
+
+Maker = Callable[[Random], Any]
+
+
+def even(low: float, high: float) -> Maker:
+    """Numbers spread evenly, the ends now and then."""
+    return lambda r: r.choice((low, high)) if r.random() < 0.1 else r.uniform(low, high)
+
+
+def spread(low: float, high: float) -> Maker:
+    """Positive numbers, as many in each octave, the ends now and then."""
+    inner = even(math.log(low), math.log(high))
+    return lambda r: min(max(math.exp(inner(r)), low), high)
+
+
+def one_of(*values: Any) -> Maker:
+    """One of the values; of a maker, what it makes."""
+
+    def make(r: Random) -> Any:
+        value = r.choice(values)
+        return value(r) if callable(value) else value
+
+    return make
+
+
+def several(*makers: Maker) -> Maker:
+    """A tuple."""
+    return lambda r: tuple(maker(r) for maker in makers)
+
+
+def number(model: type[BaseModel], name: str) -> Maker:
+    """A field's whole range, as the schema states it."""
+    found = model.model_fields[name].metadata
+    low = next(m.ge for m in found if isinstance(m, Ge))
+    high = next(m.le for m in found if isinstance(m, Le))
+    return even(float(low), float(high))  # type: ignore[arg-type]
+
+
+def of(model: type[Any], **makers: Maker) -> Maker:
+    """A model with every numeric field drawn from its range, but for those given."""
+    ranged = {name for name, field in model.model_fields.items() if field.annotation is float} - makers.keys()
+    every = {**{name: number(model, name) for name in sorted(ranged)}, **makers}
+    return lambda r: model(**{name: maker(r) for name, maker in every.items()})
+
+
+def heights(r: Random) -> HeightSaturation:
+    base = one_of(even(-100.0, 100.0), even(-2.0, 2.0))(r)
+    return HeightSaturation(base=base, full=min(base + spread(2e-3, 200.0)(r), 200.0))
+
+
+SHARES = one_of(0.0, 1.0, even(0.0, 1.0), even(0.0, 1.0))
+LENGTHS = spread(0.01, 1000.0)
+PLACES = even(-1e7, 1e7)
+TIMES = one_of(0.0, -1e9, 1e9, even(-1e9, 1e9), even(-1e4, 1e4))
+WAVES = of(
+    ParametricWave,
+    amplitude=one_of(0.0, spread(LEAST, 50.0), spread(0.01, 50.0), spread(0.01, 5.0)),
+    wavelength=spread(0.05, 2000.0),
+    exponent=spread(0.1, 100.0),
+    speed=one_of(None, even(0.0, 200.0)),
+)
+FRONTS = of(
+    FrontSaturation,
+    constants=one_of("text", "listing"),
+    intensity=spread(0.25, 100.0),
+    group=one_of((0.0, 0.0), lambda r: tuple(sorted((r.random(), r.random())))),
+)
+FOAMS = of(
+    Foam,
+    saturation=one_of(several(FRONTS), several(heights), several(FRONTS, heights)),
+    combine=one_of("max", "product"),
+    look=one_of(*get_args(Look)),
+    mask=one_of("vac-1.5", "vac-24", "mix"),
+    mask_tile=spread(0.05, 1000.0),
+    texture_tile=spread(0.05, 1000.0),
+    texture=SHARES,
+    fade=SHARES,
+    albedo=SHARES,
+)
+CHOPS = of(Chop, seed=lambda r: r.randrange(65536))
+WATERS = of(
+    Water,
+    absorption_length=several(LENGTHS, LENGTHS, LENGTHS),
+    depth=one_of(None, spread(0.05, 11000.0)),
+    floor_albedo=several(SHARES, SHARES, SHARES),
+    chop=one_of(None, CHOPS),
+)
+LIGHTS = of(Light, visibility=spread(50.0, 1e6))
+EYES = one_of(-1000.0, 0.0, even(-5.0, 100.0), spread(1e-3, 1e5), spread(1.0, 100.0))
+CAMERAS = of(Camera, position=several(PLACES, EYES, PLACES))
+
+
+def few(r: Random) -> tuple[ParametricWave, ...]:
+    return tuple(WAVES(r) for _ in range(r.choice((0, 1, 2, 3))))
+
+
+def ring(r: Random) -> Ring:
+    """A ring no steeper than water can be, near the origin, of any time."""
+    length = spread(0.05, 500.0)(r)
+    return Ring(
+        place=(r.uniform(-50.0, 50.0), r.uniform(-50.0, 50.0)),
+        birth=TIMES(r),
+        amplitude=min(spread(1e-6, 0.1)(r) * length, 20.0),
+        decay=spread(0.01, 10.0)(r),
+        wavelength=length,
+        crests=one_of(None, spread(0.5, 100.0))(r),
+    )
+
+
+def rings(r: Random) -> tuple[Ring, ...]:
+    return tuple(ring(r) for _ in range(r.choice((0, 0, 1, 4))))
+
+
+SCENES = of(
+    Scene,
+    rings=rings,
+    waves=few,
+    foam=one_of(None, FOAMS, FOAMS),
+    water=WATERS,
+    light=one_of(None, LIGHTS, LIGHTS, LIGHTS),
+)
+
+
+def seen(r: Random) -> Scene:
+    """A scene whose picture is seldom black or white: exposure within a stop."""
+    scene: Scene = SCENES(r)
+    light = scene.light and scene.light.model_copy(update={"exposure": 0.1 * scene.light.exposure})
+    return scene.model_copy(update={"light": light})
+
+
+def view(r: Random, scene: Scene) -> Camera:
+    """A camera over the crests that sees water."""
+    height = 1.2 * sum(wave.amplitude for wave in scene.waves) + spread(1.0, 100.0)(r)
+    position = several(PLACES, lambda _: height, PLACES)
+    made: Camera = of(Camera, position=position, pitch=even(-1.5, -0.1), fov=even(0.2, 1.5))(r)
+    return made
+
+
+def samples(executor: Executor, scene: Scene, quality: Quality, time: float, camera: Camera) -> NDArray[np.float32]:
+    plan = make_plan(scene, quality)
+    rendered = executor.render(plan, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="samples")
+    return rendered.pixels  # type: ignore[return-value]
+
+
+def levels(a: NDArray[np.float32], b: NDArray[np.float32]) -> NDArray[np.float64]:
+    """Largest difference of each sample's colours, clipped at white, in levels of linear light."""
+    clipped = [np.clip(part[..., :3].astype(np.float64), 0.0, 1.0) for part in (a, b)]
+    result: NDArray[np.float64] = 255.0 * np.abs(clipped[0] - clipped[1]).max(axis=-1)
+    return result
+
+
+def brightest(scene: Scene) -> float:
+    """No sample is brighter; derived in docs/stability.md."""
+    light = scene.light
+    if light is None:
+        return 1.0
+    sun = max(sun_irradiance(light))
+    sky = 49.5
+    body = (sun + max(sky_irradiance(light)) + scene.water.translucency * sun) / math.pi
+    glitter, disc = (1e4, 3000.0) if sun > 0.0 else (0.0, 0.0)
+    return min(2.0**light.exposure * max(max(body, sky) + glitter, sky + disc), 65504.0)
+
+
+@settings(max_examples=60, **STABLE)
+@given(seed=SEEDS, quality=st.sampled_from(sorted(QUALITIES)))
+def test_any_frame_is_finite_and_no_brighter_than_its_light(executor: Executor, seed: int, quality: str) -> None:
+    r = Random(seed)
+    scene, camera, time = SCENES(r), CAMERAS(r), TIMES(r)
+    pixels = samples(executor, scene, QUALITIES[quality], time, camera)
+    assert np.isfinite(pixels).all()
+    assert (pixels >= 0.0).all()
+    assert (pixels[..., 3] <= 1.0).all()
+    assert pixels[..., :3].max() <= brightest(scene) * (1.0 + 1e-5) + 1e-6
+
+
+def fastest(scene: Scene) -> float:
+    """Greatest angular frequency of the scene, rad/s."""
+    found = [angular_frequency(wave) for wave in scene.waves]
+    if scene.water.chop is not None:
+        found += [wave.omega for cascade in ripples(scene.water.chop) for wave in cascade]
+    found += [train.omega for train in trains(scene)]
+    return max(found, default=0.0)
+
+
+def test_a_small_step_of_time_changes_the_picture_a_little(executor: Executor, report: Report) -> None:
+    met: list[float] = []
+
+    @settings(max_examples=30, **STABLE)
+    @given(seed=SEEDS)
+    def holds(seed: int) -> None:
+        r = Random(seed)
+        scene, time = seen(r), TIMES(r)
+        camera = view(r, scene)
+        step = max(1e-6, 8.0 * math.ulp(time))
+        turned = fastest(scene) * step + 2.0 * math.ulp(fastest(scene) * abs(time))
+        frames = [samples(executor, scene, QUALITIES["standard"], at, camera) for at in (time, time + step)]
+        moved = float(levels(*frames).mean())
+        met.append(moved / (0.5 + 255.0 * 20.0 * turned))
+        assert moved <= 0.5 + 255.0 * 20.0 * turned
+
+    holds()
+    report.add(TABLE, property="a small step of time", worst=f"{100 * max(met):.1f} % of the bound")
+
+
+def still(scene: Scene, tile: float, share: int) -> Scene:
+    """Without waves and rings, foam everywhere, its tiles whole parts of ``tile``."""
+    foam = (scene.foam or Foam()).model_copy(
+        update={
+            "saturation": (HeightSaturation(base=-0.5, full=0.5 + 0.01 * share),),
+            "mask_tile": tile / share,
+            "texture_tile": tile / (3 * share),
+            "mask_angle": 0.0,
+        }
+    )
+    return scene.model_copy(update={"waves": (), "rings": (), "foam": foam})
+
+
+def test_a_shift_by_whole_tiles_changes_nothing(executor: Executor, report: Report) -> None:
+    """774.9 m hold 41 of the long ripple tiles and 189 of the short; shifts of up to a thousand times that."""
+    whole = 774.9
+    assert all(math.isclose(whole / tile, round(whole / tile), rel_tol=1e-12) for tile in TILES)
+    means: list[float] = []
+    shares: list[float] = []
+
+    @settings(max_examples=25, **STABLE)
+    @given(seed=SEEDS, quality=st.sampled_from(("standard", "exact")))
+    def holds(seed: int, quality: str) -> None:
+        r = Random(seed)
+        scene, time = still(seen(r), whole, r.randint(1, 60)), TIMES(r)
+        camera = view(r, scene)
+        x, y, z = r.uniform(-50.0, 50.0), camera.position[1], r.uniform(-50.0, 50.0)
+        away = whole * r.randint(-1000, 1000), whole * r.randint(-1000, 1000)
+        cameras = [camera.model_copy(update={"position": at}) for at in ((x, y, z), (x + away[0], y, z + away[1]))]
+        off = levels(*(samples(executor, scene, QUALITIES[quality], time, one) for one in cameras))
+        means.append(float(off.mean()))
+        shares.append(float((off > 2.0).mean()))
+        assert means[-1] <= 0.5
+        assert shares[-1] <= 0.01
+
+    holds()
+    report.add(TABLE, property="a shift by whole tiles", worst=f"{max(means):.2g} levels, {100 * max(shares):.2g} %")
+
+
+def test_the_order_of_waves_changes_nothing(executor: Executor, report: Report) -> None:
+    means: list[float] = []
+
+    @settings(max_examples=25, **STABLE)
+    @given(seed=SEEDS)
+    def holds(seed: int) -> None:
+        r = Random(seed)
+        scene, time = seen(r), TIMES(r)
+        waves = [WAVES(r) for _ in range(r.randint(2, 5))]
+        scene = scene.model_copy(update={"waves": tuple(waves)})
+        camera = view(r, scene)
+        r.shuffle(waves)
+        shuffled = scene.model_copy(update={"waves": tuple(waves)})
+        off = levels(*(samples(executor, one, QUALITIES["standard"], time, camera) for one in (scene, shuffled)))
+        means.append(float(off.mean()))
+        assert means[-1] <= 0.5
+
+    holds()
+    report.add(TABLE, property="another order of waves", worst=f"{max(means):.2g} levels")

@@ -1,0 +1,176 @@
+"""What an eye under the surface sees: ceiling, floor, hulls and the water between, against float64."""
+
+import math
+
+import numpy as np
+import pytest
+
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.reference import render
+from seafoam.reference.light.light import INDEX
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.boats import Boat
+from seafoam.scene.camera import Camera
+from seafoam.scene.drift import Drift
+from seafoam.scene.foam import DriftSaturation, Foam, HeightSaturation, SlopeSaturation, SurfSaturation
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
+from seafoam.scene.rings import Ring
+from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.sky import Clouds, Sky
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave, Sea
+from support.exact import EXACT
+from support.report import Report
+
+PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
+POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)
+TIME = 2.7
+
+WAVES = (ParametricWave(amplitude=0.5, wavelength=6.0, phase=1.0), ParametricWave(amplitude=0.2, wavelength=2.9))
+BEACH = Scene(
+    shore=Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0, surf=Surf(height=0.8)),
+    water=Water(scattering=0.01),
+    foam=Foam(saturation=(SurfSaturation(),), look="halftone", mask="clump"),
+    light=Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0),
+)
+VIEWS = {
+    "up, across the critical angle": (POOL, Camera(position=(0.3, -1.1, 0.2), pitch=0.5)),
+    "straight up": (POOL, Camera(position=(0.3, -1.5, 0.2), pitch=math.pi / 2, fov=2.0)),
+    "along the surface": (POOL, Camera(position=(0.3, -0.05, 0.2), pitch=0.0)),
+    "down on the floor": (POOL, Camera(position=(0.3, -1.6, 0.2), pitch=-0.9)),
+    "straight down from above": (POOL, Camera(position=(0.3, 2.5, 0.2), pitch=-math.pi / 2)),
+    "under waves with foam, no floor": (
+        Scene(
+            waves=WAVES,
+            water=Water(chop=Chop()),
+            foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
+            light=Light(exposure=-1.0),
+        ),
+        Camera(position=(0.0, -2.0, 0.0), pitch=0.4, yaw=1.0),
+    ),
+    "in a crest over a floor": (
+        Scene(waves=WAVES, water=Water(depth=1.26, floor_tile=0.5), light=Light(exposure=-1.5)),
+        Camera(position=(0.0, -0.11, 0.0), pitch=0.1),
+    ),
+    "over a bare floor": (
+        Scene(waves=WAVES, water=Water(depth=1.5, chop=Chop()), light=Light(exposure=-1.5)),
+        Camera(position=(0.0, -0.6, 0.0), pitch=-0.1),
+    ),
+    "before a beach": (BEACH, Camera(position=(-42.0, -1.2, 9.0), yaw=1.4, pitch=0.1)),
+    "up a beach from its deep end": (BEACH, Camera(position=(-70.0, -4.0, -6.0), yaw=1.6, pitch=0.35)),
+    "down on a beach": (BEACH, Camera(position=(-45.0, -0.5, 9.0), yaw=1.4, pitch=-0.7)),
+    "inside a beach": (BEACH, Camera(position=(0.0, -1.0, 0.0), pitch=0.2)),
+    "under a boat": (
+        Scene(
+            waves=WAVES[:1],
+            boats=(Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.5, speed=0.0),),
+            water=Water(chop=Chop()),
+            light=Light(exposure=-1.0),
+        ),
+        Camera(position=(-2.0, -1.5, 10.0), yaw=0.2, pitch=0.15),
+    ),
+    "in a boat's wake, over caustics": (
+        Scene(
+            boats=(Boat(centre=(0.0, -30.0), radius=30.0, bearing=1.6, speed=4.0, wake=0.3),),
+            water=POOL.water,
+            light=PLAIN,
+        ),
+        Camera(position=(0.3, -1.0, 0.2), pitch=-0.15),
+    ),
+    "under an open sea": (
+        Scene(sea=Sea(wind=7.0), light=Light(exposure=-1.0)),
+        Camera(position=(0.0, -1.5, 0.0), pitch=0.6),
+    ),
+    "under rings": (
+        Scene(rings=(Ring(place=(0.0, -6.0), birth=-1.0),), light=Light(exposure=-1.0)),
+        Camera(position=(0.0, -1.0, 0.0), pitch=0.5),
+    ),
+    "under clouds": (
+        Scene(light=Light(sky=Sky(clouds=Clouds(cover=0.5)), exposure=-1.5), water=Water(chop=Chop())),
+        Camera(position=(0.0, -1.0, 0.0), pitch=1.2),
+    ),
+    "under drifting foam": (
+        Scene(
+            drift=Drift(current=(0.3, 0.0), size=40.0),
+            foam=Foam(saturation=(DriftSaturation(life=20.0, patch=2.0),), look="halftone"),
+        ),
+        Camera(position=(0.0, -1.0, 0.0), pitch=0.6),
+    ),
+    "foam without light": (
+        Scene(
+            waves=WAVES,
+            light=None,
+            foam=Foam(saturation=(HeightSaturation(base=0.1, full=0.7),), look="textured"),
+        ),
+        Camera(position=(0.0, -0.5, 0.0), pitch=0.5),
+    ),
+}
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_views_equal_float64(executor: Executor, report: Report, view: str) -> None:
+    scene, camera = VIEWS[view]
+    size = (96, 54)
+    plan = make_plan(scene, EXACT)
+    got = executor.render(plan, time=TIME, camera=camera, width=size[0], height=size[1], output="samples").pixels
+    want = render(scene, time=TIME, width=size[0], height=size[1], camera=camera).rgb
+    assert np.isfinite(got).all()
+    away = 255.0 * np.abs(np.clip(got[..., :3], 0.0, 1.0) - np.clip(want, 0.0, 1.0)).max(axis=-1)
+    report.add(
+        "Floor and view from below against float64, 96 × 54, levels of linear light",
+        view=view,
+        mean=f"{away.mean():.3f}",
+        over_2=f"{100 * (away > 2.0).mean():.2f} %",
+    )
+    assert away.mean() <= 0.5
+    assert (away > 2.0).mean() <= 0.02
+
+
+def test_snells_window_ends_at_the_critical_angle(executor: Executor) -> None:
+    """Level water from below, no floor: past asin(1/1.34) nothing of the sky is left."""
+    scene = Scene(water=Water(scattering=0.0), light=Light(sun_elevation=-0.05, exposure=3.0))
+    camera = Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=2.0)
+    plan = make_plan(scene, EXACT)
+    side = 301
+    got = executor.render(plan, time=0.0, camera=camera, width=side, height=side, output="samples").pixels
+    row = got[side // 2, :, 2]
+    angle = np.degrees(np.arctan(np.abs(2.0 * (np.arange(side) + 0.5) / side - 1.0) * math.tan(1.0)))
+    critical = math.degrees(math.asin(1.0 / INDEX))
+    assert (row[angle > critical + 2.0] < 1e-3).all()
+    assert (row[angle < critical - 1.0] > 0.1 * row.max()).all()
+
+
+def test_plans_say_which_program_an_eye_needs(executor: Executor) -> None:
+    """Over all crests, the programs of an eye in the air; lower ones are right for any eye."""
+    scene = Scene(waves=WAVES, water=Water(chop=Chop()), boats=(Boat(),))
+    plan = make_plan(scene, TIERS["standard"])
+    assert plan.top >= 0.43
+    assert {one.name for one in plan.passes if one.eye == "over"} == {"surface", "boats"}
+    assert {one.name for one in plan.passes if one.eye == "under"} == {"surface", "boats"}
+    high = Camera(position=(0.0, plan.top, 0.0), pitch=-0.2)
+    anyway = plan.model_copy(update={"top": plan.top + 1.0})
+    frames = [
+        executor.render(one, time=TIME, camera=high, width=96, height=54, output="linear").pixels
+        for one in (plan, anyway)
+    ]
+    # Two programs of one text round apart; nothing else differs.
+    assert np.abs(frames[0] - frames[1]).max() <= 0.02
+
+
+def test_without_it_a_scene_has_one_surface() -> None:
+    plan = make_plan(Scene(waves=WAVES, water=Water(view_below=False)), TIERS["standard"])
+    assert all(one.eye == "any" for one in plan.passes)
+    assert not any("below/" in file.path for program in plan.programs.values() for file in program.fragment.files)
+
+
+def test_a_sea_from_below(executor: Executor) -> None:
+    """An FFT sea, whose march has a bound that may fail: finite everywhere, and light."""
+    scene = Scene(sea=Sea(wind=12.0), water=Water())
+    plan = make_plan(scene, TIERS["draft"])
+    for y in (-3.0, 2.0):
+        camera = Camera(position=(0.0, y, 0.0), pitch=0.3)
+        got = executor.render(plan, time=4.0, camera=camera, width=64, height=36, output="samples").pixels
+        assert np.isfinite(got).all()
+        assert got[..., :3].mean() > 1e-3

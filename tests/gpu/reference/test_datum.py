@@ -1,0 +1,195 @@
+"""y = 0 is still water in every scene, drawn and in float64. docs/formulae.md, *Heights*."""
+
+import math
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.effects.effect import Inline
+from seafoam.framegraph.visibility import everywhere
+from seafoam.ocean.cascades import RAISED, cascades
+from seafoam.ocean.levels import wave_level
+from seafoam.planner import make_plan
+from seafoam.planner.glsl import assemble
+from seafoam.reference import render
+from seafoam.reference.boats.wake import wake_set
+from seafoam.reference.waves.parametric import wave_set
+from seafoam.reference.waves.rings import ring_set
+from seafoam.reference.waves.sea import sea_surface
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.boats import Boat
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Caustics, Light
+from seafoam.scene.models import Scene
+from seafoam.scene.rings import Ring
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave, Sea
+from support.exact import EXACT
+from support.probe import WHOLE
+from support.report import Report
+
+Floats = NDArray[np.float64]
+TIMES = tuple(3.7 * i for i in range(8))
+TEXELS = 128
+"""A side of a sea's tile: as few as hold its waves."""
+QUALITY = EXACT.model_copy(update={"sea_size": TEXELS})
+SIDE, SPAN = 128, 4000.0
+"""Places a side of the drawn grid, and its side, m."""
+TABLE = "Mean height of the surface over many places and times, m"
+
+PAPER = (
+    ParametricWave(amplitude=1.2, wavelength=18.0, exponent=3.0),
+    ParametricWave(amplitude=0.35, wavelength=11.3, direction=0.9, exponent=2.0, phase=1.7),
+    ParametricWave(amplitude=0.2, wavelength=4.1, direction=-0.6, exponent=0.7),
+)
+NEAR = Boat(centre=(0.0, 0.0), radius=40.0, speed=5.0, wake=0.5)
+FAR = NEAR.model_copy(update={"centre": (6000.0, 0.0)})
+"""Out of sight, and its wake with it."""
+
+
+def heights(executor: Executor, scene: Scene, time: float) -> Floats:
+    """The drawn surface at the places of a grid, SIDE² heights, m: of its program the ``main`` alone is another."""
+    plan = make_plan(scene, QUALITY)
+    shader = plan.programs["surface"].fragment
+    text = shader.text.replace("void main() {", "void drawn() {") + (
+        f"\nvoid main() {{\n    o_color = vec4(waves((gl_FragCoord.xy / {SIDE:.1f} - 0.5) * {SPAN:.1f}).x);\n}}\n"
+    )
+    changed = plan.programs["surface"].model_copy(
+        update={
+            "vertex": WHOLE,
+            "fragment": shader.model_copy(update={"text": text, "sha256": assemble([Inline(text)], {}).sha256}),
+        }
+    )
+    other = everywhere(plan).model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})
+    camera = Camera(position=(13.0, 400.0, -7.0), pitch=-math.pi / 2)
+    seen = executor.render(other, time=time, camera=camera, width=SIDE, height=SIDE, output="samples")
+    return seen.pixels[..., 0].astype(np.float64).ravel()
+
+
+def truth(scene: Scene, time: float) -> Floats:
+    """The same number of heights in float64, at other places."""
+    x, z = np.random.default_rng(int(time)).uniform(-0.5 * SPAN, 0.5 * SPAN, (2, SIDE * SIDE))
+    total = wave_set(scene, time, (0.0, 0.0)).height(x, z) + ring_set(scene, time, (0.0, 0.0)).height(x, z)
+    if scene.boats:
+        total += wake_set(scene, time, (0.0, 0.0)).height(x, z)
+    sea = sea_surface(scene, time, (0.0, 0.0), TEXELS)
+    return total if sea is None else total + sea.height(x, z)
+
+
+def drawn_together(scene: Scene) -> float:
+    """By how much a choppy sea's mean lies under still water, m: Σ ½λka² of its raised waves, a their amplitude."""
+    if scene.sea is None:
+        return 0.0
+    raised = cascades(scene.sea, scene.water.depth)[:RAISED]
+    return sum(
+        of.choppiness(scene.sea.choppiness) * float((0.5 * of.k * (2.0 * np.abs(of.h0)) ** 2).sum()) for of in raised
+    )
+
+
+SCENES = {
+    "the paper's waves": Scene(waves=PAPER),
+    "a sea without choppiness": Scene(sea=Sea(wind=12.0, choppiness=0.0)),
+    "a choppy sea": Scene(sea=Sea(wind=12.0, choppiness=1.0)),
+    "all together": Scene(
+        waves=PAPER,
+        sea=Sea(wind=6.0),
+        rings=(Ring(birth=-4.0, amplitude=0.4, decay=0.1, wavelength=6.0),),
+        boats=(NEAR,),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("way", ["drawn", "float64"])
+def test_the_mean_height_is_still_water(executor: Executor, report: Report, way: str, name: str) -> None:
+    """Within four standard errors, which are far less than a hundredth of the waves' greatest height."""
+    scene = SCENES[name]
+    found: Callable[[Scene, float], Floats] = partial(heights, executor) if way == "drawn" else truth
+    means = np.array([found(scene, time).mean() for time in TIMES])
+    error = float(means.std(ddof=1)) / math.sqrt(means.size)
+    top = make_plan(scene, QUALITY).top
+    lower = drawn_together(scene)
+    report.add(
+        TABLE,
+        scene=name,
+        way=way,
+        mean=f"{means.mean():.5f}",
+        standard_error=f"{error:.5f}",
+        expected=f"{-lower:.5f}",
+        top=f"{top:.2f}",
+    )
+    assert error < 0.005 * top
+    assert abs(float(means.mean()) + lower) <= 4.0 * error + 1e-4 * top
+
+
+@pytest.mark.parametrize("way", ["drawn", "float64"])
+def test_a_rising_wind_does_not_raise_the_sea(executor: Executor, way: str) -> None:
+    """From a breeze to a storm the mean stays within a fortieth of the significant height."""
+    found: Callable[[Scene, float], Floats] = partial(heights, executor) if way == "drawn" else truth
+    for wind in (4.0, 12.0, 25.0):
+        scene = Scene(sea=Sea(wind=wind))
+        values = np.concatenate([found(scene, time) for time in TIMES[:3]])
+        assert abs(float(values.mean())) <= 0.1 * float(values.std()), wind
+
+
+@pytest.mark.parametrize(("exponent", "mean"), [(0.5, 2.0 / math.pi), (1.0, 0.5), (2.0, 3.0 / 8.0), (3.0, 5.0 / 16.0)])
+def test_the_mean_of_a_wave_is_the_analytic_one(exponent: float, mean: float) -> None:
+    scene = Scene(waves=(ParametricWave(amplitude=2.0, exponent=exponent),))
+    assert wave_level(scene.waves[0]) == pytest.approx(2.0 * mean, rel=1e-12)
+    assert wave_set(scene, 0.0, (0.0, 0.0)).level == pytest.approx(2.0 * mean, rel=1e-12)
+
+
+def test_where_no_ring_and_no_wake_is_water_is_still(executor: Executor) -> None:
+    """Exactly at 0, however high they are elsewhere."""
+    scene = Scene(
+        rings=(Ring(place=(0.0, 1e5), amplitude=2.0),), boats=(FAR.model_copy(update={"centre": (0.0, 1e5)}),)
+    )
+    assert (heights(executor, scene, 3.0) == 0.0).all()
+    assert (truth(scene, 3.0) == 0.0).all()
+
+
+POOL = Scene(
+    water=Water(depth=2.4, floor_tile=0.4, scattering=0.05, translucency=0.0, chop=Chop(slope=0.06, seed=3)),
+    light=Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0)),
+)
+DEEP = Scene(
+    water=Water(scattering=0.1, translucency=0.0, absorption_length=(2.0, 3.0, 4.0)), light=Light(exposure=-1.0)
+)
+# Without the light through crests, whose share of the greatest height hangs on all waves of the scene.
+BESIDE = {
+    "caustics on the floor, from above": (POOL, Camera(position=(0.3, 2.5, 0.2), pitch=-1.2)),
+    "caustics on the floor, from under water": (POOL, Camera(position=(0.3, -1.0, 0.2), pitch=-0.6)),
+    "the ceiling and what it mirrors": (POOL, Camera(position=(0.3, -1.5, 0.2), pitch=0.4)),
+    "deep water, from below": (DEEP, Camera(position=(0.3, -2.0, 0.2), pitch=-0.2)),
+    "the planar mirror": (
+        Scene(
+            water=Water(translucency=0.0),
+            light=Light(reflection="planar"),
+            boats=(Boat(centre=(0.0, -14.0), radius=15.0, speed=0.0),),
+        ),
+        Camera(position=(0.0, 3.0, 12.0), pitch=-0.2),
+    ),
+}
+
+
+@pytest.mark.parametrize("view", BESIDE)
+def test_a_boat_that_moves_far_away_changes_nothing_here(executor: Executor, view: str) -> None:
+    """Neither caustics nor the view from below nor a mirror: still water stays where it is, drawn and in float64."""
+    scene, camera = BESIDE[view]
+    beside = scene.model_copy(update={"boats": (*scene.boats, FAR)})
+    pictures = []
+    for one in (scene, beside):
+        plan = make_plan(one, EXACT)
+        drawn = executor.render(plan, time=2.7, camera=camera, width=64, height=36, output="samples").pixels[..., :3]
+        exact = render(one, time=2.7, width=64, height=36, camera=camera).rgb
+        pictures.append((np.clip(drawn, 0.0, 1.0), np.clip(exact, 0.0, 1.0)))
+    (drawn, exact), (drawn_beside, exact_beside) = pictures
+    assert np.ptp(exact) > 0.005
+    assert np.abs(exact - exact_beside).max() <= 1e-9
+    # Two programs round apart, most where light is focused.
+    away = 255.0 * np.abs(drawn - drawn_beside)
+    assert away.mean() <= 0.02
+    assert (away > 1.0).mean() <= 0.005

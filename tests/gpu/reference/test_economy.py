@@ -1,0 +1,114 @@
+"""Only what the scene calls for: what a plan leaves out would change no pixel by more than its stated bound."""
+
+import math
+
+import numpy as np
+import pytest
+
+from seafoam.effects import EFFECTS
+from seafoam.effects.effect import Effect
+from seafoam.framegraph.visibility import drawn_passes, everywhere
+from seafoam.planner import make_plan
+from seafoam.planner.collect import NEGLIGIBLE
+from seafoam.quality import TIERS
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.water import Water
+from support.exact import EXACT
+from support.report import Report
+
+VIEWS = (
+    Camera(position=(3.0, 6.0, -2.0), pitch=-0.15),
+    Camera(position=(0.0, 2.0, 0.0), yaw=1.5, pitch=-0.02),
+    Camera(position=(-40.0, 25.0, 7.0), yaw=-1.6, pitch=-math.pi / 2),
+    Camera(position=(0.0, 1.5, 0.0), yaw=1.57, pitch=0.1),
+)
+ROUNDING = 2e-6
+"""Two programs that compute the same do not round alike; of linear light, display white = 1."""
+
+CASES = [
+    pytest.param(effect, scene, id=f"{effect.name} {i}")
+    for effect in EFFECTS
+    for i, scene in enumerate(effect.cases.invisible)
+]
+
+
+@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
+def test_every_effect_says_when_it_cannot_be_seen(effect: Effect) -> None:
+    assert bool(effect.cases.invisible) != bool(effect.cases.always_visible)
+
+
+@pytest.mark.parametrize(("effect", "scene"), CASES)
+def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
+    executor: Executor, report: Report, effect: Effect, scene: Scene
+) -> None:
+    lean, full = make_plan(scene, EXACT), make_plan(scene, EXACT, economy=False)
+    (note,) = [note for note in lean.skipped if note.name == effect.name]
+    assert note.bound is not None
+    assert note.bound < NEGLIGIBLE
+    assert note.why
+    assert effect.name not in {one.name for one in lean.effects}
+    assert effect.name in {one.name for one in full.effects}
+    worst = 0.0
+    for camera in VIEWS:
+        for time in (0.0, 31.7):
+            pictures = [
+                executor.render(plan, time=time, camera=camera, width=96, height=64, output="linear").pixels[..., :3]
+                for plan in (lean, full)
+            ]
+            clipped = [np.clip(picture.astype(np.float64), 0.0, 1.0) for picture in pictures]
+            worst = max(worst, float(np.abs(clipped[0] - clipped[1]).max()))
+    # All that is left out together stays within the sum of its bounds.
+    allowed = sum(note.bound or 0.0 for note in lean.skipped)
+    report.add(
+        "Left out of the plan: bound and measured change, levels of 255",
+        effect=effect.name,
+        why=note.why[:60],
+        bound=f"{255 * allowed:.4f}",
+        measured=f"{255 * worst:.4f}",
+    )
+    assert worst <= allowed + ROUNDING
+
+
+LOOKED_AT = (
+    Camera(position=(3.0, 30.0, -2.0), pitch=math.pi / 2),
+    Camera(position=(3.0, 30.0, -2.0), pitch=0.6, fov=0.5, roll=0.3),
+    Camera(position=(3.0, 30.0, -2.0), pitch=-math.pi / 2),
+    Camera(position=(3.0, 30.0, -2.0), pitch=-0.5, fov=0.8, yaw=2.0),
+    Camera(position=(3.0, 30.0, -2.0), pitch=-0.5, fov=0.8, yaw=-1.0),
+)
+"""Sky alone, water alone, and to both sides."""
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_what_is_out_of_view_is_not_drawn_and_would_change_nothing(executor: Executor, preset: str) -> None:
+    """To the last bit: what is left undrawn has no pixel in the picture."""
+    scene = load_preset(preset).scene
+    plan = make_plan(scene, TIERS["draft"])
+    drawn = set()
+    for camera in LOOKED_AT:
+        lean, full = (
+            executor.render(one, time=1.3, camera=camera, width=64, height=40, output="linear").pixels
+            for one in (plan, everywhere(plan))
+        )
+        assert np.array_equal(lean, full)
+        drawn.add(frozenset(i for i, shows in drawn_passes(plan, camera, 64, 40, plan.linear).items() if shows))
+    assert len(drawn) > 1 or scene.shore is not None
+
+
+@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
+def test_a_bound_that_is_not_small_keeps_the_effect(effect: Effect) -> None:
+    """Some preset shows each effect, so leaving it out is not the rule."""
+    finer = TIERS["standard"].model_copy(update={"foam_relief": True})
+    plans = [make_plan(load_preset(name).scene, finer) for name in preset_names()]
+    assert any(effect.name in {note.name for note in plan.effects} for plan in plans)
+
+
+def test_a_field_that_a_bound_hangs_on_is_not_live() -> None:
+    """Raising the exposure may bring back what the plan left out, so the page must ask for a new plan."""
+    deep = make_plan(Scene(water=Water(depth=500.0)), TIERS["standard"])
+    assert "floor" in {note.name for note in deep.skipped}
+    assert "/light/exposure" not in deep.live
+    assert "/light/visibility" in deep.live

@@ -1,0 +1,200 @@
+"""Server frames against the float64 truth in ``tests/references``."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.reference import load_truth, render, truth_is_current
+from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
+from seafoam.reference.renderer import camera as cameras
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+from support.exact import UNFILTERED
+from support.report import Report
+
+REFERENCES = Path(__file__).parents[2] / "references"
+HARD = ("halftone", "fading", "halftone_textured", "listing")
+LEVEL = 255.0
+"""Errors are quoted in 8-bit levels of linear light, display white = 255."""
+
+
+def white(linear: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Linear light up to display white: glitter beyond it is white on any screen."""
+    return np.clip(linear.astype(np.float64), 0.0, 1.0)
+
+
+def rmse(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
+    return float(np.sqrt(np.mean((a - b) ** 2)) * LEVEL)
+
+
+def draw(
+    executor: Executor, scene: Scene, quality: Quality, time: float, size: tuple[int, int], output: str = "linear"
+) -> NDArray[np.float32]:
+    plan = make_plan(scene, quality)
+    rendered = executor.render(
+        plan,
+        time=time,
+        camera=scene.camera,
+        width=size[0],
+        height=size[1],
+        output=output,  # type: ignore[arg-type]
+    )
+    return rendered.pixels  # type: ignore[return-value]
+
+
+def without_the_worst(
+    got: NDArray[np.float64], want: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Pixels (n, 3) less the worst in ten thousand: a ray that just touches a crest in the sun falls either way."""
+    order = np.argsort(np.abs(got - want).max(axis=1))
+    kept = order[: len(order) - math.ceil(1e-4 * len(order))]
+    return got[kept], want[kept]
+
+
+def mean_of(samples: NDArray[np.float32], size: tuple[int, int]) -> NDArray[np.float32]:
+    """The frame of its samples, (height, width, 4): one draw gives both."""
+    side = samples.shape[1] // size[0]
+    return samples.reshape(size[1], side, size[0], side, 4).mean(axis=(1, 3), dtype=np.float64).astype(np.float32)
+
+
+def every_job() -> list[tuple[str, Scene]]:
+    return [(job.name, job.scene) for name in preset_names() for job in jobs_of(name, load_preset(name).scene)]
+
+
+def test_truth_is_of_the_scenes_that_are_judged() -> None:
+    """A preset that changed without a new bake would be judged by the wrong picture."""
+    stale = [name for name, scene in every_job() if not truth_is_current(truth_file(REFERENCES, name), scene)]
+    assert not stale, f"run python -m seafoam.reference.bake: {stale}"
+    known = {f"{name}.npz" for name, _ in every_job()}
+    assert {path.name for path in REFERENCES.glob("*.npz")} == known
+
+
+@pytest.mark.parametrize("time", TIMES)
+@pytest.mark.parametrize("preset", preset_names())
+def test_reference_quality_is_the_truth(executor: Executor, report: Report, preset: str, time: float) -> None:
+    scene = load_preset(preset).scene
+    truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
+    want = white(truth.rgb)
+    size = (want.shape[1], want.shape[0])
+    samples = draw(executor, scene, UNFILTERED, time, size, "samples")
+    linear = mean_of(samples, size)
+    got = white(linear[..., :3])
+    below = cameras.depression(cameras.view(scene.camera, *size), *size) > np.radians(1.0)
+    near, whole = rmse(*without_the_worst(got[below], want[below])), rmse(got, want)
+    flips = float(np.mean((samples[..., 3] > 0.0) != truth.foam))
+    height, width = truth.alpha.shape
+    cells = (linear[..., 3] - truth.alpha)[: height // 8 * 8, : width // 8 * 8].reshape(height // 8, 8, width // 8, 8)
+    tone = float(np.abs(cells.mean(axis=(1, 3))).mean())
+    report.add(
+        "Frames against the float64 truth (RMSE in 8-bit levels of linear light)",
+        preset=preset,
+        size=f"{size[0]} × {size[1]}",
+        time=f"{time:g} s",
+        below_1_degree=f"{near:.3f}",
+        whole=f"{whole:.3f}",
+        flipped=f"{100 * flips:.3f} %",
+        tone=f"{100 * tone:.4f} %",
+    )
+    assert near <= 0.5
+    assert whole <= 2.0
+    if scene.foam is not None and scene.foam.look in HARD:
+        assert flips <= 0.005
+        assert tone <= 0.01
+
+
+@pytest.mark.parametrize("preset", ["default", "boat-race", "spray-on-rocks", "paper-halftone"])
+def test_the_frame_is_the_mean_of_its_samples(executor: Executor, preset: str) -> None:
+    """With passes over the picture and without."""
+    scene, size = load_preset(preset).scene, (96, 54)
+    samples, linear = (draw(executor, scene, UNFILTERED, 2.7, size, out) for out in ("samples", "linear"))
+    assert samples.shape[1] > size[0]
+    want = mean_of(samples, size)
+    # A sum of float32 in another order.
+    assert np.abs(linear - want).max() <= 1e-5 * (1.0 + np.abs(want).max())
+
+
+@pytest.mark.parametrize("preset", EVERY_LOOK)
+def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: Report, preset: str) -> None:
+    """One sample a pixel, each look against its own limit of infinitely many."""
+    scene = load_preset(preset).scene
+    assert scene.foam is not None
+    errors = {}
+    for look in (*HARD, "filtered", "textured"):
+        variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
+        truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
+        linear = draw(executor, variant, TIERS["standard"], CONVERGED_TIME, CONVERGED_SIZE)
+        errors[look] = rmse(white(linear[..., :3]), white(truth.rgb))
+        coverage = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
+        report.add(
+            "One sample a pixel against 256, standard quality, 160 × 90",
+            preset=preset,
+            look=look,
+            picture=f"{errors[look]:.2f}",
+            coverage=f"{coverage:.4f}",
+        )
+    # Foam that lives does so in this look alone: carried and of its age it has more to miss.
+    assert errors["filtered"] < (1.1 if scene.foam.life is not None else 1.0) * min(errors[look] for look in HARD)
+
+
+@pytest.mark.parametrize("preset", EVERY_LOOK)
+def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, report: Report, preset: str) -> None:
+    """Of one octave, the only one that halftone has, and small enough that far pixels hold many texels."""
+    scene = load_preset(preset).scene
+    assert scene.foam is not None
+    small = {"mask": "mix", "mask_tile": 5.0, "octaves": 1} if scene.foam.octaves > 1 else {}
+    errors = {}
+    for look, samples in (("halftone", 16), ("filtered", 1)):
+        variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look, **small})})
+        if small:
+            width, height = CONVERGED_SIZE
+            truth = render(variant, time=CONVERGED_TIME, width=width, height=height, samples=8, mode="converged")
+        else:
+            truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
+        quality = TIERS["standard"].model_copy(update={"samples": samples})
+        linear = draw(executor, variant, quality, CONVERGED_TIME, CONVERGED_SIZE)
+        errors[look, "coverage"] = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
+        errors[look, "picture"] = rmse(white(linear[..., :3]), white(truth.rgb))
+    report.add(
+        "Filtered once against halftone sixteen times, each look against its own limit, 160 × 90",
+        preset=preset,
+        **{f"{look}_{what}": f"{error:.4f}" for (look, what), error in errors.items()},
+    )
+    assert errors["filtered", "coverage"] <= errors["halftone", "coverage"]
+
+
+VIEWS = {
+    "straight down from 4 m": Camera(position=(0.3, 4.0, 0.2), pitch=-math.pi / 2, fov=0.9),
+    "straight down from 30 m": Camera(position=(0.3, 30.0, 0.2), pitch=-math.pi / 2, fov=0.9),
+    "along it from 3 m": Camera(position=(0.3, 3.0, 0.2), pitch=-0.2),
+}
+"""Pixels of three texels of the mask or more; nearer, filtered has more than twice the error (docs/accuracy.md)."""
+
+
+@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("base", [-1.0, -0.2])
+def test_filtered_once_is_halftone_sixteen_times(executor: Executor, report: Report, view: str, base: float) -> None:
+    """Foam on level water, a half and a sixth of it covered: what is left is the mask's own error."""
+    size = (96, 54)
+    errors = {}
+    for look, samples in (("halftone", 1), ("halftone", 16), ("filtered", 1)):
+        foam = Foam(saturation=(HeightSaturation(base=base, full=1.0),), look=look, mask="vac-1.5")
+        scene = Scene(foam=foam, camera=VIEWS[view])
+        truth = render(scene, time=0.0, width=size[0], height=size[1], samples=12, mode="converged")
+        quality = TIERS["standard"].model_copy(update={"samples": samples})
+        drawn = draw(executor, scene, quality, 0.0, size)
+        errors[look, samples] = float(np.sqrt(np.mean((drawn[..., 3] - truth.alpha) ** 2)))
+    report.add(
+        "Coverage of level water against 144 samples, each look against its own limit, 96 × 54",
+        view=view,
+        saturation=f"{-base / (1.0 - base):.2f}",
+        **{f"{look}_{samples}": f"{error:.4f}" for (look, samples), error in errors.items()},
+    )
+    assert errors["filtered", 1] <= errors["halftone", 16]

@@ -1,0 +1,266 @@
+"""Foam that lives: where it lies, how it gathers, of which mask it is, how it goes (docs/formulae.md, 4 to 6 and 8)."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.ocean.stokes import first_harmonic, foam_drift
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.reference import render
+from seafoam.reference.foam import living
+from seafoam.reference.foam.front import History, living_front
+from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.shore.shore import Coast
+from seafoam.reference.waves.parametric import wave_set
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, SurfSaturation
+from seafoam.scene.light import Light
+from seafoam.scene.living import FoamLife
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+from seafoam.scene.shore import Shore
+from seafoam.scene.waves import ParametricWave
+from support.exact import EXACT
+from support.report import Report
+
+HALF = (HeightSaturation(base=-0.45, full=0.55),)
+"""0.45 on still water."""
+DOWN = Camera(position=(0.37, 9.0, -0.21), pitch=-math.pi / 2)
+WINDY = FoamLife(windrows=1.0, windrow_spacing=3.0, wind_drift=0.4, wind_direction=0.7)
+
+
+def drawn(executor: Executor, scene: Scene, time: float, camera: Camera, width: int = 96, height: int = 54) -> Any:
+    """Linear pixels, (height, width, 4)."""
+    plan = make_plan(scene, EXACT)
+    return executor.render(plan, time=time, camera=camera, width=width, height=height, output="linear").pixels
+
+
+def places(count: int, side: float = 4000.0) -> NDArray[np.float64]:
+    return np.random.default_rng(3).uniform(0.0, side, (2, count))
+
+
+@pytest.mark.parametrize("name", ["default", "storm", "swell", "shallows", "beach"])
+def test_frames_are_the_float64_truth(executor: Executor, report: Report, name: str) -> None:
+    """Foam amounts of a preset that has all of it, with the same samples."""
+    scene = load_preset(name).scene
+    assert scene.foam is not None
+    assert scene.foam.life is not None
+    life = scene.foam.life.model_copy(update={"windrows": 0.8})
+    scene = scene.model_copy(update={"foam": scene.foam.model_copy(update={"life": life})})
+    got = drawn(executor, scene, 2.7, scene.camera)
+    want = render(scene, time=2.7, width=96, height=54)
+    off = got[..., 3] - want.alpha
+    report.add(
+        "Living foam against float64, one sample a pixel",
+        preset=name,
+        foam=f"{want.alpha.mean():.4f}",
+        rmse=f"{np.sqrt((off**2).mean()):.5f}",
+        bias=f"{off.mean():+.5f}",
+    )
+    # Single samples on far crests meet another wave.
+    assert np.sqrt((off**2).mean()) < 0.01
+    assert abs(off.mean()) < 2e-4
+
+
+def test_foam_drifts_as_a_whole_on_still_water(executor: Executor) -> None:
+    """Ten seconds later the foam is that of ten drifts upwind."""
+    scene = Scene(foam=Foam(saturation=HALF, mask="lace", octaves=2, life=WINDY), light=None)
+    u, w = foam_drift(scene)
+    assert math.hypot(u, w) == pytest.approx(0.4, abs=1e-6)
+    x, y, z = DOWN.position
+    upwind = DOWN.model_copy(update={"position": (x - 10.0 * u, y, z - 10.0 * w)})
+    here, there = drawn(executor, scene, 0.0, upwind), drawn(executor, scene, 10.0, DOWN)
+    assert np.abs(here - there).max() < 2e-3
+    assert np.abs(here - drawn(executor, scene, 0.0, DOWN)).mean() > 0.05
+
+
+def test_water_carries_its_foam_in_circles() -> None:
+    """Water that rests at X is at X − a cos θ: the pattern is pressed together on the crest, by 1 + ak."""
+    wave = ParametricWave(amplitude=0.1, wavelength=8.0, exponent=1.0, direction=0.4)
+    scene = Scene(waves=(wave,))
+    a, k = first_harmonic(0.1, 1.0), 2.0 * math.pi / 8.0
+    assert a == pytest.approx(0.05)
+    s = np.linspace(0.0, 8.0, 4001)
+    x, z = s * math.cos(0.4), s * math.sin(0.4)
+    waves = wave_set(scene, 1.3, (0.0, 0.0))
+    way = waves.carry(x, z)
+    along = way[0] * math.cos(0.4) + way[1] * math.sin(0.4)
+    assert np.abs(way[1] * math.cos(0.4) - way[0] * math.sin(0.4)).max() < 1e-12
+    assert along.max() == pytest.approx(a, rel=1e-6)
+    crest = int(np.argmax(waves.height(x, z)[200:-200])) + 200
+    assert np.gradient(along, s)[crest] == pytest.approx(a * k, rel=1e-3)
+    # In water half a wavelength deep and less the circles are flat.
+    shallow = scene.model_copy(update={"water": scene.water.model_copy(update={"depth": 0.8})})
+    assert wave_set(shallow, 1.3, (0.0, 0.0)).orbit[0] > 1.35 * a
+
+
+def test_windrows_share_out_what_there_is(report: Report) -> None:
+    """In the mean over many rows s stays s, anywhere between none and all."""
+    life = FoamLife(windrows=1.0, windrow_spacing=2.0)
+    scene = Scene(foam=Foam(life=life))
+    x, z = places(400_000)
+    for s in (0.0, 0.03, 0.4, 0.8, 1.0):
+        rows = living.gathered(scene, 7.0, (0.0, 0.0), np.full(x.shape, s), x, z)
+        assert rows.min() >= 0.0
+        assert rows.max() <= 1.0
+        assert rows.mean() == pytest.approx(s, abs=0.003)
+        if s == 0.4:
+            assert rows.std() > 0.1
+
+
+def test_rows_lie_along_the_wind() -> None:
+    life = FoamLife(windrows=1.0, windrow_spacing=2.0, wind_direction=0.9)
+    scene = Scene(foam=Foam(life=life))
+    x, z = places(100_000)
+    c, s = math.cos(0.9), math.sin(0.9)
+
+    def alike(dx: float, dz: float) -> float:
+        here, there = (
+            living.gathered(scene, 0.0, (0.0, 0.0), np.full(x.shape, 0.5), x + m * dx, z + m * dz) for m in (0, 1)
+        )
+        return float(np.corrcoef(here, there)[0, 1])
+
+    assert alike(2.0 * c, 2.0 * s) > 0.7
+    assert alike(-2.0 * s, 2.0 * c) < 0.2
+
+
+def test_masks_of_all_ages_cover_what_one_would() -> None:
+    """What no mask covers stays free: the product of what each leaves is 1 − s."""
+    f = np.linspace(0.005, 0.99, 2000)
+    s = 0.9 * f
+    for masks in (1, 2, 3):
+        shares = living.shares(masks, s, f)
+        free = np.prod([1.0 - one.s for one in shares], axis=0)
+        assert np.abs(1.0 - free - s).max() < 1e-12
+        assert np.abs(sum(one.weight for one in shares) - 1.0).max() < 1e-12
+    young, torn, streak = living.shares(3, s, f)
+    assert (young.weight[f > 0.9] == 1.0).all()
+    assert (torn.weight[np.abs(f - math.exp(-0.8)) < 0.02] == 1.0).all()
+    assert (streak.weight[f < math.exp(-1.6)] == 1.0).all()
+
+
+ONE = Scene(waves=(ParametricWave(amplitude=0.3, wavelength=9.0, direction=0.3),))
+
+
+def foam_of(scene: Scene, source: FrontSaturation, time: float, x: Any, z: Any) -> NDArray[np.float64]:
+    """Saturation at places of still water, (r,)."""
+    assert source.decay is not None
+    waves = wave_set(scene, time, (0.0, 0.0))
+    return living_front(source, source.decay, waves, x, z, None, np.ones_like(x), History((0.0, 0.0), False))
+
+
+@pytest.mark.parametrize("decay", [1.5, 3.7])
+def test_foam_behind_a_front_decays_by_the_second(decay: float) -> None:
+    """By e in each `decay` seconds, from the moment that the paper's front is no longer whole."""
+    source = FrontSaturation(intensity=7.0, decay=decay)
+    x, z = np.zeros(1), np.zeros(1)
+    times = np.arange(0.0, 2.4, 0.01)
+    f = np.array([foam_of(ONE, source, t, x, z)[0] for t in times])
+    front = int(np.argmax(np.diff(f)))
+    assert f[front + 1] == 1.0
+    fading = np.flatnonzero((f < 0.999) & (np.arange(f.size) > front))
+    slope = np.gradient(np.log(f[fading]), times[fading])
+    assert np.abs(slope[1:-1] * decay + 1.0).max() < 1e-3
+
+
+def test_foam_stays_when_the_group_has_passed(report: Report) -> None:
+    """Where crests met there is foam two fronts later, though none of them foams now; and none goes at once."""
+    waves = tuple(ParametricWave(amplitude=0.3, wavelength=length) for length in (8.0, 9.5, 11.0))
+    scene = Scene(waves=waves)
+    source = FrontSaturation(intensity=7.0, group=(0.8, 0.95), decay=3.7)
+    x, z = np.linspace(0.0, 300.0, 6000), np.zeros(6000)
+    f = foam_of(scene, source, 5.0, x, z)
+    paper = FrontSaturation(intensity=7.0, group=(0.8, 0.95), decay=0.2)
+    now = foam_of(scene, paper, 5.0, x, z)
+    assert f.max() == 1.0
+    assert (f > 0.05).mean() > 2.0 * (now > 0.05).mean()
+    step = 0.02
+    later = foam_of(scene, source, 5.0 + step, x, z)
+    # Fronts add at once; what there is goes by its decay, faster where the waves' sum turns fast, and with the window.
+    assert np.quantile(f - later, 0.99) < 0.02
+    assert (f - later).max() < 0.1
+    report.add(
+        "Foam of fronts that lasts",
+        under_foam=f"{(f > 0.05).mean():.3f}",
+        without=f"{(now > 0.05).mean():.3f}",
+        most_lost_in_20_ms=f"{(f - later).max():.4f}",
+    )
+
+
+def test_a_footprint_sees_the_mean_of_what_fronts_left(executor: Executor) -> None:
+    """Straight down, where no wave hides: once a pixel as the mean of 64 places."""
+    source = FrontSaturation(intensity=7.0, group=(0.2, 0.6), decay=2.0)
+    waves = (ParametricWave(amplitude=1e-3, wavelength=9.0), ParametricWave(amplitude=1e-3, wavelength=6.0))
+    scene = Scene(waves=waves, foam=Foam(saturation=(source,), mask="vac-1.5", mask_tile=0.5), light=None)
+    camera = Camera(position=(0.0, 60.0, 0.0), pitch=-math.pi / 2, fov=0.5)
+    once = executor.render(
+        make_plan(scene, TIERS["standard"]), time=4.0, camera=camera, width=48, height=27, output="linear"
+    )
+    many = render(scene, time=4.0, width=48, height=27, samples=8, camera=camera, mode="converged")
+    off = once.pixels[..., 3] - many.alpha
+    assert abs(off.mean()) < 0.01
+    assert np.sqrt((off**2).mean()) < 0.06
+
+
+def test_the_swash_leaves_a_line() -> None:
+    """Foam lies on what the swash swept, most where it turned, none beyond, and thins until the next wave."""
+    shore = Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0)
+    source = SurfSaturation(line=1.0)
+    x, z = np.random.default_rng(2).uniform(-70.0, 70.0, (2, 40_000))
+    means = []
+    for time in np.arange(0.0, shore.surf.period, 0.5):
+        coast = Coast(shore, float(time), (0.0, 0.0), Relief(()))
+        q_x, q_z = coast.place(x, z)
+        ground = coast.ground(q_x, q_z)[0]
+        wave = coast.field.value(q_x, q_z)[:, 1]
+        dry = ground > 0.0
+        f = coast.left(source, x[dry], z[dry], ground[dry], None)
+        beyond = ground[dry] > 1.06 * np.maximum(wave[dry], 1e-3)
+        assert (f[beyond] == 0.0).all()
+        reach = ground[dry] / np.maximum(wave[dry], 1e-3)
+        means.append((f[np.abs(reach - 0.9) < 0.05].mean(), f[np.abs(reach - 0.5) < 0.05].mean()))
+    line, swept = np.array(means).T
+    assert line.mean() > swept.mean() > 0.01
+
+
+def test_whole_foam_has_no_relief(executor: Executor) -> None:
+    """Nothing is lit otherwise inside foam that is whole, nor where there is none; at its edges it is."""
+    camera = Camera(position=(0.0, 1.5, 0.0), pitch=-0.9)
+    light = Light(sun_elevation=0.6, sun_azimuth=-1.0, exposure=-2.0)
+
+    def picture(s: float, thickness: float) -> NDArray[np.float32]:
+        source = HeightSaturation(base=-s, full=1.0 - s)
+        foam = Foam(saturation=(source,), mask="lace", mask_tile=4.0, thickness=thickness)
+        return drawn(executor, Scene(light=light, foam=foam), 0.0, camera)[..., :3]  # type: ignore[no-any-return]
+
+    for s in (0.0, 1.0):
+        assert np.abs(picture(s, 0.05) - picture(s, 0.0)).max() < 1e-5
+    edges = picture(0.5, 0.05) - picture(0.5, 0.0)
+    assert edges.max() > 0.01
+    assert edges.min() < -0.01
+
+
+def test_life_that_cannot_be_is_refused_with_its_field() -> None:
+    with pytest.raises(ValueError, match="decay: requires constants 'text'"):
+        FrontSaturation(constants="listing", decay=2.0)
+
+
+def test_masks_of_another_size_and_cells_are_left_out() -> None:
+    """Another mask may be chosen for foam that lives: older masks that do not fit go, and so do cells."""
+    alone = make_plan(Scene(foam=Foam(mask="lace:4:64:1", life=FoamLife(masks=()))), TIERS["standard"])
+    small = make_plan(Scene(foam=Foam(mask="lace:4:64:1", life=FoamLife(), cells=True)), TIERS["standard"])
+    assert small.programs == alone.programs
+    assert small.textures == alone.textures
+
+
+def test_the_paper_s_looks_know_no_life(executor: Executor) -> None:
+    """`life` is of the filtered look: the others draw what they drew."""
+    foam = Foam(saturation=HALF, look="fading", mask="lace")
+    with_life = foam.model_copy(update={"life": WINDY})
+    a, b = (drawn(executor, Scene(foam=one, light=None), 3.0, DOWN) for one in (foam, with_life))
+    assert np.array_equal(a, b)

@@ -1,0 +1,69 @@
+"""The open sea as photographed from a ship: drawn foam, and what AWE counts, against the law of the wind."""
+
+import numpy as np
+import pytest
+from docs.make_whitecaps import EYE, FOV, PITCH, QUALITY, seascape, shot, spread
+
+from seafoam.ocean.cascades import LOOP
+from seafoam.planner import make_plan
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from support.report import Report
+
+HEIGHT = 200.0
+"""Of an aeroplane, m: a photograph from a ship holds so few whitecaps that hundreds of them are needed
+(``docs/make_whitecaps.py --photographs``), one from here forty times the sea."""
+FRAMES, SEAS = 32, 8
+SURE = 0.08
+"""Standard error of the mean: under half of the bound, so that it is not chance that passes."""
+
+
+@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.parametrize("wind", [10.0, 15.0])
+def test_a_photograph_holds_what_the_wind_raises(executor: Executor, report: Report, wind: float, own: bool) -> None:
+    """Within 20 % of Monahan and O'Muircheartaigh (1980): foam of the last 3 s, and the preset's that lasts; unlit."""
+    random = np.random.default_rng(2)
+    drawn = []
+    for seed in range(SEAS):
+        yaw = float(random.uniform(-3.0, 3.0))
+        scene = seascape(wind, 300 + seed, yaw, own=own).model_copy(update={"light": None})
+        plan = make_plan(scene, QUALITY)
+        for _ in range(FRAMES // SEAS):
+            x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, LOOP)))
+            camera = Camera(position=(x, HEIGHT, z), pitch=PITCH, yaw=yaw, fov=FOV)
+            frame = executor.render(plan, time=time, camera=camera, width=256, height=192, output="linear")
+            drawn.append(float(frame.pixels[..., 3].mean(dtype=np.float64)))
+    law = 3.84e-6 * wind**3.41
+    sure = spread(drawn)
+    report.add(
+        "Whitecaps in photographs from 200 m",
+        foam="lasting" if own else "of the last 3 s",
+        wind=f"{wind:g} m/s",
+        law=f"{100 * law:.3f} %",
+        drawn=f"{100 * np.mean(drawn):.3f} %",
+        sure_to=f"{100 * sure:.0f} %",
+    )
+    assert sure <= SURE
+    assert abs(np.mean(drawn) / law - 1.0) <= 0.2
+
+
+def test_awe_tells_foam_from_water(executor: Executor, report: Report) -> None:
+    """In a photograph AWE counts nearly all that is wholly foam, and nothing like all of the water."""
+    scene = seascape(12.5, 31, 0.5)
+    camera = Camera(position=(0.0, EYE, 0.0), pitch=PITCH, yaw=0.5, fov=FOV)
+    plan = make_plan(scene, QUALITY)
+    for time in (100.0, 700.0, 1300.0):
+        pixels = executor.render(plan, time=time, camera=camera, width=960, height=720, output="linear").pixels
+        found = shot(pixels)  # type: ignore[arg-type]
+        whole = float((pixels[..., 3] >= 0.5).mean())
+        report.add(
+            "AWE on a photograph, 12.5 m/s",
+            time=f"{time:g} s",
+            drawn=f"{100 * found.drawn:.3f} %",
+            at_least_half=f"{100 * whole:.3f} %",
+            counted_over_drawn=f"{found.whole['program'] / found.drawn:.2f}",
+            least_over_drawn=f"{found.whole['least'] / found.drawn:.2f}",
+        )
+        assert whole > 0.0
+        assert found.made_of[0] >= 0.95 * whole
+        assert found.whole["program"] <= 0.2

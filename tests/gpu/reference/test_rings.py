@@ -1,0 +1,296 @@
+"""Rings: the shader's sum and its map against float64, their bounds, their centre, their birth and their death."""
+
+import math
+from random import Random
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.effects.effect import Contribution
+from seafoam.effects.waves import rings as effect
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.ocean.rings import ring_curvature, ring_height, ring_slope, trains
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.reference.waves.rings import RingSet, ring_set
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+from seafoam.scene.rings import RINGS_MOST, Ring
+from seafoam.scene.water import Water
+from support.exact import UNFILTERED
+from support.probe import Probe
+from support.report import Report
+
+FILES = ("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/exact.glsl")
+ORIGINS = ((0.0, 0.0), (1e7, -1e7))
+
+
+def some_rings(time: float, place: tuple[float, float], seed: int, count: int = 24) -> tuple[Ring, ...]:
+    """Rings of all kinds around a place, born in the last minute, some again and again."""
+    r = Random(seed)
+    made = []
+    for i in range(count):
+        decay = math.exp(r.uniform(math.log(0.05), math.log(2.0)))
+        length = math.exp(r.uniform(math.log(0.3), math.log(60.0)))
+        made.append(
+            Ring(
+                place=tuple(min(max(p + r.uniform(-40.0, 40.0), -1e7), 1e7) for p in place),  # type: ignore[arg-type]
+                birth=min(max(time - r.uniform(0.0, 4.0) / decay, -1e9), 1e9),
+                every=6.0 / decay * r.uniform(1.0, 3.0) if i % 3 == 0 else None,
+                amplitude=0.03 * length * r.uniform(0.2, 1.0),
+                decay=decay,
+                wavelength=length,
+                crests=r.choice((None, 0.5, 3.0, 8.0)),
+            )
+        )
+    return tuple(made)
+
+
+def points(scene: Scene, origin: tuple[float, float], seed: int, count: int) -> NDArray[np.float32]:
+    """Places in metres from the origin: near the rings' centres, over their reach, and beyond."""
+    rng = np.random.default_rng(seed)
+    every = trains(scene)
+    picked = rng.integers(0, len(every), count)
+    centre = np.array([train.ring.place for train in every])[picked] - np.array(origin)
+    reach = np.array([train.reach for train in every])[picked]
+    angle, share = rng.uniform(0.0, 2.0 * math.pi, count), rng.random(count) ** 2 * 1.1
+    share[: count // 20] *= 1e-4
+    way = (reach * share)[:, None] * np.stack((np.cos(angle), np.sin(angle)), axis=-1)
+    return (centre + way).astype(np.float32)
+
+
+def given(scene: Scene) -> Contribution:
+    contribution = effect.EFFECT.contribute(scene, UNFILTERED)
+    assert contribution is not None
+    return contribution
+
+
+def shader(probe: Probe, scene: Scene, time: float, origin: tuple[float, float], at: NDArray[np.float32]) -> NDArray:
+    """Height and gradient by the shader's sum, (n, 3)."""
+    contribution = given(scene)
+    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+    uniforms = {name: evaluate(uniform, state) for name, uniform in contribution.uniforms.items()}
+    consts = {**contribution.consts, "SURFACE_FILTER": False}
+    return probe(FILES, "y.xyz = rings_waves(x.xy);", at, consts=consts, uniforms=uniforms)[:, :3].astype(np.float64)
+
+
+def truth(scene: Scene, time: float, origin: tuple[float, float], at: NDArray[np.float32]) -> NDArray[np.float64]:
+    x, z = at.astype(np.float64).T
+    rings: RingSet = ring_set(scene, time, origin)
+    return np.column_stack((rings.height(x, z), *rings.gradient(x, z)))
+
+
+@pytest.mark.parametrize("origin", ORIGINS, ids=str)
+@pytest.mark.parametrize("time", [0.0, 12.5, 3600.0, 1e9])
+def test_rings_equal_float64_at_any_time_and_place(
+    probe: Probe, report: Report, time: float, origin: tuple[float, float]
+) -> None:
+    scene = Scene(rings=some_rings(time, origin, 7), water=Water(depth=4.0))
+    at = points(scene, origin, 3, 10000)
+    got, want = shader(probe, scene, time, origin, at), truth(scene, time, origin, at)
+    height, slope = (np.abs(got - want)[:, part].max() for part in (slice(0, 1), slice(1, 3)))
+    highest, steepest = ring_height(scene), ring_slope(scene)
+    report.add(
+        "Rings against float64, 24 rings, 10 000 places",
+        time=f"{time:g} s",
+        origin=f"{origin[0]:g} m",
+        height=f"{1e6 * height:.2f} µm of {2.0 * highest:.2f} m",
+        slope=f"{1e6 * slope:.2f} millionths of {steepest:.2f}",
+    )
+    assert want[:, 0].std() > 0.01 * highest
+    assert height <= 1e-5 * highest
+    # An age of 1e9 s less 1e9 s is as exact as float64's 1.2e-7 s.
+    assert slope <= 2e-5 * steepest
+
+
+def test_heights_and_slopes_stay_within_their_bounds() -> None:
+    """Crowds of rings: no height, slope or curvature over its bound."""
+    closest = 0.0
+    for seed in range(12):
+        scene = Scene(rings=some_rings(0.0, (0.0, 0.0), seed, count=3 + 5 * seed))
+        highest, steepest, bend = ring_height(scene), ring_slope(scene), ring_curvature(scene)
+        at = points(scene, (0.0, 0.0), seed, 1500)
+        for time in (-3.0, 0.0, 1.7, 9.0):
+            found = truth(scene, time, (0.0, 0.0), at)
+            assert (np.abs(found[:, 0]) <= highest).all()
+            assert (np.hypot(found[:, 1], found[:, 2]) <= steepest).all()
+            closest = max(closest, float(np.abs(found[:, 0]).max() / highest))
+            beside = truth(scene, time, (1e-3, 0.0), at)
+            turned = np.hypot(*(beside - found)[:, 1:].T) / 1e-3
+            assert (turned <= 1.01 * bend).all()
+    assert closest > 0.2
+
+
+def test_the_gradient_is_the_heights() -> None:
+    scene = Scene(rings=some_rings(0.0, (0.0, 0.0), 2))
+    at = points(scene, (0.0, 0.0), 5, 4000)
+    x, z = at.astype(np.float64).T
+    rings = ring_set(scene, 0.0, (0.0, 0.0))
+    step = 1e-6
+    numeric = [
+        (rings.height(x + a, z + b) - rings.height(x - a, z - b)) / (2.0 * step) for a, b in ((step, 0.0), (0.0, step))
+    ]
+    exact = rings.gradient(x, z)
+    assert max(float(np.abs(n - e).max()) for n, e in zip(numeric, exact, strict=True)) < 1e-6
+
+
+def test_a_hundred_rings_at_one_point(probe: Probe) -> None:
+    """They add up to one a hundred times as high, at their centre and around it, and reach their bound."""
+    origin = (1e7, 1e7)
+    ring = Ring(place=origin, amplitude=0.02, decay=0.3, wavelength=4.0)
+    many = Scene(rings=(ring,) * RINGS_MOST)
+    at = points(many, origin, 1, 2000)
+    at[0] = 0.0
+    for time in (0.0, 1e-6, 2.0, 12.0):
+        got, want = shader(probe, many, time, origin, at), truth(many, time, origin, at)
+        assert np.isfinite(got).all()
+        assert np.abs(got - want).max() <= 5e-5
+    one = Scene(rings=(ring,))
+    assert math.isclose(ring_height(many), RINGS_MOST * ring_height(one), rel_tol=1e-5)
+    assert math.isclose(ring_height(one), 0.02 - ring.dead, rel_tol=1e-5)
+    with pytest.raises(ValueError, match="rings"):
+        Scene(rings=(ring,) * (RINGS_MOST + 1))
+
+
+@pytest.mark.parametrize("birth", [0.0, 1e9, -1e9])
+def test_a_ring_is_born_from_still_water_at_its_centre(probe: Probe, birth: float) -> None:
+    """At its birth and before it is level everywhere, its centre included; the slope there stays 0 afterwards."""
+    ring = Ring(place=(0.0, 0.0), birth=birth, amplitude=1.0, wavelength=2.0)
+    scene = Scene(rings=(ring,))
+    at = np.array([[0.0, 0.0], [1e-20, 0.0], [1e-6, -1e-6], [0.1, 0.0], [3.0, 4.0]], np.float32)
+    for age in (-1.0, 0.0):
+        got = shader(probe, scene, birth + age, (0.0, 0.0), at)
+        assert (got == 0.0).all()
+    later = [shader(probe, scene, birth + age, (0.0, 0.0), at) for age in (0.1, 0.5, 1.0)]
+    assert np.isfinite(later).all()
+    assert (np.abs(np.array(later)[:, 0, 1:]) == 0.0).all()
+    assert (np.abs(np.array(later)[:, :3, 1:]) < 1e-4).all()
+    # Without the rounded tip the slope beside the centre would be that of a cone, k I0 sin(omega s).
+    assert abs(later[1][3][1]) < 0.5 * math.pi
+
+
+def test_a_dead_ring_leaves_no_trace(probe: Probe) -> None:
+    ring = Ring(place=(0.0, 0.0), amplitude=0.5, decay=0.5, wavelength=3.0)
+    scene = Scene(rings=(ring,))
+    at = points(scene, (0.0, 0.0), 1, 500)
+    for age in (ring.life + 1e-3, 1e3, 1e9):
+        assert (shader(probe, scene, age, (0.0, 0.0), at) == 0.0).all()
+    # It goes without a jump: a tenth of a second before, it is lower than a twentieth of what it dies at.
+    last = shader(probe, scene, ring.life - 0.1, (0.0, 0.0), at)
+    assert 0.0 < np.abs(last[:, 0]).max() <= 0.06 * ring.dead
+
+
+def test_rings_too_low_to_show_are_left_out() -> None:
+    for scene in (Scene(rings=(Ring(amplitude=1e-4),)), Scene(rings=(Ring(amplitude=0.0),) * 3)):
+        plan = make_plan(scene, TIERS["standard"])
+        assert "rings" in {note.name for note in plan.skipped}
+        assert "u_ring" not in plan.programs["surface"].fragment.text
+    assert "rings" not in make_plan(Scene(), TIERS["standard"]).programs
+
+
+def test_a_repeating_ring_starts_anew(probe: Probe) -> None:
+    ring = Ring(place=(2.0, 1.0), birth=3.0, every=20.0, amplitude=0.3, decay=0.4, wavelength=2.0)
+    scene = Scene(rings=(ring,))
+    at = points(scene, (0.0, 0.0), 1, 500)
+    first = shader(probe, scene, 5.5, (0.0, 0.0), at)
+    assert np.ptp(first[:, 0]) > 0.05
+    for turns in (-50_000_000, 1, 50_000_000):
+        # 20 s times fifty million is a number that float64 holds; 1e9 s and a few are exact to 1.2e-7 s.
+        assert np.abs(shader(probe, scene, 5.5 + 20.0 * turns, (0.0, 0.0), at) - first).max() < 1e-5
+    with pytest.raises(ValueError, match="life"):
+        Ring(every=1.0, decay=0.1)
+
+
+def apart(executor: Executor, scene: Scene, camera: Camera, time: float, size: int) -> float:
+    """RMSE in levels between frames with the map and with the sum."""
+    frames = []
+    for way in ("map", "exact"):
+        quality = TIERS["standard"].model_copy(update={"rings": way, "rings_size": size, "target": "RGBA32F"})
+        plan = make_plan(scene, quality)
+        assert ("rings" in plan.targets) == (way == "map")
+        shot = executor.render(plan, time=time, camera=camera, width=96, height=54, output="linear")
+        frames.append(np.clip(shot.pixels[..., :3].astype(np.float64), 0.0, 1.0))
+    return 255.0 * float(np.sqrt(np.mean((frames[0] - frames[1]) ** 2)))
+
+
+@pytest.mark.parametrize("preset", ["lake-calm", "explosion"])
+def test_the_map_is_the_sum(executor: Executor, report: Report, preset: str) -> None:
+    """Drawn into a texture and read back: what bilinear filtering and half floats leave of the exact sum."""
+    found = load_preset(preset)
+    scene = found.scene.model_copy(update={"foam": None, "waves": (), "sea": None})
+    above = scene.camera.model_copy(
+        update={"position": (scene.rings[0].place[0], 14.0, scene.rings[0].place[1]), "pitch": -math.pi / 2}
+    )
+    errors = {
+        f"{view}, {size} texels": apart(executor, scene, camera, found.time, size)
+        for view, camera in (("its camera", scene.camera), ("from above", above))
+        for size in (1024, 2048)
+    }
+    report.add(
+        "Dynamic displacement map against the sum, 96 × 54, RMSE in levels",
+        preset=preset,
+        **{name: f"{error:.3f}" for name, error in errors.items()},
+    )
+    # Far off, waves are taken out by what the map knows of them together; the sum takes out each by itself. The bound
+    # was 2.0 while footprints took out three times as much, and both stayed further from the truth.
+    assert errors["its camera, 1024 texels"] < 2.5
+    assert errors["from above, 1024 texels"] < 1.0
+    assert errors["from above, 2048 texels"] < 0.7 * errors["from above, 1024 texels"] + 0.02
+
+
+def test_the_map_does_not_swim(executor: Executor) -> None:
+    """It lies still on the water: from another eye the same places have the same texels, so the plan's passes agree."""
+    scene = load_preset("lake-calm").scene
+    plan = make_plan(scene, TIERS["standard"])
+    (drawn,) = [one for one in plan.passes if one.target == "rings"]
+    states = [
+        FrameState(4.0, Camera(position=place), 1, 1, 1, 1, 0) for place in ((0.0, 2.0, 0.0), (123.4, 2.0, -77.7))
+    ]
+    for name, uniform in drawn.uniforms.items():
+        values = [evaluate(uniform, state) for state in states]
+        assert (values[0] == values[1]).all(), name
+
+
+@pytest.mark.parametrize("origin", ORIGINS)
+def test_rings_are_still_where_the_map_leaves_them_out(probe: Probe, origin: tuple[float, float]) -> None:
+    scene = Scene(rings=some_rings(100.0, origin, 5))
+    state = FrameState(100.0, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+    uniforms = {name: evaluate(uniform, state) for name, uniform in given(scene).uniforms.items()}
+    body = (
+        "y = vec4(0.0);\nfor (int i = 0; i < RING_COUNT; ++i) {\n"
+        "    vec2 way = x.xy + u_ring_now[i].xy;\n"
+        "    vec4 ring = abs(ring_profile(way, u_ring_now[i], u_ring_shape[i]));\n"
+        "    bool here = ring_here(way, u_ring_now[i], u_ring_shape[i]);\n"
+        "    y = here ? vec4(y.x, max(y.y, ring.x), y.z + 1.0, 0.0) : vec4(max(y.x, max(ring.x, ring.w)), y.yzw);\n}"
+    )
+    got = probe(
+        FILES,
+        body,
+        points(scene, origin, 6, 20000),
+        consts={**given(scene).consts, "SURFACE_FILTER": False},
+        uniforms=uniforms,
+    )
+    assert got[:, 0].max() < 1e-9
+    assert got[:, 1].max() > 0.01
+    # Of the rings next to none reaches a place: that is what it is for.
+    assert got[:, 2].mean() < 0.5 * len(scene.rings)
+
+
+def test_bits_are_found_one_by_one(probe: Probe) -> None:
+    at = np.array([[float(i)] for i in range(32)], np.float32)
+    body = "uint bits = 0xffffffffu << uint(int(x.x));\ny.x = float(ring_first(bits));\ny.y = float(ring_first(0u));"
+    got = probe(("lib/numbers.glsl", "waves/rings/ring.glsl"), body, at, consts=given(Scene(rings=(Ring(),))).consts)
+    assert (got[:, 0] == np.arange(32)).all()
+    assert (got[:, 1] == 0.0).all()
+
+
+def test_more_rings_than_a_word_has_bits_are_all_in_the_map(executor: Executor) -> None:
+    rings = tuple(
+        Ring(place=(8.0 * (i % 8), -8.0 * (i // 8)), birth=-1.0, amplitude=0.2, decay=0.4, wavelength=3.0)
+        for i in range(40)
+    )
+    above = Camera(position=(28.0, 60.0, -16.0), pitch=-math.pi / 2)
+    assert apart(executor, Scene(rings=rings), above, 0.0, 2048) < 1.0

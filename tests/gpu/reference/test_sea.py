@@ -1,0 +1,465 @@
+"""The open sea: the GPU's tiles against float64 sums, its transform against numpy.fft, what a spectrum promises."""
+
+import math
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.effects.waves.sea import displaced_target
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.ocean import cascades as sea_tiles
+from seafoam.ocean import spectrum as sea_spectrum
+from seafoam.ocean import whitecaps as foam_of_sea
+from seafoam.planner import FramePlan, make_plan
+from seafoam.quality import TIERS
+from seafoam.reference.waves import sea as truth
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+from seafoam.scene.water import Water
+from seafoam.scene.waves import Sea
+from seafoam.textures import SeaSpectrum, texture
+from support.exact import EXACT
+from support.report import Report
+
+Floats = NDArray[np.float64]
+
+TIMES = (0.0, 12.5, 3600.0, 1e9)
+ORIGINS = ((0.0, 0.0), (1e7, -1e7))
+QUICK = TIERS["standard"].model_copy(update={"sea_digits": "float"})
+POINTS = 10_000
+SEAS = {
+    "fft": Sea(wind=12.0, fetch=3e5, wind_direction=1.2),
+    "gerstner": Sea(model="gerstner", wind=7.0, fetch=1e5, wind_direction=-0.4),
+}
+
+
+def seen(sea: Sea, depth: float | None = None, foam: bool = True) -> Scene:
+    return Scene(
+        sea=sea, water=Water(depth=depth), foam=Foam(saturation=(FoldSaturation(),), look="halftone") if foam else None
+    )
+
+
+def target(executor: Executor, plan: FramePlan, name: str, time: float) -> NDArray[np.float32]:
+    """What a frame leaves in a target, row 0 first."""
+    shown = plan.model_copy(update={"linear": name})
+    drawn = executor.render(shown, time=time, camera=Camera(), width=16, height=16, output="linear")
+    return drawn.pixels[::-1]  # type: ignore[return-value]
+
+
+def bilinear(tile: NDArray[np.float32], at: NDArray[np.float32]) -> NDArray[np.float32]:
+    """``sea_fetch`` of the shader, in float32. at: (r, 2), in tiles."""
+    size = tile.shape[0]
+    place = (at - np.floor(at)) * np.float32(size)
+    base = np.floor(place)
+    t = (place - base)[:, :, None]
+    near = base.astype(np.int64) % size
+    far = (near + 1) % size
+    first = tile[near[:, 1], near[:, 0]] * (1 - t[:, 0]) + tile[near[:, 1], far[:, 0]] * t[:, 0]
+    second = tile[far[:, 1], near[:, 0]] * (1 - t[:, 0]) + tile[far[:, 1], far[:, 0]] * t[:, 0]
+    return first * (1 - t[:, 1]) + second * t[:, 1]
+
+
+@pytest.mark.parametrize("name", SEAS)
+@pytest.mark.parametrize("time", TIMES)
+def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name: str, time: float) -> None:
+    """The tiles that the GPU drew: each texel, and read as the shader reads them at 10,000 places round each origin."""
+    scene = seen(SEAS[name])
+    plan = make_plan(scene, EXACT)
+    tiles = [target(executor, plan, f"sea_tile_{i}", time) for i in range(sea_tiles.RAISED)]
+    random = np.random.default_rng(7)
+    p = random.uniform(-500.0, 500.0, (POINTS, 2)).astype(np.float32)
+    origin_surface = truth.sea_surface(scene, time, (0.0, 0.0))
+    assert origin_surface is not None
+    _check_texels(executor, report, plan, origin_surface, name, time)
+    for origin in ORIGINS:
+        surface = truth.sea_surface(scene, time, origin)
+        assert surface is not None
+        camera = Camera(position=(origin[0], 6.0, origin[1]))
+        state = FrameState(time, camera, 16, 16, 16, 16, 0)
+        offsets = [evaluate(plan.uniforms[f"u_sea_offset_{i}"], state) for i in range(sea_tiles.RAISED)]
+        sides = [evaluate(plan.uniforms[f"u_sea_size_{i}"], state)[0] for i in range(sea_tiles.RAISED)]
+        sums = np.zeros((POINTS, 4))
+        for tile, offset, side in zip(tiles, offsets, sides, strict=True):
+            sums += bilinear(tile, p / side + offset)
+        x, z = p.astype(np.float64).T
+        h_x, h_z = surface.gradient(x, z)
+        away = {
+            "height": np.abs(sums[:, 0] - surface.height(x, z)).max(),
+            "slope": max(np.abs(sums[:, 1] - h_x).max(), np.abs(sums[:, 2] - h_z).max()),
+            "normal": _angle(sums[:, 1], sums[:, 2], h_x, h_z).max(),
+        }
+        report.add(
+            "Open sea at 10,000 places against float64: greatest difference",
+            model=name,
+            time=f"{time:g} s",
+            origin=f"{origin[0]:g} m",
+            height=f"{1e3 * away['height']:.4f} mm",
+            slope=f"{away['slope']:.1e}",
+            normal=f"{away['normal']:.1e} rad",
+        )
+        # The place in the largest tile is a float32 share of it: good to a ten-thousandth of a texel.
+        assert away["height"] <= 2e-3
+        assert away["slope"] <= 2e-3
+        assert away["normal"] <= 2e-3
+
+
+def _angle(a_x: Floats, a_z: Floats, b_x: Floats, b_z: Floats) -> Floats:
+    dot = (a_x * b_x + a_z * b_z + 1.0) / np.sqrt((a_x**2 + a_z**2 + 1.0) * (b_x**2 + b_z**2 + 1.0))
+    cross = np.sqrt((a_x - b_x) ** 2 + (a_z - b_z) ** 2 + (a_x * b_z - a_z * b_x) ** 2)
+    return np.arctan2(cross, dot * np.sqrt((a_x**2 + a_z**2 + 1.0) * (b_x**2 + b_z**2 + 1.0)))
+
+
+def spline_at_texels(coefficients: Floats) -> Floats:
+    """Values at the texels of the uniform cubic B-spline with these coefficients, periodic; (size, size, n)."""
+    for axis in (0, 1):
+        beside = np.roll(coefficients, 1, axis) + np.roll(coefficients, -1, axis)
+        coefficients = (beside + 4.0 * coefficients) / 6.0
+    return coefficients
+
+
+def _check_texels(
+    executor: Executor, report: Report, plan: FramePlan, surface: truth.SeaSurface, name: str, time: float
+) -> None:
+    """Every texel of every tile that the GPU drew: displacement, height, slopes, fold, and folds of earlier times."""
+    atlas = target(executor, plan, displaced_target(seen(SEAS[name]), EXACT), time).astype(np.float64)
+    for i, one in enumerate(surface.tiles):
+        moved = truth.grids(surface.cascades[i], time, truth.TEXELS)
+        block = spline_at_texels(atlas[:, i * truth.TEXELS : (i + 1) * truth.TEXELS, :3])
+        shift = np.abs(block - np.stack((moved.h, moved.d_x, moved.d_z), -1)).max()
+        got = target(executor, plan, f"sea_tile_{i}", time).astype(np.float64)
+        away = [np.abs(got[..., 0] - one.height).max(), np.abs(got[..., 1:3] - np.stack((one.h_x, one.h_z), -1)).max()]
+        fold = np.abs(got[..., 3] - one.fold).max()
+        report.add(
+            "Tiles of open sea, 512 x 512 texels, against float64: greatest difference",
+            model=name,
+            time=f"{time:g} s",
+            tile=f"{one.size:g} m",
+            displacement=f"{1e3 * shift:.4f} mm",
+            height=f"{1e3 * away[0]:.4f} mm",
+            slope=f"{away[1]:.1e}",
+            fold=f"{fold:.1e}",
+        )
+        assert shift <= 1e-3 * math.sqrt(surface.cascades[i].variance)
+        assert away[0] <= 1e-3 * math.sqrt(surface.cascades[i].variance)
+        assert away[1] <= 1e-3
+        assert fold <= 1e-3
+    drawn = target(executor, plan, "age_tiles", time).astype(np.float64)
+    side, rows = drawn.shape[1], foam_of_sea.AGE_STEPS // 4
+    for i, then in enumerate(surface.earlier):
+        for row in range(rows):
+            got = drawn[(i * rows + row) * (side + 1) :][: side + 1]
+            assert np.abs(got[:-1] - np.stack(then[4 * row : 4 * row + 4], -1)).max() <= 1e-3
+            assert (got[-1] == got[0]).all()
+
+
+@pytest.mark.parametrize("name", SEAS)
+def test_the_reference_is_the_sum_of_its_waves(report: Report, name: str) -> None:
+    """The grids, splines and Newton steps of the reference against direct sums over every wave, at 10,000 places."""
+    sea = SEAS[name]
+    random = np.random.default_rng(3)
+    for i, of in enumerate(sea_tiles.cascades(sea, None)):
+        count = POINTS if i == 0 else 1000
+        x, z = random.uniform(0.0, of.size, (2, count))
+        wanted = truth.direct(of, 12.5, x, z)
+        got = truth.grids(of, 12.5, truth.TEXELS)
+        scale = truth.TEXELS / of.size
+        tile = truth.tile(of, 12.5, sea.choppiness)
+        surface = truth.SeaSurface((tile,), (of,), (0.0, 0.0), ())
+        choppy = of.choppiness(sea.choppiness)
+        p_x, p_z = x + choppy * wanted.d_x, z + choppy * wanted.d_z
+        folds = wanted.jacobian(choppy)
+        steep_x = ((1 + choppy * wanted.zz) * wanted.h_x - choppy * wanted.xz * wanted.h_z) / folds
+        height = surface.height(p_x, p_z)
+        seen_x, _ = surface.shading(p_x, p_z)
+        deviation, slope = math.sqrt(of.variance), math.sqrt(of.mean_square_slope)
+        away = np.abs(height - wanted.h)
+        spline = np.abs(surface._smooth(tile, truth._spline(got.d_x), x, z) - wanted.d_x).max()
+        bent = math.sqrt(np.mean((surface._smooth(tile, tile.jacobian, p_x, p_z) - folds) ** 2))
+        report.add(
+            "The reference's tiles against direct sums (in standard deviations of height and slope)",
+            model=name,
+            tile=f"{of.size:g} m",
+            displacement=f"{spline / deviation:.1e}",
+            height_rms=f"{math.sqrt(np.mean(away**2)) / deviation:.1e}",
+            height_most=f"{away.max() / deviation:.1e}",
+            slope_rms=f"{math.sqrt(np.mean((seen_x - steep_x) ** 2)) / slope:.1e}",
+            jacobian_rms=f"{bent:.1e}",
+        )
+        assert scale > 0.0
+        assert spline <= 2e-3 * deviation
+        # Bilinear between texels, and slopes by a spline that is not interpolating: part of the model.
+        assert math.sqrt(np.mean(away**2)) <= 0.02 * deviation
+        assert math.sqrt(np.mean((seen_x - steep_x) ** 2)) <= 0.1 * slope
+        assert bent <= 0.01
+
+
+@pytest.mark.parametrize("size", [64, 128, 256, 512])
+def test_the_transform_is_numpys(executor: Executor, report: Report, size: int) -> None:
+    """Round trip, Parseval, Hermitian symmetry (real fields) and zero mean of what the passes made."""
+    sea = SEAS["fft"]
+    quality = QUICK.model_copy(update={"sea_size": size, "sea_tiles": 3})
+    plan = make_plan(seen(sea, foam=False), quality)
+    atlas = target(executor, plan, displaced_target(seen(sea, foam=False), quality), 12.5).astype(np.float64)
+    response = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(size))) / 3.0
+    for i, of in enumerate(sea_tiles.cascades(sea, None)[:3]):
+        block = atlas[:, i * size : (i + 1) * size]
+        spectrum = np.fft.fft2(block[..., 0]) / size**2 * response[:, None] * response[None, :]
+        number = np.fft.fftfreq(size, 1.0 / size).round().astype(int)
+        wanted = np.zeros((size, size), np.complex128)
+        moved = truth.amplitudes(of, 12.5)
+        for j, iz in enumerate(number):
+            for m, ix in enumerate(number):
+                if max(abs(ix), abs(iz)) < min(sea_tiles.BAND, size // 2):
+                    row, column = iz + sea_tiles.BAND, ix + sea_tiles.BAND
+                    middle = 2 * sea_tiles.BAND
+                    wanted[j, m] = moved[row, column] + np.conj(moved[middle - row, middle - column])
+        scale = np.abs(wanted).max()
+        parseval = float(np.mean(np.fft.ifft2(spectrum * size**2).real ** 2) / (np.abs(wanted) ** 2).sum())
+        report.add(
+            "The sea's transform on the GPU against numpy.fft, shares of the greatest amplitude",
+            size=str(size),
+            tile=f"{of.size:g} m",
+            round_trip=f"{np.abs(spectrum - wanted).max() / scale:.1e}",
+            parseval=f"{parseval - 1:.1e}",
+            imaginary=f"{np.abs(block[..., 3]).max() / np.abs(block[..., 2]).max():.1e}",
+            mean=f"{abs(block[..., 0].mean()) / scale:.1e}",
+        )
+        assert np.abs(spectrum - wanted).max() <= 3e-5 * scale
+        assert abs(parseval - 1.0) <= 1e-4
+        assert np.abs(block[..., 3]).max() <= 1e-5 * np.abs(block[..., 2]).max()
+        assert abs(block[..., 0].mean()) <= 1e-6 * scale
+
+
+@pytest.mark.parametrize("wind", [4.0, 10.0, 22.0, 60.0])
+@pytest.mark.parametrize("name", SEAS)
+def test_significant_height(executor: Executor, report: Report, wind: float, name: str) -> None:
+    """From the spectrum, from the waves, and from the field that is drawn: within 2 %."""
+    sea = SEAS[name].model_copy(update={"wind": wind, "fetch": 5e5})
+    omega = np.geomspace(0.3, 60.0, 20001) * sea_spectrum.peak_frequency(wind, sea.fetch)
+    wanted = 4.0 * math.sqrt(np.trapezoid(sea_spectrum.frequency_spectrum(omega, wind, sea.fetch), omega))
+    drawn = sea_tiles.cascades(sea, None)
+    waves = 4.0 * math.sqrt(sum(of.variance for of in drawn))
+    quality = QUICK.model_copy(update={"sea_size": 128})
+    calm = sea.model_copy(update={"choppiness": 0.0})
+    plan = make_plan(seen(calm, foam=False), quality)
+    tiles = [target(executor, plan, f"sea_tile_{i}", 31.0).astype(np.float64) for i in range(len(drawn))]
+    field = 4.0 * math.sqrt(sum(float(np.mean(tile[..., 0] ** 2)) for tile in tiles))
+    report.add(
+        "Significant wave height, m",
+        model=name,
+        wind=f"{wind:g} m/s",
+        spectrum=f"{wanted:.4f}",
+        waves=f"{waves:.4f}",
+        field=f"{field:.4f}",
+    )
+    assert abs(waves / wanted - 1.0) <= 0.02
+    assert abs(field / wanted - 1.0) <= 0.02
+
+
+@pytest.mark.parametrize("name", SEAS)
+def test_without_choppiness_nothing_folds(executor: Executor, name: str) -> None:
+    calm = SEAS[name].model_copy(update={"choppiness": 0.0})
+    tile = target(executor, make_plan(seen(calm, foam=False), QUICK), "sea_tile_0", 5.0)
+    assert np.abs(tile[..., 3]).max() == 0.0
+    assert np.abs(tile[..., 0]).max() > 0.1
+
+
+@pytest.mark.parametrize("name", SEAS)
+def test_a_tile_has_no_seam(executor: Executor, name: str) -> None:
+    """Across its edge a tile changes as it does inside; and its waves are the same a whole tile away."""
+    tile = target(executor, make_plan(seen(SEAS[name], foam=False), QUICK), "sea_tile_0", 5.0)[..., :3].astype(
+        np.float64
+    )
+    for axis in (0, 1):
+        inside = np.abs(np.diff(tile, axis=axis)).reshape(-1, 3)
+        edge = np.abs(np.take(tile, 0, axis) - np.take(tile, -1, axis)).reshape(-1, 3)
+        assert (edge.max(axis=0) <= inside.max(axis=0)).all()
+        assert (edge.mean(axis=0) <= 2.0 * inside.mean(axis=0)).all()
+    of = sea_tiles.cascades(SEAS[name], None)[0]
+    x = np.linspace(0.0, of.size, 50)
+    here, there = truth.direct(of, 5.0, x, 0.3 * x), truth.direct(of, 5.0, x + of.size, 0.3 * x - of.size)
+    assert np.abs(here.h - there.h).max() <= 1e-9
+
+
+def test_no_wave_is_counted_twice() -> None:
+    ends = []
+    for of in sea_tiles.cascades(SEAS["fft"], None):
+        there = of.k[np.abs(of.h0) > 0.0]
+        ends.append((float(there.min()), float(there.max())))
+    for (_, high), (low, _) in pairwise(ends):
+        assert high < low
+    sizes = [of.size for of in sea_tiles.cascades(SEAS["fft"], None)]
+    for a, b in pairwise(sizes):
+        assert abs(a / b - round(a / b)) > 0.1
+
+
+def test_dc_and_nyquist_are_empty(executor: Executor) -> None:
+    for of in sea_tiles.cascades(Sea(wind=60.0, fetch=1e7), None):
+        assert of.h0[sea_tiles.BAND, sea_tiles.BAND] == 0.0
+        assert not of.h0[0].any()
+        assert not of.h0[:, 0].any()
+    quality = QUICK.model_copy(update={"sea_size": 64})
+    plan = make_plan(seen(SEAS["fft"], foam=False), quality)
+    atlas = target(executor, plan, "sea_a", 5.0)
+    assert np.isfinite(atlas).all()
+
+
+def test_a_seed_is_a_sea() -> None:
+    seas = [SeaSpectrum(sea=SEAS["fft"].model_copy(update={"seed": seed})) for seed in (1, 1, 2)]
+    sea_tiles.cascades.cache_clear()
+    texture.cache_clear()
+    first = texture(seas[0]).sha256
+    sea_tiles.cascades.cache_clear()
+    texture.cache_clear()
+    assert texture(seas[1]).sha256 == first
+    assert texture(seas[2]).sha256 != first
+
+
+def test_a_river_has_no_wave_against_its_wind() -> None:
+    for name, sea in SEAS.items():
+        river = sea.model_copy(update={"against": 0.0, "wind": 6.0, "fetch": 2e3})
+        for of in sea_tiles.cascades(river, 3.0):
+            rows, columns = np.nonzero(of.h0)
+            along = (columns - sea_tiles.BAND) * math.cos(river.wind_direction) + (rows - sea_tiles.BAND) * math.sin(
+                river.wind_direction
+            )
+            assert (along > -1e-9).all(), name
+
+
+@pytest.mark.parametrize("wind", [3.0, 12.0, 30.0, 60.0])
+def test_slopes_stay_under_the_marchs_bound(wind: float) -> None:
+    """The bound is a quantile: over these tiles no pair of neighbouring texels passes it, and no height its limit."""
+    for seed in (1, 2):
+        sea = SEAS["fft"].model_copy(update={"wind": wind, "seed": seed, "choppiness": 1.0})
+        for of in sea_tiles.cascades(sea, None)[: sea_tiles.RAISED]:
+            tile = truth.tile(of, 40.0 * seed, 1.0, 256)
+            step = of.size / 256
+            across = [np.diff(tile.height, axis=axis, append=np.take(tile.height, [0], axis)) / step for axis in (0, 1)]
+            assert np.hypot(*across).max() <= of.max_slope
+            assert np.abs(tile.height).max() <= of.limit
+
+
+def test_shallow_water_lowers_and_shortens_the_sea() -> None:
+    deep, shallow = (sea_tiles.cascades(Sea(wind=15.0), depth) for depth in (None, 4.0))
+    assert sum(of.variance for of in shallow) < 0.5 * sum(of.variance for of in deep)
+    assert shallow[0].size < deep[0].size
+    k = np.geomspace(1e-3, 10.0, 200)
+    omega, group, factor = sea_spectrum.dispersion(k, 4.0)
+    assert np.abs(omega**2 - 9.81 * k * np.tanh(4.0 * k)).max() <= 1e-9 * omega.max() ** 2
+    numeric = np.gradient(omega, k, edge_order=2)
+    assert np.abs(numeric / group - 1.0).max() <= 5e-3
+    assert (factor <= 1.0).all()
+    assert (np.diff(factor) >= -1e-12).all()
+
+
+def test_a_scene_without_a_sea_has_none_of_its_code() -> None:
+    for quality in TIERS.values():
+        for scene in (load_preset("default").scene, Scene(sea=Sea(wind=0.0))):
+            plan = make_plan(scene, quality)
+            text = "".join(program.fragment.text + program.vertex.text for program in plan.programs.values())
+            for word in ("sea_", "u_fft", "fold_", "gerstner"):
+                assert word not in text
+            assert not any("sea" in name or "age" in name for name in (*plan.targets, *plan.textures))
+
+
+def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
+    """The sea a whole loop later is the same; 1e9 s is as any other time."""
+    plan = make_plan(seen(SEAS["fft"], foam=False), QUICK)
+    first = target(executor, plan, "sea_tile_0", 11.0)
+    later = target(executor, plan, "sea_tile_0", 11.0 + 1000.0 * sea_tiles.LOOP)
+    assert np.array_equal(first, later)
+    other = target(executor, plan, "sea_tile_0", 11.1)
+    assert np.abs(first - other).max() > 1e-3
+
+
+@pytest.mark.parametrize("model_name", ["fft", "gerstner"])
+@pytest.mark.parametrize("wind", [5.0, 12.5, 20.0])
+def test_whitecaps_cover_what_the_wind_raises(
+    report: Report, wind: float, model_name: Literal["fft", "gerstner"]
+) -> None:
+    """Within 20 % of Monahan and O'Muircheartaigh (1980); masks are rank-uniform, so mean saturation is coverage."""
+    foam = FoldSaturation()
+    found = []
+    for seed in (1, 4):
+        sea = Sea(model=model_name, wind=wind, fetch=5e5, seed=seed)
+        scene = Scene(sea=sea, foam=Foam(saturation=(foam,)))
+        surface = truth.sea_surface(scene, 70.0 * seed, (0.0, 0.0), 256)
+        assert surface is not None
+        x, z = np.random.default_rng(seed).uniform(0.0, 2e4, (2, 100_000))
+        found.append(float(truth.fold_saturation(scene, foam, surface, x, z).mean()))
+    wanted = 3.84e-6 * wind**3.41
+    report.add(
+        "Whitecaps: share of the sea under foam",
+        sea=model_name,
+        wind=f"{wind:g} m/s",
+        wanted=f"{100 * wanted:.3f} %",
+        drawn=f"{100 * np.mean(found):.3f} %",
+    )
+    assert abs(np.mean(found) / wanted - 1.0) <= 0.2
+
+
+@pytest.mark.parametrize("wind", [7.5, 12.5, 20.0])
+def test_whitecaps_that_last_cover_as_much(report: Report, wind: float) -> None:
+    """Foam of larger waves that stays for 11 s is shared out anew: still within 20 % of the law."""
+    foam = FoldSaturation(lasting=True, decay=3.7)
+    found = []
+    for seed in (1, 4):
+        scene = Scene(sea=Sea(wind=wind, fetch=5e5, seed=seed), foam=Foam(saturation=(foam,)))
+        surface = truth.sea_surface(scene, 70.0 * seed, (0.0, 0.0))
+        assert surface is not None
+        x, z = np.random.default_rng(seed).uniform(0.0, 2e4, (2, 100_000))
+        found.append(float(truth.fold_saturation(scene, foam, surface, x, z).mean()))
+    wanted = 3.84e-6 * wind**3.41
+    report.add(
+        "Whitecaps that last: share of the sea under foam",
+        wind=f"{wind:g} m/s",
+        wanted=f"{100 * wanted:.3f} %",
+        drawn=f"{100 * np.mean(found):.3f} %",
+    )
+    assert abs(np.mean(found) / wanted - 1.0) <= 0.2
+
+
+@pytest.mark.parametrize("name", ["open-ocean", "swell", "storm", "river"])
+def test_wind_seas_foam_by_the_law(name: str) -> None:
+    foam = load_preset(name).scene.foam
+    assert foam is not None
+    assert [source.coverage for source in foam.saturation if isinstance(source, FoldSaturation)] == [1.0]
+
+
+@pytest.mark.parametrize("look", ["halftone", "filtered"])
+def test_whitecaps_counted_in_a_picture(executor: Executor, report: Report, look: str) -> None:
+    """From above, one sample a pixel: the drawn foam covers what the closed form says."""
+    wind = 15.0
+    foam = Foam(saturation=(FoldSaturation(),), look=look)  # type: ignore[arg-type]
+    scene = Scene(sea=Sea(wind=wind, fetch=5e5), foam=foam, light=None)
+    shares = []
+    for height, size in ((300.0, (360, 360)), (4000.0, (240, 240))):
+        camera = Camera(position=(0.0, height, 0.0), pitch=-math.pi / 2, fov=1.0)
+        for time in (0.0, 333.0, 777.0):
+            plan = make_plan(scene, TIERS["standard"])
+            frame = executor.render(plan, time=time, camera=camera, width=size[0], height=size[1], output="linear")
+            shares.append(float(frame.pixels[..., 3].mean()))
+    wanted = 3.84e-6 * wind**3.41
+    report.add(
+        "Whitecaps counted in pictures from above, 15 m/s",
+        look=look,
+        wanted=f"{100 * wanted:.2f} %",
+        from_300_m=f"{100 * np.mean(shares[:3]):.2f} %",
+        from_4_km=f"{100 * np.mean(shares[3:]):.2f} %",
+    )
+    assert abs(np.mean(shares[3:]) / wanted - 1.0) <= 0.2
+    assert abs(np.mean(shares[:3]) / wanted - 1.0) <= 0.2
+
+
+@pytest.mark.parametrize("steps", [0, 4, 8])
+def test_any_number_of_earlier_folds_can_be_drawn(executor: Executor, steps: int) -> None:
+    """With none the program reads less of an array than it declares, and drivers shorten it."""
+    plan = make_plan(seen(SEAS["fft"]), QUICK.model_copy(update={"age_steps": steps}))
+    frame = executor.render(plan, time=1.0, camera=Camera(), width=32, height=18, output="linear")
+    assert np.isfinite(frame.pixels).all()

@@ -1,0 +1,263 @@
+"""Noise, sky, clouds, night and the cube map, against their float64 forms (docs/formulae.md, sections 9 and 10)."""
+
+import math
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.effects.effect import Inline
+from seafoam.effects.light.light import sky_irradiance, sun_direction, sun_irradiance
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.reference import load_truth, noise
+from seafoam.reference.bake import same_size, truth_file
+from seafoam.reference.light import atmosphere
+from seafoam.reference.light import light as reference_light
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+from seafoam.scene.sky import Clouds, Day, Moon, Sky, sun_angles
+from support.exact import UNFILTERED
+from support.probe import Probe
+from support.report import Report
+
+REFERENCES = Path(__file__).parents[2] / "references"
+HASH = "lib/noise/hash.glsl"
+FILES = {2: "lib/noise/perlin_2.glsl", 3: "lib/noise/perlin_3.glsl"}
+AXES = {2: "x.xy", 3: "x.xyz"}
+
+
+def places(dimensions: int, count: int = 4000) -> NDArray[np.float64]:
+    """Places near and far, on lattice points and on both sides of the period; float32 holds them as they are."""
+    rng = np.random.default_rng(9)
+    spread = rng.uniform(-300.0, 600.0, (count, dimensions))
+    whole = np.floor(rng.uniform(-300.0, 300.0, (200, dimensions)))
+    return np.concatenate([spread, whole, whole + np.float32(1e-4)]).astype(np.float32).astype(np.float64)
+
+
+@pytest.mark.parametrize("dimensions", [2, 3])
+def test_noise_equals_its_float64_form(probe: Probe, dimensions: int) -> None:
+    x = places(dimensions)
+    name, axes = f"noise_{dimensions}", AXES[dimensions]
+    got = probe([HASH, FILES[dimensions]], f"y.x = {name}({axes}, 12345u);", x)[:, 0]
+    assert np.abs(got - noise.perlin(x, 12345)).max() <= 1e-5
+
+
+@pytest.mark.parametrize("dimensions", [2, 3])
+def test_octaves_equal_their_float64_form(probe: Probe, dimensions: int) -> None:
+    x = places(dimensions, 1500)
+    width = np.random.default_rng(1).choice([0.0, 0.02, 0.1, 0.4, 2.0], x.shape[0])
+    padded = np.column_stack((x, np.zeros((x.shape[0], 3 - dimensions)), width))
+    body = f"y.x = fractal_{dimensions}({AXES[dimensions]}, x.w, 6, 77u);"
+    got = probe([HASH, FILES[dimensions]], body, padded)[:, 0]
+    want = noise.fractal(x, np.float32(width).astype(np.float64), 6, 77)
+    # The finest octave magnifies the rounding of a place by 56.
+    assert np.abs(got - want).max() <= 2e-3
+    assert np.sqrt(np.mean((got - want) ** 2)) <= 2e-4
+
+
+@pytest.mark.parametrize("dimensions", [2, 3])
+def test_noise_is_smooth_normal_and_without_a_seam(dimensions: int) -> None:
+    rng = np.random.default_rng(4)
+    x = rng.uniform(0.0, 250.0, (80_000, dimensions))
+    drawn = noise.fractal(x, np.zeros(len(x)), 6, 5)
+    assert abs(drawn.mean()) <= 0.05
+    assert abs(drawn.std() - 1.0) <= 0.03
+    for quantile, normal in ((0.1, -1.2816), (0.5, 0.0), (0.9, 1.2816)):
+        assert abs(np.quantile(drawn, quantile) - normal) <= 0.06
+    one = noise.fractal(x[:2000], np.zeros(2000), 6, 5)
+    again = noise.fractal(x[:2000] + 256.0 * rng.integers(-3, 4, (2000, dimensions)), np.zeros(2000), 6, 5)
+    assert np.abs(one - again).max() <= 1e-9
+    # No step across cells or across the period.
+    rim = np.floor(x[:2000])
+    steps = np.abs(noise.perlin(rim - 1e-7, 3) - noise.perlin(rim + 1e-7, 3))
+    assert steps.max() <= 1e-6
+
+
+@pytest.mark.parametrize("cover", [0.1, 0.3, 0.5, 0.8])
+def test_clouds_cover_their_share(report: Report, cover: float) -> None:
+    """Of the layer's area, counting what is half as dense as can be; a normal law's quantile sets where they begin."""
+    clouds = Clouds(cover=cover, softness=1.0)
+    rng = np.random.default_rng(6)
+    drawn = noise.fractal(rng.uniform(0.0, 256.0, (60_000, 3)), np.zeros(60_000), 6, 64)
+    share = float((atmosphere.Sky._density(clouds, drawn) > 0.156).mean())
+    report.add("Share of the layer that clouds cover", asked=f"{cover:.2f}", measured=f"{share:.3f}")
+    assert abs(share - cover) <= 0.03
+
+
+SKIES = (
+    Sky(),
+    Sky(haze=0.0),
+    Sky(haze=20.0),
+    Sky(clouds=Clouds(cover=0.6)),
+    Sky(moon=Moon(elevation=0.5)),
+    Sky(moon=Moon(elevation=0.01), clouds=Clouds(cover=1.0, thickness=50.0)),
+)
+
+
+def test_light_from_above_is_the_integral(report: Report) -> None:
+    """The midpoint rule of the plan against the reference's Gauss–Legendre quadrature; lamps the same."""
+    worst = 0.0
+    for sky in SKIES:
+        for elevation in (-0.4, -0.08, 0.0, 0.3, math.pi / 2):
+            light = Light(sun_elevation=elevation, sun_azimuth=0.7, sky=sky)
+            air = reference_light.air(light)
+            want, got = air.sky_irradiance, np.array(sky_irradiance(light))
+            worst = max(worst, float(np.abs(got / want - 1.0).max()))
+            assert np.allclose(sun_direction(light), air.sun, atol=1e-12)
+            assert np.allclose(sun_irradiance(light), air.sun_irradiance, rtol=1e-6, atol=1e-12)
+    report.add("Light of the layered sky, plan against reference", worst=f"{100 * worst:.3f} %")
+    assert worst <= 5e-3
+
+
+def test_nothing_jumps_as_the_sun_goes_down() -> None:
+    """From 10° over the horizon to 20° under, by 0.03°: no step of the sky over 3 %, none of the lamp over 0.1."""
+    sky = Sky(moon=Moon(elevation=0.6, azimuth=2.5), clouds=Clouds())
+    before: tuple[NDArray[np.float64], float] | None = None
+    look = np.array([[0.6, 0.05, 0.8], [0.0, 1.0, 0.0], [-0.8, 0.3, 0.5]])
+    look /= np.linalg.norm(look, axis=1)[:, None]
+    for elevation in np.radians(np.arange(10.0, -20.0, -0.03)):
+        light = Light(sun_elevation=float(elevation), sun_azimuth=0.3, sky=sky)
+        air = reference_light.air(light)
+        assert air.above is not None
+        now = air.above.clear(look), float(air.sun_irradiance.sum())
+        assert np.isfinite(now[0]).all()
+        assert (now[0] > 0.0).all()
+        if before is not None:
+            assert np.abs(now[0] / before[0] - 1.0).max() <= 0.03
+            # Its last light ends at zero, where shares say nothing.
+            assert abs(now[1] - before[1]) <= 0.1
+        before = now
+
+
+def test_the_sun_goes_round() -> None:
+    """Equinox and solstice, by what every almanac says; and the reference's own way there."""
+    noon = Day(hour=12.0, date=81.0, latitude=0.8)
+    azimuth, elevation = sun_angles(noon)
+    assert elevation == pytest.approx(math.pi / 2 - 0.8, abs=0.01)
+    # North is -z: at noon the sun stands over +z.
+    assert math.cos(azimuth - math.pi / 2) == pytest.approx(1.0, abs=1e-6)
+    azimuth, elevation = sun_angles(Day(hour=6.0, date=81.0, latitude=0.8))
+    assert elevation == pytest.approx(0.0, abs=0.01)
+    assert math.cos(azimuth) == pytest.approx(1.0, abs=1e-3), "the sun rises in the east, +x"
+    assert sun_angles(Day(hour=12.0, date=172.0, latitude=math.radians(23.44)))[1] == pytest.approx(1.5708, abs=0.01)
+    assert sun_angles(Day(hour=0.0, date=172.0, latitude=1.4))[1] > 0.0, "the midnight sun"
+    rng = np.random.default_rng(3)
+    for hour, date, latitude in rng.uniform((0, 1, -1.57), (24, 366, 1.57), (200, 3)):
+        day = Day(hour=hour, date=date, latitude=latitude, north=0.4)
+        one, other = atmosphere.toward(*sun_angles(day)), atmosphere.toward(*atmosphere.sun_angles(day))
+        assert np.abs(one - other).max() <= 1e-7
+
+
+CUBE = ["lib/cube_face.glsl", "reflection/cube.glsl"]
+SMOOTH = Inline(
+    "vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
+    "    vec3 d = normalize(cube_direction(face, side));\n    return vec3(d.x * d.y, d.z, sin(3.0 * d.x + d.z));\n}\n"
+)
+
+
+def directions(count: int) -> NDArray[np.float64]:
+    d = np.random.default_rng(2).normal(size=(count, 3))
+    d /= np.linalg.norm(d, axis=1)[:, None]
+    return d.astype(np.float32).astype(np.float64)
+
+
+@pytest.mark.parametrize("size", [2, 33, 256])
+def test_a_cube_s_faces_meet_without_a_seam(probe: Probe, size: int) -> None:
+    """Bilinear values a hair on either side of each edge, of a function that differs from texel to texel."""
+    edge = directions(3000)
+    axis = np.argmax(np.abs(edge), axis=1)
+    rows = np.arange(len(edge))
+    other = (axis + 1) % 3
+    edge[rows, other] = np.where(edge[rows, other] < 0.0, -1.0, 1.0) * np.abs(edge[rows, axis])
+    values = []
+    for push in (1.0 - 1e-6, 1.0 + 1e-6):
+        near = edge.copy()
+        near[rows, other] *= push
+        body = "y.rgb = reflected_light(vec3(0.0), normalize(x.xyz));"
+        values.append(probe([*CUBE, SMOOTH, "reflection/cubemap.glsl"], body, near, consts={"CUBE_SIZE": size})[:, :3])
+    assert np.abs(values[0] - values[1]).max() <= 2e-5
+
+
+def test_a_cube_converges_with_its_size(probe: Probe, report: Report) -> None:
+    d = directions(5000)
+    want = np.column_stack((d[:, 0] * d[:, 1], d[:, 2], np.sin(3.0 * d[:, 0] + d[:, 2])))
+    errors = []
+    for size in (16, 32, 64, 128):
+        got = probe(
+            [*CUBE, SMOOTH, "reflection/cubemap.glsl"],
+            "y.rgb = reflected_light(vec3(0.0), x.xyz);",
+            d,
+            consts={"CUBE_SIZE": size},
+        )[:, :3]
+        errors.append(float(np.sqrt(np.mean((got - want) ** 2))))
+    orders = [math.log2(a / b) for a, b in pairwise(errors)]
+    report.add(
+        "A smooth function in a cube map, error by size 16, 32, 64, 128",
+        rmse=" ".join(f"{error:.1e}" for error in errors),
+        order=" ".join(f"{order:.2f}" for order in orders),
+    )
+    assert min(orders) >= 1.8
+
+
+def test_the_lake_in_the_cube_map_nears_the_truth(executor: Executor, report: Report) -> None:
+    """The baked frame of ray-traced surroundings, against cube maps of rising size: hills and clouds on the water."""
+    preset = load_preset("cubemap-lake")
+    truth = load_truth(truth_file(REFERENCES, "cubemap-lake.same.2.7"))
+    width, height = same_size(preset.scene)
+    errors = {}
+    for size in (32, 64, 128, 256):
+        quality = UNFILTERED.model_copy(update={"cube": "map", "cube_size": size})
+        drawn = executor.render(
+            make_plan(preset.scene, quality),
+            time=2.7,
+            camera=preset.scene.camera,
+            width=width,
+            height=height,
+            output="linear",
+        ).pixels
+        away = np.clip(drawn[..., :3].astype(np.float64), 0.0, 1.0) - np.clip(truth.rgb, 0.0, 1.0)
+        errors[size] = float(255.0 * np.sqrt(np.mean(away**2)))
+    report.add(
+        "cubemap-lake against ray-traced surroundings, RMSE in levels of linear light, by size of a face",
+        **{str(size): f"{error:.3f}" for size, error in errors.items()},
+    )
+    values = list(errors.values())
+    assert all(finer < coarser for coarser, finer in pairwise(values))
+    assert errors[256] <= 1.2
+
+
+def test_a_still_sky_stands_still(executor: Executor) -> None:
+    """Stars and clouds are functions of direction and time alone: nothing moves unless time does."""
+    plan = make_plan(load_preset("moonlight").scene, TIERS["standard"])
+    camera = Camera(position=(0.0, 3.0, 0.0), pitch=0.6)
+    frames = [executor.render(plan, time=t, camera=camera, width=96, height=54).pixels for t in (1.0, 1.0, 1e9)]
+    assert (frames[0] == frames[1]).all()
+    assert (frames[0] != frames[2]).any()
+
+
+def test_at_night_the_moon_is_the_lamp() -> None:
+    sky = Sky(moon=Moon(azimuth=1.0, elevation=0.5))
+    by_day, by_night = Light(sun_elevation=0.3, sky=sky), Light(sun_elevation=-0.5, sky=sky)
+    assert sun_direction(by_day)[1] == pytest.approx(math.sin(0.3))
+    assert sun_direction(by_night)[1] == pytest.approx(math.sin(0.5))
+    names = {note.name for note in make_plan(Scene(light=by_night), TIERS["standard"]).effects}
+    assert "sun glitter" in names
+    new_moon = Light(sun_elevation=-0.5, sun_azimuth=1.0, sky=Sky(moon=Moon(azimuth=1.0, elevation=-0.45)))
+    assert "sun glitter" not in {note.name for note in make_plan(Scene(light=new_moon), TIERS["standard"]).effects}
+
+
+def test_without_a_sky_there_is_none_in_the_plan() -> None:
+    plan = make_plan(Scene(light=Light()), TIERS["standard"])
+    text = "".join(program.fragment.text for program in plan.programs.values())
+    for word in ("noise_hash", "cloud", "moon", "star_", "u_cube", "haze_depth"):
+        assert word not in text
+    layered = make_plan(Scene(light=Light(sky=Sky())), TIERS["standard"])
+    text = "".join(program.fragment.text for program in layered.programs.values())
+    for word in ("noise_hash", "u_cloud", "u_moon", "u_star"):
+        assert word not in text

@@ -1,0 +1,180 @@
+"""Foam by slope against float64, and foam that does not repeat: two textures, and a mask turned in each cell."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.effects.effect import Inline
+from seafoam.effects.foam.look import CELLS
+from seafoam.effects.waves import parametric
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.reference import render as reference
+from seafoam.reference.foam.cells import corners
+from seafoam.reference.foam.saturation import slope_saturation
+from seafoam.reference.waves.parametric import wave_set
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import ParametricWave
+from support.exact import UNFILTERED
+from support.probe import Probe
+from support.report import Report
+
+SIDE, TILE_PIXELS, HEIGHT, TILE = 256, 32, 200.0, 12.8
+ABOVE = Camera(position=(31.7, HEIGHT, -8.3), pitch=-math.pi / 2, fov=2.0 * math.atan(4.0 * TILE / HEIGHT))
+"""From 200 m up a tile is 32 pixels."""
+
+
+@pytest.mark.parametrize("blur", [0.0, 0.7])
+@pytest.mark.parametrize("cap", [4.0, 1.0])
+def test_slope_saturation_equals_its_float64_form(probe: Probe, cap: float, blur: float) -> None:
+    waves = (
+        ParametricWave(amplitude=0.8, wavelength=6.0, exponent=1.6, direction=0.4),
+        ParametricWave(amplitude=0.3, wavelength=2.3, exponent=1.0, direction=-1.0),
+    )
+    scene = Scene(waves=waves)
+    given = parametric.EFFECT.contribute(scene, UNFILTERED)
+    assert given is not None
+    time, origin = 12.5, (1234.5, -77.0)
+    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+    at = np.random.default_rng(4).uniform(-30.0, 30.0, (10000, 2)).astype(np.float32)
+    name = "slope_blurred" if blur > 0.0 else "slope"
+    got = probe(
+        [
+            "lib/numbers.glsl",
+            "waves/parametric.glsl",
+            Inline("vec4 waves_shading(vec2 p, Footprint fp) {\n    return parametric_shading(p, fp);\n}\n"),
+            "foam/saturation/slope_lack.glsl",
+            f"foam/saturation/{name}.glsl",
+        ],
+        "y.x = slope_saturation(x.xy, 0.0, Footprint(vec2(0.0), vec2(0.0)));",
+        at,
+        consts={**given.consts, "SURFACE_FILTER": False, "SLOPE_MOST": cap},
+        uniforms={
+            **{key: evaluate(value, state) for key, value in given.uniforms.items()},
+            "u_slope_gain": np.float32(16.0),
+            "u_slope_base": np.float32(0.03125),
+            "u_slope_blur": np.float32(blur),
+        },
+    )[:, 0]
+    x, z = at.astype(np.float64).T
+    want = np.minimum(
+        slope_saturation(wave_set(scene, time, origin).gradient, x, z, 16.0, 0.03125, float(np.float32(blur))), cap
+    )
+    assert want.max() > 0.6
+    assert (want == 0.0).any()
+    assert np.abs(got - want).max() <= 2e-5
+
+
+def test_slope_sees_neither_calm_water_nor_ripples() -> None:
+    scene = Scene(foam=Foam(saturation=(SlopeSaturation(), HeightSaturation(base=-1.0, full=1.0)), combine="product"))
+    skipped = {note.name for note in make_plan(scene, TIERS["standard"]).skipped}
+    assert {"slope foam", "foam look"} <= skipped
+
+
+def from_above(executor: Executor, **foam: object) -> NDArray[np.float64]:
+    """Foam of even saturation from 200 m up, a row a line of pixels."""
+    saturation = (HeightSaturation(base=-0.5, full=0.5 + 0.5),)
+    scene = Scene(foam=Foam(saturation=saturation, mask="mix", mask_tile=TILE, **foam), light=None)  # type: ignore[arg-type]
+    plan = make_plan(scene, TIERS["standard"])
+    shot = executor.render(plan, time=0.0, camera=ABOVE, width=SIDE, height=SIDE, output="linear")
+    return shot.pixels[..., 3].astype(np.float64)
+
+
+def repeat(picture: NDArray[np.float64]) -> float:
+    """Greatest autocorrelation at a tile's distance, along and across, within a pixel."""
+    even = picture - picture.mean()
+    power = np.fft.irfft2(np.abs(np.fft.rfft2(even)) ** 2, s=even.shape)
+    near = range(TILE_PIXELS - 1, TILE_PIXELS + 2)
+    return float(max(max(power[0, i] for i in near), max(power[i, 0] for i in near)) / power[0, 0])
+
+
+def test_foam_repeats_from_200_m_and_in_cells_it_does_not(executor: Executor, report: Report) -> None:
+    pictures = {
+        "one mask": from_above(executor),
+        "in cells": from_above(executor, cells=True),
+        "one mask, halftone": from_above(executor, look="halftone"),
+        "in cells, halftone": from_above(executor, look="halftone", cells=True),
+        "one texture": from_above(executor, look="textured", texture_tile=TILE),
+        "two textures": from_above(executor, look="textured", texture_tile=TILE, texture_second=TILE * 2.7 / 3.14),
+    }
+    found = {name: repeat(picture) for name, picture in pictures.items()}
+    for name, picture in pictures.items():
+        report.add(
+            "Foam from 200 m up: autocorrelation at a tile's distance",
+            foam=name,
+            repeat=f"{found[name]:.3f}",
+            mean=f"{picture.mean():.4f}",
+        )
+    assert found["one mask"] > 0.8
+    assert found["in cells"] < 0.15
+    assert found["in cells, halftone"] < 0.15
+    assert found["two textures"] < 0.75 * found["one texture"]
+    # Cells move no foam: the mean is the saturation, 1/3.
+    for name in ("one mask", "in cells", "in cells, halftone"):
+        assert abs(pictures[name].mean() - 1.0 / 3.0) < 0.01
+
+
+@pytest.mark.parametrize("height", [3.0, 60.0])
+def test_foam_in_cells_covers_what_the_saturation_says(executor: Executor, height: float) -> None:
+    """Where cells meet, too: near and far, sparse and thick, and exactly none and all."""
+    camera = Camera(position=(0.0, height, 0.0), pitch=-math.pi / 2, fov=2.0)
+    for base, share in ((-0.1, 0.1), (-0.5, 0.5), (-0.9, 0.9), (0.0, 0.0), (-1.0, 1.0)):
+        foam = Foam(saturation=(HeightSaturation(base=base, full=base + 1.0),), cells=True, mask="vac-6", mask_tile=0.5)
+        shot = executor.render(
+            make_plan(Scene(foam=foam, light=None), TIERS["standard"], economy=False),
+            time=0.0,
+            camera=camera,
+            width=128,
+            height=128,
+            output="linear",
+        )
+        cover = shot.pixels[..., 3]
+        if share in (0.0, 1.0):
+            assert (cover == share).all()
+        else:
+            assert abs(float(cover.mean()) - share) < 0.015
+
+
+def test_weights_of_cells_add_up_and_reach_nothing_at_their_rim() -> None:
+    rng = np.random.default_rng(1)
+    u, v = rng.uniform(-5000.0, 5000.0, (2, 4000))
+    found = corners(u, v, True)
+    assert np.allclose(sum(corner.weight for corner in found), 1.0)
+    beside = corners(u + 1e-9, v, True)
+    # A place between two triangles has the same cells from both sides: no step.
+    for field in ("u", "v"):
+        mean = [sum(c.weight * np.cos(2.0 * math.pi * getattr(c, field)) for c in part) for part in (found, beside)]
+        assert float(np.abs(mean[0] - mean[1]).max()) < 1e-5
+    again = corners(u + CELLS, v, True)
+    for a, b in zip(found, again, strict=True):
+        np.testing.assert_allclose(a.u, b.u, atol=1e-8)
+
+
+@pytest.mark.parametrize("look", ["filtered", "halftone", "textured"])
+def test_frames_with_cells_and_two_textures_equal_float64(executor: Executor, look: str) -> None:
+    foam = Foam(
+        saturation=(SlopeSaturation(gain=9.0, blur=0.3), HeightSaturation(base=0.2, full=1.1)),
+        look=look,  # type: ignore[arg-type]
+        mask="mix",
+        mask_tile=1.7,
+        mask_angle=0.8,
+        cells=True,
+        texture=0.6,
+        texture_tile=2.7,
+        texture_second=3.14,
+        fade=0.3,
+    )
+    camera = Camera(position=(-5e6, 2.6625, 7e6), yaw=0.3, pitch=-0.5)
+    scene = Scene(waves=(ParametricWave(amplitude=0.9, wavelength=7.0),), foam=foam, light=None, camera=camera)
+    plan = make_plan(scene, UNFILTERED.model_copy(update={"samples": 4}))
+    got = executor.render(plan, time=3.3, camera=camera, width=96, height=54, output="linear").pixels
+    want = reference(scene, time=3.3, width=96, height=54, samples=2)
+    assert want.alpha.std() > 0.05
+    away = 255.0 * np.abs(np.clip(got[..., :3], 0.0, 1.0) - np.clip(want.rgb, 0.0, 1.0))
+    assert float(np.sqrt(np.mean(away**2))) <= 0.5

@@ -1,0 +1,184 @@
+"""Sparkles and the lake's highlight: GLSL against float64, and the mean of sparkles (docs/formulae.md, section 12)."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.effects.effect import Inline
+from seafoam.effects.light.sparkles import density
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.reference.light import light as reference_light
+from seafoam.reference.light.sparkles import EPOCHS, Field
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light, Sparkles
+from seafoam.scene.models import Scene
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave
+from support.probe import Probe
+from support.report import Report
+
+SPARKLES = Sparkles(size=0.004, rate=3.0, life=0.4, share=1.0)
+FILES = (
+    "lib/numbers.glsl",
+    "lib/camera.glsl",
+    Inline(
+        "uniform vec3 u_sun_irradiance;\nvec3 smooth_glitter(vec3 d, vec3 n, float s, float c) { return vec3(0.0); }\n"
+    ),
+    "lib/noise/hash.glsl",
+    "light/glitter/sparkles.glsl",
+)
+
+
+def looks(count: int, seed: int = 1) -> NDArray[np.float64]:
+    """Unit vectors below the horizon, even over the half sphere; float32 numbers."""
+    random = np.random.default_rng(seed)
+    y, turn = -random.random(count), 2.0 * math.pi * random.random(count)
+    level = np.sqrt(1.0 - y * y)
+    d = np.stack((level * np.cos(turn), y, level * np.sin(turn)), axis=-1).astype(np.float32).astype(np.float64)
+    return d / np.sqrt((d * d).sum(axis=1, keepdims=True))
+
+
+def probed(probe: Probe, d: NDArray[np.float64], w: float, time: float, cells: int = 4) -> NDArray[np.float64]:
+    radius = 0.5 * SPARKLES.size
+    return probe(
+        FILES,
+        f"y.x = sparkle_light(normalize(x.xyz), x.w, {radius:.9g}, {4.0 * radius:.9g});",
+        np.column_stack([d, np.full(len(d), w)]),
+        consts={"SPARKLE_CELLS": cells},
+        uniforms={
+            "u_sparkle_radius": radius,
+            "u_sparkle_density": density(SPARKLES),
+            "u_sparkle_life": SPARKLES.life,
+            "u_sparkle_time": [math.fmod(time, SPARKLES.life), math.fmod(time, SPARKLES.life * EPOCHS)],
+        },
+    )[:, 0].astype(np.float64)
+
+
+@pytest.mark.parametrize("time", [0.0, 12.34, 1e9])
+@pytest.mark.parametrize("w", [0.03, 1.0, 30.0])
+def test_sparkles_equal_their_float64_form(probe: Probe, w: float, time: float) -> None:
+    d = looks(100_000)
+    got = probed(probe, d, w, time)
+    want = Field.at(SPARKLES, time, 0.0).light(d, np.full(len(d), w))
+    assert (want > 0.0).sum() > 100
+    # A hash that lies within rounding of its chance falls either way.
+    away = np.abs(got - want) / max(w, want.max())
+    assert (away > 2e-3).mean() <= 1e-4
+    assert away.mean() <= 1e-4
+
+
+@pytest.mark.parametrize("cells", [1, 4])
+@pytest.mark.parametrize("w", [0.3, 3.0, 300.0])
+def test_their_mean_is_the_smooth_glint(probe: Probe, report: Report, w: float, cells: int) -> None:
+    """Over the half sphere, at 24 times."""
+    d = looks(200_000)
+    means = [probed(probe, d, w, 1.37 + 0.53 * i, cells).mean() for i in range(24)]
+    ratio = float(np.mean(means)) / w
+    report.add("Mean light of sparkles over the smooth glint's", cells=str(cells), glint=f"{w:g}", ratio=f"{ratio:.4f}")
+    assert abs(ratio - 1.0) <= 0.02
+
+
+def test_they_swell_and_fade_without_a_jump() -> None:
+    d = looks(20_000)
+    w = np.full(len(d), 0.1)
+    times = 5.0 + 0.4 * np.arange(0.0, 1.5, 2e-3)
+    seen = np.flatnonzero(Field.at(SPARKLES, 5.2, 0.0).light(d, w) > 0.0)[:30]
+    course = np.array([Field.at(SPARKLES, time, 0.0).light(d[seen], w[seen]) for time in times])
+    assert np.abs(np.diff(course, axis=0)).max() <= 0.03 * course.max()
+    # One that lives next to it may stand there all the while.
+    assert (course == 0.0).any(axis=0).mean() >= 0.9
+
+
+WATER = Water(chop=Chop(slope=0.15), roughness=0.17)
+SUNSET = Light(sun_elevation=0.15, sun_azimuth=-math.pi / 2, visibility=1e6)
+VIEW = Camera(position=(0.0, 6.0, 0.0), pitch=-0.1, fov=0.12)
+FEW = Sparkles(size=0.001, rate=6.0, life=0.3, share=1.0)
+
+
+def water_light(
+    executor: Executor, light: Light, quality: Quality, size: tuple[int, int], times: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Mean linear light, unclipped, of each row."""
+    plan = make_plan(Scene(waves=(ParametricWave(amplitude=0.2, wavelength=9.0),), water=WATER, light=light), quality)
+    rows = [
+        executor.render(plan, time=time, camera=VIEW, width=size[0], height=size[1], output="linear").pixels
+        for time in times
+    ]
+    return np.mean([row[..., 1].astype(np.float64).mean(axis=1) for row in rows], axis=0)
+
+
+def test_frames_neither_gain_nor_lose_light(executor: Executor, report: Report) -> None:
+    """Far and near, at two sizes of picture: what the sun adds is what the smooth glint adds."""
+    quality = TIERS["standard"].model_copy(update={"target": "RGBA32F"})
+    times = 1000.0 + 0.31 * np.arange(60)
+    sparkling = SUNSET.model_copy(update={"sparkles": FEW})
+    # Without the sun's mirror: one whose highlight is nowhere.
+    none = SUNSET.model_copy(update={"specular": "blinn_phong", "specular_power": 2000.0, "specular_perturb": 0.0})
+    for size in ((160, 90), (320, 180)):
+        base = water_light(executor, none, quality, size, times[:20])
+        glint = water_light(executor, SUNSET, quality, size, times) - base
+        sparks = water_light(executor, sparkling, quality, size, times) - base
+        rows = np.linspace(0.0, 1.0, 4) * size[1]
+        for i, name in enumerate(("far", "middle", "near")):
+            band = slice(int(rows[i]), int(rows[i + 1]))
+            ratio = float(sparks[band].sum() / glint[band].sum())
+            report.add("Sparkles' light over the glint's, 60 frames", size=str(size), band=name, ratio=f"{ratio:.4f}")
+            assert abs(ratio - 1.0) <= 0.02
+
+
+def test_a_sparkle_is_as_large_in_every_picture(executor: Executor) -> None:
+    """Share of the water under bright sparkles, at once and twice the pixels along each side."""
+    quality = TIERS["standard"].model_copy(update={"target": "RGBA32F"})
+    shares = []
+    for width, height in ((480, 270), (960, 540)):
+        large = FEW.model_copy(update={"size": 0.004, "rate": 0.1})
+        scene = Scene(water=Water(roughness=0.17), light=SUNSET.model_copy(update={"sparkles": large}))
+        drawn = executor.render(
+            make_plan(scene, quality), time=3.0, camera=VIEW, width=width, height=height, output="linear"
+        )
+        shares.append(float((drawn.pixels[..., 1] > 30.0).mean()))
+    assert shares[0] > 1e-3
+    assert abs(shares[1] / shares[0] - 1.0) <= 0.03
+
+
+@pytest.mark.parametrize("power", [1.0, 364.0, 2000.0])
+@pytest.mark.parametrize("perturb", [0.0, 0.4, 10.0])
+def test_the_lakes_highlight_equals_its_float64_form(probe: Probe, power: float, perturb: float) -> None:
+    light = Light(sun_elevation=0.3, sun_azimuth=-1.2)
+    air = reference_light.air(light)
+    d = looks(4000)
+    slopes = np.random.default_rng(2).normal(0.0, 0.3, (4000, 2)).astype(np.float32).astype(np.float64)
+    n = np.column_stack([-slopes[:, 0], np.ones(4000), -slopes[:, 1]])
+    n /= np.sqrt((n * n).sum(axis=1, keepdims=True))
+    want = reference_light.blinn_phong(air, power, perturb, d, n, np.ones(4000), 0.0)
+    # A probe takes four numbers: slopes and two of d, whose third is below the horizon.
+    got = probe(
+        [
+            "lib/numbers.glsl",
+            Inline("uniform vec3 u_sun_direction;\n"),
+            "light/shade/sun.glsl",
+            "light/glitter/blinn_phong.glsl",
+        ],
+        "vec3 d = vec3(x.x, -sqrt(max(1.0 - x.x * x.x - x.y * x.y, 0.0)), x.y);\n"
+        "y.xyz = glitter_light(d, normalize(vec3(-x.z, 1.0, -x.w)), 0.0, 1.0);",
+        np.column_stack([d[:, 0], d[:, 2], slopes]),
+        uniforms={
+            "u_sun_direction": air.sun,
+            "u_sun_irradiance": air.sun_irradiance,
+            "u_specular_power": power,
+            "u_specular_perturb": perturb,
+        },
+    )[:, :3]
+    assert np.isfinite(got).all()
+    assert want.max() > 1e-3
+    assert np.abs(got - want).max() <= 1e-6 * (10.0 + power) * air.sun_irradiance.max()
+
+
+def test_a_sun_that_is_down_has_no_sparkles() -> None:
+    plan = make_plan(Scene(light=Light(sun_elevation=-0.2, sparkles=Sparkles())), TIERS["standard"])
+    assert {"sparkles", "sun glitter"} <= {note.name for note in plan.skipped}
+    assert "sparkle" not in plan.programs["surface"].fragment.text

@@ -1,0 +1,99 @@
+"""Runs functions of ``shaders/`` on arrays of inputs, so that they can be held against float64."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.effects.effect import Inline
+from seafoam.planner.glsl import assemble
+from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
+from seafoam.textures import TextureSpec, spec_at, texture
+
+WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
+"""The vertex shader over the whole target."""
+
+
+class Probe:
+    """A float32 input texel in, a float32 output texel out, through GLSL assembled as the planner does."""
+
+    def __init__(self, executor: Executor) -> None:
+        self._executor = executor
+        self._context = executor._context
+        self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
+
+    def __call__(
+        self,
+        files: Sequence[str],
+        body: str,
+        inputs: NDArray[Any],
+        *,
+        consts: Mapping[str, Any] | None = None,
+        uniforms: Mapping[str, Any] | None = None,
+        textures: Mapping[str, TextureSpec | str] | None = None,
+    ) -> NDArray[np.float32]:
+        """Evaluate ``body`` (statements that read ``vec4 x`` and set ``vec4 y``) for each row of ``inputs`` (n, ≤ 4).
+
+        Returns (n, 4) float32. ``files``: paths below shaders/, or GLSL behind ``=``.
+        """
+        count = len(inputs)
+        width = min(count, 4096)
+        height = -(-count // width)
+        packed = np.zeros((height * width, 4), np.float32)
+        packed[:count, : inputs.shape[1]] = inputs
+        main = Inline(
+            "uniform sampler2D u_probe;\nout vec4 o_probe;\nvoid main() {\n"
+            "    vec4 x = texelFetch(u_probe, ivec2(gl_FragCoord.xy), 0);\n    vec4 y = vec4(0.0);\n"
+            f"{body}\n    o_probe = y;\n}}\n"
+        )
+        text = assemble([*files, main], dict(consts or {})).text
+        context = self._context
+        program = context.program(vertex_shader=WHOLE.text, fragment_shader=text)
+        source = context.texture((width, height), 4, packed.tobytes(), dtype="f4")
+        source.filter = (moderngl.NEAREST, moderngl.NEAREST)
+        target = context.texture((width, height), 4, dtype="f4")
+        framebuffer = context.framebuffer([target])
+        held = [source, target, framebuffer, program]
+        source.use(0)
+        program["u_probe"] = 0
+        for unit, (name, stored) in enumerate((textures or {}).items(), start=1):
+            made = self._texture(stored)
+            held.append(made)
+            made.use(unit)
+            program[name] = unit
+        for name, value in (uniforms or {}).items():
+            if name in program:
+                program[name].write(np.asarray(value, np.float32).tobytes())
+        framebuffer.use()
+        framebuffer.viewport = (0, 0, width, height)
+        context.enable_only(0)
+        array = context.vertex_array(program, [])
+        array.render(moderngl.TRIANGLES, vertices=3)
+        raw = framebuffer.read(components=4, dtype="f4")
+        error = context.error
+        assert error == "GL_NO_ERROR", error
+        # moderngl binds the last framebuffer again whenever it makes an object: it must outlive this call.
+        self._resting.use()
+        for item in (array, *held):
+            item.release()
+        return np.frombuffer(raw, np.float32).reshape(-1, 4)[:count].copy()
+
+    def _texture(self, stored: TextureSpec | str) -> moderngl.Texture:
+        data = texture(spec_at(stored) if isinstance(stored, str) else stored)
+        components, dtype = TEXTURE_FORMATS[data.format]
+        bytes_a_texel = components * int(dtype[1])
+        made = self._context.texture((data.width, data.height), components, dtype=dtype, alignment=1)
+        if data.levels > 1:
+            made.build_mipmaps(0, data.levels - 1)
+        offset = 0
+        for level in range(data.levels):
+            size = max(data.width >> level, 1) * max(data.height >> level, 1) * bytes_a_texel
+            made.write(data.data[offset : offset + size], level=level, alignment=1)
+            offset += size
+        if data.format == "R16F":
+            made.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+        else:
+            made.filter = (moderngl.NEAREST_MIPMAP_NEAREST if data.levels > 1 else moderngl.NEAREST, moderngl.NEAREST)
+        return made

@@ -1,0 +1,231 @@
+"""The closed space of shader variants: scenes and qualities that between them ask for every program there is."""
+
+from collections.abc import Iterator, Sequence
+from heapq import heapify, heappop, heapreplace
+from itertools import combinations, product
+from typing import get_args
+
+from seafoam.framegraph.shader import Program
+from seafoam.planner import FramePlan, make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.scene.boats import Boat
+from seafoam.scene.drift import Drift, Vortex
+from seafoam.scene.foam import (
+    DriftSaturation,
+    Foam,
+    FoldSaturation,
+    FrontSaturation,
+    HeightSaturation,
+    Look,
+    Saturation,
+    SlopeSaturation,
+    SurfSaturation,
+    WakeSaturation,
+)
+from seafoam.scene.light import Caustics, Light, Sparkles
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.rings import Ring
+from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
+from seafoam.scene.spray import Spray
+from seafoam.scene.water import Chop, Water
+from seafoam.scene.waves import ParametricWave, Sea
+from support.exact import UNFILTERED
+
+SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
+    (FrontSaturation(),),
+    (FrontSaturation(group=(0.2, 0.6), constants="listing"),),
+    (HeightSaturation(),),
+    (FrontSaturation(), HeightSaturation()),
+)
+
+
+def qualities() -> Iterator[Quality]:
+    """The tiers, the tests' exact quality, and every choice of a knob that changes a program's text in kind."""
+    yield from TIERS.values()
+    yield UNFILTERED
+    standard = TIERS["standard"]
+    for method, filtered, chop, target in product(
+        ("mesh", "march"), (True, False), ("tile", "exact"), ("RGBA16F", "RGBA32F")
+    ):
+        surface = standard.surface.model_copy(update={"method": method, "filter": filtered})
+        yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
+    yield standard.model_copy(update={"cube": "exact", "cloud_octaves": 2})
+    for mask, taps in product(("u8", "half"), (4, 16)):
+        yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
+    yield standard.model_copy(update={"foam_octaves": 1})
+    yield standard.model_copy(update={"foam_relief": True})
+    for wake, reflection, rays in (("map", "traced", 4), ("exact", "map", 1)):
+        yield standard.model_copy(update={"wake": wake, "reflection": reflection, "boat_samples": rays})
+    for size, tiles, digits, steps in ((64, 2, "half", 0), (128, 3, "float", 4), (512, 4, "half", 8)):
+        yield standard.model_copy(
+            update={"sea_size": size, "sea_tiles": tiles, "sea_digits": digits, "age_steps": steps}
+        )
+    for samples, most in ((1, 4), (1, 16), (4, 16)):
+        yield standard.model_copy(update={"samples": samples, "samples_max": most})
+    for caustics, filtered in (("photons", True), ("grid", False)):
+        surface = standard.surface.model_copy(update={"filter": filtered})
+        yield standard.model_copy(update={"caustics": caustics, "surface": surface})
+
+
+def scenes() -> Iterator[Scene]:
+    """Every slot file at least once, every join, every compile-time switch both ways."""
+    sea = load_preset("default").scene
+    assert sea.foam is not None
+    for look, saturation in product(get_args(Look), SATURATIONS):
+        for combine in ("max", "product") if len(saturation) > 1 else ("max",):
+            foam = Foam(look=look, saturation=saturation, combine=combine)  # type: ignore[arg-type]
+            yield sea.model_copy(update={"foam": foam})
+    for fade, texture, octaves in product((0.0, 0.3), (0.0, 0.3), (1, 3)):
+        look = {"fade": fade, "texture": texture, "octaves": octaves}
+        yield sea.model_copy(update={"foam": sea.foam.model_copy(update=look)})
+    yield sea.model_copy(update={"foam": None})
+    yield sea.model_copy(update={"light": Light(sun_elevation=-0.2)})
+    yield sea.model_copy(update={"light": None})
+    yield sea.model_copy(update={"light": None, "foam": None})
+    yield sea.model_copy(update={"water": Water()})
+    yield sea.model_copy(update={"water": Water(depth=3.0)})
+    yield sea.model_copy(update={"water": Water(depth=3.0, aeration=0.2)})
+    for waves in ((), sea.waves):
+        for light in (None, sea.light):
+            yield sea.model_copy(update={"rings": (Ring(), Ring(every=30.0)), "waves": waves, "light": light})
+    for look, blur in product(("textured", "filtered"), (0.0, 0.5)):
+        slope = (SlopeSaturation(blur=blur),)
+        foam = sea.foam.model_copy(update={"saturation": slope, "texture_second": 3.14, "look": look})
+        yield sea.model_copy(update={"foam": foam})
+    for look in get_args(Look):
+        yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"cells": True, "look": look})})
+    by_height = sea.foam.model_copy(update={"saturation": (HeightSaturation(),)})
+    yield Scene(shore=Shore(), foam=by_height, light=sea.light)
+    left = (FrontSaturation(decay=3.0), SlopeSaturation())
+    yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"saturation": left})})
+    for model in ("fft", "gerstner"):
+        wind = Sea(model=model)  # type: ignore[arg-type]
+        yield sea.model_copy(update={"sea": wind})
+        yield Scene(sea=wind, foam=Foam(saturation=(FoldSaturation(),), look="halftone"), light=None)
+        yield Scene(
+            sea=wind,
+            waves=sea.waves,
+            foam=Foam(saturation=(FoldSaturation(), FrontSaturation(), HeightSaturation()), combine="product"),
+        )
+        yield Scene(sea=wind.model_copy(update={"choppiness": 0.0}))
+    yield Scene()
+    yield Scene(foam=Foam(), light=Light())
+    yield Scene(waves=tuple(ParametricWave(wavelength=3.0 + i) for i in range(16)), foam=Foam())
+    yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"mask": "vac:2:64:7"})})
+    yield sea.model_copy(
+        update={"foam": sea.foam.model_copy(update={"saturation": (FrontSaturation(), SurfSaturation())})}
+    )
+    shore = Shore(size=200.0, smoothing=20.0)
+    for light, saturation in product((Light(), None), ((SurfSaturation(),), (SurfSaturation(), HeightSaturation()))):
+        foam = Foam(saturation=saturation, look="halftone" if light is None else "filtered")
+        yield Scene(shore=shore, foam=foam, light=light)
+        yield Scene(shore=shore, foam=foam, light=light, water=Water(aeration=0.2))
+    yield Scene(shore=shore.model_copy(update={"surf": Surf(height=0.0)}))
+    for sky in (None, Sky(), Sky(clouds=Clouds()), Sky(moon=Moon(), stars=1.0), Sky(clouds=Clouds(), moon=Moon())):
+        for around, reflection in product((None, shore), ("sky", "cubemap")):
+            low = -0.3 if sky is not None and sky.moon is not None else 0.3
+            light = Light(sun_elevation=low, sky=sky, reflection=reflection)  # type: ignore[arg-type]
+            yield Scene(light=light, shore=around)
+    yield sea.model_copy(update={"water": Water(chop=Chop(gusts=Gusts()))})
+    yield from drifting(sea)
+    yield from living(sea, shore)
+
+
+def drifting(sea: Scene) -> Iterator[Scene]:
+    """Foam that drifts, its mask carried or not, in cells or not."""
+    for vortices, look, cells in product(((), (Vortex(), Vortex(speed=-0.5))), ("filtered", "halftone"), (False, True)):
+        foam = Foam(saturation=(DriftSaturation(),), look=look, cells=cells)  # type: ignore[arg-type]
+        yield sea.model_copy(update={"drift": Drift(vortices=vortices), "foam": foam})
+
+
+def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
+    """Sparkles, spray, pools, views from below, boats and their mirror."""
+    for specular, sparkles in product(("glint", "blinn_phong"), (None, Sparkles())):
+        yield Scene(light=Light(specular=specular, sparkles=sparkles))  # type: ignore[arg-type]
+    rocky = shore.model_copy(update={"slope": 0.9})
+    for light in (Light(), None):
+        yield Scene(waves=sea.waves, spray=Spray(), light=light)
+        yield Scene(shore=rocky, waves=sea.waves, spray=Spray(), light=light)
+    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True)):
+        pool = Water(depth=2.0, floor_tile=tile, view_below=below, chop=Chop())
+        yield Scene(water=pool, light=Light(caustics=Caustics(dispersion=dispersion)))
+    for light in (Light(), Light(sun_elevation=-0.3), None):
+        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, chop=Chop()), light=light)
+        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)
+    for sky in (None, Sky(clouds=Clouds())):
+        yield Scene(shore=shore, light=Light(reflection="planar", sky=sky))
+    fleet = (Boat(), Boat(kind="motor", centre=(20.0, -40.0)))
+    wake = Foam(saturation=(WakeSaturation(),))
+    mirror = Light(reflection="planar")
+    for boats, light, coast in product((fleet[:1], fleet), (Light(), mirror, None), (None, shore)):
+        yield Scene(boats=boats, foam=wake, light=light, shore=coast)
+    yield Scene(boats=fleet, waves=sea.waves, light=mirror, water=Water(depth=5.0))
+    yield Scene(boats=fleet, sea=Sea(), light=mirror, foam=Foam(saturation=(WakeSaturation(), FoldSaturation())))
+    yield Scene(foam=wake)
+
+
+def every_plan() -> Iterator[FramePlan]:
+    """Presets at every quality, and every scene at each tier."""
+    for name in preset_names():
+        for quality in qualities():
+            yield make_plan(load_preset(name).scene, quality)
+    for scene in scenes():
+        for quality in TIERS.values():
+            yield make_plan(scene, quality)
+    for scene in drifting(load_preset("default").scene):
+        for ways, window in (("forward", 120.0), ("backward", 7.0), ("exact", 7.0)):
+            yield make_plan(scene, TIERS["standard"].model_copy(update={"drift": ways, "drift_window": window}))
+    # What a bound leaves out is drawn where that bound is tested.
+    yield make_plan(Scene(foam=Foam(saturation=(SurfSaturation(),))), TIERS["standard"], economy=False)
+    yield make_plan(Scene(spray=Spray()), TIERS["standard"], economy=False)
+    for source in (SurfSaturation(), DriftSaturation(), WakeSaturation()):
+        yield make_plan(Scene(foam=Foam(saturation=(source,))), TIERS["standard"], economy=False)
+
+
+def _files(program: Program) -> set[str]:
+    return {file.path for file in program.fragment.files}
+
+
+def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:
+    """Each distinct program once, with a plan that asks for it.
+
+    A program that stands whole in that for low eyes of the same plan is not compiled by itself as well.
+    """
+    found: dict[tuple[str, str], tuple[FramePlan, str, Program]] = {}
+    for plan in every_plan():
+        for name, program in plan.programs.items():
+            low = plan.programs.get(f"{name}, low eye")
+            if low is not None and _files(program) <= _files(low):
+                continue
+            found.setdefault((program.vertex.sha256, program.fragment.sha256), (plan, name, program))
+    return found
+
+
+def traits(program: Program) -> frozenset[str | tuple[str, str]]:
+    """What of a program can fail by itself: its files, every two of them, the values of its constants."""
+    shaders = (program.vertex, program.fragment)
+    files = sorted({file.path for shader in shaders for file in shader.files if file.path})
+    constants = {line for shader in shaders for line in shader.text.splitlines() if line.startswith("const ")}
+    return frozenset((*files, *combinations(files, 2), *constants))
+
+
+def covering(programs: Sequence[Program]) -> list[int]:
+    """Places of programs that between them have every trait of any: greedily, so few, not the fewest."""
+    having = [traits(program) for program in programs]
+    left = set().union(*having)
+    gains = [(-len(traits), i) for i, traits in enumerate(having)]
+    heapify(gains)
+    chosen = []
+    while left:
+        # What a program adds only falls, so the first that still adds as much as it promised adds the most.
+        _, i = gains[0]
+        adds = -len(having[i] & left)
+        if adds > gains[0][0]:
+            heapreplace(gains, (adds, i))
+        else:
+            heappop(gains)
+            chosen.append(i)
+            left -= having[i]
+    return chosen
