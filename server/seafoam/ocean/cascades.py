@@ -114,7 +114,9 @@ class Cascade:
         slope = math.sqrt(self.mean_square_slope)
         return requested if requested * slope <= TILT else TILT / slope
 
-    def fold_variance(self, choppiness: float, texels: int, read: Literal["spline", "bilinear", "halves"]) -> float:
+    def divergence_variance(
+        self, choppiness: float, texels: int, read: Literal["spline", "bilinear", "halves"]
+    ) -> float:
         """Mean square of F = λ div D, the divergence of the horizontal displacement, on ``texels``² texels.
 
         ``read``: by B-spline, bilinearly, or bilinearly at the texels and the points half way between them.

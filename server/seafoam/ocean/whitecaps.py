@@ -29,7 +29,7 @@ OLD_TEXELS = 2 * BAND
 
 
 @dataclass(frozen=True)
-class Fold:
+class WhitecapModel:
     """Whitecap model: f = min(Σ_j a_j clamp((threshold − F_j)/width, 0, 1), 1), a_j the fraction left after j steps."""
 
     now: tuple[float, float]
@@ -82,7 +82,9 @@ LASTING_CLAMPED: tuple[tuple[float, float], ...] = (
 """The same for foam that lasts."""
 
 
-def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: float, texels: int) -> Fold | None:
+def whitecap_model(
+    sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: float, texels: int
+) -> WhitecapModel | None:
     """Return the thresholds that give a sea its whitecap coverage, on tiles of ``texels``²; None without foam.
 
     In material coordinates F of a Gaussian sea is normally distributed with mean 0; per area of the compressed surface,
@@ -90,14 +92,14 @@ def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: 
     deviations; ``CLAMPED`` corrects for the clamping of sums.
     """
     raised = cascades(sea, depth)[:RAISED]
-    now = sum(c.fold_variance(sea.choppiness, texels, "spline") for c in raised)
-    earlier = sum(c.fold_variance(sea.choppiness, texels // 2, "bilinear") for c in raised)
+    now = sum(c.divergence_variance(sea.choppiness, texels, "spline") for c in raised)
+    earlier = sum(c.divergence_variance(sea.choppiness, texels // 2, "bilinear") for c in raised)
     coverage = foam.coverage * whitecaps(sea.wind)
     if min(now, earlier) < 1e-8 or coverage <= 0.0:
         return None
     shares = tuple(math.exp(-j * step / foam.decay) for j in range(steps + 1))
     lasting = foam.lasting and steps > 0
-    old = raised[0].fold_variance(sea.choppiness, OLD_TEXELS, "halves")
+    old = raised[0].divergence_variance(sea.choppiness, OLD_TEXELS, "halves")
     old_shares: tuple[float, ...] = ()
     if lasting:
         times = old_times(steps, step)
@@ -122,7 +124,7 @@ def fold(sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: 
         low, high = (middle, high) if mean(middle) > coverage else (low, middle)
     z, soft = 0.5 * (low + high), foam.softness
     deviations = math.sqrt(now), math.sqrt(earlier), math.sqrt(old)
-    return Fold(
+    return WhitecapModel(
         (now - z * deviations[0], soft * deviations[0]),
         (-z * deviations[1], soft * deviations[1]),
         shares,

@@ -30,7 +30,7 @@ from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInp
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
 from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.stokes import foam_drift
-from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, Fold, fold, old_times
+from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.quality import Quality
 from seafoam.scene.foam import FoldSaturation, SlopeSaturation
 from seafoam.scene.models import Scene
@@ -67,7 +67,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return Contribution(why="", bound=Bound(0.0, "no sea whose waves could break"))
     quality = fitted(scene.sea, quality)
     steps = quality.age_steps
-    model = fold(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size)
+    model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size)
     if model is None:
         return Contribution(why="", bound=Bound(0.0, "a sea whose waves do not break, or a coverage of 0"))
     # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
@@ -81,7 +81,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     return present if steps == 0 else _with_history(present, scene, scene.sea, raised, quality, model)
 
 
-def _slot(model: Fold, steps: int) -> SlotFile:
+def _slot(model: WhitecapModel, steps: int) -> SlotFile:
     needs: tuple[str, ...] = ("foam/saturation/fold.glsl",)
     if steps > 0:
         needs += (f"foam/saturation/fold_{'old' if model.old_shares else 'no_old'}.glsl",)
@@ -89,7 +89,7 @@ def _slot(model: Fold, steps: int) -> SlotFile:
     return SlotFile("saturation", f"foam/saturation/fold_{times}.glsl", prefix="fold", needs=needs)
 
 
-def _model_uniforms(model: Fold, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
+def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
     slopes = sum(of.mean_square_slope for of in raised)
     thresholds = [Constant(value=tuple(significant(part) for part in pair)) for pair in (model.now, model.earlier)]
     shares = [Constant(value=(significant(share),)) for share in model.shares]
@@ -102,7 +102,7 @@ def _model_uniforms(model: Fold, raised: tuple[Cascade, ...]) -> dict[str, Unifo
 
 
 def _with_history(
-    present: Contribution, scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: Fold
+    present: Contribution, scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel
 ) -> Contribution:
     """``present`` with foam of earlier times: recent ones of all tiles and, if foam lasts, old ones of the largest."""
     steps = quality.age_steps
@@ -158,7 +158,7 @@ def _recent(
 
 
 def _old(
-    scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: Fold
+    scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel
 ) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
     """Targets and passes that draw the old foam that is left, from Jacobians of the largest tile."""
     rows, largest = OLD_STEPS // 4, raised[0]

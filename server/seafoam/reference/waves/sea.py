@@ -12,7 +12,7 @@ from scipy.ndimage import map_coordinates
 
 from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.stokes import foam_drift
-from seafoam.ocean.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, Fold, fold, old_times
+from seafoam.ocean.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.reference.types import Floats
 from seafoam.scene.foam import FoldSaturation
 from seafoam.scene.models import Scene
@@ -214,7 +214,7 @@ class SeaSurface:
             result.append(sum(self._at(tile, then[step], x, z) for tile, then in parts))
         return [np.asarray(values, np.float64) for values in result]
 
-    def long_ago(self, model: Fold, x: Floats, z: Floats) -> Floats:
+    def long_ago(self, model: WhitecapModel, x: Floats, z: Floats) -> Floats:
         """Remaining old foam; (r,), not limited to 1."""
         left = np.zeros_like(self.old[0])
         for share, folded in zip(model.old_shares, self.old, strict=True):
@@ -305,7 +305,7 @@ def fold_saturation(scene: Scene, foam: FoldSaturation, surface: SeaSurface | No
     """f at (x, z), m from the origin; (r,) in [0, 1]."""
     if scene.sea is None or surface is None:
         return np.zeros_like(x)
-    model = fold(scene.sea, foam, scene.water.depth, AGE_STEPS, AGE_STEP, surface.tiles[0].fold.shape[0])
+    model = whitecap_model(scene.sea, foam, scene.water.depth, AGE_STEPS, AGE_STEP, surface.tiles[0].fold.shape[0])
     if model is None:
         return np.zeros_like(x)
     total = np.zeros_like(x)
