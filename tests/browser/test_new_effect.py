@@ -16,6 +16,7 @@ from seafoam.quality import TIERS, Tier
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from support.pictures import draw
 
 EXAMPLE = Path(__file__).parents[2] / "docs" / "example" / "windrows.py"
 SIZE = (320, 180)
@@ -42,8 +43,8 @@ def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example
     without, plan = make_plan(scene, TIERS["standard"]), plan_of(example, scene)
     assert example.name in {note.name for note in plan.effects}
     width, height = SIZE
-    with_lines = executor.render(plan, time=5.0, camera=scene.camera, width=width, height=height).pixels
-    plain = executor.render(without, time=5.0, camera=scene.camera, width=width, height=height).pixels
+    with_lines = draw(executor, plan, scene.camera, time=5.0, size=(width, height))
+    plain = draw(executor, without, scene.camera, time=5.0, size=(width, height))
     assert np.abs(with_lines.astype(int) - plain.astype(int)).mean() > 0.5
     answer = page.evaluate(
         "([plan, options]) => window.seafoam.render(plan, options)",
@@ -61,7 +62,7 @@ def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect)
     (case,) = example.cases.hard
     plan = plan_of(example, case.scene, "reference")
     for time in case.times:
-        drawn = executor.render(plan, time=time, camera=case.camera, width=48, height=27, output="linear").pixels
+        drawn = draw(executor, plan, case.camera, time=time, size=(48, 27), output="linear")
         assert np.isfinite(drawn).all()
         assert 0.0 < drawn[..., 3].mean() < 1.0
 
@@ -71,10 +72,7 @@ def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, exampl
     lean, full = plan_of(example, scene), plan_of(example, scene, economy=False)
     assert example.name in {note.name for note in lean.skipped}
     assert example.name in {note.name for note in full.effects}
-    pictures = [
-        executor.render(plan, time=0.0, camera=scene.camera, width=48, height=27, output="linear").pixels
-        for plan in (lean, full)
-    ]
+    pictures = [draw(executor, plan, scene.camera, time=0.0, size=(48, 27), output="linear") for plan in (lean, full)]
     assert np.abs(pictures[0] - pictures[1]).max() < 0.5 / 255.0
 
 
