@@ -1,5 +1,5 @@
 # make demo: everything it takes, then the page.   make test: everything it takes, then every test.
-# make quick: what to run while working, under a minute on two cores.   With CI=1 nothing is left out for having passed before.
+# make quick: what to run while working, minutes on two cores.   With CI=1 nothing is left out for having passed before.
 SHELL := /bin/bash
 PYTHON ?= python3
 VENV := .venv
@@ -16,22 +16,25 @@ LIVE := $(addprefix tests/,fast/accuracy fast/api fast/cli gpu/accuracy gpu/api 
 	gpu/numerics/test_properties.py gpu/reference/test_anywhere.py)
 REST := tests/fast tests/gpu $(addprefix --ignore=,$(LIVE))
 
-.PHONY: demo test quick quick-fast quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
+# Tests that make many plans: half of the time that tests/fast takes.
+PLANS := tests/fast/accuracy tests/fast/unit
+
+.PHONY: demo test quick quick-plans quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
 
 test: lint test-web test-python
 
-# No browser, no server process and next to no drawing.
+# tests/fast in two halves, with one the lint and a small picture of every preset.
 quick: setup-test
-	@$(MAKE) --no-print-directory -j2 quick-fast quick-rest
+	@$(MAKE) --no-print-directory -j2 quick-plans quick-rest
 
-quick-fast:
-	$(BIN)/pytest -q -p no:cacheprovider tests/fast
+quick-plans:
+	$(BIN)/pytest -q -p no:cacheprovider $(PLANS)
 
 quick-rest: $(WEB)/node_modules/.checked
-	$(BIN)/pytest -q -p no:cacheprovider tests/gpu/smoke
+	$(BIN)/pytest -q -p no:cacheprovider tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS))
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy

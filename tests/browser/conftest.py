@@ -13,6 +13,7 @@ import pytest
 from playwright.sync_api import Page, Playwright, sync_playwright
 
 from support.browsers import Lane, launched, opened
+from support.visits import Visit, link, visit
 
 
 @pytest.fixture(scope="session")
@@ -65,3 +66,24 @@ def page(llvmpipe: Lane, server: str) -> Iterator[Page]:
     made = opened(llvmpipe, server)
     yield made
     made.close()
+
+
+@pytest.fixture(scope="module")
+def shared(llvmpipe: Lane, server: str) -> Iterator[Visit]:
+    with visit(llvmpipe, server) as made:
+        yield made
+
+
+@pytest.fixture
+def small(shared: Visit) -> Iterator[Visit]:
+    """The page, small, as it was when it opened; nothing may have gone wrong on it by the end."""
+    shared.page.locator(".toast").evaluate_all("(toasts) => toasts.forEach((toast) => toast.remove())")
+    shared.page.evaluate("() => document.activeElement?.blur()")
+    if shared.page.locator("#settings.open").count():
+        shared.page.get_by_role("button", name="Close settings").click()
+    shared.follow(link(preset="default"))
+    shared.settle()
+    shared.complaints.clear()
+    shared.asked.clear()
+    yield shared
+    assert shared.complaints == []

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from PIL import Image
 from playwright.sync_api import Locator, Page, Route, expect
-from test_page import FINGER, PHONE, STILL, TARGETS, Visit, visit
 
 from seafoam.accuracy.points import points_of
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.scene.presets import load_preset
 from support.browsers import Lane
+from support.visits import FINGER, PHONE, STILL, TARGETS, Visit, visit
 
 SIZE = (32, 18)
 LARGE = (1280, 800)

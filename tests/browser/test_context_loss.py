@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from test_page import STILL, Visit, link, visit
 
 from support.browsers import Lane
+from support.visits import STILL, Visit, link, visit
 
 
 def drawn(made: Visit, preset: str) -> NDArray[np.uint8]:

@@ -2,11 +2,11 @@
 
 import pytest
 from playwright.sync_api import Page
-from test_page import STILL, Pixels, link, visit
 
 from seafoam.quality import TIERS
 from seafoam.scene.presets import load_preset
 from support.browsers import Lane
+from support.visits import STILL, Pixels, link, visit
 
 SIZE = (400, 300)
 

@@ -18,6 +18,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.presets import load_preset
 from support.browsers import Lane, opened
 from support.exact import UNFILTERED
+from support.pictures import draw
 from support.report import REPORT
 
 SIZE = (48, 27)
@@ -55,7 +56,7 @@ def both(
     plan = make_plan(case.scene, TIERS["standard"])
     camera = case.camera or case.scene.camera
     got = drawn(page, plan, time, camera, size)
-    want = executor.render(plan, time=time, camera=camera, width=size[0], height=size[1]).pixels
+    want = draw(executor, plan, camera, time=time, size=size)
     return got, want, np.abs(got.astype(int) - want.astype(int)).max(axis=-1)  # type: ignore[return-value]
 
 
@@ -127,7 +128,7 @@ def test_without_extensions(llvmpipe: Lane, server: str, executor: Executor, hid
             with pytest.raises(Error, match="EXT_color_buffer_float"):
                 drawn(made, exact, 2.7, scene.camera, SIZE)
         else:
-            want = executor.render(exact, time=2.7, camera=scene.camera, width=SIZE[0], height=SIZE[1]).pixels
+            want = draw(executor, exact, scene.camera, time=2.7, size=SIZE)
             got = drawn(made, exact, 2.7, scene.camera, SIZE)
             assert np.abs(got.astype(int) - want.astype(int)).max() <= 1
     finally:

@@ -19,6 +19,7 @@ from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.textures import MaskTexture, texture, url_of
 from support.browsers import Lane, opened
+from support.pictures import draw
 from support.probe import WHOLE
 
 COMPARE = Inline("""uniform usampler2D u_drawn;
@@ -87,5 +88,5 @@ def test_the_drawn_atlas_is_the_made_one(
     pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(made.height, made.width, 4)
     assert not pixels[..., 0].any()
     assert pixels[:, :512, 1].std() > 50.0
-    here = executor.render(plan, time=0.0, camera=camera, width=made.width, height=made.height).pixels
+    here = draw(executor, plan, camera, time=0.0, size=(made.width, made.height))
     assert np.array_equal(pixels, here)

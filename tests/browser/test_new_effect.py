@@ -22,6 +22,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from support.pictures import draw
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "docs" / "example" / "windrows.py"
@@ -63,8 +64,8 @@ def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example
     assert example.name not in {note.name for note in (*without.effects, *without.skipped)}
     assert example.name in {note.name for note in plan.effects}
     width, height = SIZE
-    with_lines = executor.render(plan, time=5.0, camera=scene.camera, width=width, height=height).pixels
-    bare = executor.render(without, time=5.0, camera=scene.camera, width=width, height=height).pixels
+    with_lines = draw(executor, plan, scene.camera, time=5.0, size=(width, height))
+    bare = draw(executor, without, scene.camera, time=5.0, size=(width, height))
     assert np.abs(with_lines.astype(int) - bare.astype(int)).mean() > 0.5
     answer = page.evaluate(
         "([plan, options]) => window.seafoam.render(plan, options)",
@@ -82,7 +83,7 @@ def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect)
     (case,) = example.cases.hard
     plan = make_plan(case.scene, TIERS["reference"])
     for time in case.times:
-        drawn = executor.render(plan, time=time, camera=case.camera, width=48, height=27, output="linear").pixels
+        drawn = draw(executor, plan, case.camera, time=time, size=(48, 27), output="linear")
         assert np.isfinite(drawn).all()
         assert 0.0 < drawn[..., 3].mean() < 1.0
 
@@ -92,10 +93,7 @@ def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, exampl
     lean, full = (make_plan(scene, TIERS["standard"], economy=economy) for economy in (True, False))
     assert example.name in {note.name for note in lean.skipped}
     assert example.name in {note.name for note in full.effects}
-    pictures = [
-        executor.render(plan, time=0.0, camera=scene.camera, width=48, height=27, output="linear").pixels
-        for plan in (lean, full)
-    ]
+    pictures = [draw(executor, plan, scene.camera, time=0.0, size=(48, 27), output="linear") for plan in (lean, full)]
     assert np.abs(pictures[0] - pictures[1]).max() < 0.5 / 255.0
 
 

@@ -17,6 +17,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset, preset_names
 from support.browsers import Lane, opened
 from support.exact import UNFILTERED
+from support.pictures import draw
 from support.report import REPORT
 
 TIMES = (0.0, 2.7, 1e9)
@@ -56,8 +57,7 @@ def served(
 ) -> NDArray[np.uint8]:
     scene = load_preset(preset).scene
     plan = make_plan(scene, TIERS[quality])  # type: ignore[index]
-    drawn = executor.render(plan, time=time, camera=scene.camera, width=size[0], height=size[1])
-    return drawn.pixels  # type: ignore[return-value]
+    return draw(executor, plan, scene.camera, time=time, size=size)
 
 
 def assert_sound(pixels: NDArray[np.uint8], answer: dict[str, Any]) -> None:
@@ -127,7 +127,7 @@ def test_same_pixels_by_other_ways(page: Page, executor: Executor, preset: str, 
     )
     pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(90, 160, 4)
     assert_sound(pixels, answer)
-    want = executor.render(plan, time=2.7, camera=scene.camera, width=160, height=90).pixels
+    want = draw(executor, plan, scene.camera, time=2.7, size=(160, 90))
     assert (pixels == want).all(axis=-1).mean() >= 0.9999
 
 

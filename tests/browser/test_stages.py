@@ -17,6 +17,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
+from support.pictures import draw
 
 SIZE = (32, 16)
 FILES = Path(__file__).parents[1] / "support" / "stages"
@@ -54,12 +55,11 @@ def test_points_lie_over_the_picture(
     width, height = SIZE
     plan = plan_of(blend, samples)
 
-    def draw(one: FramePlan) -> np.ndarray:
-        return executor.render(
-            one, time=0.0, camera=SCENE.camera, width=width, height=height, output="samples"
-        ).pixels.astype(np.float64)
+    def samples_of(one: FramePlan) -> np.ndarray:
+        return draw(executor, one, SCENE.camera, time=0.0, size=SIZE, output="samples").astype(np.float64)
 
-    sky, drawn = draw(make_plan(SCENE, TIERS["standard"].model_copy(update={"samples": samples}))), draw(plan)
+    bare = make_plan(SCENE, TIERS["standard"].model_copy(update={"samples": samples}))
+    sky, drawn = samples_of(bare), samples_of(plan)
     middle = (drawn.shape[0] // 2, drawn.shape[1] // 2)
     left = (drawn.shape[0] // 2, drawn.shape[1] // 4)
     assert np.allclose(drawn[middle][:3], sky[middle][:3] * free + light, atol=2e-3)
@@ -75,7 +75,7 @@ def test_points_lie_over_the_picture(
         ],
     )
     pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(height, width, 4)
-    here = executor.render(plan, time=0.0, camera=SCENE.camera, width=width, height=height).pixels
+    here = draw(executor, plan, SCENE.camera, time=0.0, size=SIZE)
     assert answer["glError"] == 0
     assert np.abs(pixels.astype(int) - here.astype(int)).max() <= 1
 

@@ -26,7 +26,7 @@ class Probe:
 
     def __call__(
         self,
-        files: Sequence[str],
+        files: Sequence[str | Inline],
         body: str,
         inputs: NDArray[Any],
         *,
@@ -97,3 +97,7 @@ class Probe:
         else:
             made.filter = (moderngl.NEAREST_MIPMAP_NEAREST if data.levels > 1 else moderngl.NEAREST, moderngl.NEAREST)
         return made
+
+
+def grid_of(*axes: NDArray[np.float64]) -> NDArray[np.float32]:
+    return np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, len(axes)).astype(np.float32)

@@ -79,13 +79,7 @@ def scenes() -> Iterator[Scene]:
         yield from effect.cases.variants
     sea = load_preset("default").scene
     assert sea.foam is not None
-    for look, saturation in product(get_args(Look), SATURATIONS):
-        for combine in ("max", "product") if len(saturation) > 1 else ("max",):
-            foam = Foam(look=look, saturation=saturation, combine=combine)  # type: ignore[arg-type]
-            yield sea.model_copy(update={"foam": foam})
-    for fade, texture, octaves in product((0.0, 0.3), (0.0, 0.3), (1, 3)):
-        look = {"fade": fade, "texture": texture, "octaves": octaves}
-        yield sea.model_copy(update={"foam": sea.foam.model_copy(update=look)})
+    yield from foams(sea)
     yield sea.model_copy(update={"foam": None})
     yield sea.model_copy(update={"light": Light(sun_elevation=-0.2)})
     yield sea.model_copy(update={"light": None})
@@ -137,6 +131,18 @@ def scenes() -> Iterator[Scene]:
     yield sea.model_copy(update={"water": Water(chop=Chop(gusts=Gusts()))})
     yield from drifting(sea)
     yield from living(sea, shore)
+
+
+def foams(sea: Scene) -> Iterator[Scene]:
+    """Every look of every saturation, fading, textured and in octaves."""
+    assert sea.foam is not None
+    for look, saturation in product(get_args(Look), SATURATIONS):
+        for combine in ("max", "product") if len(saturation) > 1 else ("max",):
+            foam = Foam(look=look, saturation=saturation, combine=combine)  # type: ignore[arg-type]
+            yield sea.model_copy(update={"foam": foam})
+    for fade, texture, octaves in product((0.0, 0.3), (0.0, 0.3), (1, 3)):
+        look = {"fade": fade, "texture": texture, "octaves": octaves}
+        yield sea.model_copy(update={"foam": sea.foam.model_copy(update=look)})
 
 
 def drifting(sea: Scene) -> Iterator[Scene]:

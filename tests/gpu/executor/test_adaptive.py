@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from seafoam.framegraph.passes import Fullscreen
 from seafoam.framegraph.plan import FramePlan
-from seafoam.framegraph.resources import ViewportSize
 from seafoam.framegraph.shader import Shader
 from seafoam.planner import make_plan
 from seafoam.planner.adaptive import MAX_CONTRAST, PARTS, RATIO
@@ -17,7 +16,8 @@ from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.presets import load_preset
+from support.pictures import draw
 
 SIZE = (160, 90)
 STANDARD = TIERS["standard"]
@@ -62,9 +62,7 @@ def frame(
         began = plan.targets["start"].model_copy(update={"size": moved})
         plan = plan.model_copy(update={"targets": plan.targets | {"start": began}})
     seen = camera or scene.camera
-    return executor.render(  # type: ignore[return-value]
-        plan, time=2.7, camera=seen, width=size[0], height=size[1], output="linear"
-    ).pixels
+    return draw(executor, plan, seen, time=2.7, size=size, output="linear")
 
 
 def as_chosen(plan: FramePlan, count: int) -> FramePlan:
@@ -90,30 +88,6 @@ def contrast(one: NDArray[np.float32]) -> NDArray[np.float64]:
 
 def same(a: NDArray[np.float32], b: NDArray[np.float32]) -> NDArray[np.bool_]:
     return (a == b).all(axis=-1)
-
-
-def test_no_target_is_larger_than_four_pictures() -> None:
-    for preset in preset_names():
-        for most in (4, 16):
-            scene = load_preset(preset).scene
-            plan = make_plan(scene, quality(samples_max=most))
-            scales = [one.size.scale for one in plan.targets.values() if isinstance(one.size, ViewportSize)]
-            # Without light a sample costs less than its choice.
-            assert max(scales) == (1 if scene.light is None else 2)
-
-
-@pytest.mark.parametrize(("samples", "most", "kinds"), [(1, 1, ()), (1, 4, (4,)), (1, 16, (4, 16)), (4, 16, (16,))])
-def test_kinds_of_choice(samples: int, most: int, kinds: tuple[int, ...]) -> None:
-    how = quality(samples=samples, samples_max=most)
-    assert how.chosen_samples == kinds
-    names = {one.name for one in make_plan(load_preset("default").scene, how).passes}
-    assert {f"surface, {count} samples" in names for count in kinds} <= {True}
-    assert ("contrast" in names) == bool(kinds)
-
-
-def test_more_samples_than_the_greatest_number_are_no_choice() -> None:
-    scene = load_preset("default").scene
-    assert make_plan(scene, quality(samples=16, samples_max=16)) == make_plan(scene, quality(samples=16))
 
 
 @pytest.mark.parametrize(

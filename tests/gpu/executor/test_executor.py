@@ -12,6 +12,7 @@ from seafoam.quality import TIERS, SurfaceQuality
 from seafoam.render.gl import executor as module
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.scene.presets import load_preset
+from support.pictures import draw
 
 
 def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -24,11 +25,11 @@ def test_programs_let_go_and_made_again_draw_the_same(executor: Executor, monkey
     ]
     plans = [make_plan(scene, quality) for quality in qualities] + [make_plan(scene, TIERS["standard"])]
 
-    def draw(plan: FramePlan) -> bytes:
-        return executor.render(plan, time=1.0, camera=scene.camera, width=32, height=18).pixels.tobytes()
+    def drawn(plan: FramePlan) -> bytes:
+        return draw(executor, plan, scene.camera, time=1.0, size=(32, 18)).tobytes()
 
-    first = [draw(plan) for plan in plans]
-    assert [draw(plan) for plan in plans] == first
+    first = [drawn(plan) for plan in plans]
+    assert [drawn(plan) for plan in plans] == first
     assert len(executor._programs._items) <= 2
 
 
@@ -37,12 +38,12 @@ def test_all_let_go_and_made_again_draws_the_same(executor: Executor) -> None:
     scene = load_preset("island-surf").scene
     plan = make_plan(scene, TIERS["draft"])
 
-    def draw() -> bytes:
-        return executor.render(plan, time=1.0, camera=scene.camera, width=32, height=18).pixels.tobytes()
+    def drawn() -> bytes:
+        return draw(executor, plan, scene.camera, time=1.0, size=(32, 18)).tobytes()
 
-    first = draw()
+    first = drawn()
     executor.forget()
-    assert draw() == first
+    assert drawn() == first
 
 
 def test_a_shader_that_does_not_compile_names_its_files(executor: Executor) -> None:

@@ -10,6 +10,7 @@ from seafoam.quality import TIERS
 from seafoam.render.gl.cache import target_bytes
 from seafoam.render.gl.executor import Executor, ShaderError
 from seafoam.scene.presets import load_preset, preset_names
+from support.pictures import draw
 
 STANDARD = TIERS["standard"]
 SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]
@@ -26,11 +27,11 @@ def fresh(executor: Executor) -> Executor:
 def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePlan], list[str]]:
     """Draws a frame and gives the names of its passes."""
     names: list[str] = []
-    draw = fresh._draw
+    draw_pass = fresh._draw
 
     def counted(plan: FramePlan, one: Pass, *rest: object) -> None:
         names.append(one.name)
-        draw(plan, one, *rest)  # type: ignore[arg-type]
+        draw_pass(plan, one, *rest)  # type: ignore[arg-type]
 
     monkeypatch.setattr(fresh, "_draw", counted)
     times = iter(range(100))
@@ -38,7 +39,7 @@ def drawn(fresh: Executor, monkeypatch: pytest.MonkeyPatch) -> Callable[[FramePl
     def frame(plan: FramePlan) -> list[str]:
         names.clear()
         camera = load_preset("island-surf").scene.camera
-        fresh.render(plan, time=float(next(times)), camera=camera, width=16, height=9)
+        draw(fresh, plan, camera, time=float(next(times)), size=(16, 9))
         return list(names)
 
     return frame
@@ -96,9 +97,7 @@ class TestDraws:
         fragment = broken.fragment.model_copy(update={"text": "#version 300 es\nbroken", "sha256": "0" * 64})
         programs = {**plan.programs, "shore_blur": broken.model_copy(update={"fragment": fragment})}
         with pytest.raises(ShaderError):
-            fresh.render(
-                plan.model_copy(update={"programs": programs}), time=0.0, camera=scene.camera, width=16, height=9
-            )
+            draw(fresh, plan.model_copy(update={"programs": programs}), scene.camera, time=0.0, size=(16, 9))
         assert not fresh._static._items
 
 
@@ -107,15 +106,15 @@ def test_a_frame_after_others_is_that_of_a_fresh_executor(preset: str, fresh: Ex
     scene = load_preset(preset).scene
     plan = make_plan(scene, STANDARD)
 
-    def draw(time: float, one: FramePlan = plan) -> bytes:
-        return fresh.render(one, time=time, camera=scene.camera, width=48, height=27).pixels.tobytes()
+    def at(time: float, one: FramePlan = plan) -> bytes:
+        return draw(fresh, one, scene.camera, time=time, size=(48, 27)).tobytes()
 
-    alone = draw(7.3)
+    alone = at(7.3)
     fresh._static.clear()
     for other in SHORES[:2]:
-        draw(1.0, make_plan(load_preset(other).scene, STANDARD))
-    draw(2.0)
-    assert draw(7.3) == alone
+        at(1.0, make_plan(load_preset(other).scene, STANDARD))
+    at(2.0)
+    assert at(7.3) == alone
     # And as it was where every pass is drawn in every frame.
     each = tuple(one.model_copy(update={"when": "frame"}) for one in plan.passes)
-    assert draw(7.3, plan.model_copy(update={"passes": each, "kept": {}})) == alone
+    assert at(7.3, plan.model_copy(update={"passes": each, "kept": {}})) == alone

@@ -18,6 +18,7 @@ from seafoam.scene.boats import Boat
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
+from support.pictures import draw
 from support.report import Report
 
 SIDE = 192
@@ -143,7 +144,7 @@ def test_no_wave_passes_its_bounds(name: str, quality: str, executor: Executor, 
             camera = scene.camera.model_copy(
                 update={"position": (7.0, 5.0, -3.0) if scene.boats else scene.camera.position}
             )
-            pixels = executor.render(drawn, time=time, camera=camera, width=64, height=36, output="linear").pixels
+            pixels = draw(executor, drawn, camera, time=time, size=(64, 36), output="linear")
             worst = np.maximum(worst, pixels.reshape(-1, 4).max(axis=0))
     over, steeper, risen, bend = worst
     grain = plan.uniforms["u_surface_grain"].rules[0].value[0]  # type: ignore[union-attr]
@@ -167,7 +168,7 @@ def test_what_the_tree_calls_free_has_no_land(name: str, texels: int, executor: 
     quality = TIERS["standard"].model_copy(update={"samples": 1, "shore_floor": texels})
     scene = load_preset(name).scene
     drawn = instead(make_plan(scene, quality), _LAND)
-    pixels = executor.render(drawn, time=0.0, camera=scene.camera, width=64, height=36, output="linear").pixels
+    pixels = draw(executor, drawn, scene.camera, time=0.0, size=(64, 36), output="linear")
     inside, met, far, _ = pixels.reshape(-1, 4).T
     assert inside.max() <= 1e-3
     # Some beams meet land after a way, others none.

@@ -11,6 +11,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from support.pictures import draw
 from support.probe import WHOLE
 
 SIZES = ((48, 27), (64, 7), (5, 61), (1, 1))
@@ -47,8 +48,7 @@ def test_no_pixel_is_different(executor: Executor, preset: str) -> None:
     for camera in cameras(plan.top):
         for width, height in SIZES:
             one, other = (
-                executor.render(each, time=2.7, camera=camera, width=width, height=height, output="linear").pixels
-                for each in (plan, whole)
+                draw(executor, each, camera, time=2.7, size=(width, height), output="linear") for each in (plan, whole)
             )
             assert (one == other).all(), (camera, width, height)
             water += int((one[..., 3] > 0.0).sum())

@@ -13,15 +13,13 @@ import numpy as np
 from annotated_types import Ge, Le
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 from pydantic import BaseModel
 
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.ocean.dispersion import angular_frequency
 from seafoam.ocean.rings import trains
 from seafoam.ocean.ripples import TILES, ripples
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
@@ -31,6 +29,7 @@ from seafoam.scene.rings import Ring
 from seafoam.scene.water import Chop, Water
 from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
+from support.pictures import levels, samples
 from support.report import Report
 
 SIZE = (32, 18)
@@ -181,19 +180,6 @@ def view(r: Random, scene: Scene) -> Camera:
     return made
 
 
-def samples(executor: Executor, scene: Scene, quality: Quality, time: float, camera: Camera) -> NDArray[np.float32]:
-    plan = make_plan(scene, quality)
-    rendered = executor.render(plan, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="samples")
-    return rendered.pixels  # type: ignore[return-value]
-
-
-def levels(a: NDArray[np.float32], b: NDArray[np.float32]) -> NDArray[np.float64]:
-    """Largest difference of each sample's colours, clipped at white, in levels of linear light."""
-    clipped = [np.clip(part[..., :3].astype(np.float64), 0.0, 1.0) for part in (a, b)]
-    result: NDArray[np.float64] = 255.0 * np.abs(clipped[0] - clipped[1]).max(axis=-1)
-    return result
-
-
 def brightest(scene: Scene) -> float:
     """No sample is brighter; derived in docs/stability.md."""
     light = scene.light
@@ -211,7 +197,7 @@ def brightest(scene: Scene) -> float:
 def test_any_frame_is_finite_and_no_brighter_than_its_light(executor: Executor, seed: int, quality: str) -> None:
     r = Random(seed)
     scene, camera, time = SCENES(r), CAMERAS(r), TIMES(r)
-    pixels = samples(executor, scene, QUALITIES[quality], time, camera)
+    pixels = samples(executor, scene, QUALITIES[quality], camera, time=time, size=SIZE)
     assert np.isfinite(pixels).all()
     assert (pixels >= 0.0).all()
     assert (pixels[..., 3] <= 1.0).all()
@@ -238,7 +224,9 @@ def test_a_small_step_of_time_changes_the_picture_a_little(executor: Executor, r
         camera = view(r, scene)
         step = max(1e-6, 8.0 * math.ulp(time))
         turned = fastest(scene) * step + 2.0 * math.ulp(fastest(scene) * abs(time))
-        frames = [samples(executor, scene, QUALITIES["standard"], at, camera) for at in (time, time + step)]
+        frames = [
+            samples(executor, scene, QUALITIES["standard"], camera, time=at, size=SIZE) for at in (time, time + step)
+        ]
         moved = float(levels(*frames).mean())
         met.append(moved / (0.5 + 255.0 * 20.0 * turned))
         assert moved <= 0.5 + 255.0 * 20.0 * turned
@@ -276,7 +264,7 @@ def test_a_shift_by_whole_tiles_changes_nothing(executor: Executor, report: Repo
         x, y, z = r.uniform(-50.0, 50.0), camera.position[1], r.uniform(-50.0, 50.0)
         away = whole * r.randint(-1000, 1000), whole * r.randint(-1000, 1000)
         cameras = [camera.model_copy(update={"position": at}) for at in ((x, y, z), (x + away[0], y, z + away[1]))]
-        off = levels(*(samples(executor, scene, QUALITIES[quality], time, one) for one in cameras))
+        off = levels(*(samples(executor, scene, QUALITIES[quality], one, time=time, size=SIZE) for one in cameras))
         means.append(float(off.mean()))
         shares.append(float((off > 2.0).mean()))
         assert means[-1] <= 0.5
@@ -299,7 +287,9 @@ def test_the_order_of_waves_changes_nothing(executor: Executor, report: Report) 
         camera = view(r, scene)
         r.shuffle(waves)
         shuffled = scene.model_copy(update={"waves": tuple(waves)})
-        off = levels(*(samples(executor, one, QUALITIES["standard"], time, camera) for one in (scene, shuffled)))
+        off = levels(
+            *(samples(executor, one, QUALITIES["standard"], camera, time=time, size=SIZE) for one in (scene, shuffled))
+        )
         means.append(float(off.mean()))
         assert means[-1] <= 0.5
 

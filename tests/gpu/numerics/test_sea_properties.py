@@ -15,21 +15,21 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Water
 from seafoam.scene.waves import Sea
+from support.pictures import levels, samples
 from support.report import Report
 
 from .test_properties import (
     CAMERAS,
     LIGHTS,
     SEEDS,
+    SIZE,
     STABLE,
     TABLE,
     TIMES,
     brightest,
     even,
-    levels,
     of,
     one_of,
-    samples,
     spread,
 )
 
@@ -69,7 +69,7 @@ def test_any_sea_is_finite_and_no_brighter_than_its_light(executor: Executor, se
     r = Random(seed)
     scene, camera, time = scene_of(r), CAMERAS(r), TIMES(r)
     for quality in QUALITIES.values():
-        pixels = samples(executor, scene, quality, time, camera)
+        pixels = samples(executor, scene, quality, camera, time=time, size=SIZE)
         assert np.isfinite(pixels).all()
         assert (pixels >= 0.0).all()
         assert (pixels[..., 3] <= 1.0).all()
@@ -90,7 +90,9 @@ def test_a_small_step_of_time_changes_the_sea_a_little(executor: Executor, repor
         fastest = max(float(tile.turns.max()) for tile in cascades(sea, None)) * 2.0 * math.pi / 2048.0
         # float32 holds the fine part of the loop, under 2 s, to 1.2e-7 s.
         bound = 0.5 + 255.0 * 20.0 * fastest * (step + 2.4e-7)
-        frames = [samples(executor, scene, QUALITIES["standard"], at, camera) for at in (time, time + step)]
+        frames = [
+            samples(executor, scene, QUALITIES["standard"], camera, time=at, size=SIZE) for at in (time, time + step)
+        ]
         met.append(float(levels(*frames).mean()) / bound)
         assert met[-1] <= 1.0
 

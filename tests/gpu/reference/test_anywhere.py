@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
@@ -15,6 +14,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
+from support.pictures import colours, draw
 from support.report import Report
 
 SIZE = (64, 36)
@@ -71,34 +71,26 @@ def places(scene: Scene, plan: FramePlan, time: float) -> Iterator[Place]:
             yield Place(name, camera, dark=True)
 
 
-def shown(executor: Executor, plan: FramePlan, time: float, camera: Camera) -> NDArray[np.float32]:
-    """Linear light of the samples."""
-    return np.asarray(
-        executor.render(plan, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="samples").pixels,
-        np.float32,
-    )
-
-
 @pytest.mark.parametrize("name", preset_names())
 def test_a_preset_flown_anywhere(executor: Executor, report: Report, name: str) -> None:
     preset = load_preset(name)
     plan = make_plan(preset.scene, TIERS["standard"])
     worst = (0.0, "")
     for place in places(preset.scene, plan, preset.time):
-        first = shown(executor, plan, preset.time, place.camera)
+        first = draw(executor, plan, place.camera, time=preset.time, size=SIZE, output="samples")
         assert np.isfinite(first).all(), place.name
         assert (first >= 0.0).all(), place.name
         assert (first[..., 3] <= 1.0).all(), place.name
         if not place.dark:
-            light = np.clip(first[..., :3], 0.0, 1.0)
+            light = colours(first)
             assert light.max() > 0.02, place.name
             assert np.ptp(light) > 0.01, place.name
         x, y, z = place.camera.position
         # Away from still water, where an eye that comes through sees something else; by less where it is near.
         step = min(STEP, 0.1 * abs(y))
         nudged = place.camera.model_copy(update={"position": (x + step, y + math.copysign(step, y), z - step)})
-        second = shown(executor, plan, preset.time + STEP, nudged)
-        means = [255.0 * float(np.clip(one[..., :3], 0.0, 1.0).mean()) for one in (first, second)]
+        second = draw(executor, plan, nudged, time=preset.time + STEP, size=SIZE, output="samples")
+        means = [255.0 * float(colours(one).mean()) for one in (first, second)]
         worst = max(worst, (abs(means[0] - means[1]), place.name))
     report.add(
         f"Mean levels that {1000 * STEP:g} mm and ms change, the camera anywhere",

@@ -22,6 +22,7 @@ from seafoam.scene.sky import Clouds, Sky
 from seafoam.scene.water import Chop, Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
+from support.pictures import draw, levels
 from support.report import Report
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
@@ -114,10 +115,10 @@ def test_views_equal_float64(executor: Executor, report: Report, view: str) -> N
     scene, camera = VIEWS[view]
     size = (96, 54)
     plan = make_plan(scene, EXACT)
-    got = executor.render(plan, time=TIME, camera=camera, width=size[0], height=size[1], output="samples").pixels
+    got = draw(executor, plan, camera, time=TIME, size=size, output="samples")
     want = render(scene, time=TIME, width=size[0], height=size[1], camera=camera).rgb
     assert np.isfinite(got).all()
-    away = 255.0 * np.abs(np.clip(got[..., :3], 0.0, 1.0) - np.clip(want, 0.0, 1.0)).max(axis=-1)
+    away = levels(got, want)
     report.add(
         "Floor and view from below against float64, 96 × 54, levels of linear light",
         view=view,
@@ -134,7 +135,7 @@ def test_snells_window_ends_at_the_critical_angle(executor: Executor) -> None:
     camera = Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=2.0)
     plan = make_plan(scene, EXACT)
     side = 301
-    got = executor.render(plan, time=0.0, camera=camera, width=side, height=side, output="samples").pixels
+    got = draw(executor, plan, camera, time=0.0, size=(side, side), output="samples")
     row = got[side // 2, :, 2]
     angle = np.degrees(np.arctan(np.abs(2.0 * (np.arange(side) + 0.5) / side - 1.0) * math.tan(1.0)))
     critical = math.degrees(math.asin(1.0 / INDEX))
@@ -151,10 +152,7 @@ def test_plans_say_which_program_an_eye_needs(executor: Executor) -> None:
     assert {one.name for one in plan.passes if one.eye == "under"} == {"surface", "boats"}
     high = Camera(position=(0.0, plan.top, 0.0), pitch=-0.2)
     anyway = plan.model_copy(update={"top": plan.top + 1.0})
-    frames = [
-        executor.render(one, time=TIME, camera=high, width=96, height=54, output="linear").pixels
-        for one in (plan, anyway)
-    ]
+    frames = [draw(executor, one, high, time=TIME, size=(96, 54), output="linear") for one in (plan, anyway)]
     # Two programs of one text round apart; nothing else differs.
     assert np.abs(frames[0] - frames[1]).max() <= 0.02
 
@@ -171,6 +169,6 @@ def test_a_sea_from_below(executor: Executor) -> None:
     plan = make_plan(scene, TIERS["draft"])
     for y in (-3.0, 2.0):
         camera = Camera(position=(0.0, y, 0.0), pitch=0.3)
-        got = executor.render(plan, time=4.0, camera=camera, width=64, height=36, output="samples").pixels
+        got = draw(executor, plan, camera, time=4.0, size=(64, 36), output="samples")
         assert np.isfinite(got).all()
         assert got[..., :3].mean() > 1e-3

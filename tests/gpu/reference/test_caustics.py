@@ -18,6 +18,7 @@ from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
 from seafoam.scene.water import Chop, Water
+from support.pictures import draw_target
 from support.report import Report
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
@@ -28,9 +29,8 @@ TEXELS = 256
 
 def drawn(executor: Executor, scene: Scene, quality: Quality, time: float = TIME) -> NDArray[np.float64]:
     """The caustic map that a frame leaves, (texels, texels, 3), rows along z."""
-    plan = make_plan(scene, quality).model_copy(update={"linear": "caustics"})
-    got = executor.render(plan, time=time, camera=scene.camera, width=8, height=8, output="linear").pixels
-    return got[::-1, :, :3].astype(np.float64)
+    drawn = draw_target(executor, make_plan(scene, quality), "caustics", time, scene.camera)
+    return drawn[..., :3].astype(np.float64)
 
 
 def wanted(**knobs: object) -> Quality:

@@ -28,6 +28,7 @@ from seafoam.scene.rings import Ring
 from seafoam.scene.water import Chop, Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
+from support.pictures import draw
 from support.probe import WHOLE
 from support.report import Report
 
@@ -65,8 +66,8 @@ def heights(executor: Executor, scene: Scene, time: float) -> Floats:
     )
     other = everywhere(plan).model_copy(update={"programs": {**plan.programs, "surface": changed}, "top": -1e9})
     camera = Camera(position=(13.0, 400.0, -7.0), pitch=-math.pi / 2)
-    seen = executor.render(other, time=time, camera=camera, width=SIDE, height=SIDE, output="samples")
-    return seen.pixels[..., 0].astype(np.float64).ravel()
+    seen = draw(executor, other, camera, time=time, size=(SIDE, SIDE), output="samples")
+    return seen[..., 0].astype(np.float64).ravel()
 
 
 def truth(scene: Scene, time: float) -> Floats:
@@ -183,7 +184,7 @@ def test_a_boat_that_moves_far_away_changes_nothing_here(executor: Executor, vie
     pictures = []
     for one in (scene, beside):
         plan = make_plan(one, EXACT)
-        drawn = executor.render(plan, time=2.7, camera=camera, width=64, height=36, output="samples").pixels[..., :3]
+        drawn = draw(executor, plan, camera, time=2.7, size=(64, 36), output="samples")[..., :3]
         exact = render(one, time=2.7, width=64, height=36, camera=camera).rgb
         pictures.append((np.clip(drawn, 0.0, 1.0), np.clip(exact, 0.0, 1.0)))
     (drawn, exact), (drawn_beside, exact_beside) = pictures

@@ -22,6 +22,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.water import Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import UNFILTERED
+from support.pictures import draw_target
 from support.probe import Probe
 from support.report import Report
 
@@ -92,9 +93,7 @@ def places(count: int, reach: float, seed: int = 3) -> Floats:
 
 def drawn(executor: Executor, scene: Scene, quality: Quality, time: float, name: str = "drift") -> Floats:
     """A map of drift, row 0 at the least z."""
-    plan = make_plan(scene, quality).model_copy(update={"linear": name})
-    found = executor.render(plan, time=time, camera=Camera(), width=16, height=16, output="linear")
-    return found.pixels[::-1].astype(np.float64)
+    return draw_target(executor, make_plan(scene, quality), name, time).astype(np.float64)
 
 
 def texels(size: int, side: float) -> tuple[Floats, Floats]:

@@ -15,8 +15,8 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.water import Water
 from support.exact import EXACT
+from support.pictures import draw
 from support.report import Report
 
 VIEWS = (
@@ -35,11 +35,6 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
-def test_every_effect_says_when_it_cannot_be_seen(effect: Effect) -> None:
-    assert bool(effect.cases.invisible) != bool(effect.cases.always_visible)
-
-
 @pytest.mark.parametrize(("effect", "scene"), CASES)
 def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
     executor: Executor, report: Report, effect: Effect, scene: Scene
@@ -55,7 +50,7 @@ def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
     for camera in VIEWS:
         for time in (0.0, 31.7):
             pictures = [
-                executor.render(plan, time=time, camera=camera, width=96, height=64, output="linear").pixels[..., :3]
+                draw(executor, plan, camera, time=time, size=(96, 64), output="linear")[..., :3]
                 for plan in (lean, full)
             ]
             clipped = [np.clip(picture.astype(np.float64), 0.0, 1.0) for picture in pictures]
@@ -90,25 +85,8 @@ def test_what_is_out_of_view_is_not_drawn_and_would_change_nothing(executor: Exe
     drawn = set()
     for camera in LOOKED_AT:
         lean, full = (
-            executor.render(one, time=1.3, camera=camera, width=64, height=40, output="linear").pixels
-            for one in (plan, everywhere(plan))
+            draw(executor, one, camera, time=1.3, size=(64, 40), output="linear") for one in (plan, everywhere(plan))
         )
         assert np.array_equal(lean, full)
         drawn.add(frozenset(i for i, shows in drawn_passes(plan, camera, 64, 40, plan.linear).items() if shows))
     assert len(drawn) > 1 or scene.shore is not None
-
-
-@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
-def test_a_bound_that_is_not_small_keeps_the_effect(effect: Effect) -> None:
-    """Some preset shows each effect, so leaving it out is not the rule."""
-    finer = TIERS["standard"].model_copy(update={"foam_relief": True})
-    plans = [make_plan(load_preset(name).scene, finer) for name in preset_names()]
-    assert any(effect.name in {note.name for note in plan.effects} for plan in plans)
-
-
-def test_a_field_that_a_bound_hangs_on_is_not_live() -> None:
-    """Raising the exposure may bring back what the plan left out, so the page must ask for a new plan."""
-    deep = make_plan(Scene(water=Water(depth=500.0)), TIERS["standard"])
-    assert "floor" in {note.name for note in deep.skipped}
-    assert "/light/exposure" not in deep.live
-    assert "/light/visibility" in deep.live

@@ -15,6 +15,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation, Look
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from support.pictures import colours, draw
 from support.report import Report
 
 TILE = 5.12
@@ -41,8 +42,7 @@ def coverage(
     # An odd place, so that pixels do not sit on texels.
     camera = looking_down(texels_a_pixel, side, x=0.0037, z=-1.2345)
     plan = make_plan(flat(saturation), quality)
-    rendered = executor.render(plan, time=0.0, camera=camera, width=side, height=side, output="linear")
-    return rendered.pixels[..., 3]  # type: ignore[return-value]
+    return draw(executor, plan, camera, time=0.0, size=(side, side), output="linear")[..., 3]
 
 
 SATURATIONS = (0.03, 0.1, 0.25, 0.4, 0.55, 0.7, 0.9, 0.97)
@@ -105,8 +105,8 @@ def test_filtered_once_against_halftone_sixteen_times_at_every_scale(
                 def amount(parts: int, quality: Quality, scene: Scene = scene, camera: Camera = camera):  # type: ignore[no-untyped-def]
                     plan = make_plan(scene, quality)
                     size = parts * side
-                    drawn = executor.render(plan, time=0.0, camera=camera, width=size, height=size, output="linear")
-                    return drawn.pixels[..., 3].astype(np.float64).reshape(side, parts, side, parts).mean(axis=(1, 3))
+                    drawn = draw(executor, plan, camera, time=0.0, size=(size, size), output="linear")
+                    return drawn[..., 3].astype(np.float64).reshape(side, parts, side, parts).mean(axis=(1, 3))
 
                 quality = TIERS["standard"]
                 limit = amount(max(math.ceil(8.0 * texels_a_pixel), 8), quality)
@@ -140,9 +140,7 @@ def test_up_close_no_edge_is_square(executor: Executor, report: Report, mask: st
     for look in ("halftone", "filtered"):
         plan = make_plan(flat(0.4, look, mask), TIERS["standard"])
         camera = looking_down(1.0 / 48.0, side, x=0.003, z=0.0071)
-        picture = executor.render(plan, time=0.0, camera=camera, width=side, height=side, output="linear").pixels[
-            ..., 3
-        ]
+        picture = draw(executor, plan, camera, time=0.0, size=(side, side), output="linear")[..., 3]
         shares[look] = axis_aligned_share(picture)  # type: ignore[arg-type]
         if look == "filtered":
             soft = np.mean((picture > 0.02) & (picture < 0.98))
@@ -172,8 +170,8 @@ def shimmer(executor: Executor, look: Look) -> float:
         frames = []
         for turn in range(4):
             camera = scene.camera.model_copy(update={"yaw": scene.camera.yaw + turn * step})
-            frame = executor.render(plan, time=preset.time, camera=camera, width=width, height=height, output="linear")
-            frames.append(np.clip(frame.pixels[..., :3].astype(np.float64), 0.0, 1.0))
+            frame = draw(executor, plan, camera, time=preset.time, size=(width, height), output="linear")
+            frames.append(colours(frame))
         changes[samples] = np.diff(np.stack(frames), axis=0)
     rows = np.arange(height)
     up = np.tan(scene.camera.fov / 2) * (1.0 - 2.0 * (rows + 0.5) / height)
@@ -205,10 +203,7 @@ def lace(saturation: float, octaves: int) -> Scene:
 def amounts(
     executor: Executor, scene: Scene, camera: Camera, size: tuple[int, int] = (192, 108)
 ) -> NDArray[np.float32]:
-    rendered = executor.render(
-        make_plan(scene, TIERS["standard"]), time=0.0, camera=camera, width=size[0], height=size[1], output="linear"
-    )
-    return rendered.pixels[..., 3]  # type: ignore[return-value]
+    return draw(executor, make_plan(scene, TIERS["standard"]), camera, time=0.0, size=size, output="linear")[..., 3]
 
 
 @pytest.mark.parametrize("height", [0.3, 1.0, 4.0, 15.0, 45.0, 200.0])
@@ -268,9 +263,7 @@ def preset_amounts(executor: Executor, name: str, look: Look, samples: int, part
     plain = {"look": look, "fade": 0.0, "texture": 0.0, "octaves": 1}
     scene = preset.scene.model_copy(update={"foam": preset.scene.foam.model_copy(update=plain)})
     plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": samples}))
-    drawn = executor.render(
-        plan, time=2.7, camera=scene.camera, width=96 * parts, height=54 * parts, output="linear"
-    ).pixels[..., 3]
+    drawn = draw(executor, plan, scene.camera, time=2.7, size=(96 * parts, 54 * parts), output="linear")[..., 3]
     return drawn.astype(np.float64).reshape(54, parts, 96, parts).mean(axis=(1, 3))
 
 

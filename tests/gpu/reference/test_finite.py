@@ -16,6 +16,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Chop, Water
 from seafoam.scene.waves import ParametricWave
+from support.pictures import draw
 
 CAMERAS = {
     "down": Camera(position=(0.0, 8.0, 0.0), pitch=-math.pi / 2),
@@ -31,7 +32,7 @@ CAMERAS = {
 def finite(executor: Executor, scene: Scene, tier: str, camera: Camera, time: float) -> bool:
     quality = TIERS[tier].model_copy(update={"target": "RGBA32F"})  # type: ignore[index]
     plan = make_plan(scene, quality)
-    pixels = executor.render(plan, time=time, camera=camera, width=96, height=54, output="samples").pixels
+    pixels = draw(executor, plan, camera, time=time, size=(96, 54), output="samples")
     return bool(np.isfinite(pixels).all() and (pixels >= 0.0).all() and (pixels[..., 3] <= 1.0).all())
 
 

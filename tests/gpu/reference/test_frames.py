@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS, Quality
+from seafoam.quality import TIERS
 from seafoam.reference import load_truth, render, truth_is_current
 from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
 from seafoam.reference.renderer import camera as cameras
@@ -18,36 +18,11 @@ from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
+from support.pictures import colours, draw, rmse
 from support.report import Report
 
 REFERENCES = Path(__file__).parents[2] / "references"
 HARD = ("halftone", "fading", "halftone_textured", "listing")
-LEVEL = 255.0
-"""Errors are quoted in 8-bit levels of linear light, display white = 255."""
-
-
-def white(linear: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Linear light up to display white: glitter beyond it is white on any screen."""
-    return np.clip(linear.astype(np.float64), 0.0, 1.0)
-
-
-def rmse(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
-    return float(np.sqrt(np.mean((a - b) ** 2)) * LEVEL)
-
-
-def draw(
-    executor: Executor, scene: Scene, quality: Quality, time: float, size: tuple[int, int], output: str = "linear"
-) -> NDArray[np.float32]:
-    plan = make_plan(scene, quality)
-    rendered = executor.render(
-        plan,
-        time=time,
-        camera=scene.camera,
-        width=size[0],
-        height=size[1],
-        output=output,  # type: ignore[arg-type]
-    )
-    return rendered.pixels  # type: ignore[return-value]
 
 
 def without_the_worst(
@@ -82,11 +57,11 @@ def test_truth_is_of_the_scenes_that_are_judged() -> None:
 def test_reference_quality_is_the_truth(executor: Executor, report: Report, preset: str, time: float) -> None:
     scene = load_preset(preset).scene
     truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
-    want = white(truth.rgb)
+    want = colours(truth.rgb)
     size = (want.shape[1], want.shape[0])
-    samples = draw(executor, scene, UNFILTERED, time, size, "samples")
+    samples = draw(executor, make_plan(scene, UNFILTERED), scene.camera, time=time, size=size, output="samples")
     linear = mean_of(samples, size)
-    got = white(linear[..., :3])
+    got = colours(linear)
     below = cameras.depression(cameras.view(scene.camera, *size), *size) > np.radians(1.0)
     near, whole = rmse(*without_the_worst(got[below], want[below])), rmse(got, want)
     flips = float(np.mean((samples[..., 3] > 0.0) != truth.foam))
@@ -114,7 +89,9 @@ def test_reference_quality_is_the_truth(executor: Executor, report: Report, pres
 def test_the_frame_is_the_mean_of_its_samples(executor: Executor, preset: str) -> None:
     """With passes over the picture and without."""
     scene, size = load_preset(preset).scene, (96, 54)
-    samples, linear = (draw(executor, scene, UNFILTERED, 2.7, size, out) for out in ("samples", "linear"))
+    plan, camera = make_plan(scene, UNFILTERED), scene.camera
+    samples = draw(executor, plan, camera, time=2.7, size=size, output="samples")
+    linear = draw(executor, plan, camera, time=2.7, size=size, output="linear")
     assert samples.shape[1] > size[0]
     want = mean_of(samples, size)
     # A sum of float32 in another order.
@@ -130,8 +107,9 @@ def test_filtered_has_less_error_than_any_hard_look(executor: Executor, report: 
     for look in (*HARD, "filtered", "textured"):
         variant = scene.model_copy(update={"foam": scene.foam.model_copy(update={"look": look})})
         truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
-        linear = draw(executor, variant, TIERS["standard"], CONVERGED_TIME, CONVERGED_SIZE)
-        errors[look] = rmse(white(linear[..., :3]), white(truth.rgb))
+        plan = make_plan(variant, TIERS["standard"])
+        linear = draw(executor, plan, variant.camera, time=CONVERGED_TIME, size=CONVERGED_SIZE, output="linear")
+        errors[look] = rmse(linear, truth.rgb)
         coverage = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
         report.add(
             "One sample a pixel against 256, standard quality, 160 × 90",
@@ -159,9 +137,10 @@ def test_filtered_once_is_halftone_sixteen_times_over_waves(executor: Executor, 
         else:
             truth = load_truth(truth_file(REFERENCES, f"{preset}.converged.{look}"))
         quality = TIERS["standard"].model_copy(update={"samples": samples})
-        linear = draw(executor, variant, quality, CONVERGED_TIME, CONVERGED_SIZE)
+        plan = make_plan(variant, quality)
+        linear = draw(executor, plan, variant.camera, time=CONVERGED_TIME, size=CONVERGED_SIZE, output="linear")
         errors[look, "coverage"] = float(np.sqrt(np.mean((linear[..., 3] - truth.alpha) ** 2)))
-        errors[look, "picture"] = rmse(white(linear[..., :3]), white(truth.rgb))
+        errors[look, "picture"] = rmse(linear, truth.rgb)
     report.add(
         "Filtered once against halftone sixteen times, each look against its own limit, 160 × 90",
         preset=preset,
@@ -189,7 +168,7 @@ def test_filtered_once_is_halftone_sixteen_times(executor: Executor, report: Rep
         scene = Scene(foam=foam, camera=VIEWS[view])
         truth = render(scene, time=0.0, width=size[0], height=size[1], samples=12, mode="converged")
         quality = TIERS["standard"].model_copy(update={"samples": samples})
-        drawn = draw(executor, scene, quality, 0.0, size)
+        drawn = draw(executor, make_plan(scene, quality), scene.camera, time=0.0, size=size, output="linear")
         errors[look, samples] = float(np.sqrt(np.mean((drawn[..., 3] - truth.alpha) ** 2)))
     report.add(
         "Coverage of level water against 144 samples, each look against its own limit, 96 × 54",

@@ -26,6 +26,7 @@ from seafoam.scene.presets import load_preset
 from seafoam.scene.shore import Shore
 from seafoam.scene.waves import ParametricWave
 from support.exact import EXACT
+from support.pictures import draw
 from support.report import Report
 
 HALF = (HeightSaturation(base=-0.45, full=0.55),)
@@ -37,7 +38,7 @@ WINDY = FoamLife(windrows=1.0, windrow_spacing=3.0, wind_drift=0.4, wind_directi
 def drawn(executor: Executor, scene: Scene, time: float, camera: Camera, width: int = 96, height: int = 54) -> Any:
     """Linear pixels, (height, width, 4)."""
     plan = make_plan(scene, EXACT)
-    return executor.render(plan, time=time, camera=camera, width=width, height=height, output="linear").pixels
+    return draw(executor, plan, camera, time=time, size=(width, height), output="linear")
 
 
 def places(count: int, side: float = 4000.0) -> NDArray[np.float64]:
@@ -198,11 +199,9 @@ def test_a_footprint_sees_the_mean_of_what_fronts_left(executor: Executor) -> No
     waves = (ParametricWave(amplitude=1e-3, wavelength=9.0), ParametricWave(amplitude=1e-3, wavelength=6.0))
     scene = Scene(waves=waves, foam=Foam(saturation=(source,), mask="vac-1.5", mask_tile=0.5), light=None)
     camera = Camera(position=(0.0, 60.0, 0.0), pitch=-math.pi / 2, fov=0.5)
-    once = executor.render(
-        make_plan(scene, TIERS["standard"]), time=4.0, camera=camera, width=48, height=27, output="linear"
-    )
+    once = draw(executor, make_plan(scene, TIERS["standard"]), camera, time=4.0, size=(48, 27), output="linear")
     many = render(scene, time=4.0, width=48, height=27, samples=8, camera=camera, mode="converged")
-    off = once.pixels[..., 3] - many.alpha
+    off = once[..., 3] - many.alpha
     assert abs(off.mean()) < 0.01
     assert np.sqrt((off**2).mean()) < 0.06
 

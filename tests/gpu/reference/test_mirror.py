@@ -15,6 +15,7 @@ from seafoam.scene.sky import Clouds, Sky
 from seafoam.scene.water import Chop, Water
 from seafoam.scene.waves import ParametricWave
 from support.exact import EXACT
+from support.pictures import draw
 from support.report import Report
 
 SIZE = (128, 72)
@@ -54,9 +55,7 @@ def test_land_in_the_mirror(executor: Executor, report: Report, scene: Scene, tr
         ("sky alone", alone, {}),
     ):
         plan = make_plan(one, EXACT.model_copy(update=knobs))
-        seen = executor.render(
-            plan, time=TIME, camera=scene.camera, width=SIZE[0], height=SIZE[1], output="samples"
-        ).pixels[..., :3]
+        seen = draw(executor, plan, scene.camera, time=TIME, size=SIZE, output="samples")[..., :3]
         off[name] = 255.0 * float(np.sqrt(((np.clip(seen, 0.0, 1.0) - truth) ** 2).mean()))
     report.add(
         "Land in the planar mirror against float64, 128 × 72, RMSE in levels",

@@ -8,6 +8,7 @@ from seafoam.ocean.cascades import LOOP
 from seafoam.planner import make_plan
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
+from support.pictures import draw
 from support.report import Report
 
 HEIGHT = 200.0
@@ -31,8 +32,8 @@ def test_a_photograph_holds_what_the_wind_raises(executor: Executor, report: Rep
         for _ in range(FRAMES // SEAS):
             x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, LOOP)))
             camera = Camera(position=(x, HEIGHT, z), pitch=PITCH, yaw=yaw, fov=FOV)
-            frame = executor.render(plan, time=time, camera=camera, width=256, height=192, output="linear")
-            drawn.append(float(frame.pixels[..., 3].mean(dtype=np.float64)))
+            frame = draw(executor, plan, camera, time=time, size=(256, 192), output="linear")
+            drawn.append(float(frame[..., 3].mean(dtype=np.float64)))
     law = 3.84e-6 * wind**3.41
     sure = spread(drawn)
     report.add(
@@ -53,7 +54,7 @@ def test_awe_tells_foam_from_water(executor: Executor, report: Report) -> None:
     camera = Camera(position=(0.0, EYE, 0.0), pitch=PITCH, yaw=0.5, fov=FOV)
     plan = make_plan(scene, QUALITY)
     for time in (100.0, 700.0, 1300.0):
-        pixels = executor.render(plan, time=time, camera=camera, width=960, height=720, output="linear").pixels
+        pixels = draw(executor, plan, camera, time=time, size=(960, 720), output="linear")
         found = shot(pixels)  # type: ignore[arg-type]
         whole = float((pixels[..., 3] >= 0.5).mean())
         report.add(

@@ -21,6 +21,7 @@ from seafoam.scene.presets import load_preset
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.water import Water
 from support.exact import UNFILTERED
+from support.pictures import draw, rmse
 from support.probe import Probe
 from support.report import Report
 
@@ -211,9 +212,9 @@ def apart(executor: Executor, scene: Scene, camera: Camera, time: float, size: i
         quality = TIERS["standard"].model_copy(update={"rings": way, "rings_size": size, "target": "RGBA32F"})
         plan = make_plan(scene, quality)
         assert ("rings" in plan.targets) == (way == "map")
-        shot = executor.render(plan, time=time, camera=camera, width=96, height=54, output="linear")
-        frames.append(np.clip(shot.pixels[..., :3].astype(np.float64), 0.0, 1.0))
-    return 255.0 * float(np.sqrt(np.mean((frames[0] - frames[1]) ** 2)))
+        shot = draw(executor, plan, camera, time=time, size=(96, 54), output="linear")
+        frames.append(shot)
+    return rmse(*frames)
 
 
 @pytest.mark.parametrize("preset", ["lake-calm", "explosion"])

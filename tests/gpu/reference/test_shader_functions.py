@@ -1,28 +1,22 @@
 """Every look and saturation of the GLSL against its float64 form, poles included (docs/formulae.md)."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy import ndimage
 
-from seafoam.effects.effect import Const, Inline
+from seafoam.effects.effect import Inline
 from seafoam.effects.foam.height import NODES as HEIGHT_NODES
 from seafoam.effects.foam.height import seen_heights
-from seafoam.masks import Mask, mask_by_name
-from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.ocean.dispersion import wavevector
-from seafoam.reference import Assets, sampling
-from seafoam.reference.foam import coverage as looked
-from seafoam.reference.foam import looks, saturation
+from seafoam.reference.foam import saturation
 from seafoam.reference.waves import parametric as waves
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
-from support.probe import Probe
+from support.probe import Probe, grid_of
 
 TOLERANCE = 1e-5
 NUMBERS = "lib/numbers.glsl"
@@ -233,47 +227,6 @@ def test_seen_height_equals_its_float64_form(probe: Probe, kept: float) -> None:
     assert np.abs(got - want).max() <= 2e-5
 
 
-def test_torn_steps_are_means_over_what_was_lost(probe: Probe) -> None:
-    """A smoothstep of a spread x is a wider one, to a thirtieth; and none lost is none wider."""
-    x = np.linspace(-0.5, 1.5, 401, dtype=np.float32)
-    for variance in (0.0, 0.002, 0.02):
-        got = probe(
-            [NUMBERS, "foam/saturation/torn.glsl"], f"y.x = torn_step(0.25, 0.72, x.x, {variance:.9f});", x[:, None]
-        )[:, 0]
-        spread = np.random.default_rng(1).normal(0.0, math.sqrt(variance), 20000)
-        t = np.clip((x[:, None].astype(np.float64) + spread - 0.25) / 0.47, 0.0, 1.0)
-        assert np.abs(got - (t * t * (3.0 - 2.0 * t)).mean(axis=1)).max() <= (0.035 if variance else 1e-6)
-
-
-def test_torn_noise_keeps_what_its_mean_keeps(probe: Probe) -> None:
-    """Against value noise averaged over squares: what is kept of it, and what is lost."""
-    rng = np.random.default_rng(2)
-    cells, fine = 64, 32
-    corner = rng.random((cells, cells))
-    t = (np.arange(fine) + 0.5) / fine
-    t = t * t * (3.0 - 2.0 * t)
-
-    def along(values: NDArray[np.float64]) -> NDArray[np.float64]:
-        parts = values[:, None] * (1.0 - t)[:, None] + np.roll(values, -1, axis=0)[:, None] * t[:, None]
-        return parts.reshape(-1, values.shape[1])
-
-    noise = along(along(corner).T).T - 0.5
-    variance = float((noise**2).mean())
-    assert variance == pytest.approx(0.046, rel=0.1)
-    sides = (0.125, 0.5, 1.0, 2.0)
-    x = np.float32([[side, 0.0] for side in sides])
-    got = probe(
-        [NUMBERS, "foam/saturation/torn.glsl"],
-        "y.xy = torn_noise(vec2(0.5, 0.0), 1.0, 3.0, 1.0, Footprint(vec2(3.0 * x.x, 0.0), vec2(0.0, 3.0 * x.x)));",
-        x,
-    )
-    for (mean, lost), side in zip(got[:, :2], sides, strict=True):
-        kept = (mean - 0.5) / 0.5
-        box = ndimage.uniform_filter(noise, int(side * fine), mode="wrap")
-        assert kept == pytest.approx(float((box * noise).mean()) / variance, abs=0.08)
-        assert lost == pytest.approx(0.046 * (1.0 - kept**2), abs=1e-5)
-
-
 @pytest.mark.parametrize(("file", "cap"), [("height", 4.0), ("height_filtered", 1.0)])
 def test_height_equals_its_float64_form(probe: Probe, file: str, cap: float) -> None:
     heights = np.linspace(-3.0, 9.0, 3001, dtype=np.float32)
@@ -343,145 +296,3 @@ def test_a_wave_under_a_footprint_is_its_mean_over_the_box(probe: Probe) -> None
     wide = probe([NUMBERS], "y.x = wave_kept(x.x);", np.array([[1e3], [1e30], [3e38]], np.float32))[:, 0]
     assert (wide >= 0.0).all()
     assert wide.max() <= 1e-18
-
-
-def grid_of(*axes: NDArray[np.float64]) -> NDArray[np.float32]:
-    return np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, len(axes)).astype(np.float32)
-
-
-HARD = {
-    "textured": lambda f, m, t: looks.textured(f, t),
-    "halftone": lambda f, m, t: looks.halftone(f, m),
-    "fading": lambda f, m, t: looks.fading(f, m),
-    "halftone_textured": looks.halftone_textured,
-    "listing": looks.listing,
-}
-
-
-@pytest.mark.parametrize("look", HARD)
-def test_look_equals_its_float64_form(probe: Probe, look: str) -> None:
-    """The look's file with the mask and the texture replaced by inputs."""
-    values = grid_of(
-        np.concatenate([[0.0, 1e-6, 4.0], np.linspace(0, 4, 81)]),
-        np.concatenate([[0.5 / 262144, 1 - 0.5 / 262144], np.linspace(0.01, 0.99, 50)]),
-        np.linspace(0, 1, 6),
-    )
-    stand_ins = Inline(
-        "vec4 given;\n"
-        "float mask_threshold(vec2 p) {\n    return given.y;\n}\n"
-        "float foam_texture(vec2 p, Footprint fp) {\n    return given.z;\n}\n"
-    )
-    got = probe(
-        [NUMBERS, stand_ins, f"foam/look/{look}.glsl"],
-        "given = x;\n y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(0.0), vec2(0.0)));",
-        values,
-    )[:, 0]
-    f, m, t = values.astype(np.float64).T
-    assert np.abs(got - HARD[look](f, m, t)).max() <= TOLERANCE
-
-
-def filtered_consts(mask: Mask, fade: float, octaves: int) -> dict[str, Const]:
-    """Compile-time numbers of the filtered look, 512 texels a side, 16 of them a footprint."""
-    return {
-        "MASK_SIZE": 512,
-        "MASK_LEVELS": 10,
-        "QUANTILES": len(mask.quantile),
-        "FOAM_FADES": fade > 0,
-        "FOAM_OCTAVES": octaves,
-        "OCTAVE_RAMP": OCTAVE_RAMP,
-        "FOAM_TEXTURED": False,
-        "FOAM_SIDE": 4,
-        "FOAM_LIVES": False,
-        "FOAM_MASKS": 1,
-        "MASK_ROWS": 10 + (2 if octaves > 1 else 1),
-    }
-
-
-def sixteen_bits(mask: Mask) -> Assets:
-    """What the filtered look reads: the spline has 16 bits of each threshold."""
-    return replace(Assets.of(mask, np.ones((1, 1))), thresholds=((mask.ranks >> 2) + 0.5) / 65536.0)
-
-
-@pytest.mark.parametrize("mask_name", ["vac-1.5", "vac-24", "mix"])
-@pytest.mark.parametrize("fade", [0.0, 0.3])
-def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str, fade: float) -> None:
-    mask = mask_by_name(mask_name)
-    rng = np.random.default_rng(5)
-    count = 6000
-    texels = 2.0 ** rng.uniform(-6, 7, count)
-    inputs = np.column_stack(
-        [rng.choice([0.0, 1e-3, 0.02, 0.3, 0.6, 0.97, 1.0], count), rng.random(count), rng.random(count), texels / 512]
-    ).astype(np.float32)
-    got = probe(
-        [
-            NUMBERS,
-            "foam/mask_coordinates.glsl",
-            Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
-            "lib/cubic_spline.glsl",
-            "foam/look/filtered.glsl",
-        ],
-        "y.x = filtered_coverage(x.x, 1.0, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
-        inputs,
-        consts=filtered_consts(mask, fade, 1),
-        uniforms={"u_foam_fade": fade},
-        textures={
-            "u_mask_atlas": f"mask/{mask_name}/atlas",
-            "u_mask_quantiles": f"mask/{mask_name}/quantiles",
-        },
-    )[:, 0]
-    s, u, v, w = inputs.astype(np.float64).T
-    foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
-    size = 512.0 * np.hypot(foot_u, foot_v)
-    assets = sixteen_bits(mask)
-    _, e = looks.spline_over_footprint(sampling.bspline(assets.thresholds, u, v), foot_u, foot_v)
-    want = looked.covered(assets, s, u, v, foot_u, foot_v, float(np.float32(fade)))
-    half = np.where(looks.minification(size) < 1.0, np.maximum(e, 5e-4), 0.05)
-    assert np.isfinite(got).all()
-    assert (got[s == 0.0] == 0.0).all()
-    if fade == 0.0:
-        assert (got[s == 1.0] == 1.0).all()
-    # The quotient by 2 half spreads float32's rounding of the thresholds.
-    assert (np.abs(got - want) <= TOLERANCE + 2e-6 / half).all()
-    assert (half > 0.04).sum() > 1000
-
-
-@pytest.mark.parametrize("fade", [0.0, 0.4])
-@pytest.mark.parametrize("octaves", [2, 4])
-def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: float) -> None:
-    mask = mask_by_name("lace")
-    rng = np.random.default_rng(9)
-    count = 6000
-    texels = 2.0 ** rng.uniform(-9, 7, count)
-    # Places of 16 bits: the Gaussian integer multiplies them without rounding.
-    u, v = rng.integers(0, 65536, (2, count)) / 65536.0
-    s = rng.choice([0.0, 1e-3, 0.02, 0.3, 0.6, 0.97, 1.0], count)
-    inputs = np.column_stack([s, u, v, texels / 512]).astype(np.float32)
-    stand_in = Inline(
-        "vec4 given;\nvec2 mask_uv(vec2 p) {\n    return given.yz;\n}\nvec2 mask_turn(vec2 p) {\n    return p;\n}\n"
-    )
-    texture = Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n")
-    got = probe(
-        [NUMBERS, stand_in, texture, "lib/cubic_spline.glsl", "foam/look/filtered.glsl"],
-        "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",
-        inputs,
-        consts=filtered_consts(mask, fade, octaves),
-        uniforms={"u_foam_fade": fade},
-        textures={"u_mask_atlas": "mask/lace/atlas", "u_mask_quantiles": "mask/lace/ramps"},
-    )[:, 0]
-    s, u, v, w = inputs.astype(np.float64).T
-    foot_u, foot_v = np.column_stack([w, 0 * w]), np.column_stack([0.3 * w, 0.8 * w])
-    assets = sixteen_bits(mask)
-    foam = Foam(octaves=octaves, fade=float(np.float32(fade)))
-    want = looked.coverage(foam, assets, s, u, v, foot_u, foot_v, filtering=True)
-    assert np.isfinite(got).all()
-    assert (got[s == 0.0] == 0.0).all()
-    if fade == 0.0:
-        assert (got[s == 1.0] == 1.0).all()
-    # Next to none and next to all a ramp stands on a root of the share, and spreads what the octave before rounded.
-    off = np.abs(got - want)
-    assert np.quantile(off, 0.98) <= 1e-5
-    assert off.max() <= 2e-3
-    # Near the eye most is whole or clear.
-    near = (texels < 2.0**-7) & (np.abs(s - 0.6) < 1e-6)
-    assert near.sum() > 50
-    assert ((got[near] == 0.0) | (got[near] == 1.0)).mean() > (0.5 if octaves == 4 else 0.3)

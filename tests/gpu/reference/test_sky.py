@@ -23,6 +23,7 @@ from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.sky import Clouds, Day, Moon, Sky, sun_angles
 from support.exact import UNFILTERED
+from support.pictures import draw, rmse
 from support.probe import Probe
 from support.report import Report
 
@@ -214,16 +215,15 @@ def test_the_lake_in_the_cube_map_nears_the_truth(executor: Executor, report: Re
     errors = {}
     for size in (32, 64, 128, 256):
         quality = UNFILTERED.model_copy(update={"cube": "map", "cube_size": size})
-        drawn = executor.render(
+        drawn = draw(
+            executor,
             make_plan(preset.scene, quality),
+            preset.scene.camera,
             time=2.7,
-            camera=preset.scene.camera,
-            width=width,
-            height=height,
+            size=(width, height),
             output="linear",
-        ).pixels
-        away = np.clip(drawn[..., :3].astype(np.float64), 0.0, 1.0) - np.clip(truth.rgb, 0.0, 1.0)
-        errors[size] = float(255.0 * np.sqrt(np.mean(away**2)))
+        )
+        errors[size] = rmse(drawn, truth.rgb)
     report.add(
         "cubemap-lake against ray-traced surroundings, RMSE in levels of linear light, by size of a face",
         **{str(size): f"{error:.3f}" for size, error in errors.items()},
@@ -237,7 +237,7 @@ def test_a_still_sky_stands_still(executor: Executor) -> None:
     """Stars and clouds are functions of direction and time alone: nothing moves unless time does."""
     plan = make_plan(load_preset("moonlight").scene, TIERS["standard"])
     camera = Camera(position=(0.0, 3.0, 0.0), pitch=0.6)
-    frames = [executor.render(plan, time=t, camera=camera, width=96, height=54).pixels for t in (1.0, 1.0, 1e9)]
+    frames = [draw(executor, plan, camera, time=t, size=(96, 54)) for t in (1.0, 1.0, 1e9)]
     assert (frames[0] == frames[1]).all()
     assert (frames[0] != frames[2]).any()
 

@@ -22,6 +22,7 @@ from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
+from support.pictures import draw, rmse
 from support.probe import Probe
 from support.report import Report
 
@@ -82,8 +83,8 @@ def from_above(executor: Executor, **foam: object) -> NDArray[np.float64]:
     saturation = (HeightSaturation(base=-0.5, full=0.5 + 0.5),)
     scene = Scene(foam=Foam(saturation=saturation, mask="mix", mask_tile=TILE, **foam), light=None)  # type: ignore[arg-type]
     plan = make_plan(scene, TIERS["standard"])
-    shot = executor.render(plan, time=0.0, camera=ABOVE, width=SIDE, height=SIDE, output="linear")
-    return shot.pixels[..., 3].astype(np.float64)
+    shot = draw(executor, plan, ABOVE, time=0.0, size=(SIDE, SIDE), output="linear")
+    return shot[..., 3].astype(np.float64)
 
 
 def repeat(picture: NDArray[np.float64]) -> float:
@@ -126,15 +127,15 @@ def test_foam_in_cells_covers_what_the_saturation_says(executor: Executor, heigh
     camera = Camera(position=(0.0, height, 0.0), pitch=-math.pi / 2, fov=2.0)
     for base, share in ((-0.1, 0.1), (-0.5, 0.5), (-0.9, 0.9), (0.0, 0.0), (-1.0, 1.0)):
         foam = Foam(saturation=(HeightSaturation(base=base, full=base + 1.0),), cells=True, mask="vac-6", mask_tile=0.5)
-        shot = executor.render(
+        shot = draw(
+            executor,
             make_plan(Scene(foam=foam, light=None), TIERS["standard"], economy=False),
+            camera,
             time=0.0,
-            camera=camera,
-            width=128,
-            height=128,
+            size=(128, 128),
             output="linear",
         )
-        cover = shot.pixels[..., 3]
+        cover = shot[..., 3]
         if share in (0.0, 1.0):
             assert (cover == share).all()
         else:
@@ -173,8 +174,7 @@ def test_frames_with_cells_and_two_textures_equal_float64(executor: Executor, lo
     camera = Camera(position=(-5e6, 2.6625, 7e6), yaw=0.3, pitch=-0.5)
     scene = Scene(waves=(ParametricWave(amplitude=0.9, wavelength=7.0),), foam=foam, light=None, camera=camera)
     plan = make_plan(scene, UNFILTERED.model_copy(update={"samples": 4}))
-    got = executor.render(plan, time=3.3, camera=camera, width=96, height=54, output="linear").pixels
+    got = draw(executor, plan, camera, time=3.3, size=(96, 54), output="linear")
     want = reference(scene, time=3.3, width=96, height=54, samples=2)
     assert want.alpha.std() > 0.05
-    away = 255.0 * np.abs(np.clip(got[..., :3], 0.0, 1.0) - np.clip(want.rgb, 0.0, 1.0))
-    assert float(np.sqrt(np.mean(away**2))) <= 0.5
+    assert rmse(got, want.rgb) <= 0.5

@@ -18,6 +18,7 @@ from seafoam.scene.light import Light, Sparkles
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Chop, Water
 from seafoam.scene.waves import ParametricWave
+from support.pictures import draw
 from support.probe import Probe
 from support.report import Report
 
@@ -104,10 +105,7 @@ def water_light(
 ) -> NDArray[np.float64]:
     """Mean linear light, unclipped, of each row."""
     plan = make_plan(Scene(waves=(ParametricWave(amplitude=0.2, wavelength=9.0),), water=WATER, light=light), quality)
-    rows = [
-        executor.render(plan, time=time, camera=VIEW, width=size[0], height=size[1], output="linear").pixels
-        for time in times
-    ]
+    rows = [draw(executor, plan, VIEW, time=time, size=size, output="linear") for time in times]
     return np.mean([row[..., 1].astype(np.float64).mean(axis=1) for row in rows], axis=0)
 
 
@@ -137,10 +135,8 @@ def test_a_sparkle_is_as_large_in_every_picture(executor: Executor) -> None:
     for width, height in ((480, 270), (960, 540)):
         large = FEW.model_copy(update={"size": 0.004, "rate": 0.1})
         scene = Scene(water=Water(roughness=0.17), light=SUNSET.model_copy(update={"sparkles": large}))
-        drawn = executor.render(
-            make_plan(scene, quality), time=3.0, camera=VIEW, width=width, height=height, output="linear"
-        )
-        shares.append(float((drawn.pixels[..., 1] > 30.0).mean()))
+        drawn = draw(executor, make_plan(scene, quality), VIEW, time=3.0, size=(width, height), output="linear")
+        shares.append(float((drawn[..., 1] > 30.0).mean()))
     assert shares[0] > 1e-3
     assert abs(shares[1] / shares[0] - 1.0) <= 0.03
 

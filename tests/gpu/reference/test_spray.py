@@ -23,6 +23,7 @@ from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import DROPS, Spray
 from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
+from support.pictures import draw
 from support.probe import Probe
 from support.report import Report
 
@@ -203,7 +204,7 @@ def test_fewer_drops_cover_as_much(executor: Executor, report: Report) -> None:
         quality = TIERS["standard"].model_copy(update={"spray_count": count})
         bare = make_plan(scene.model_copy(update={"spray": None}), quality)
         pictures = [
-            executor.render(plan, time=1.7, camera=scene.camera, width=160, height=90, output="linear").pixels
+            draw(executor, plan, scene.camera, time=1.7, size=(160, 90), output="linear")
             for plan in (make_plan(scene, quality), bare)
         ]
         sums[count] = float(np.abs(pictures[0][..., :3] - pictures[1][..., :3]).mean())

@@ -13,6 +13,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
+from support.pictures import colours, draw
 
 SIZE = (320, 180)
 
@@ -20,8 +21,8 @@ SIZE = (320, 180)
 def frame(executor: Executor, time: float, preset: str = "default") -> NDArray[np.float64]:
     scene = load_preset(preset).scene
     plan = make_plan(scene, TIERS["standard"])
-    linear = executor.render(plan, time=time, camera=scene.camera, width=SIZE[0], height=SIZE[1], output="linear")
-    return np.clip(linear.pixels[..., :3].astype(np.float64), 0.0, 1.0)
+    linear = draw(executor, plan, scene.camera, time=time, size=SIZE, output="linear")
+    return colours(linear)
 
 
 def detail(picture: NDArray[np.float64]) -> float:
@@ -62,9 +63,7 @@ def test_a_small_step_moves_the_picture_a_little(executor: Executor) -> None:
 def test_same_bytes_twice_and_in_another_process(executor: Executor) -> None:
     scene = load_preset("default").scene
     plan = make_plan(scene, TIERS["standard"])
-    frames = [
-        executor.render(plan, time=7.25, camera=scene.camera, width=160, height=90).pixels.tobytes() for _ in range(2)
-    ]
+    frames = [draw(executor, plan, scene.camera, time=7.25, size=(160, 90)).tobytes() for _ in range(2)]
     assert frames[0] == frames[1]
     code = (
         "import hashlib; from seafoam.planner import make_plan; from seafoam.quality import TIERS; "
@@ -94,7 +93,7 @@ def test_the_far_side_of_the_map_is_as_good_as_the_origin(executor: Executor) ->
         details = []
         for i in range(4):
             camera = scene.camera.model_copy(update={"position": (x - np.sign(x) * 40.0 * i, 5.6, z + 40.0 * i)})
-            shot = executor.render(plan, time=1.0, camera=camera, width=SIZE[0], height=SIZE[1], output="linear")
-            details.append(detail(np.clip(shot.pixels[..., :3].astype(np.float64), 0.0, 1.0)))
+            shot = draw(executor, plan, camera, time=1.0, size=SIZE, output="linear")
+            details.append(detail(colours(shot)))
         sharp.append(np.mean(details))
     assert 0.75 < sharp[1] / sharp[0] < 1.33

@@ -1,8 +1,7 @@
-"""Sweeps: with a renderer whose times and errors are known, then with GL and the float64 reference."""
+"""Sweeps with a renderer whose times and errors are known."""
 
 import csv
 import time
-from functools import partial
 
 import numpy as np
 import pytest
@@ -12,11 +11,10 @@ from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store, cache_dir
 from seafoam.accuracy.fronts import beating, front
 from seafoam.accuracy.model import Running, Sweep
-from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, make_sweep
+from seafoam.accuracy.sweep import Settings, Subject, Watcher, make_sweep
 from seafoam.accuracy.sweep_service import FailedError, SweepService
 from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
 from seafoam.quality import Quality
-from seafoam.render.service.jobs import measure
 from seafoam.scene.models import Scene
 from support.accuracy_rigs import FIXED_MS, NS, grey_truth, noisy
 
@@ -255,22 +253,3 @@ def test_truth_is_computed_once(tmp_path):
     np.testing.assert_array_equal(find_truth(store, scene, 0.0, 16, 16, 2), truth)
     with pytest.raises(StoppedError):
         make_truth(store, scene, 1.0, 640, 640, 16, stopped=lambda: True)
-
-
-def test_a_real_sweep_end_to_end(executor, monkeypatch, tmp_path):
-    """Few points of a preset, against the reference itself."""
-    wanted = {"draft", "standard", "reference", "samples=4"}
-    every = sweep.points_of
-    monkeypatch.setattr(sweep, "points_of", lambda scene: tuple(point for point in every(scene) if point.id in wanted))
-    subject = Subject.of_preset("paper-halftone")
-    subject = Subject(subject.preset, subject.scene, subject.time, (32, 18))
-    rig = Rig(partial(measure, executor), executor.info, 1)
-    settings = Settings(32, 18, 8, 2)
-    found = make_sweep(Store(tmp_path), subject, settings, rig)
-    assert {point.id for point in found.points} == wanted
-    errors = {point.id: point.error.rmse for point in found.points}
-    assert errors["reference"] < errors["samples=4"] < errors["standard"]
-    assert found.point("standard").causes.filtering > 0.0
-    assert all(point.time.median_ms > 0.0 for point in found.points)
-    assert "reference" in found.front
-    assert make_sweep(Store(tmp_path), subject, settings, rig) == found

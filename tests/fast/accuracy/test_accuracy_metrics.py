@@ -50,19 +50,6 @@ def test_flip_sees_what_is_displayed():
     assert metrics.flip(noise, picture()) > 0.1
 
 
-def test_displayed_pictures_are_what_the_screen_gets(executor):
-    from seafoam.planner import make_plan
-    from seafoam.quality import TIERS
-    from seafoam.scene.presets import load_preset
-
-    found = load_preset("default")
-    plan = make_plan(found.scene, TIERS["draft"])
-    shape = {"time": 0.0, "camera": found.scene.camera, "width": 32, "height": 18}
-    linear = executor.render(plan, output="linear", **shape).pixels
-    screen = executor.render(plan, output="rgba8", **shape).pixels
-    assert np.abs(255.0 * metrics.displayed(linear) - screen[..., :3]).max() < 0.6
-
-
 def test_popping_is_the_worst_loss_of_living_foam():
     frames = [picture() for _ in range(4)]
     frames[0][:10, :10, 3] = 1.0  # 100 pixels live

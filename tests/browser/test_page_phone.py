@@ -1,0 +1,142 @@
+"""The page on a phone, and what must be large and clear enough on any screen."""
+
+import io
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Page
+
+from support.browsers import Lane
+from support.report import REPORT
+from support.visits import DESKTOP, FINGER, PHONE, TARGETS, Visit, differs, link, visit
+
+
+@pytest.fixture
+def phone(llvmpipe: Lane, server: str) -> Iterator[Visit]:
+    """The page on a phone, at rest."""
+    with visit(llvmpipe, server, size=PHONE, has_touch=True, is_mobile=True) as made:
+        yield made
+        assert made.complaints == []
+
+
+def swipe(page: Page, *fingers: tuple[tuple[float, float], tuple[float, float]], steps: int = 4) -> None:
+    """Drag each finger from one place to another."""
+    session = page.context.new_cdp_session(page)
+
+    def send(kind: str, share: float) -> None:
+        points = [
+            {"x": a[0] + (b[0] - a[0]) * share, "y": a[1] + (b[1] - a[1]) * share, "id": i}
+            for i, (a, b) in enumerate(fingers)
+        ]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [] if kind == "touchEnd" else points})
+
+    send("touchStart", 0)
+    for step in range(1, steps + 1):
+        send("touchMove", step / steps)
+    send("touchEnd", 1)
+    session.detach()
+
+
+def test_fingers_move_the_camera(phone: Visit) -> None:
+    before, start = phone.picture(), phone.state()["camera"]
+    asked = phone.plans()
+    swipe(phone.page, ((100, 400), (220, 400)))
+    phone.settle()
+    turned = phone.state()["camera"]
+    # The sea stays under the finger, so the view turns the other way.
+    assert turned["yaw"] < start["yaw"] - 0.05
+    assert turned["fov"] == start["fov"]
+    assert differs(phone.picture(), before) > 0.2
+    swipe(phone.page, ((180, 400), (80, 400)), ((210, 400), (310, 400)))
+    phone.settle()
+    closer = phone.state()["camera"]
+    assert closer["position"] != turned["position"]
+    assert closer["yaw"] == pytest.approx(turned["yaw"])
+    assert phone.plans() == asked
+
+
+def test_the_settings_are_a_sheet_from_below(phone: Visit) -> None:
+    panel = phone.settings()
+    phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).transform === 'none'")
+    box = panel.bounding_box()
+    assert box is not None
+    assert (box["x"], box["width"]) == (0, PHONE[0])
+    assert box["y"] + box["height"] == pytest.approx(PHONE[1], abs=1)
+    assert box["y"] > PHONE[1] / 3, "no picture is left to judge by"
+    play = phone.page.get_by_role("button", name="Play")
+    play.click()
+    assert phone.state()["playing"] is True, "time stays in reach"
+    phone.page.get_by_role("button", name="Pause").click()
+    assert phone.page.evaluate("() => document.documentElement.scrollWidth - innerWidth") <= 0
+    phone.page.get_by_role("button", name="Close settings").click()
+    phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).visibility === 'hidden'")
+    assert panel.evaluate("(panel) => panel.inert") is True
+
+
+def test_targets_fit_a_finger(phone: Visit) -> None:
+    phone.page.get_by_role("button", name="Compare side by side").click()
+    targets = phone.page.evaluate(TARGETS)
+    phone.settings()
+    for folder in ("light", "waves (5)"):
+        phone.settings().get_by_role("button", name=folder).click()
+    phone.page.wait_for_function(
+        "() => document.querySelector('#settings').getAnimations({ subtree: true }).length === 0"
+    )
+    targets += phone.page.evaluate(TARGETS)
+    assert len(targets) > 40
+    assert [target for target in targets if min(target[1:]) < FINGER] == []
+
+
+@pytest.mark.parametrize("opened", [False, True], ids=["compared", "settings"])
+def test_nothing_covers_what_must_be_reached(phone: Visit, opened: bool) -> None:
+    phone.page.get_by_role("button", name="Compare side by side").click()
+    if opened:
+        phone.settings()
+        phone.page.wait_for_function("() => getComputedStyle(document.querySelector('#settings')).transform === 'none'")
+    within = "#settings .head, #transport" if opened else "#transport, #tools, #split-view"
+    covered = phone.page.evaluate(
+        """(within) => [...document.querySelectorAll(within)].flatMap((part) =>
+          [...part.querySelectorAll('button, select, input, [role=slider]')]
+            .filter((target) => target.checkVisibility({ checkVisibilityCSS: true }))
+            .filter((target) => {
+              const { x, y, width, height } = target.getBoundingClientRect();
+              const top = document.elementFromPoint(x + width / 2, y + height / 2);
+              return !target.contains(top);
+            })
+            .map((target) => target.getAttribute('aria-label')))""",
+        within,
+    )
+    assert covered == []
+
+
+def luminance(srgb: Any) -> Any:
+    """Relative luminance (WCAG 2) of colours in [0, 255]."""
+    share = np.asarray(srgb, float) / 255
+    return np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4) @ [0.2126, 0.7152, 0.0722]
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+def test_words_stand_out(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
+    """Where foam is as white as letters, what lies behind them is dark and soft enough to read on."""
+    with visit(llvmpipe, server, link(preset="paper-threshold"), size=size) as made:
+        summary = made.page.locator("#summary")
+        colour = summary.evaluate("(summary) => getComputedStyle(summary).color")
+        *ink, alpha = (float(number) for number in re.findall(r"[\d.]+", colour))
+        summary.evaluate("(summary) => { summary.style.opacity = 0; }")
+        box = summary.bounding_box()
+        assert box is not None
+        shot = np.asarray(Image.open(io.BytesIO(made.page.screenshot(clip=box))).convert("RGB"))  # type: ignore[arg-type]
+    behind = luminance(shot)
+    letters = luminance(alpha * np.array(ink) + (1 - alpha) * shot)
+    contrast = (letters + 0.05) / (behind + 0.05)
+    REPORT.add(
+        "Contrast of the summary over white dots",
+        width=str(size[0]),
+        median=f"{np.median(contrast):.1f}",
+        worst=f"{np.percentile(contrast, 2):.1f}",
+    )
+    assert np.percentile(contrast, 2) > 4.5

@@ -1,0 +1,86 @@
+"""Boats and wakes in float64 and in plans: smoothing, bounds, Kelvin's angle, what a scene without boats has."""
+
+import math
+
+import numpy as np
+import pytest
+
+from seafoam.effects.boats import boat as effect
+from seafoam.ocean.wakes import Wake, wake_height, wake_slope
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.reference.boats import floating
+from seafoam.reference.boats import wake as wakes_of
+from seafoam.scene.boats import Boat
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+from support.fleet import BOATS, WAKES, around
+
+
+def test_smoothing_is_the_mean_over_a_disc() -> None:
+    """Radon's seven points against 2 J1(kR)/(kR), the mean of a wave over a disc: exact to the fifth degree."""
+    for k_r, allowed in ((0.5, 1e-5), (1.0, 4e-4), (2.0, 0.03)):
+        reach = 1.5
+        k = k_r / reach
+        turns = np.linspace(0.0, math.pi, 20001)
+        bessel = np.trapezoid(np.cos(turns - k_r * np.sin(turns)), turns) / math.pi
+        for heading in (0.0, 0.3, 0.5):
+            wave = floating.felt(
+                lambda x, z, h=heading, n=k: np.cos(n * (x * math.cos(h) + z * math.sin(h))), (0.0, 0.0), reach
+            )
+            assert abs(wave - 2.0 * bessel / k_r) <= allowed
+
+
+@pytest.mark.parametrize("boat", WAKES, ids=lambda boat: f"{boat.speed:g} m/s")
+def test_wakes_stay_within_their_bounds_and_slope_as_they_rise(boat: Boat) -> None:
+    x, z = around(boat, 1, 40000)
+    wake = wakes_of.wake_set(Scene(boats=(boat,)), 0.0, (0.0, 0.0))
+    height, slope, step = wake.height(x, z), wake.gradient(x, z), 1e-6
+    assert np.ptp(height) > 0.3 * boat.wake
+    assert (np.abs(height) <= wake_height((boat,))).all()
+    assert np.hypot(*slope).max() <= wake_slope((boat,))
+    numeric = (
+        (wake.height(x + step, z) - wake.height(x - step, z)) / (2.0 * step),
+        (wake.height(x, z + step) - wake.height(x, z - step)) / (2.0 * step),
+    )
+    assert max(float(np.abs(a - b).max()) for a, b in zip(slope, numeric, strict=True)) < 1e-6
+
+
+def test_a_wake_is_kelvins() -> None:
+    """Waves across run as fast as the boat: behind it they stand 2 pi v^2/g apart; all lie inside 19.47 degrees."""
+    boat = Boat(speed=4.0, length=3.0, radius=2000.0)
+    wake = Wake(boat)
+    x = np.linspace(3.0 * wake.wavelength, 5.0 * wake.wavelength, 4001)
+    height = wakes_of.pattern(wake, x, np.zeros_like(x))[0]
+    crests = x[1:-1][(height[1:-1] > height[:-2]) & (height[1:-1] > height[2:])]
+    assert np.diff(crests) == pytest.approx(2.0 * math.pi * 16.0 / 9.81, rel=0.01)
+    outside = wakes_of.pattern(wake, x, x * math.tan(math.asin(1.0 / 3.0)) * 1.0001)[0]
+    assert (outside == 0.0).all()
+
+
+def test_no_plan_blends_the_surface() -> None:
+    for name in ("lake-choppy", "storm", "boat-race", "boat-in-storm"):
+        for tier in TIERS.values():
+            plan = make_plan(load_preset(name).scene, tier)
+            for one in plan.passes:
+                if one.name in ("surface", "sky"):
+                    assert one.state.blend == "none"
+                    assert one.state.depth
+
+
+def test_boats_bring_nothing_to_a_scene_without_them() -> None:
+    plan = make_plan(load_preset("default").scene, TIERS["standard"]).canonical_json().decode()
+    assert "boat" not in plan
+    assert "wake" not in plan
+    assert "mirror_" not in plan
+
+
+def test_a_wider_boat_than_its_circle_is_refused() -> None:
+    with pytest.raises(ValueError, match="radius"):
+        Boat(length=20.0, radius=10.0)
+
+
+def test_the_pose_is_as_small_as_the_fleet() -> None:
+    plan = make_plan(Scene(boats=BOATS), TIERS["standard"])
+    assert plan.targets["boat_pose"].size.width == len(BOATS)  # type: ignore[union-attr]
+    assert effect.EFFECT.knobs

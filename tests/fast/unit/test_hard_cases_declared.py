@@ -1,0 +1,42 @@
+"""What effects declare of their hard cases: some, with guards that stand where they are said to."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import seafoam
+from seafoam.effects import EFFECTS
+from seafoam.effects.effect import Effect, HardCase
+from seafoam.planner import make_plan
+from seafoam.resources import data_dir
+from support.exact import EXACT
+from support.hard_cases import CASES, QUALITIES
+
+
+@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
+def test_every_effect_has_hard_cases(effect: Effect) -> None:
+    assert effect.cases.hard, f"{effect.name} declares no hard case"
+    for case in effect.cases.hard:
+        assert case.guard
+        assert case.without
+        assert case.times
+        assert effect.contribute(case.scene, EXACT) is not None, f"{case.name} does not call for it"
+
+
+@pytest.mark.parametrize(("effect", "case"), CASES)
+def test_guards_stand_where_they_are_said_to(effect: Effect, case: HardCase) -> None:
+    """Files that a guard names exist, and a shader among them is drawn: a guard in another file guards nothing here."""
+    named = re.findall(r"[\w/]+\.(?:glsl|py)", case.guard)
+    for name in named:
+        folder = data_dir("shaders") if name.endswith(".glsl") else Path(seafoam.__file__).parent
+        assert any(folder.rglob(name)), f"no file {name}"
+    if named and all(name.endswith(".glsl") for name in named):
+        plans = (make_plan(case.scene, quality) for quality in QUALITIES.values())
+        shaders = (shader for plan in plans for one in plan.programs.values() for shader in (one.vertex, one.fragment))
+        assert any(file.path in named for shader in shaders for file in shader.files), f"none of {named} is drawn"
+
+
+def test_names_tell_cases_apart() -> None:
+    names = [case.name for effect in EFFECTS for case in effect.cases.hard]
+    assert len(set(names)) == len(names)

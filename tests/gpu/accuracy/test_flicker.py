@@ -1,0 +1,62 @@
+"""A drawn clip of foam flickers no more than twice its motion."""
+
+import numpy as np
+from bench.motion import MOST, moved
+from numpy.typing import NDArray
+
+from seafoam.accuracy.motion import excess, shown
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+from support.pictures import draw
+from support.report import Report
+
+Frames = list[NDArray[np.float64]]
+
+
+def clip(executor: Executor, scene: Scene, time: float, samples: int) -> tuple[Frames, Frames]:
+    """Foam and luma of a fifth of a second at 60 Hz, the camera 0.3 m/s forward."""
+    plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": samples}))
+    foams, pictures = [], []
+    for i in range(12):
+        camera = moved(scene.camera, 0.3 * i / 60.0)
+        frame = draw(executor, plan, camera, time=time + i / 60.0, size=(128, 72), output="linear")
+        foams.append(frame[..., 3].astype(np.float64))
+        pictures.append(shown(frame))
+    return foams, pictures
+
+
+def test_default_flickers_no_more_than_twice_its_motion(executor: Executor, report: Report) -> None:
+    """One sample a pixel against 64; the hard threshold, which the filtered look is there to mend, fails the bound."""
+    preset = load_preset("default")
+    assert preset.scene.foam is not None
+    ratios = {}
+    for look in ("filtered", "halftone"):
+        scene = preset.scene.model_copy(update={"foam": preset.scene.foam.model_copy(update={"look": look})})
+        once, often = (clip(executor, scene, preset.time, samples) for samples in (1, 64))
+        ratios[look] = [excess(once[i], often[i]) for i in (0, 1)]
+        report.add(
+            "Flicker of default at one sample a pixel over that at 64, 12 frames at 60 Hz",
+            look=look,
+            foam=f"{ratios[look][0]:.2f}",
+            picture=f"{ratios[look][1]:.2f}",
+            bound=f"{MOST:g}",
+        )
+    assert max(ratios["filtered"]) <= MOST
+    assert min(ratios["halftone"]) > MOST
+
+
+def test_foam_at_the_waters_edge_flickers_no_more_than_twice_its_motion(executor: Executor, report: Report) -> None:
+    """The run-up's front crosses pixels: 3 times as much before its foam ended over half a footprint."""
+    preset = load_preset("beach")
+    once, often = (clip(executor, preset.scene, preset.time, samples) for samples in (1, 25))
+    ratios = [excess(one, many) for one, many in zip(once, often, strict=True)]
+    report.add(
+        "Flicker of beach at one sample a pixel over that at 25, 12 frames at 60 Hz",
+        foam=f"{ratios[0]:.2f}",
+        picture=f"{ratios[1]:.2f}",
+        bound=f"{MOST:g}",
+    )
+    assert max(ratios) <= MOST

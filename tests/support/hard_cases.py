@@ -1,0 +1,18 @@
+"""Hard cases of every effect, and the qualities that they are drawn at."""
+
+import pytest
+
+from seafoam.effects import EFFECTS
+from seafoam.quality import TIERS, SurfaceQuality
+from support.exact import EXACT
+
+QUALITIES = {
+    "exact": EXACT,
+    "march": TIERS["standard"].model_copy(update={"target": "RGBA32F"}),
+    "mesh": TIERS["draft"].model_copy(
+        update={"target": "RGBA32F", "surface": SurfaceQuality(method="mesh", cells=112, refine=2)}
+    ),
+}
+CASES = [
+    pytest.param(effect, case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard
+]

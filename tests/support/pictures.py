@@ -1,0 +1,58 @@
+"""Pictures that tests draw, and how far they are apart."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import make_plan
+from seafoam.quality import Quality
+from seafoam.render.gl.executor import Executor, Output
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+
+
+def draw(
+    executor: Executor, plan: FramePlan, camera: Camera, *, time: float, size: tuple[int, int], output: Output = "rgba8"
+) -> NDArray[Any]:
+    """A frame's pixels, (height, width, 4), rows from the top; ``size`` is its width and height.
+
+    ``uint8``, or float32 of linear light where ``output`` is "linear", and of every sample where it is "samples".
+    """
+    frame = executor.render(plan, time=time, camera=camera, width=size[0], height=size[1], output=output)
+    pixels: NDArray[Any] = frame.pixels
+    return pixels
+
+
+def samples(
+    executor: Executor, scene: Scene, quality: Quality, camera: Camera, *, time: float, size: tuple[int, int]
+) -> NDArray[np.float32]:
+    """Linear light of every sample of a scene's frame, from any camera."""
+    return draw(executor, make_plan(scene, quality), camera, time=time, size=size, output="samples")
+
+
+def draw_target(
+    executor: Executor, plan: FramePlan, target: str, time: float = 0.0, camera: Camera | None = None
+) -> NDArray[np.float32]:
+    """What a frame leaves in one of the plan's targets, (height, width, 4): row 0 is GL's first, at the least z."""
+    shown = plan.model_copy(update={"linear": target})
+    drawn: NDArray[np.float32] = draw(executor, shown, camera or Camera(), time=time, size=(16, 16), output="linear")
+    return drawn[::-1]
+
+
+def colours(pixels: NDArray[Any]) -> NDArray[np.float64]:
+    """Linear light as a display takes it, (height, width, 3), in [0, 1]."""
+    light: NDArray[np.float64] = np.clip(pixels[..., :3].astype(np.float64), 0.0, 1.0)
+    return light
+
+
+def levels(a: NDArray[Any], b: NDArray[Any]) -> NDArray[np.float64]:
+    """Largest difference of each pixel's colours, clipped at white, in levels: display white = 255; (height, width)."""
+    apart: NDArray[np.float64] = 255.0 * np.abs(colours(a) - colours(b)).max(axis=-1)
+    return apart
+
+
+def rmse(a: NDArray[Any], b: NDArray[Any]) -> float:
+    """Root mean square of the differences of colours, clipped at white, in levels."""
+    return float(255.0 * np.sqrt(np.mean((colours(a) - colours(b)) ** 2)))

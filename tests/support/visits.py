@@ -1,0 +1,158 @@
+"""The page as a visitor meets it, with all that it complained of and asked for."""
+
+import io
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from playwright.sync_api import Locator, Page, TimeoutError
+
+from support.browsers import Lane
+
+DESKTOP = (1280, 800)
+PHONE = (390, 844)
+SMALL = (760, 500)
+"""The desktop's layout on as few pixels as hold it: llvmpipe is slow."""
+STILL = "#paused=1&quality=draft"
+FINGER = 44
+"""Least side of what a finger must hit, px."""
+TARGETS = """() => [...document.querySelectorAll('button, select, input, summary, [role=slider]')]
+  .filter((target) => target.checkVisibility({ checkOpacity: true, checkVisibilityCSS: true }))
+  // A box to tick is as large as its label; a list drops down from what stands around it.
+  .map((target) => target.matches('[type=checkbox]') ? target.closest('label') : target)
+  .map((target) => [target.getAttribute('aria-label') ?? target.textContent ?? '', target.getBoundingClientRect()])
+  .map(([label, { width, height }]) => [label.trim().slice(0, 40), Math.round(width), Math.round(height)])"""
+"""Gives the label, width and height, px, of each thing in sight that a finger can hit."""
+
+Pixels = NDArray[np.uint8]
+
+
+@dataclass
+class Visit:
+    """A page, with all that it complained of and asked for."""
+
+    page: Page
+    complaints: list[str] = field(default_factory=list)
+    asked: list[tuple[str, str]] = field(default_factory=list)
+    """Method and address of every request."""
+    followed: int = 0
+
+    def settle(self) -> None:
+        """Wait until the picture shows what was asked for, at rest and sharp."""
+        try:
+            self.page.wait_for_function("() => window.seafoam?.state().settled === true", timeout=60_000)
+        except TimeoutError as error:
+            state = self.page.evaluate("() => window.seafoam?.state()")
+            raise AssertionError(
+                f"never at rest: {state}, {self.complaints}, {self.page.inner_text('body')}"
+            ) from error
+
+    def state(self) -> dict[str, Any]:
+        state: dict[str, Any] = self.page.evaluate("() => window.seafoam.state()")
+        return state
+
+    def plans(self) -> int:
+        """How often a plan was asked for."""
+        return sum(method == "POST" and url.endswith("/api/plans") for method, url in self.asked)
+
+    def saved(self, button: str = "Save image as PNG") -> tuple[Pixels, str]:
+        """The PNG behind a button, (height, width, 3), and its name."""
+        with self.page.expect_download(timeout=60_000) as download:
+            self.page.get_by_role("button", name=button).click()
+        png = Image.open(io.BytesIO(Path(download.value.path()).read_bytes()))
+        assert png.format == "PNG"
+        return np.asarray(png.convert("RGB")), download.value.suggested_filename
+
+    def picture(self) -> Pixels:
+        """What the canvas shows, at full size, once the plans that were asked for are here."""
+        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
+        return self.saved()[0]
+
+    def canvas(self) -> Pixels:
+        """The middle of the page as it is on the screen: water alone, nothing of the page over it."""
+        size = self.page.viewport_size
+        assert size is not None
+        width, height = size["width"], size["height"]
+        clip = {"x": 0, "y": 0.4 * height, "width": width, "height": 0.25 * height}
+        shot = self.page.screenshot(clip=clip)  # type: ignore[arg-type]
+        return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"))
+
+    def follow(self, fragment: str) -> None:
+        """Go where a link points, without loading the page again."""
+        # The address lags behind the visitor's choices: a mark of its own makes it another one for certain.
+        self.followed += 1
+        self.page.evaluate("(hash) => { location.hash = hash; }", f"{fragment}&mark={self.followed}")
+        # The event comes in a task of its own.
+        self.frames(2)
+        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
+
+    def frames(self, count: int) -> None:
+        """Let that many animation frames pass."""
+        self.page.evaluate(
+            "(count) => new Promise((done) => {"
+            " const next = (left) => (left === 0 ? done() : requestAnimationFrame(() => next(left - 1)));"
+            " next(count); })",
+            count,
+        )
+
+    def settings(self) -> Locator:
+        """The panel, opened."""
+        panel = self.page.locator("#settings")
+        if "open" not in (panel.get_attribute("class") or ""):
+            self.page.get_by_role("button", name="Settings", exact=True).click()
+        panel.get_by_role("heading", name="Settings").wait_for()
+        return panel
+
+    def type(self, label: str, text: str, folder: str | None = None) -> None:
+        """Type into a field of the panel."""
+        panel = self.settings()
+        box = panel.get_by_role("textbox", name=label, exact=True)
+        if folder is not None and not box.is_visible():
+            panel.get_by_role("button", name=folder).click()
+        box.fill(text)
+        box.press("Enter")
+
+
+@contextmanager
+def visit(
+    lane: Lane,
+    server: str,
+    address: str = STILL,
+    *,
+    size: tuple[int, int] = SMALL,
+    settle: bool = True,
+    **context: Any,
+) -> Iterator[Visit]:
+    """The page at an address below the server's, in a browser that remembers nothing."""
+    width, height = size
+    opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
+    page = opened.new_page()
+    made = Visit(page)
+    page.on("console", lambda said: made.complaints.append(said.text) if said.type == "error" else None)
+    page.on("pageerror", lambda error: made.complaints.append(str(error)))
+    page.on("request", lambda request: made.asked.append((request.method, request.url)))
+    try:
+        page.goto(f"{server}/{address}", wait_until="load")
+        if settle:
+            made.settle()
+            page.locator("#loading").wait_for(state="hidden")
+        yield made
+    finally:
+        opened.close()
+
+
+def link(**parts: Any) -> str:
+    """An address's fragment."""
+    words = {key: json.dumps(value) if isinstance(value, dict) else value for key, value in parts.items()}
+    return "#" + "&".join(f"{key}={value}" for key, value in ({"paused": 1, "quality": "draft"} | words).items())
+
+
+def differs(a: Pixels, b: Pixels) -> float:
+    """Share of pixels that are not the same."""
+    return float((a != b).any(axis=-1).mean())
