@@ -1,6 +1,6 @@
-"""Adaptive samples: error and time of 1, 4, 16 and adaptive samples a pixel, in turn, against 64 samples.
+"""Adaptive sampling: error against 64 samples per pixel, and time, of 1, 4, 16 and adaptive samples, in turn.
 
-``python -m bench.adaptive [PRESET ...]``: every preset, or these.
+``python -m bench.adaptive [PRESET ...]``: all presets, or these.
 """
 
 import sys
@@ -29,11 +29,11 @@ COMPARED: dict[str, Quality] = {
     "adaptive": STANDARD.model_copy(update={"samples_max": 16}),
 }
 MOST_TIME, MOST_ERROR = 4.0, 2.0
-"""The aim: at most so many times the time of one sample, and so many times the error of 16."""
+"""Targets: maximum time over that of one sample, and maximum error over that of 16."""
 
 
 def measure(executor: Executor, presets: Sequence[str], rounds: int = ROUNDS) -> Table:
-    """Draw every preset in all four ways, and tabulate it. ``presets``: their names."""
+    """Draw every preset in all four ways, and tabulate the results. ``presets``: names."""
     rows = [_row(executor, name, rounds) for name in presets]
     both = sum(row[-2] == "yes" and row[-1] == "yes" for row in rows)
     return Table(

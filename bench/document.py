@@ -1,4 +1,4 @@
-"""Writes what was measured into the docs: blocks of ``performance.md``, and all of ``passes.md`` with its pictures."""
+"""Writes results into the docs: blocks of ``performance.md``, and all of ``passes.md`` with its pictures."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -13,7 +13,10 @@ PICTURES = "pictures/passes"
 
 
 def fill(text: str, name: str, block: str) -> str:
-    """The text with a block between ``<!-- bench: name -->`` and ``<!-- end -->``. Raises where no such place is."""
+    """The text with a block between ``<!-- bench: name -->`` and ``<!-- end -->``.
+
+    Raises ``RuntimeError`` unless there is exactly one such place.
+    """
     place = re.compile(rf"(<!-- bench: {re.escape(name)} -->\n).*?(<!-- end -->)", re.DOTALL)
     filled, found = place.subn(lambda match: f"{match[1]}{block}\n{match[2]}", text)
     if found != 1:
@@ -27,7 +30,7 @@ def write(
     frames: Sequence[Frame],
     docs: Path = DOCS,
 ) -> None:
-    """Write the sections that have a place in ``performance.md``, and the page of the passes if there are frames."""
+    """Write the sections that have a place in ``performance.md``, and ``passes.md`` if there are frames."""
     performance = docs / "performance.md"
     text = performance.read_text(encoding="utf-8")
     for name in re.findall(r"<!-- bench: (\w+) -->", text):

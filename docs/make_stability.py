@@ -23,7 +23,7 @@ FIGURES = Path(__file__).parent / "stability.json"
 MARK = "<!-- cases -->\n"
 REFERENCE = "Hard cases against the float64 reference"
 BROWSER = "Hard cases on SwiftShader"
-"""How the titles of the tests' tables begin (tests/numerics, tests/browser)."""
+"""Beginnings of the titles of the tests' tables (tests/numerics, tests/browser)."""
 Figures = dict[str, dict[str, Any]]
 """By a case's name: ``of``, what was measured; ``mean`` (levels, null: not compared) and ``over_2`` (%) against the
 reference, ``swiftshader`` (levels)."""
@@ -37,7 +37,7 @@ def drawn(case: HardCase) -> str:
 
 
 def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[dict[str, str]]]) -> Figures:
-    """The figures with those of a run's tables, of the cases that there are; none of a case that has changed since."""
+    """The figures updated by those of a run, for existing cases; without those of cases that have changed since."""
     result: Figures = {}
     for case in (case for effect in EFFECTS for case in effect.cases.hard):
         of = drawn(case)
@@ -57,7 +57,7 @@ def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[d
 
 
 def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
-    """A row for each case, in Markdown. Raises ``KeyError`` where the reference was not asked for one."""
+    """A row for each case, in Markdown. Raises ``KeyError`` for a case without figures."""
     rows = ["| case | guard, and where | without it | now | SwiftShader |", "|---|---|---|---|---|"]
     for effect in EFFECTS:
         for case in effect.cases.hard:
