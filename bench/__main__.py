@@ -46,7 +46,7 @@ QUICK = 0.2
 
 @dataclass
 class Run:
-    """What was measured until now, and on what."""
+    """Results so far, and the machine that they are from."""
 
     about: dict[str, str] = field(default_factory=machine.describe)
     sections: dict[str, list[Table]] = field(default_factory=dict)
@@ -63,7 +63,7 @@ class Run:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run what was asked for; 1 where a part of it could not be measured."""
+    """Run the requested measurements; returns 1 if a part of them could not be made."""
     asked = _asked(arguments)
     run = Run()
     failure = ""
@@ -81,7 +81,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if set(SERVED) & set(asked.only):
                 _serve(run, asked, watch)
         except Exception:
-            # What was measured until then is still worth printing.
+            # Results up to the failure are still printed.
             failure = traceback.format_exc()
 
     print(document.lines(run.about))
@@ -132,7 +132,7 @@ def _asked(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 
 def _presets(text: str) -> tuple[str, ...]:
-    """Names of presets with commas between them."""
+    """Names of presets, separated by commas."""
     names = tuple(text.split(","))
     unknown = [name for name in names if name not in preset_names()]
     if unknown:
@@ -141,7 +141,7 @@ def _presets(text: str) -> tuple[str, ...]:
 
 
 def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
-    """What one executor draws."""
+    """Measurements that draw with one executor."""
     executor = Executor()
     try:
         run.about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
@@ -172,7 +172,7 @@ def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
 
 
 def _serve(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
-    """What a running server answers, and a browser shows."""
+    """Measurements of a running server, and of a browser."""
     with server.running() as port:
         if "yardstick" in asked.only:
             with water_page.opened() as three:

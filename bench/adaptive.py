@@ -26,7 +26,7 @@ COMPARED: dict[str, Quality] = {
     "adaptive": STANDARD.model_copy(update={"samples_max": 16}),
 }
 MOST_TIME, MOST_ERROR = 4.0, 2.0
-"""The aim: at most so many times the time of one sample, and so many times the error of 16."""
+"""Targets: maximum time over that of one sample, and maximum error over that of 16."""
 
 
 def measure(executor: Executor, presets: Sequence[str], watch: Watch) -> list[Table]:

@@ -1,4 +1,4 @@
-"""Quality auto: what it predicts for a budget against what the chosen frame then takes."""
+"""Quality auto: predicted frame time for a budget against the measured time of the chosen frame."""
 
 import os
 from functools import partial
@@ -16,11 +16,11 @@ from seafoam.render.service.jobs import measure as draw
 PRESET = "default"
 SIZES = ((160, 90), (320, 180), (640, 360))
 SHARES = (0.5, 1.0, 2.0, 4.0, 8.0)
-"""Budgets, as multiples of what tier standard is predicted to take at that size."""
+"""Budgets, as multiples of the predicted time of tier standard at that size."""
 
 
 def measure(executor: Executor, watch: Watch) -> list[Table]:
-    """Choose for every budget and size, then draw; measures the cost of accuracy first where it is not kept."""
+    """Choose a quality for every budget and size, then draw; makes the sweep first if none is stored."""
     subject = Subject.of_preset(PRESET)
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     with watch.step("cost of accuracy"):
@@ -34,7 +34,7 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
     for index in watch.rounds("budgets", 7, 90.0):
         at = subject.time + index / 60.0
         for (size, _), choice, found, drifted in zip(budgets, choices, taken, drift, strict=True):
-            # The machine's speed now against that of the sweep, taken just before and just after.
+            # Present speed of the machine over that during the sweep, measured just before and just after.
             now = [_seconds(executor, subject, standard.quality, at, timed)]
             found.append(_seconds(executor, subject, choice.point.quality, at, size))
             now.append(_seconds(executor, subject, standard.quality, at, timed))
@@ -78,7 +78,7 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
 
 
 def _seconds(executor: Executor, subject: Subject, quality: Quality, at: float, size: tuple[int, int]) -> float:
-    """What a frame takes; one before it compiles and allocates."""
+    """Time of a frame, after one that compiles and allocates."""
     plan = make_plan(subject.scene, quality)
     taken = 0.0
     for _ in range(2):

@@ -1,8 +1,8 @@
-"""What a GPU's compiler makes of every program: against a checked-in table, in which nothing gets worse unseen.
+"""Output of a GPU's compiler for every program, compared with a checked-in table, so that regressions are detected.
 
-Every text is read by glslang as it is, as GLSL ES 3.00; then as GLSL 4.50 for Vulkan, which gives the SPIR-V that
-spirv-val checks and RADV compiles (``bench/radv.py``). Loops are weighted by guess there: the figures compare programs
-with programs, and are no times.
+Every text is parsed by glslang unchanged, as GLSL ES 3.00, and then as GLSL 4.50 for Vulkan, which gives the SPIR-V
+that spirv-val checks and RADV compiles (``bench/radv.py``). RADV's figures weight loops by estimates: they compare
+programs with each other and are not times.
 """
 
 import hashlib
@@ -30,17 +30,17 @@ from seafoam.scene.presets import load_preset, preset_names
 TABLE = Path(__file__).with_name("compiler.json")
 CACHE = Path(__file__).resolve().parents[1] / ".cache" / "compiler.json"
 KEPT = 4000
-"""Programs whose figures the cache keeps, the last ones used."""
+"""Number of programs in the cache; the least recently used are dropped."""
 WRITE = ".venv/bin/python -m bench --only compiler --write-table"
 INSTALL = "scripts/system.sh test"
 _TRIANGLES = {"vertex/fullscreen.glsl", "vertex/horizon.glsl"}
 PACKAGES = {"glslangValidator": "glslang-tools", "spirv-val": "spirv-tools"}
 INSTRUCTIONS = 1.03
-"""Times as many instructions as the table says are admitted."""
+"""Maximum ratio of a program's instructions to those in the table."""
 RDNA_CACHE = 32 * 1024
 """Bytes of an RDNA 2 instruction cache."""
 REGISTERS = 80
-"""VGPRs up to which 12 waves fit on a SIMD."""
+"""Maximum VGPRs with which 12 waves fit on a SIMD."""
 
 _ES = "#version 300 es\n"
 _VULKAN = "#version 450\n"
@@ -65,16 +65,16 @@ class Use:
 
 @dataclass(frozen=True)
 class Compiled:
-    """What was compiled: by which driver, and the figures of each use and stage."""
+    """Result of compiling: the driver, and the figures of each use and stage."""
 
     driver: str
     figures: dict[str, Figures]
     programs: int
-    """Different texts among them."""
+    """Number of different texts."""
 
 
 def missing() -> str:
-    """What has to be installed before anything compiles, and the command that does it; empty where nothing is."""
+    """What must be installed, and the command for it; empty if nothing is missing."""
     packages = [package for tool, package in PACKAGES.items() if shutil.which(tool) is None]
     if radv.icd() is None:
         packages.append("mesa-vulkan-drivers")
@@ -92,10 +92,10 @@ def uses(presets: Iterable[str], tiers: Iterable[Tier]) -> dict[Use, Program]:
 
 
 def compiled(programs: Mapping[Use, Program]) -> Compiled:
-    """Read, check and compile every different text once.
+    """Parse, check and compile every different text once.
 
-    Figures of texts that the same tools compiled before are taken from ``.cache``, where a working copy has one. Raises
-    :class:`bench.radv.CompilerError` with what is missing, or with the program and what was said of it.
+    Figures of texts that the same tools have compiled before are read from ``.cache``, if the working copy has one.
+    Raises :class:`bench.radv.CompilerError` with the missing tool, or with the program and the tool's message.
     """
     if missing():
         raise CompilerError(missing())
@@ -119,7 +119,7 @@ def compiled(programs: Mapping[Use, Program]) -> Compiled:
         for use, program in programs.items():
             stages = {stage: Figures(**figures) for stage, figures in known[keys[use]].items()}
             table[str(use)] = stages["fragment"]
-            # One triangle, over the target or one side of the horizon, is the same everywhere.
+            # The vertex shader of one triangle, over the target or one side of the horizon, is the same everywhere.
             if _TRIANGLES.isdisjoint(file.path for file in program.vertex.files):
                 table[f"{use}, vertex"] = stages["vertex"]
         return Compiled(compiler.driver, table, len(set(keys.values())))
@@ -155,7 +155,7 @@ def _write_cache(known: Mapping[str, dict[str, dict[str, int]]], used: Sequence[
 
 
 def _check_essl(programs: Sequence[Program]) -> None:
-    """glslang reads every text as it is, in one go."""
+    """Parse every text with glslang, unchanged, in one call."""
     with tempfile.TemporaryDirectory() as folder:
         names = set()
         for program in programs:
@@ -167,13 +167,13 @@ def _check_essl(programs: Sequence[Program]) -> None:
 
 
 def _spirv(use: Use, program: Program) -> tuple[bytes, bytes]:
-    """Both stages as SPIR-V for Vulkan, checked."""
+    """Both stages as validated SPIR-V for Vulkan."""
     with tempfile.TemporaryDirectory() as folder:
         names = []
         for stage, shader in (("vert", program.vertex), ("frag", program.fragment)):
             names.append(f"shader.{stage}")
             (Path(folder) / names[-1]).write_text(_for_vulkan(shader), encoding="utf-8")
-        # Uniforms outside blocks are Vulkan's in relaxed rules alone; locations and bindings are given out by glslang.
+        # Vulkan allows uniforms outside blocks only by relaxed rules; glslang assigns locations and bindings.
         _run(["glslangValidator", "-V", "-R", "--aml", "--amb", *names], f"{use}: glslang, Vulkan", folder)
         vertex, fragment = ((Path(folder) / f"{stage}.spv").read_bytes() for stage in ("vert", "frag"))
     for module in (vertex, fragment):
@@ -185,7 +185,7 @@ _valid: set[bytes] = set()
 
 
 def _validate(module: bytes, what: str) -> None:
-    """spirv-val reads the module, unless it has; most vertex shaders are one."""
+    """Validate the module with spirv-val, once per module: most vertex shaders are the same."""
     if module not in _valid:
         _run(["spirv-val", "--target-env", "vulkan1.0", "-"], f"{what}: spirv-val", given=module)
         _valid.add(module)
@@ -206,7 +206,7 @@ def _run(command: Sequence[str], what: str, folder: str | None = None, stdin: by
 
 
 def read_table() -> tuple[str, dict[str, Figures]]:
-    """The checked-in table: by which driver it was made, and the figures of each use."""
+    """The checked-in table: its driver, and the figures of each use."""
     table = json.loads(TABLE.read_text(encoding="utf-8"))
     return table["driver"], {use: Figures(*values) for use, values in table["figures"].items()}
 
@@ -223,9 +223,9 @@ def write_table(found: Compiled) -> None:
 
 
 def worse(found: Mapping[str, Figures], admitted: Mapping[str, Figures]) -> list[str]:
-    """What the table does not admit, a line each.
+    """Regressions against the table, a line each.
 
-    Spills beyond the table's, fewer waves, over 3 % more instructions, and a program that the table does not know.
+    These are more spills, fewer waves, over 3 % more instructions, and programs that the table lacks.
     """
     lines = []
     for use, now in found.items():
@@ -244,15 +244,15 @@ def worse(found: Mapping[str, Figures], admitted: Mapping[str, Figures]) -> list
 
 
 def gone(found: Iterable[str], admitted: Iterable[str], tiers: Iterable[str]) -> list[str]:
-    """Uses at these tiers that the table still knows, a line each, and that are no more."""
+    """Uses at these tiers that are in the table and no longer exist, a line each."""
     kept = {use for use in admitted if use.split(" ")[1] in set(tiers)}
     return [f"{use}: in the table, and nowhere else" for use in sorted(kept - set(found))]
 
 
 def not_admitted(found: Compiled, tiers: Iterable[str]) -> list[str]:
-    """What the checked-in table does not admit of programs of all presets at these tiers, a line each.
+    """Regressions of all presets' programs at these tiers against the checked-in table, a line each.
 
-    Another version of the driver compiles to other numbers of everything: then only what spills counts.
+    With another version of the driver all figures differ; then only spills are compared.
     """
     driver, admitted = read_table()
     if driver != found.driver:
@@ -261,7 +261,8 @@ def not_admitted(found: Compiled, tiers: Iterable[str]) -> list[str]:
 
 
 def measure(presets: Sequence[str], watch: Watch, *, write: bool) -> tuple[dict[str, str], list[Table]]:
-    """Compile every program at every tier; gives the compiler, and the tables. ``write``: the checked-in one too."""
+    """Compile every program at every tier; returns the compiler and the tables. ``write``: write the checked-in table
+    too."""
     with watch.step("a GPU's compiler"):
         found = compiled(uses(presets, TIERS))
         looks = _looks()

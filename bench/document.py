@@ -13,7 +13,10 @@ PICTURES = "pictures/passes"
 
 
 def fill(text: str, name: str, block: str) -> str:
-    """The text with a block between ``<!-- bench: name -->`` and ``<!-- end -->``. Raises where no such place is."""
+    """The text with a block between ``<!-- bench: name -->`` and ``<!-- end -->``.
+
+    Raises ``RuntimeError`` unless there is exactly one such place.
+    """
     place = re.compile(rf"(<!-- bench: {re.escape(name)} -->\n).*?(<!-- end -->)", re.DOTALL)
     filled, found = place.subn(lambda match: f"{match[1]}{block}\n{match[2]}", text)
     if found != 1:

@@ -33,7 +33,7 @@ COMPILE_SIZE = (16, 16)
 PICTURE_TIMES = (3.0, 40.7)
 HALF_A_LEVEL = 0.5 / 255.0
 FLIPPED = 2e-4
-"""Share of pixels that may differ: where programs round differently, a few change sides of a threshold."""
+"""Maximum share of pixels that may differ: different rounding moves a few to the other side of a threshold."""
 
 Row = tuple[Any, ...]
 
@@ -42,7 +42,8 @@ _DECLARED = re.compile(r"^uniform (?P<type>\w+) (?P<name>\w+)(?P<size>\[\w+\])?;
 
 @dataclass(frozen=True)
 class Difference:
-    """How two pictures differ in linear light, display white = 1: at most, and in how many pixels by half a level."""
+    """Difference of two pictures in linear light, display white = 1: the greatest, and the share of pixels above half a
+    level."""
 
     worst: float
     share: float
@@ -50,7 +51,7 @@ class Difference:
 
 @dataclass(frozen=True)
 class ByHand:
-    """A scene, and a fragment program written for nothing else."""
+    """A scene, and a fragment program written only for it."""
 
     name: str
     title: str
@@ -317,14 +318,14 @@ def _size(plan: FramePlan) -> int:
 
 
 def with_surface(plan: FramePlan, text: str) -> FramePlan:
-    """The plan with another text for the surface's fragments."""
+    """The plan with another fragment shader for the surface."""
     shader = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
     program = plan.programs["surface"].model_copy(update={"fragment": shader})
     return plan.model_copy(update={"programs": {**plan.programs, "surface": program}})
 
 
 def _with_numbers(plan: FramePlan) -> FramePlan:
-    """The plan with its surface's uniforms as constants, where they are the same in every frame."""
+    """The plan with those uniforms of its surface as constants that are the same in every frame."""
 
     def constant(declared: re.Match[str]) -> str:
         uniform = plan.uniforms.get(declared["name"])
@@ -342,14 +343,14 @@ def _with_numbers(plan: FramePlan) -> FramePlan:
 
 
 def _alone(plan: FramePlan) -> FramePlan:
-    """The plan with no pass but the surface's; what that reads is there from earlier frames."""
+    """The plan with only the surface's pass, which reads the targets of earlier frames."""
     alone = (spec for spec in plan.passes if spec.program == "surface")
-    # Straight into the picture: a pass that nothing reads is not drawn.
+    # It draws into the picture, because a pass that nothing reads is not drawn.
     return plan.model_copy(update={"passes": tuple(spec.model_copy(update={"target": "screen"}) for spec in alone)})
 
 
 def same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:
-    """How the pictures differ. Raises ``RuntimeError`` where they are not the same."""
+    """Difference of the pictures. Raises ``RuntimeError`` if it exceeds that of rounding."""
     differences = []
     for time in PICTURE_TIMES:
         pictures = [
@@ -367,7 +368,7 @@ def same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: 
 def _compiled(
     executor: Executor, plans: Mapping[str, FramePlan], camera: Camera, rounds: Iterable[int]
 ) -> dict[str, list[Cost]]:
-    """What a program costs until its first pixels, less the same pixels once more."""
+    """Cost of a program until its first pixels, minus the cost of the same pixels drawn again."""
     costs: dict[str, list[Cost]] = {name: [] for name in plans}
     for _ in rounds:
         for name, plan in plans.items():
@@ -378,9 +379,9 @@ def _compiled(
 
 
 def _fresh(plan: FramePlan) -> FramePlan:
-    """The plan with a surface program that no driver has in its cache: a number too small to see, another each time.
+    """The plan with a surface program that no driver has cached: it adds a different invisible number each time.
 
-    A comment would not do: Mesa keeps machine code by what is left after the text has been translated.
+    A comment does not suffice: Mesa caches machine code by the translated program.
     """
     head, _, tail = _surface(plan).text.rpartition("}")
     return with_surface(plan, f"{head}    o_color += 1e-30 * {clock.time_ns() % 10**7}.0;\n}}{tail}")

@@ -1,4 +1,4 @@
-"""Each effect alone, switched on in the default scene: what it costs there, in ms and as a share of the frame."""
+"""Cost of each effect alone, switched on in the default scene, in ms and as a share of the frame."""
 
 from bench.economy import QUALITY, SIZE
 from bench.frames import side_by_side

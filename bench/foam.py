@@ -1,4 +1,4 @@
-"""What octaves, milky water and foam that lives add to the filtered look, side by side, and to a GPU's program."""
+"""Cost of octaves, milky water and foam's history in the filtered look: frame time, and GPU instructions."""
 
 from dataclasses import dataclass
 from statistics import median
@@ -17,19 +17,19 @@ PRESETS = ("default", "storm", "island-surf")
 
 
 LIVES = ("", "left", "carried", "of its age", "thick")
-"""What foam does after it is born, each with all before it."""
+"""Steps of the foam's history, each added to all before it."""
 
 
 @dataclass(frozen=True)
 class Variant:
-    """A preset's foam with so many octaves, its water clear or as milky as the preset has it, and how it lives."""
+    """A variant of a preset's foam: number of octaves, water clear or milky as in the preset, and its history."""
 
     octaves: int
     milky: bool
     life: str = ""
 
     def of(self, scene: Scene) -> Scene:
-        """The scene so."""
+        """The scene in this variant."""
         assert scene.foam is not None
         lives = LIVES.index(self.life)
         foam = scene.foam if lives else scene.foam.lying_still()
@@ -59,7 +59,7 @@ VARIANTS = (
 
 
 def measure(executor: Executor, watch: Watch) -> list[Table]:
-    """Draw presets with one, two and four octaves, in clear and in milky water, and foam that lives."""
+    """Draw presets with one, two and four octaves, in clear and in milky water, and with foam's history."""
     quality = TIERS["standard"].model_copy(update={"foam_relief": True})
     plans = {
         name: {variant: make_plan(variant.of(load_preset(name).scene), quality) for variant in VARIANTS}

@@ -27,7 +27,7 @@ SIZE = (1280, 720)
 TIER_SIZE = (640, 360)
 COVERAGE_SIZE = (160, 90)
 FINER = 4
-"""Frames that coverage is held against are this many times as wide and high, with 16 samples a pixel."""
+"""Reference frames for coverage are this many times as wide and high, with 16 samples per pixel."""
 COVERAGE_TIME = 2.7
 BASE: Look = "textured"
 COMPARED: tuple[tuple[Look, Look], ...] = (
@@ -36,7 +36,7 @@ COMPARED: tuple[tuple[Look, Look], ...] = (
     ("filtered", "halftone"),
 )
 STEP = 0.37
-"""Seconds of the sea's time from round to round, so that no figure hangs on one arrangement of the foam."""
+"""Time of the sea between rounds, s, so that no figure depends on one arrangement of the foam."""
 
 Basis = Literal["cpu", "wall"]
 Name = TypeVar("Name", bound=str)
@@ -44,7 +44,7 @@ Name = TypeVar("Name", bound=str)
 
 @dataclass(frozen=True)
 class Cost:
-    """What a frame took: seconds from the first call until it was finished, and processor time of all threads."""
+    """Cost of a frame: seconds from the first call until it is finished, and processor time of all threads."""
 
     wall: float
     cpu: float
@@ -62,7 +62,7 @@ class View:
 
 
 def views() -> tuple[View, ...]:
-    """The benchmark's sea, and two in which ever less is drawn beside the foam."""
+    """The benchmark's sea, and two variants in which less and less is drawn besides the foam."""
     sea = load_preset(PRESET).scene
     assert sea.foam is not None
     half = (HeightSaturation(base=-1.0, full=1.0),)
@@ -82,7 +82,7 @@ def views() -> tuple[View, ...]:
 
 
 def measure(executor: Executor, watch: Watch) -> list[Table]:
-    """Draw everything and tabulate it."""
+    """Draw all frames and tabulate them."""
     basis: Basis = "cpu" if is_software(executor) else "wall"
     costs = {}
     for view in views():
@@ -101,7 +101,7 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
 
 
 def is_software(executor: Executor) -> bool:
-    """Whether the processor draws."""
+    """Whether the renderer runs on the processor."""
     return any(name in executor.info["renderer"].lower() for name in SOFTWARE)
 
 
@@ -118,9 +118,9 @@ def side_by_side(
     size: tuple[int, int],
     rounds: Iterable[int],
 ) -> dict[Name, list[Cost]]:
-    """Draw all plans in each round, so that a round's ratios compare frames of about the same moment.
+    """Draw all plans in each round, so that a round's ratios compare frames of about the same time.
 
-    The order turns round and reverses from round to round: nobody is always first, or always after the same one.
+    The order rotates and reverses from round to round, so that no plan is always first or always after the same one.
     """
     names = list(plans)
     costs: dict[Name, list[Cost]] = {name: [] for name in names}
@@ -146,7 +146,7 @@ def _values(costs: Sequence[Cost], basis: Basis) -> list[float]:
 
 
 def ratios(costs: Sequence[Cost], base: Sequence[Cost]) -> tuple[Spread | None, Spread | None]:
-    """Of processor and wall time, round by round; none against itself."""
+    """Ratios of processor and wall time, per round; None for a plan against itself."""
     if costs is base:
         return None, None
     pairs = list(zip(costs, base, strict=True))
@@ -213,9 +213,9 @@ def _looks(view: View, costs: Mapping[Look, list[Cost]]) -> Table:
 
 
 def _presets(executor: Executor, watch: Watch) -> Table:
-    """Filtered foam against halftoned, each once a pixel, in every preset that foams."""
+    """Filtered against halftoned foam, one sample per pixel each, in every preset with foam."""
     looks: tuple[Look, Look] = ("halftone", "filtered")
-    # What halftone has not, filtered is to do without.
+    # Features that the halftone look lacks are disabled in the filtered look.
     plain = {"texture": 0.0, "fade": 0.0, "octaves": 1}
     rows = []
     for name in preset_names():
@@ -261,7 +261,7 @@ def _presets(executor: Executor, watch: Watch) -> Table:
 
 
 def _coverage_error(executor: Executor, scene: Scene, samples: int) -> float:
-    """Root mean square error of foam coverage, 0 to 1, with so many samples a pixel."""
+    """Root mean square error of foam coverage, 0 to 1, with a number of samples per pixel."""
     width, height = COVERAGE_SIZE
     many = _picture(executor, scene, 16, (FINER * width, FINER * height))
     means = many.reshape(height, FINER, width, FINER, 4).mean(axis=(1, 3))

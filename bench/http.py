@@ -1,4 +1,4 @@
-"""Frames over HTTP: where a request's time goes, what the formats cost, and how many frames a second there are."""
+"""Frames over HTTP: time of a request by stage, cost of the formats, and frames per second."""
 
 import itertools
 import time
@@ -24,7 +24,7 @@ MOST_FRAMES = 2000
 
 
 def measure(port: int, watch: Watch) -> list[Table]:
-    """Ask for frames, each of another time so that none is cached, and tabulate the answers."""
+    """Request frames, each at a different time so that none is cached, and tabulate the responses."""
     moments = (f"time={9.0 + 0.37 * index:.2f}" for index in itertools.count())
     connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
     try:
@@ -85,7 +85,7 @@ def _stages(warm: dict[str, list[Answer]], fresh: Sequence[Answer]) -> Table:
 def _throughput(port: int, moments: Iterator[str], watch: Watch) -> Table:
     rows = []
     for clients in CLIENTS:
-        # Drawn beforehand: a generator serves one thread at a time.
+        # Generated beforehand, because a generator cannot be shared by threads.
         paths = [[f"/api/frames/{PRESET}.png?{next(moments)}" for _ in range(MOST_FRAMES)] for _ in range(clients)]
         with watch.step(f"frames a second, {clients} at once"), ThreadPoolExecutor(clients) as threads:
             began = time.perf_counter()
@@ -114,7 +114,7 @@ def _throughput(port: int, moments: Iterator[str], watch: Watch) -> Table:
 
 
 def _until(port: int, paths: Sequence[str], until: float) -> list[Answer]:
-    """One client's answers: a request after the other, the last begun before ``until``."""
+    """Responses to one client's consecutive requests; the last one begins before ``until``."""
     connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
     try:
         return [ask(connection, path) for path in itertools.takewhile(lambda _: time.perf_counter() < until, paths)]

@@ -1,7 +1,7 @@
-"""Each effect alone: of a scene, the nearest one that runs an effect and the nearest one that does not.
+"""Each effect alone: for a scene, the nearest scene that runs an effect and the nearest one that does not.
 
-The switch is found, not listed: some preset shows the effect and its hard cases call for it, and of the fields in
-which those differ from the scene only what the effect needs is taken.
+The switch is searched for: some preset or hard case runs the effect, and of the fields in which it differs from the
+scene only those that the effect needs are taken.
 """
 
 from collections.abc import Iterator, Sequence
@@ -58,7 +58,7 @@ def switch(effect: Effect, scene: Scene, quality: Quality) -> Switch | None:
     presets = (load_preset(name).scene for name in preset_names())
     for other in (*presets, *(case.scene for case in effect.cases.hard)):
         if best is not None and not best.others and not best.needs:
-            # The effect alone by one field: there is nothing nearer.
+            # One field adds the effect alone: no scene is nearer.
             break
         if not _runs(effect, _json(other), quality):
             continue

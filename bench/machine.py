@@ -1,4 +1,4 @@
-"""The machine that the figures came from."""
+"""The machine that the figures are from."""
 
 import os
 import platform
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def processor() -> str:
-    """The processor's name, as the system tells it."""
+    """The processor's name, as reported by the system."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
@@ -17,7 +17,7 @@ def processor() -> str:
 
 
 def load() -> str:
-    """How many processes want to run, averaged over 1, 5 and 15 minutes."""
+    """Load averages over 1, 5 and 15 minutes."""
     return " ".join(f"{value:.1f}" for value in os.getloadavg())
 
 

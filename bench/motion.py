@@ -16,16 +16,16 @@ PRESETS = ("default", "open-ocean", "storm", "beach", "drift-vortices")
 SIZE = (160, 90)
 RATE = 60.0
 FRAMES = 61
-"""A second, both ends counted."""
+"""Frames of one second, both ends included."""
 SPEED = 0.3
-"""Of the camera toward what it looks at, m/s."""
+"""Speed of the camera along its heading, m/s."""
 SAMPLES = (1, 64)
 MOST = 2.0
-"""The aim: flicker of one sample over that of 64."""
+"""Target: maximum flicker of one sample over that of 64."""
 
 
 def moved(camera: Camera, way: float) -> Camera:
-    """The camera so far on along its heading, m; its height stays."""
+    """The camera moved along its heading by a distance, m, at constant height."""
     x, y, z = camera.position
     return camera.model_copy(update={"position": (x + way * math.sin(camera.yaw), y, z - way * math.cos(camera.yaw))})
 

@@ -1,4 +1,4 @@
-"""The page: time and bytes until its first picture and live water, how it moves, what lies over the water costs."""
+"""The page: time and bytes until its first picture and live water, its frame rate, and the cost of overlays."""
 
 import os
 import sys
@@ -25,11 +25,11 @@ READY_SECONDS = 60.0
 QUIET_SECONDS = 30.0
 REST_SECONDS = 1.5
 SETTLED_SECONDS = 15.0
-"""After the navigation began: what the page shows in motion from then on is what it can."""
+"""Time after the start of navigation from which the frame rate is steady, s."""
 SAMPLE_SECONDS = 4.0
 SAMPLES = 16
 OVERLAY_SCALE = 0.25
-"""The water's resolution while the overlays' cost is measured, so that a frame is short beside it."""
+"""Resolution of the water while the overlays' cost is measured, low enough for that cost to dominate a frame."""
 OVERLAY_SECONDS = 3.0
 OVERLAY_PAIRS = 4
 
@@ -50,7 +50,7 @@ _NOTE_READY = """
         for (const entry of list.getEntries()) window.benchStill ??= entry.renderTime;
     }).observe({ type: "element", buffered: true });
 """
-"""Notes when the still and when the first live frame is shown, counted from the start of the navigation, ms."""
+"""Records when the still and the first live frame are shown, ms from the start of navigation."""
 
 _ENTRIES = """() => [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")]
     .map(({ name, responseEnd, transferSize }) => ({ name, responseEnd, transferSize }))"""
@@ -67,12 +67,13 @@ KINDS = (
     ("/", "/", "HTML"),
     ("/", "", "other"),
 )
-"""How an address begins and ends, and what it is; the first that fits."""
+"""Beginning and end of an address, and its kind; the first match counts."""
 
 
 @dataclass(frozen=True)
 class Load:
-    """One load of the page: seconds until still and live water; by kind: requests, bytes and seconds until the last."""
+    """One load of the page: seconds until the still and until live water; by kind: requests, bytes, seconds until the
+    last."""
 
     still: float | None
     ready: float
@@ -90,7 +91,7 @@ class Load:
 
 
 def measure(port: int, watch: Watch) -> tuple[dict[str, str], list[Table]]:
-    """Open the page in new browsers; gives what they are, and the tables."""
+    """Open the page in new browsers; returns their description, and the tables."""
     address = f"http://{HOST}:{port}/"
     loads: dict[str, tuple[list[Load], list[Load]]] = {lane: ([], []) for lane in LANES}
     motion: dict[str, list[dict[str, Any]]] = {lane: [] for lane in LANES}
@@ -118,13 +119,13 @@ def measure(port: int, watch: Watch) -> tuple[dict[str, str], list[Table]]:
 
 
 def _launched(playwright: Playwright, lane: str) -> Browser:
-    """A browser that has seen nothing; its driver's cache of compiled shaders is off."""
+    """A browser with an empty profile; its driver's shader cache is disabled."""
     environment: dict[str, str | float | bool] = {**os.environ, "MESA_SHADER_CACHE_DISABLE": "true"}
     return playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES[lane]], env=environment)
 
 
 def _wake(browser: Browser, address: str) -> None:
-    """Have the browser paint something: starting its own processes is not the page's time."""
+    """Make the browser paint once, so that starting its processes is not counted as the page's time."""
     page = browser.new_page()
     page.goto(f"{address}icon.svg", wait_until="load")
     page.screenshot()
@@ -154,7 +155,7 @@ def _load(page: Page, address: str) -> Load:
 
 
 def _settled(page: Page) -> list[dict[str, Any]]:
-    """What the page has loaded, once no more has come for a while or the time is up."""
+    """Resources that the page has loaded, once no more have arrived for a while or the time is up."""
     until = time.monotonic() + QUIET_SECONDS
     entries: list[dict[str, Any]] = []
     while time.monotonic() < until:
@@ -166,7 +167,7 @@ def _settled(page: Page) -> list[dict[str, Any]]:
 
 
 def _motion(page: Page, begin: float) -> list[dict[str, Any]]:
-    """The page's own readings while the sea moves, from then on."""
+    """The page's own measurements while the sea moves."""
     page.wait_for_timeout(1000.0 * max(0.0, begin - time.monotonic()))
     readings = []
     for _ in range(SAMPLES):
@@ -176,7 +177,7 @@ def _motion(page: Page, begin: float) -> list[dict[str, Any]]:
 
 
 def _overlays(page: Page, address: str) -> tuple[list[float], list[float]]:
-    """Seconds from frame to frame with all that lies over the water, and without it, in turn."""
+    """Seconds from frame to frame with and without the overlays, in turn."""
     page.goto("about:blank")
     page.goto(f"{address}#scale={OVERLAY_SCALE}", wait_until="load", timeout=1000 * READY_SECONDS)
     page.wait_for_function("() => window.benchReady !== undefined", timeout=1000 * READY_SECONDS)

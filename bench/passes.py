@@ -1,4 +1,4 @@
-"""What a frame is made of: milliseconds of every pass of every preset, GL finished around each."""
+"""Composition of a frame: milliseconds of every pass of every preset, with GL finished around each."""
 
 import re
 import time as clock
@@ -27,7 +27,7 @@ _KIND = re.compile(r"^(?P<kind>[^:,]*?)(?: \d+)?(?:[:,].*)?$")
 
 @dataclass(frozen=True)
 class Taken:
-    """A pass and the seconds it took, the median of the frames that drew it; ``kept``: drawn once, and then kept."""
+    """A pass and its seconds, the median over frames that drew it; ``kept``: drawn only once."""
 
     name: str
     program: str
@@ -38,7 +38,7 @@ class Taken:
 
     @property
     def kind(self) -> str:
-        """The name without what numbers it, so that the passes of one transform are one."""
+        """The name without numbers, so that all passes of one transform have the same."""
         found = _KIND.match(self.name)
         assert found
         return found["kind"]
@@ -46,7 +46,7 @@ class Taken:
 
 @dataclass(frozen=True)
 class Frame:
-    """A preset's frame: seconds of the whole, as it is drawn otherwise, and of its passes."""
+    """A preset's frame: seconds of the whole, drawn without timers, and of its passes."""
 
     preset: str
     whole: float
@@ -58,7 +58,7 @@ class Frame:
         return sum(timed.seconds for timed in self.passes if not timed.kept)
 
     def kinds(self) -> list[tuple[str, int, float, bool]]:
-        """Passes of a kind together: its name, how many, their seconds, whether they are kept. In drawing order."""
+        """Passes by kind, in drawing order: name, number, seconds, and whether they are drawn only once."""
         by_kind: dict[tuple[str, bool], list[float]] = {}
         for timed in self.passes:
             by_kind.setdefault((timed.kind, timed.kept), []).append(timed.seconds)
@@ -66,7 +66,7 @@ class Frame:
 
 
 def measure(executor: Executor, presets: Sequence[str], watch: Watch) -> tuple[list[Frame], Table]:
-    """Draw each preset, whole and pass by pass, in turn; gives the frames, and all of them as a table."""
+    """Draw each preset, whole and pass by pass, in turn; returns the frames, and a table of them."""
     frames = [_frame(executor, name, watch) for name in presets]
     rows = [
         (
@@ -127,7 +127,7 @@ def _frame(executor: Executor, name: str, watch: Watch) -> Frame:
 
 
 class _Clock:
-    """Seconds of each pass drawn while it runs, and the size of what it draws into, by its place in the plan."""
+    """Seconds of each pass drawn in the context, and the size of its target, by its index in the plan."""
 
     def __init__(self, executor: Executor) -> None:
         self._executor = executor
@@ -140,7 +140,7 @@ class _Clock:
 
         def timed(plan: FramePlan, one: Pass, index: int, targets: Mapping[str, Any], *rest: Any) -> None:
             if one.when == "setup" and (one.state.clear or one.state.blend == "none"):
-                # It is drawn once in all: a first time for the compiler, and the same again for the clock.
+                # A pass that is drawn only once: first to compile it, then again to time it.
                 draw(plan, one, index, targets, *rest)
             finish()
             began = clock.perf_counter()

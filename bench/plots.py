@@ -20,13 +20,13 @@ _GRID = "#dde3e6"
 _KEPT = "#c9d1d5"
 _OTHERS = "#a9b4ba"
 _COLOURS = ("#1f3a73", "#b5353c", "#2a9d78", "#e0912f", "#6b4c9a", "#3a8fb7", "#8c6d31", "#d4739c")
-"""Of the kinds of passes that take most in all presets together."""
+"""Colours of the kinds of passes with the greatest total time over all presets."""
 _LEAST_LABEL = 0.005
-"""Share of the longest bar under which a bar has no length to speak of."""
+"""Share of the longest bar below which a bar has no visible length."""
 
 
 def one_frame(frame: Frame) -> bytes:
-    """WebP: a bar for each kind of pass, in drawing order; those drawn once and kept are pale."""
+    """WebP: a bar for each kind of pass, in drawing order; those drawn only once are pale."""
     kinds = frame.kinds()
     figure = Figure(figsize=(9.0, 0.9 + 0.27 * len(kinds)), dpi=90, layout="constrained")
     axes = figure.subplots()
@@ -52,7 +52,7 @@ def one_frame(frame: Frame) -> bytes:
 
 
 def every_frame(frames: Sequence[Frame]) -> bytes:
-    """WebP: a bar for each preset, of the shares of the passes that every frame draws; their time behind it."""
+    """WebP: a bar for each preset, divided into the passes that every frame draws, and labelled with their time."""
     totals: Counter[str] = Counter()
     for frame in frames:
         for kind, _, seconds, kept in frame.kinds():

@@ -1,6 +1,7 @@
-"""A GPU's compiler without the GPU: Mesa's RADV on its null device, for an AMD GPU that need not be there.
+"""A GPU's compiler without the GPU: Mesa's RADV on its null device.
 
-It makes the machine code that the driver would run, and says how long it is and what it needs. It draws nothing.
+It generates the machine code that the driver would run on an AMD GPU, and reports its length and resources. It draws
+nothing.
 """
 
 import os
@@ -13,7 +14,7 @@ from typing import Any
 from unittest.mock import patch
 
 FAMILY = "NAVI23"
-"""RDNA 2 as in a Radeon RX 6600; a desktop GPU of the middle."""
+"""RDNA 2 as in a Radeon RX 6600, a mid-range desktop GPU."""
 _ICD_FOLDERS = ("/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d")
 _EXTENSION = "VK_KHR_pipeline_executable_properties"
 _STAGES = {"Vertex Shader": "vertex", "Fragment Shader": "fragment"}
@@ -25,7 +26,8 @@ _HEADER_WORDS = 5
 
 @dataclass(frozen=True)
 class Figures:
-    """Machine code of a shader. ``waves``: that fit on a SIMD at once; ``spills``: registers that went to memory."""
+    """Figures of a shader's machine code. ``waves``: maximum resident on a SIMD; ``spills``: registers spilled to
+    memory."""
 
     instructions: int
     vgprs: int
@@ -35,7 +37,7 @@ class Figures:
 
 
 class CompilerError(RuntimeError):
-    """The driver is not there, or takes no program."""
+    """The driver is missing, or rejects a program."""
 
 
 def icd() -> Path | None:
@@ -45,11 +47,11 @@ def icd() -> Path | None:
 
 
 class Radv:
-    """The null device. ``driver``: what it calls itself, with its version."""
+    """The null device. ``driver``: its name and version."""
 
     def __init__(self, vulkan: Any) -> None:
         self._vk = vk = vulkan
-        # Structures have names until their call returns: the binding frees what only another structure points to.
+        # Structures keep names until their call returns: the binding frees those referenced only by another one.
         app = vk.VkApplicationInfo(
             pApplicationName="seafoam bench",
             applicationVersion=1,
@@ -78,7 +80,7 @@ class Radv:
         self._statistics = vk.vkGetDeviceProcAddr(self._device, "vkGetPipelineExecutableStatisticsKHR")
 
     def close(self) -> None:
-        """Give everything back."""
+        """Release all resources."""
         self._vk.vkDestroyDevice(self._device, None)
         self._vk.vkDestroyInstance(self._instance, None)
 
@@ -116,7 +118,8 @@ class Radv:
             vk.vkDestroyDescriptorSetLayout(self._device, set_layout, None)
 
     def _pipeline(self, modules: list[Any], layout: Any) -> Any:
-        """A pipeline as passes are drawn: triangles, no blending, half floats out, an optional grid of vec2 in."""
+        """A pipeline with the state of passes: triangles, no blending, half-float output, optional grid of vec2 as
+        input."""
         vk = self._vk
         kinds = (vk.VK_SHADER_STAGE_VERTEX_BIT, vk.VK_SHADER_STAGE_FRAGMENT_BIT)
         stages = [
@@ -190,7 +193,7 @@ def _text(vk: Any, name: Any) -> str:
 
 
 def reflect(code: bytes) -> dict[int, str]:
-    """What a SPIR-V module is bound to, by binding: a ``block`` of uniforms or a ``texture``."""
+    """Resources of a SPIR-V module by binding: a ``block`` of uniforms or a ``texture``."""
     words = struct.unpack(f"<{len(code) // 4}I", code)
     kinds: dict[int, str] = {}
     pointed: dict[int, int] = {}
@@ -215,7 +218,7 @@ def reflect(code: bytes) -> dict[int, str]:
 
 @contextmanager
 def opened() -> Iterator[Radv]:
-    """The null device while the context lasts. Raises :class:`CompilerError` where there is none."""
+    """The null device while the context lasts. Raises :class:`CompilerError` if there is none."""
     driver_file = icd()
     if driver_file is None:
         raise CompilerError("no RADV: mesa-vulkan-drivers is not installed")

@@ -1,4 +1,4 @@
-"""Tables of figures: as text for the reader, as JSON for programs."""
+"""Tables of results, as text and as JSON."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, is_dataclass
@@ -7,7 +7,7 @@ from textwrap import wrap
 from typing import Any
 
 WIDTH = 116
-"""Columns of running text."""
+"""Width of running text, characters."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Spread:
 
 
 def extra(ratio: Spread) -> str:
-    """A ratio as what it adds, with its interquartile range: ``+1.2 %  (-0.3 to +2.5)``."""
+    """A ratio as a relative change, with its interquartile range: ``+1.2 % (-0.3 to +2.5)``."""
     middle, low, high = (100.0 * (value - 1.0) for value in (ratio.median, ratio.low, ratio.high))
     return f"{middle:+.1f} %  ({low:+.1f} to {high:+.1f})"
 
@@ -44,13 +44,13 @@ def percent(share: float) -> str:
 
 
 def ms(seconds: float) -> str:
-    """Seconds as milliseconds, to three digits or so."""
+    """Seconds as milliseconds, with about three digits."""
     value = 1000.0 * seconds
     return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 1 else f"{value:.2f}"
 
 
 def count(number: int) -> str:
-    """A whole number with its thousands set apart."""
+    """An integer with thousands separators."""
     return f"{number:,}"
 
 
@@ -64,13 +64,13 @@ class Column:
 
 
 def ratio_columns(show: Callable[[Any], str]) -> tuple[Column, Column]:
-    """Columns of what ``bench.frames.ratios`` gives."""
+    """Columns for the result of ``bench.frames.ratios``."""
     return Column("cpu_ratio", "processor time", show), Column("wall_ratio", "wall time", show)
 
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of figures. ``note`` says what they are."""
+    """Rows of results. ``note``: their description."""
 
     title: str
     note: str
@@ -78,7 +78,7 @@ class Table:
     rows: list[tuple[Any, ...]]
 
     def text(self) -> str:
-        """The table as plain text: first column to the left, the rest to the right."""
+        """The table as plain text: columns of words left-aligned, figures right-aligned."""
         shown = [[column.heading for column in self.columns]]
         for row in self.rows:
             cells = zip(self.columns, row, strict=True)

@@ -1,4 +1,4 @@
-"""A server of its own for the bench, and requests to it."""
+"""A server for the benchmarks, and requests to it."""
 
 import os
 import re
@@ -18,12 +18,12 @@ START_SECONDS = 60.0
 REQUEST_SECONDS = 30.0
 STOP_SECONDS = 20.0
 QUEUE = 16
-"""Frames that may wait: more than the bench ever sends at once."""
+"""Length of the server's queue: more than the benchmarks ever send at once."""
 
 
 @dataclass(frozen=True)
 class Answer:
-    """An answer, and where its time went: seconds by stage as the server tells them, and the client's own."""
+    """A response and its times: seconds by stage as reported by the server, and as measured by the client."""
 
     status: int
     size: int
@@ -32,15 +32,15 @@ class Answer:
 
     @property
     def http(self) -> float:
-        """What no stage accounts for: parsing, entity tag, the socket, both ways."""
+        """Time outside all stages: parsing, entity tag, and the socket in both directions."""
         return self.wall - sum(self.stages.values())
 
 
 @contextmanager
 def running() -> Iterator[int]:
-    """Run a server while the context lasts; gives its port.
+    """Run a server while the context lasts; yields its port.
 
-    The driver's cache of compiled shaders is off, so that what is new to the server is new indeed.
+    The driver's shader cache is disabled, so that programs new to the server are compiled.
     """
     with socket.socket() as probe:
         probe.bind((HOST, 0))
@@ -78,7 +78,7 @@ def _ready(port: int) -> bool:
 
 
 def ask(connection: HTTPConnection, path: str) -> Answer:
-    """Send a request and wait for the whole answer."""
+    """Send a request and wait for the whole response."""
     began = time.perf_counter()
     connection.request("GET", path)
     response = connection.getresponse()

@@ -1,8 +1,8 @@
-"""What the surface's pass does for a pixel: whether it shows water, and how often the waves are evaluated to find it.
+"""Work of the surface's pass per pixel: whether it shows water, and how often the waves are evaluated to find it.
 
 The plan's own program is drawn, with a counter in every function that evaluates the waves. Its ``main`` is cut off
-where it has found the surface and knows whether land stands before it, and writes the counter. Where the text no longer
-has these places, it raises.
+after the surface has been found and tested for land before it, and writes the counter. ``RuntimeError`` if the text no
+longer has these places.
 """
 
 import hashlib
@@ -26,26 +26,27 @@ _DRAWN = re.compile(
     r"(?P<land>(?:(?!^\}).)*?)^    (?:if \(|bool dry = )(?P<before>find_land_before\([^;]*?\))(?:\) \{|;)\n",
     re.MULTILINE | re.DOTALL,
 )
-"""What draws the surface: all until the surface is found, all until land is, and the call that finds it."""
+"""Parts of the surface's shader: the text until the surface is found, the text until land is, and the call that finds
+it."""
 
 
 @dataclass(frozen=True)
 class Steps:
-    """Of a picture: its share of water, 0 to 1; evaluations of the waves in the surface's pass, for a pixel."""
+    """Counts of a picture: its share of water, 0 to 1, and evaluations of the waves per pixel in the surface's pass."""
 
     water: float
     mean: float
-    """Of the pixels that show water; 0 where none does."""
+    """Mean over pixels that show water; 0 without such pixels."""
     most: float
-    """That 99 % of these do not exceed."""
+    """99th percentile of the same."""
     everywhere: float
-    """The mean of all pixels of the picture."""
+    """Mean over all pixels of the picture."""
 
 
 def steps(executor: Executor, plan: FramePlan, *, time: float, camera: Camera, size: tuple[int, int]) -> Steps:
-    """Draw the counting program of the surface's pass. Raises ``RuntimeError`` where it cannot count.
+    """Draw the counting program of the surface's pass. Raises ``RuntimeError`` if it cannot count.
 
-    Other passes that help to find the surface, and what boats and drops look for, are not in the figures.
+    Other passes that help to find the surface, and the searches of boats and drops, are not included.
     """
     counting = counting_plan(plan, camera, size)
     drawn = executor.render(counting, time=time, camera=camera, width=size[0], height=size[1], output="linear").pixels
@@ -66,7 +67,7 @@ def steps(executor: Executor, plan: FramePlan, *, time: float, camera: Camera, s
 def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> FramePlan:
     """The plan up to its surface's pass, which writes (water, evaluations, 0, 1) for each pixel that it covers."""
     shown = drawn_passes(plan, camera, *size, "screen")
-    # With a shore a pass of its own finds what rays meet.
+    # With a shore a separate pass finds the intersections of rays.
     names = {plan.passes[index].name for index in shown}
     name = "what rays meet" if "what rays meet" in names else "surface"
     indices = [index for index, shows in shown.items() if shows and plan.passes[index].name == name]
@@ -75,7 +76,7 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
     surface = plan.passes[indices[0]]
     program = plan.programs[surface.program]
     counting = program.model_copy(update={"fragment": counting_shader(program.fragment)})
-    # Half floats count no further than 2048.
+    # Half floats represent integers only up to 2048.
     target = plan.targets[surface.target].model_copy(update={"format": "RGBA32F"})
     return plan.model_copy(
         update={

@@ -1,8 +1,8 @@
-"""One surface program that holds every effect behind uniforms: what the planner's own programs are measured against.
+"""One surface program that contains every effect behind uniforms, with which the planner's programs are compared.
 
-It is made of the same slot files. Functions that several files of a slot define get the file's name as a suffix, and a
-function under the plain name picks one of them by a uniform. Numbers that a plan writes into the text for its scene
-become uniforms too, so one text draws every scene.
+It consists of the same slot files. Functions that several files of a slot define get the file's name as a suffix, and a
+function with the original name selects one of them by a uniform. Numbers that a plan writes into the text for its scene
+become uniforms too, so that one text draws every scene.
 """
 
 import re
@@ -53,7 +53,7 @@ NO_START = Pass(
     mesh=Fullscreen(),
     state=State(clear=True),
 )
-"""Draws nothing from anywhere, and clears its target."""
+"""A pass that reads nothing and clears its target."""
 MOST_WAVES = 16
 BY_SCENE = (
     "PARAMETRIC_COUNT",
@@ -66,14 +66,14 @@ BY_SCENE = (
     "MASK_ROWS",
     "FOAM_TEXTURED",
 )
-"""Compile-time numbers that hang on the scene."""
+"""Compile-time numbers that depend on the scene."""
 
 GENERAL: dict[str, Const] = {
     "PARAMETRIC_KIND": (0,) * MOST_WAVES,
     "PARAMETRIC_ALIKE": True,
     "PARAMETRIC_SIGNAL": False,
 }
-"""Compile-time numbers of one scene, and what serves them all."""
+"""Compile-time numbers of one scene, and values that suffice for all scenes."""
 
 _FUNCTION = re.compile(r"^(?P<returns>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\) \{", re.MULTILINE)
 _WAVES = re.compile(rf"^uniform\s+\w+\s+(\w+)\[{MOST_WAVES}\]", re.MULTILINE)
@@ -81,12 +81,12 @@ _UNIFORM_LINE = re.compile(r"^uniform\s+\w+\s+(?P<name>\w+).*\n", re.MULTILINE)
 
 Consts = dict[str, Const]
 Signature = tuple[str, str]
-"""What a function returns, and its parameters."""
+"""A function's return type and parameters."""
 
 
 @dataclass
 class _Parts:
-    """What effects give, joined; later ones win."""
+    """Contributions of effects, merged; later ones take precedence."""
 
     files: dict[Piece, SlotFile] = field(default_factory=dict)
     consts: Consts = field(default_factory=dict)
@@ -102,7 +102,7 @@ class _Parts:
 
 @dataclass(frozen=True)
 class _Uber:
-    """The program, all parts, plans with the textures and targets, and the files that each switch numbers."""
+    """The program, its parts, plans with its textures and targets, and the files that each switch selects."""
 
     program: Program
     parts: _Parts
@@ -111,9 +111,9 @@ class _Uber:
 
 
 def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> FramePlan:
-    """The plan of ``scene`` with its surface drawn by the program that holds everything.
+    """The plan of ``scene`` with its surface drawn by the program with every effect.
 
-    ``exact_ripples``: the ripples that better tiers sum at each sample are in the program too.
+    ``exact_ripples``: include the ripples that better tiers sum at each sample.
     """
     uber = _uber(quality, exact_ripples)
     plan = make_plan(scene, quality)
@@ -142,7 +142,7 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     targets = {name: target for source in uber.plans for name, target in source.targets.items()}
     given = {START: TargetInput(target="start")} | uber.parts.inputs | own.inputs
     inputs = {name: source for name, source in given.items() if name in declared}
-    # A plan of level water finds a plane and knows nothing of a start: all its rays begin at 0.
+    # A plan of level water intersects a plane and has no start target: all its rays begin at 0.
     free = () if any(spec.target == "start" for spec in plan.passes) else (NO_START,)
     return plan.model_copy(
         update={
@@ -168,7 +168,7 @@ def slot_files(quality: Quality) -> tuple[str, ...]:
 
 
 def held_effects(quality: Quality) -> frozenset[str]:
-    """Names of the effects that the program holds: those of the paper and its water, clear or milky."""
+    """Names of the effects in the program: those of the paper and its water, clear or milky."""
     return frozenset(note.name for plan in _uber(quality, True).plans for note in plan.effects)
 
 
@@ -200,14 +200,14 @@ def _uber(quality: Quality, exact_ripples: bool) -> _Uber:
 
 
 def _given(scene: Scene, quality: Quality) -> list[tuple[str, Contribution]]:
-    """What each effect gives, fronts with phases of their own, which every scene can have."""
+    """Contribution of each effect; fronts have phases of their own, which every scene can have."""
     with patch.object(front, "shares_phase", return_value=False):
         given = [(effect.name, effect.contribute(scene, quality)) for effect in EFFECTS]
     return [(name, one) for name, one in given if one is not None]
 
 
 def _variants(quality: Quality, exact_ripples: bool) -> list[tuple[Scene, Quality]]:
-    """Scenes and qualities that between them call for every file."""
+    """Scenes and qualities that together use every file."""
     scenes = [
         Scene(
             waves=(ParametricWave(),),
@@ -230,7 +230,7 @@ def _text(piece: Piece) -> str:
 
 
 def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[Piece]]]:
-    """The program's text piece by piece, and for each switch the files that its numbers stand for."""
+    """The program's text in pieces, and for each switch the files by number."""
     texts = [read_file(f"lib/{name}.glsl") for name in ("numbers", "camera", "place")]
     switches: dict[str, Sequence[Piece]] = {}
     helpers: set[Piece] = set()
@@ -253,7 +253,7 @@ def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[Piece]]]:
         for file in files:
             bodies[file.path] = _text(file.path)
             for path in file.needs:
-                # A helper that another file makes do without belongs to its own file's variant.
+                # A helper that only some files of a slot need belongs to their variant.
                 if own & _functions(_text(path)).keys():
                     bodies[file.path] = f"{_text(path)}\n{bodies[file.path]}"
                 elif path not in helpers:
@@ -281,9 +281,9 @@ def _functions(text: str) -> dict[str, Signature]:
 
 
 def _choice(switch: str, bodies: Mapping[Piece, str], signatures: Mapping[str, Signature], absent: str) -> list[str]:
-    """The bodies with their functions renamed, and functions under the plain names that pick one of them.
+    """The bodies with renamed functions, and functions with the original names that select one of them.
 
-    ``absent``: the value at switch 0, where none of them is meant; without it the first body is number 0.
+    ``absent``: the value at switch 0, which selects none; without it the first body is number 0.
     """
     texts = []
     suffixes = ["none" if isinstance(piece, Inline) else Path(path_of(piece) or "").stem for piece in bodies]
@@ -311,7 +311,7 @@ def _arguments(parameters: str) -> str:
 
 
 def _saturation(prefixes: Sequence[str]) -> list[str]:
-    """Both ways in which saturations join, and the function that picks one."""
+    """Both ways to combine saturations, and the function that selects one."""
     ways: list[Join] = [SATURATION_MAX.joins[0], SATURATION_PRODUCT.joins[0]]
     calls = [f"{way.name}_{way.how}({way.arguments})" for way in ways]
     return [
@@ -321,7 +321,7 @@ def _saturation(prefixes: Sequence[str]) -> list[str]:
 
 
 def _by_uniforms(text: str, consts: Consts) -> str:
-    """The text with the scene's numbers as uniforms, arrays as long as they get, and each uniform declared once."""
+    """The text with the scene's numbers as uniforms, arrays of the greatest length, and each uniform declared once."""
     for name in BY_SCENE:
         uniform = f"{SWITCH}{name.lower()}"
         text = re.sub(rf"^(uniform .*)\[{name}\]", rf"\g<1>[{MOST_WAVES}]", text, flags=re.MULTILINE)
@@ -346,7 +346,7 @@ def _by_uniforms(text: str, consts: Consts) -> str:
 
 
 def _padded(uniform: Uniform) -> Uniform:
-    """An array as long as the program has it; what lies behind the scene's own waves is never read."""
+    """An array padded to the program's length; elements beyond the scene's own waves are never read."""
     missing = MOST_WAVES - uniform.count
     rest = Constant(value=(0.0,) * (COMPONENTS[uniform.type] * missing))
     return uniform.model_copy(update={"count": MOST_WAVES, "rules": (*uniform.rules, rest)})

@@ -8,14 +8,14 @@ from rich.progress import Progress
 
 
 class Watch:
-    """Counts rounds. ``share``: of the rounds and the time of a full run."""
+    """Counts rounds. ``share``: fraction of the rounds and of the time of a full run."""
 
     def __init__(self, progress: Progress, share: float = 1.0) -> None:
         self._progress = progress
         self._share = share
 
     def rounds(self, what: str, rounds: int, seconds: float, least: int = 2) -> Iterator[int]:
-        """Number the rounds until there are enough or the time is up, but never fewer than ``least``."""
+        """Yield the numbers of rounds until there are enough or the time is up, at least ``least``."""
         most = max(least, round(rounds * self._share))
         limit = seconds * self._share
         began = time.perf_counter()
@@ -30,12 +30,12 @@ class Watch:
         self._progress.update(task, completed=1.0)
 
     def seconds(self, seconds: float) -> float:
-        """This run's share of a time that a full run spends."""
+        """This run's share of the time of a full run."""
         return seconds * self._share
 
     @contextmanager
     def step(self, what: str) -> Iterator[None]:
-        """Show that something goes on which has no rounds."""
+        """Show progress of a step without rounds."""
         task = self._progress.add_task(what, total=None)
         try:
             yield

@@ -1,4 +1,4 @@
-"""The page that everything is measured against: three.js's ``Water`` and ``Sky`` in Chromium on the system's EGL."""
+"""The page used as the reference for speed: three.js's ``Water`` and ``Sky`` in Chromium on the system's EGL."""
 
 import threading
 import time
@@ -20,12 +20,12 @@ PACKAGE = ROOT / "webclient" / "node_modules" / "three"
 SIZE = (1280, 720)
 READY_SECONDS = 60.0
 LEAST_VARIETY = 20.0
-"""Levels: the least standard deviation of a picture that shows water and sky."""
+"""Minimum standard deviation of a picture that shows water and sky, levels."""
 
 
 @dataclass(frozen=True)
 class Frames:
-    """Frames drawn one after the other: seconds of each until a pixel was read, and processor time of one of them."""
+    """Consecutive frames: seconds of each until a pixel was read, and mean processor time of a frame."""
 
     wall: tuple[float, ...]
     cpu: float
@@ -47,8 +47,8 @@ class WaterPage:
         self.frames(4)
 
     def require(self, renderer: str) -> None:
-        """Raise ``RuntimeError`` unless the browser draws with the renderer of this name, as GL tells it."""
-        # ANGLE leaves commas out of the names that it passes on.
+        """Raise ``RuntimeError`` unless the browser draws with the renderer of this name, as reported by GL."""
+        # ANGLE removes commas from the names.
         if renderer.replace(",", "") not in self.renderer:
             raise RuntimeError(f"three.js draws on {self.renderer}, and not on {renderer}")
 
@@ -57,24 +57,24 @@ class WaterPage:
         self._page.close()
 
     def frames(self, count: int) -> Frames:
-        """Draw so many frames, and one before them that does not count. Gives what they took."""
+        """Draw a number of frames, after one that is not counted; returns their times."""
         self._page.evaluate("() => window.yardstick.frames(1)")
         before = self._cpu()
         taken = self._page.evaluate("count => window.yardstick.frames(count)", count)
         cpu = (self._cpu() - before) / count
-        # What was drawn goes to the screen now, and not while somebody else is measured.
+        # The browser presents the frames now, not during the next measurement.
         self._page.evaluate("() => window.yardstick.rest()")
         return Frames(tuple(milliseconds / 1000.0 for milliseconds in taken), cpu)
 
     def screenshot(self) -> tuple[float, int]:
-        """Seconds from a new moment of the water until the browser has given a PNG of it; and its bytes."""
+        """Seconds from a change of the water's time until the browser has returned a PNG of it; and its bytes."""
         began = time.perf_counter()
         self._page.evaluate("() => window.yardstick.draw()")
         size = len(self._page.screenshot(type="png"))
         return time.perf_counter() - began, size
 
     def _cpu(self) -> float:
-        """Processor time that the browser's processes have used, s."""
+        """Processor time of the browser's processes, s."""
         processes = self._processes.send("SystemInfo.getProcessInfo")["processInfo"]
         return float(sum(process["cpuTime"] for process in processes))
 
@@ -90,12 +90,12 @@ class _Files(SimpleHTTPRequestHandler):
         return str(file if file.is_relative_to(root.resolve()) else root / "absent")
 
     def log_message(self, *_: Any) -> None:
-        """Say nothing."""
+        """Log nothing."""
 
 
 @contextmanager
 def served() -> Iterator[str]:
-    """Serve the page while the context lasts; gives its address. Raises where npm has not brought three.js."""
+    """Serve the page while the context lasts; yields its address. Raises ``RuntimeError`` without three.js."""
     if not (PACKAGE / "build" / "three.module.js").exists():
         raise RuntimeError(f"{PACKAGE} is not there: run make setup-test")
     server = ThreadingHTTPServer((HOST, 0), _Files)
@@ -110,7 +110,7 @@ def served() -> Iterator[str]:
 
 
 def shown(browser: Browser, address: str) -> WaterPage:
-    """The page in a browser, warm. Raises ``RuntimeError`` where it does not come up or shows nothing."""
+    """The page in a browser, warm. Raises ``RuntimeError`` if it does not start or shows nothing."""
     page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]}, device_scale_factor=1)
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))

@@ -1,4 +1,4 @@
-"""Frames and pictures against three.js's ``Water`` and ``Sky``, in turn, in one run."""
+"""Frames and pictures compared with three.js's ``Water`` and ``Sky``, in turn, in one run."""
 
 import itertools
 import time as clock
@@ -21,18 +21,18 @@ from seafoam.scene.presets import load_preset
 ROUNDS = 3
 ROUNDS_SECONDS = 600.0
 THREE_FRAMES = 5
-"""Frames of three.js before and after those of a preset."""
+"""Number of three.js's frames before and after those of a preset."""
 MOST_FRAMES = 5
 LEAST_FRAMES = 2
 FRAMES_SECONDS = 0.6
-"""Of a preset in a round: at most so many, at least so many, and no more once this time is up."""
+"""Frames of a preset in a round: maximum, minimum, and time after which no more are drawn, s."""
 PICTURES = ("default", "open-ocean")
 PICTURE_ROUNDS = 9
 
 
 @dataclass(frozen=True)
 class Group:
-    """Presets of a kind, and how many frames of three.js one of theirs may take at most: ``must``, and ``aim``."""
+    """Presets of a kind, and the maximum time of their frames over that of three.js: required and targeted."""
 
     name: str
     presets: tuple[str, ...]
@@ -62,12 +62,12 @@ GROUPS = (
     Group("spray, boats", ("spray-on-rocks", "boat-in-storm", "boat-race"), 22.0, 9.0),
 )  # fmt: skip
 PICTURE_MUST = {"default": 0.6, "open-ocean": 1.7}
-"""Warm screenshots of three.js's page that a PNG over HTTP may take at most."""
+"""Maximum time of a PNG over HTTP, over that of a warm screenshot of three.js's page."""
 
 
 @dataclass
 class Measured:
-    """Rounds of a preset: its frames, and those of three.js just before and after."""
+    """Rounds of a preset: its frames, and those of three.js immediately before and after."""
 
     ours: list[list[Cost]] = field(default_factory=list)
     theirs: list[list[Frames]] = field(default_factory=list)
@@ -79,18 +79,18 @@ class Measured:
 
     @property
     def wall(self) -> list[float]:
-        """Of each round: the median frame over three.js's median frame."""
+        """For each round: the median frame time over three.js's."""
         return [median(frame.wall for frame in ours) / self._three(i) for i, ours in enumerate(self.ours)]
 
     @property
     def cpu(self) -> list[float]:
-        """Of each round: the mean frame's processor time over that of three.js."""
+        """For each round: the mean processor time of a frame over three.js's."""
         pairs = zip(self.ours, self.theirs, strict=True)
         return [fmean(frame.cpu for frame in ours) / fmean(frame.cpu for frame in theirs) for ours, theirs in pairs]
 
     @property
     def frames(self) -> list[float]:
-        """Every frame over three.js's median frame of its round."""
+        """Time of every frame over three.js's median frame time of its round."""
         return [frame.wall / self._three(i) for i, ours in enumerate(self.ours) for frame in ours]
 
     @property
@@ -108,7 +108,7 @@ class Measured:
 
 
 def measure(executor: Executor, three: WaterPage, presets: Sequence[str], watch: Watch) -> list[Table]:
-    """Draw the presets and three.js in turn, round by round; then count what a pixel takes."""
+    """Draw the presets and three.js in turn, round by round; then count the work per pixel."""
     measured = {name: Measured() for name in presets}
     for index in watch.rounds("against three.js", ROUNDS, ROUNDS_SECONDS, least=1):
         before = three.frames(THREE_FRAMES)
@@ -127,7 +127,7 @@ def measure(executor: Executor, three: WaterPage, presets: Sequence[str], watch:
 
 
 def _frames(executor: Executor, name: str, index: int) -> Iterator[Cost]:
-    """Frames of a preset in one round, each of another time, after one that compiles and uploads."""
+    """Frames of a preset in one round, each at a different time, after one that compiles and uploads."""
     preset = load_preset(name)
     plan = make_plan(preset.scene, TIERS["standard"])
     moments = (preset.time + STEP * (index * (MOST_FRAMES + 1) + i) for i in itertools.count())
@@ -218,7 +218,7 @@ def _groups(measured: Mapping[str, Measured]) -> Table:
 
 
 def pictures(port: int, three: WaterPage, watch: Watch) -> Table:
-    """PNG files over HTTP from a running server, in turn with screenshots of three.js's page by its browser."""
+    """PNG files over HTTP from a running server, alternating with screenshots of three.js's page."""
     moments = (f"time={9.0 + STEP * index:.2f}" for index in itertools.count())
     connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
     taken: dict[str, list[tuple[float, int]]] = {name: [] for name in PICTURES}

@@ -22,9 +22,9 @@ MARK = "<!-- holes -->\n"
 MASKS = ("lace", "lacetorn", "bubble")
 SATURATIONS = (0.7, 0.5)
 LEAST = 4
-"""Texels of the smallest hole that is counted: what is smaller has no shape."""
+"""Smallest hole that is counted, texels: smaller ones have no shape."""
 LARGE = 0.5
-"""Holes beyond this share of them, by size, make the slope."""
+"""Quantile of the sizes above which holes determine the slope."""
 BUBBLES = 10.0 / 3.0
 """Exponent of the density of radii of bubbles over 1 mm (Deane and Stokes 2002)."""
 

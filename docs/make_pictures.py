@@ -1,4 +1,4 @@
-"""Makes the pictures of the docs again: ``make docs``."""
+"""Draws the pictures of the docs: ``make docs``."""
 
 import math
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ PICTURES = Path(__file__).parent / "pictures"
 
 
 def frame(executor: Executor, name: str, width: int, height: int, **foam: object) -> Image.Image:
-    """A preset at its best time, nine samples a pixel."""
+    """A preset at its own time, nine samples per pixel."""
     preset = load_preset(name)
     scene = preset.scene
     if foam and scene.foam is not None:
@@ -35,7 +35,7 @@ def frame(executor: Executor, name: str, width: int, height: int, **foam: object
 
 
 def at_times(executor: Executor, names: Sequence[str]) -> Image.Image:
-    """Presets at 0, 5 and 20 s, and from 200 m, four samples a pixel."""
+    """Presets at 0, 5 and 20 s, and from a height of 200 m, four samples per pixel."""
     pictures = []
     for name in names:
         scene = load_preset(name).scene
@@ -100,7 +100,7 @@ def skies(executor: Executor) -> None:
 
 
 def drift(executor: Executor) -> Image.Image:
-    """Vortices at three times; from above followed back on maps of two sizes, and moved forward."""
+    """Vortices at three times; from above, traced back on maps of two sizes, and moved forward."""
     scene = load_preset("drift-vortices").scene
     place = scene.drift.place if scene.drift is not None else (0.0, 0.0)
     above = scene.camera.model_copy(update={"position": (place[0], 30.0, place[1]), "yaw": 0.0, "pitch": -math.pi / 2})
@@ -134,8 +134,8 @@ def sparkles(executor: Executor) -> None:
 
 
 def pool(executor: Executor) -> None:
-    """The pool; without caustics; colours five times as far apart; Snell's window; along the floor; the open
-    ocean from 4 m under it."""
+    """The pool; without caustics; with five times the dispersion; Snell's window; along the floor; the open ocean from
+    a depth of 4 m."""
     scene = load_preset("pool-caustics").scene
     assert scene.light is not None
     plain = scene.model_copy(update={"light": scene.light.model_copy(update={"caustics": None})})
@@ -159,7 +159,7 @@ def pool(executor: Executor) -> None:
 
 
 def below(executor: Executor) -> None:
-    """Nine presets from under their surface."""
+    """Nine presets seen from under their surface."""
     views = {
         "default": (0.6, -0.4, -0.3, 0.5, 1.0),
         "shallows": (0.0, -0.6, 0.0, 0.45, 1.3),
@@ -210,13 +210,13 @@ BEFORE: dict[str, dict[str, object]] = {
     "explosion": {"mask": "mix", "mask_tile": 6.0},
     "river": {"mask": "mix", "mask_tile": 2.5},
 }
-"""The presets' foam before it had octaves and lived."""
+"""The presets' foam before octaves and foam's history were added."""
 GROUPS = {"default": (0.3, 0.75), "shallows": (0.35, 0.9)}
-"""Groups of waves that foamed then: foam that stays needs fewer."""
+"""Group thresholds of that time: foam that lasts needs fewer groups."""
 
 
 def lying_still(foam: Foam, name: str) -> Foam:
-    """The preset's foam without what it does after its birth, its groups as they were then."""
+    """The preset's foam without its history, with the former group thresholds."""
     still = foam.lying_still()
     made = [
         one.model_copy(update={"group": GROUPS.get(name, one.group)}) if isinstance(one, FrontSaturation) else one
@@ -226,7 +226,7 @@ def lying_still(foam: Foam, name: str) -> Foam:
 
 
 def foam(executor: Executor) -> None:
-    """Every preset's foam before and now; one, two and four octaves by height; foam that lies still and that lives."""
+    """Every preset's foam before and now; one, two and four octaves by height; foam without and with its history."""
     quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
 
     def drawn(

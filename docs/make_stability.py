@@ -37,7 +37,7 @@ def drawn(case: HardCase) -> str:
 
 
 def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[dict[str, str]]]) -> Figures:
-    """The figures with those of a run's tables, of the cases that there are; none of a case that has changed since."""
+    """The figures updated by those of a run, for existing cases; without those of cases that have changed since."""
     result: Figures = {}
     for case in (case for effect in EFFECTS for case in effect.cases.hard):
         of = drawn(case)
@@ -57,7 +57,7 @@ def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[d
 
 
 def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
-    """A row for each case, in Markdown. Raises ``KeyError`` where the reference was not asked for one."""
+    """A row for each case, in Markdown. Raises ``KeyError`` for a case without figures."""
     rows = ["| case | guard, and where | without it | now | SwiftShader |", "|---|---|---|---|---|"]
     for effect in EFFECTS:
         for case in effect.cases.hard:
