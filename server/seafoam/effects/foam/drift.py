@@ -347,7 +347,7 @@ def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that stands in for a look's where its mask is carried, and what it needs."""
     exact = quality.drift == "exact"
     ways = ("foam/drift/way_exact.glsl",) if exact else ("lib/bilinear.glsl", "foam/drift/way_map.glsl")
-    return "foam/drift/carried.glsl", (*ways, Source(look, (("foam_amount", "still_amount"),)))
+    return "foam/drift/carried.glsl", (*ways, "foam/cover.glsl", Source(look, (("foam_amount", "still_amount"),)))
 
 
 def turning(vortex: Vortex) -> float:

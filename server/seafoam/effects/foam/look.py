@@ -182,8 +182,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         targets, passes = mask_atlas.targets(masks), mask_atlas.passes(masks)
     look = f"foam/look/{foam.look}.glsl"
     if masked and cells:
-        needs += (Source(look, (("foam_amount", "cell_amount"),)),)
-        look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
+        blended = foam.look == "filtered"
+        needs += (*(("foam/cover.glsl",) if blended else ()), Source(look, (("foam_amount", "cell_amount"),)))
+        look = "foam/cells_blended.glsl" if blended else "foam/cells.glsl"
     if drift.carries(scene, quality):
         look, own = drift.carried(look, quality)
         needs += own

@@ -132,7 +132,7 @@ _HARD = (
             foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
             light=None,
         ),
-        guard="what is left free held at 1/256 under the power and led to 0 evenly (foam/cells_blended.glsl)",
+        guard="what is left free held at 1/256 under the power and led to 0 evenly (foam/cover.glsl)",
         without="the power's slope is endless at 0: foam off by 0.28 where s is 1 to rounding",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
