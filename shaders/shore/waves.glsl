@@ -57,7 +57,7 @@ vec2 shore_carried(ShoreField f, float turn) {
 
 vec2 shore_tilt; // gradient of the surface where it was shaded last
 
-// The same without what is smaller than the footprint, and the mean square slope taken out.
+// The same without what is smaller than the footprint, and the unresolved mean square slope.
 vec4 waves_shading(vec2 p, Footprint fp) {
     vec4 sea = open_shading(p, fp);
     vec2 q = shore_place(p);

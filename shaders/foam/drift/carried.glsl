@@ -1,4 +1,4 @@
-// The look's mask carried by the flow: two copies, each let go every second brood and carried until the next of its kind is there.
+// The look's mask carried by the flow: two copies, each let go every second generation and carried until the next of its kind is there.
 // Each thins its foam, and what neither covers stays free (foam/cover.glsl).
 float foam_amount(float f, vec2 p, Footprint fp) {
     vec2 q = p + u_drift_place;
@@ -7,8 +7,8 @@ float foam_amount(float f, vec2 p, Footprint fp) {
     vec4 along_x;
     vec4 along_z;
     drift_ways(q, way, along_x, along_z);
-    float grown = sin(0.5 * PI / DRIFT_BROOD * drift_age(0));
-    bool odd = (drift_brood(0) & 1u) == 1u;
+    float grown = sin(0.5 * PI / DRIFT_GENERATION * drift_age(0));
+    bool odd = (drift_generation(0) & 1u) == 1u;
     // Beyond the square the even copy alone is left, where it would be without any flow.
     float share = rim * (odd ? grown * grown : 1.0 - grown * grown);
     vec2 left = cover_free(clamp(f, 0.0, 1.0));

@@ -26,12 +26,12 @@ from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.foam import DriftSaturation, Foam
 from seafoam.scene.models import Scene
 
-BROODS = 4
-"""Broods of patches that are alive together."""
+GENERATIONS = 4
+"""Generations of patches that are alive together."""
 PARTS = 4
-"""Parts of a brood at which ways back are known beforehand: a frame follows the rest, an eighth in the mean."""
+"""Parts of a generation at which ways back are known beforehand: a frame follows the rest, an eighth in the mean."""
 COUNTED = 1024
-"""Broods after which the same patches come up again."""
+"""Generations after which the same patches come up again."""
 REACH = (3.0, 6.0)
 """Radii from which a vortex fades, and where it ends."""
 PEAK = 1.25643121
@@ -69,15 +69,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             why="no flow to carry foam",
             bound=Bound(0.0, "there is no drift"),
         )
-    brood = source.life / BROODS
-    broods = min(max(math.ceil(quality.drift_window / brood), 1), BROODS)
+    generation = source.life / GENERATIONS
+    generations = min(max(math.ceil(quality.drift_window / generation), 1), GENERATIONS)
     fastest = _fastest(drift, source)
     longest = min(quality.drift_step, STEP_TURN * min(quality.drift_step, 1.0) / max(fastest, 1e-6))
-    steps = math.ceil(brood / longest)
+    steps = math.ceil(generation / longest)
     bound = (
         Bound(0.0, "its foam has no amount", (f"/foam/saturation/{index}/amount",)) if source.amount == 0.0 else None
     )
-    given = _Given(scene, scene.foam, drift, source, quality, brood, broods, steps)
+    given = _Given(scene, scene.foam, drift, source, quality, generation, generations, steps)
     common: dict[str, Uniform] = {
         **given.square,
         **given.clock,
@@ -86,7 +86,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     }
     if quality.drift == "exact":
         return Contribution(
-            why=f"patches of {source.life:g} s followed back in {broods * steps} steps, at each sample",
+            why=f"patches of {source.life:g} s followed back in {generations * steps} steps, at each sample",
             slots=(
                 SlotFile(
                     "saturation",
@@ -148,20 +148,20 @@ class _Given:
         drift: Drift,
         source: DriftSaturation,
         quality: Quality,
-        brood: float,
-        broods: int,
+        generation: float,
+        generations: int,
         steps: int,
     ) -> None:
         self.forward = quality.drift == "forward"
         self.size = min(quality.drift_size, POINTS_SIDE) if self.forward else quality.drift_size
-        self.moves = min(broods * steps, MOVES)
+        self.moves = min(generations * steps, MOVES)
         vortices = drift.vortices or (Vortex(place=drift.place, speed=0.0),)
         self.consts: dict[str, Const] = {
             "DRIFT_VORTICES": len(vortices),
             "DRIFT_REACH_FROM": REACH[0],
             "DRIFT_REACH": REACH[1],
-            "DRIFT_BROOD": brood,
-            "DRIFT_BROODS": broods,
+            "DRIFT_GENERATION": generation,
+            "DRIFT_GENERATIONS": generations,
             "DRIFT_STEPS": steps,
             "DRIFT_MOVES": self.moves,
             "DRIFT_SIZE": self.size,
@@ -175,7 +175,7 @@ class _Given:
         }
         steady = steady_drift(scene)
         self.square = {"u_drift_half": number(0.5 * drift.size)}
-        self.clock = {"u_drift_clock": array("vec2", [Loop(period=COUNTED * brood), Loop(period=brood)], 1)}
+        self.clock = {"u_drift_clock": array("vec2", [Loop(period=COUNTED * generation), Loop(period=generation)], 1)}
         self.flow = {
             "u_drift_steady": vector((significant(steady[0]), significant(steady[1]))),
             "u_drift_vortex": array(
@@ -251,7 +251,7 @@ class _Given:
         still = (*_NUMBERS, *_FLOW_MAP, "foam/drift/ago.glsl")
         return (
             PassSpec(
-                name="drift, quarters of a brood back",
+                name="drift, quarters of a generation back",
                 program="drift_still",
                 fragment=(*still, "foam/drift/still_pass.glsl"),
                 target="drift_still",
@@ -259,7 +259,7 @@ class _Given:
                 uniforms={**self.square, **self.texel},
             ),
             PassSpec(
-                name="drift, two broods further back",
+                name="drift, two generations further back",
                 program="drift_still_older",
                 fragment=(*still, "foam/drift/still_older_pass.glsl"),
                 target="drift_older",
@@ -322,7 +322,7 @@ class _Given:
                 ),
                 fragment=("foam/drift/forward_pass.glsl",),
                 target=order[(i + 1) % 2],
-                mesh=Points(count=BROODS * self.size * self.size),
+                mesh=Points(count=GENERATIONS * self.size * self.size),
                 inputs={
                     "u_drift_flow": TargetInput(target="drift_flow"),
                     "u_drift_from": TargetInput(target=order[i % 2]),

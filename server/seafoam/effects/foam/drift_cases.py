@@ -72,7 +72,7 @@ _HARD = (
     HardCase(
         name="drifting foam a thousand million seconds from now",
         scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
-        guard="ages and the count of broods reduced in float64 (framegraph/evaluation.py)",
+        guard="ages and the count of generations reduced in float64 (framegraph/evaluation.py)",
         without="in float32 the time is a multiple of 64 s: every age off by up to a life",
         times=(-1e9, 1e9 + 3.1),
         camera=_VIEW,

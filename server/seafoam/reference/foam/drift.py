@@ -19,7 +19,7 @@ from seafoam.scene.drift import Vortex
 from seafoam.scene.foam import DriftSaturation
 from seafoam.scene.models import Scene
 
-BROODS = 4
+GENERATIONS = 4
 COUNTED = 1024
 PEAK = 1.2564312086261697
 """y with e^y = 1 + 2y."""
@@ -119,13 +119,13 @@ def drift_saturation(
     rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
     result = np.zeros_like(x)
     inside = np.flatnonzero(rim > 0.0)
-    brood = Fraction(source.life) / BROODS
-    number = math.floor(Fraction(time) / brood)
-    youngest = float(Fraction(time) - number * brood)
+    generation = Fraction(source.life) / GENERATIONS
+    number = math.floor(Fraction(time) / generation)
+    youngest = float(Fraction(time) - number * generation)
     at_x, at_z = q_x[inside], q_z[inside]
-    for j in range(BROODS):
-        at_x, at_z = flow.back(at_x, at_z, youngest if j == 0 else float(brood))
-        age = youngest + j * float(brood)
+    for j in range(GENERATIONS):
+        at_x, at_z = flow.back(at_x, at_z, youngest if j == 0 else float(generation))
+        age = youngest + j * float(generation)
         share = math.sin(math.pi * age / source.life) ** 2
         result[inside] += share * patch(source, (number - j) % COUNTED, at_x, at_z)
     return source.amount * rim * result
@@ -159,15 +159,15 @@ def copies(
     q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
     q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
     rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
-    brood = Fraction(source.life) / BROODS
-    number = math.floor(Fraction(time) / brood)
-    youngest = float(Fraction(time) - number * brood)
+    generation = Fraction(source.life) / GENERATIONS
+    number = math.floor(Fraction(time) / generation)
+    youngest = float(Fraction(time) - number * generation)
     inside = np.flatnonzero(rim > 0.0)
-    grown = math.sin(0.5 * math.pi * youngest / float(brood)) ** 2
-    # Of the copy of the odd brood; beyond the square the other is left alone.
+    grown = math.sin(0.5 * math.pi * youngest / float(generation)) ** 2
+    # Of the copy of the odd generation; beyond the square the other is left alone.
     share = rim * (grown if number % 2 == 1 else 1.0 - grown)
     made = []
-    for i, seconds in enumerate((youngest, youngest + float(brood))):
+    for i, seconds in enumerate((youngest, youngest + float(generation))):
         odd = (number - i) % 2 == 1
         apart = tuple(share * tile if odd else 0.0 for share in APART)
         away, turn = np.zeros((x.size, 2)), np.tile(np.eye(2), (x.size, 1, 1))
@@ -192,9 +192,9 @@ def _rim(share: Floats) -> Floats:
     return 1.0 - smoothstep(RIM, 1.0, np.abs(share))
 
 
-def patch(source: DriftSaturation, brood: int, x: Floats, z: Floats) -> Floats:
-    """What came up of a brood at (x, z), m from the square's middle; (r,) in [0, 1]."""
-    key = int(pcg(np.uint64(source.seed) ^ pcg(np.array([brood], np.uint64)))[0])
+def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Floats:
+    """What came up of a generation at (x, z), m from the square's middle; (r,) in [0, 1]."""
+    key = int(pcg(np.uint64(source.seed) ^ pcg(np.array([generation], np.uint64)))[0])
     total = np.zeros_like(x)
     for i, (weight, frequency, turned) in enumerate(OCTAVES):
         u, v = x / source.patch, z / source.patch
