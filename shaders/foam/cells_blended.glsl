@@ -1,6 +1,5 @@
 // A look in cells, each with its own turn of the mask. Where cells meet each thins its foam, and what neither covers stays free:
-// masks that know nothing of each other leave (1 - s1)(1 - s2) free, which is 1 - s for 1 - si = (1 - s)^wi, w1 + w2 + w3 = 1.
-// So no foam turns grey between cells, and the share that is covered is s everywhere.
+// foam/cover.glsl. So no foam turns grey between cells, and the share that is covered is s everywhere.
 float foam_amount(float f, vec2 p, Footprint fp) {
     ivec2 corner[3];
     vec2 way[3];
@@ -11,10 +10,7 @@ float foam_amount(float f, vec2 p, Footprint fp) {
     weight *= weight;
     weight *= weight;
     weight /= weight.x + weight.y + weight.z;
-    float left = 1.0 - clamp(f, 0.0, 1.0);
-    // A power below 1 has an endless slope at 0: held there, and led to 0 evenly, so that all is covered where s is 1.
-    float held = max(left, 1.0 / 256.0);
-    float last = smoothstep(0.0, 1.0 / 256.0, left);
+    vec2 left = cover_free(clamp(f, 0.0, 1.0));
     float free = 1.0;
     // As many rounds as cells count here, asked at the end: drivers without branches would go through all three.
     do {
@@ -22,7 +18,7 @@ float foam_amount(float f, vec2 p, Footprint fp) {
         bool second = !first && weight.y > 0.0;
         float part = first ? weight.x : second ? weight.y : weight.z;
         cell_enter(first ? corner[0] : second ? corner[1] : corner[2], first ? way[0] : second ? way[1] : way[2]);
-        free *= 1.0 - cell_amount(1.0 - pow(held, part) * last, p, fp);
+        free *= 1.0 - cell_amount(cover_part(left, part), p, fp);
         weight = first ? vec3(0.0, weight.yz) : second ? vec3(0.0, 0.0, weight.z) : vec3(0.0);
     } while (weight.x + weight.y + weight.z > 0.0);
     return 1.0 - free;

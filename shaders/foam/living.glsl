@@ -7,11 +7,9 @@ float lying_amount(float s, float f, vec2 lying, Footprint fp) {
         float age = clamp(-log(max(f, 1e-6)) / FOAM_AGE, 0.0, float(FOAM_MASKS - 1));
         foam_mask = min(int(age), FOAM_MASKS - 2);
         float share = smoothstep(0.35, 0.65, age - float(foam_mask));
-        float left = 1.0 - s;
-        float held = max(left, 1.0 / 256.0);
-        float last = smoothstep(0.0, 1.0 / 256.0, left);
-        foam_older = share > 0.0 ? 1.0 - pow(held, share) * last : 0.0;
-        s = 1.0 - pow(held, 1.0 - share) * last;
+        vec2 left = cover_free(s);
+        foam_older = share > 0.0 ? cover_part(left, share) : 0.0;
+        s = cover_part(left, 1.0 - share);
         if (share >= 1.0) {
             s = foam_older;
             foam_older = 0.0;

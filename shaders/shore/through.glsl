@@ -14,7 +14,7 @@ float floor_path(vec2 q, float height, vec3 d, vec3 n, out vec2 at) {
     return under * (1.0 + 1.0 / fall);
 }
 
-void look_through(vec2 p, float height, vec3 d, vec3 normal, float lost, Footprint fp) {
+void look_through(vec2 p, float height, vec3 d, vec3 normal, float unresolved, Footprint fp) {
     vec2 at;
     shore_path = floor_path(shore_place(p), height, d, normal, at);
     shore_albedo = ground_albedo(shore_floor(at), shore_grain(at, fp));

@@ -48,9 +48,16 @@ vec3 waves(vec2 p) {
     return sum;
 }
 
+// How far the water where the waves turn by `turn` (periods) has been carried from where it rests: to and fro along the gradient of the
+// waves' phase, m.
+vec2 shore_carried(ShoreField f, float turn) {
+    vec2 out_to_sea = vec2(f.along_x.r, f.along_z.r);
+    return 1.5 * f.here.g * sin(TAU * turn) / max(length(out_to_sea), 1e-6) * out_to_sea;
+}
+
 vec2 shore_tilt; // gradient of the surface where it was shaded last
 
-// The same without what is smaller than the footprint, and the mean square slope taken out.
+// The same without what is smaller than the footprint, and the unresolved mean square slope.
 vec4 waves_shading(vec2 p, Footprint fp) {
     vec4 sea = open_shading(p, fp);
     vec2 q = shore_place(p);

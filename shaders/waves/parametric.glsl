@@ -62,7 +62,7 @@ vec2 parametric_signal_z;
 // What carries foam reads of it: the way to where its water rests, m; on land, where no wave is shaded, 0.
 vec2 parametric_carried = vec2(0.0);
 
-// Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
+// Height and gradient without what is smaller than the footprint, and the unresolved mean square slope.
 vec4 parametric_shading(vec2 p, Footprint fp) {
     vec4 sum = vec4(0.0);
     parametric_signal = vec2(0.0);

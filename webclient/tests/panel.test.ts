@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { choiceControls, type Control, controlOf, schemaNamed } from "../src/panel/model";
 import { toDisplayed, fromDisplayed } from "../src/panel/values";
-import { isObject, type Json, type JsonObject } from "../src/scene/json";
+import { isObject, type Json, type JsonObject, withValue } from "../src/scene/json";
 
 /** A schema with every shape that pydantic writes, about nothing that a scene holds. */
 const root: JsonObject = {
@@ -33,7 +33,15 @@ const root: JsonObject = {
               oneOf: [{ $ref: "#/components/schemas/A" }, { $ref: "#/components/schemas/B" }],
             },
           },
+          extensions: { $ref: "#/components/schemas/Extensions", default: {} },
           lone: { type: "array", minItems: 1, default: [], items: { $ref: "#/components/schemas/A" } },
+        },
+      },
+      Extensions: {
+        type: "object",
+        additionalProperties: false,
+        properties: {
+          rows: { anyOf: [{ type: "object", properties: { spacing: { type: "number", minimum: 1, maximum: 500, default: 14 } } }, { type: "null" }] },
         },
       },
       Part: { type: "object", properties: { size: { type: "number", minimum: 0, maximum: 4, default: 2 } } },
@@ -56,6 +64,14 @@ function model(value: Json = thing): Map<string, Control> {
 }
 
 describe("a schema becomes a panel", () => {
+  it("with a switch for a part of an effect outside the package, which the scene need not have", () => {
+    const group = model().get("extensions");
+    if (group?.kind !== "group") throw new Error("no group");
+    const [rows] = group.children;
+    expect(rows).toMatchObject({ kind: "optional", pointer: "/extensions/rows", inner: null, initial: { spacing: 14 } });
+    const on = withValue(thing, "/extensions/rows", { spacing: 14 });
+    expect(on).toMatchObject({ share: 0.2, extensions: { rows: { spacing: 14 } } });
+  });
   it("with a slider for a bounded number", () => {
     expect(model().get("share")).toMatchObject({ kind: "number", min: 0, max: 1, hint: "How much", logarithmic: false, angle: false });
     expect(model().get("count")).toMatchObject({ kind: "number", step: 1 });

@@ -17,7 +17,7 @@ NO_BUBBLES = Inline(
 NO_CLOUDS = Inline("vec4 clouds(vec3 d, float blur, out float hidden) {\n    hidden = 0.0;\n    return vec4(0.0);\n}\n")
 NO_CREST_LIGHT = constant_function("vec3", "crest_light", "vec3 d, vec3 absorption, float height")
 NO_FLOOR = Inline(
-    "void look_through(vec2 p, float height, vec3 d, vec3 normal, float lost, Footprint fp) {\n}\n",
+    "void look_through(vec2 p, float height, vec3 d, vec3 normal, float unresolved, Footprint fp) {\n}\n",
 )
 NO_FLOOR_BELOW = constant_function("float", "bed_reach", "vec2 p, float y, vec3 d", "1e6")
 NO_FLOOR_LIGHT = constant_function("vec3", "bed_light", "vec2 at, float down, Footprint fp")

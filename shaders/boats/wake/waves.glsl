@@ -19,7 +19,7 @@ vec3 wakes_waves(vec2 p) {
     return wake_sum(p).xyz;
 }
 
-// The same with what is smaller than the footprint taken out, and the mean square slope taken out.
+// The same without what is smaller than the footprint, and the unresolved mean square slope.
 vec4 wakes_shading(vec2 p, Footprint fp) {
     vec4 here = wake_sum(p);
     float kept = 1.0;

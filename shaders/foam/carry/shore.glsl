@@ -2,6 +2,5 @@
 vec2 carry(vec2 p) {
     vec2 open = open_carry(p);
     ShoreField f = shore_field(shore_place(p));
-    vec2 out_to_sea = vec2(f.along_x.r, f.along_z.r);
-    return f.here.a * open + 1.5 * f.here.g * sin(TAU * shore_turn(f.here.r)) / max(length(out_to_sea), 1e-6) * out_to_sea;
+    return f.here.a * open + shore_carried(f, shore_turn(f.here.r));
 }

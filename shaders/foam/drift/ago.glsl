@@ -7,9 +7,9 @@ vec2 drift_back(vec2 q, float h) {
     return q - h / 6.0 * (a + 2.0 * (b + c) + d);
 }
 
-// Where the water that is at q now was that many seconds ago, in steps as long as those of a brood or shorter.
+// Where the water that is at q now was that many seconds ago, in steps as long as those of a generation or shorter.
 vec2 drift_ago(vec2 q, float seconds) {
-    int steps = max(int(ceil(seconds * (float(DRIFT_STEPS) / DRIFT_BROOD) - 1e-3)), 1);
+    int steps = max(int(ceil(seconds * (float(DRIFT_STEPS) / DRIFT_GENERATION) - 1e-3)), 1);
     float h = seconds / float(steps);
     for (int i = 0; i < steps; ++i) {
         q = drift_back(q, h);

@@ -1,4 +1,4 @@
-// Where it was when the next older brood came up. The youngest brood's way is shorter than a brood, the others' one each.
+// Where it was when the next older generation came up. The youngest generation's way is shorter than a generation, the others' one each.
 vec2 drift_origin(vec2 q, int j) {
-    return drift_ago(q, j == 0 ? u_drift_clock.y : DRIFT_BROOD);
+    return drift_ago(q, j == 0 ? u_drift_clock.y : DRIFT_GENERATION);
 }

@@ -1,5 +1,5 @@
 // Forward mapping, one step (particle maps): the foam of a cell goes from the cell's middle along the flow into the cell where it ends. A
-// step shorter than half a cell leads nowhere, and cells that no way leads to stay empty. One point a cell and brood.
+// step shorter than half a cell leads nowhere, and cells that no way leads to stay empty. One point a cell and generation.
 uniform sampler2D u_drift_from;
 uniform float u_drift_texel; // m
 flat out vec4 v_foam;

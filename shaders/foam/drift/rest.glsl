@@ -1,6 +1,6 @@
-// From where the water was whole quarters of a brood ago (foam/drift/still_pass.glsl) to where it was when its brood came up.
+// From where the water was whole quarters of a generation ago (foam/drift/still_pass.glsl) to where it was when its generation came up.
 int drift_part() {
-    return clamp(int(u_drift_clock.y * (float(DRIFT_PARTS) / DRIFT_BROOD)), 0, DRIFT_PARTS - 1);
+    return clamp(int(u_drift_clock.y * (float(DRIFT_PARTS) / DRIFT_GENERATION)), 0, DRIFT_PARTS - 1);
 }
 
 ivec2 drift_still_texel() {
@@ -8,5 +8,5 @@ ivec2 drift_still_texel() {
 }
 
 vec2 drift_rest(vec2 still) {
-    return drift_ago(still, max(u_drift_clock.y - float(drift_part()) * (DRIFT_BROOD / float(DRIFT_PARTS)), 0.0));
+    return drift_ago(still, max(u_drift_clock.y - float(drift_part()) * (DRIFT_GENERATION / float(DRIFT_PARTS)), 0.0));
 }

@@ -1,6 +1,6 @@
-// The ways back to where the two youngest broods came up, m: r, g the youngest's, b, a the next.
+// The ways back to where the two youngest generations came up, m: r, g the youngest's, b, a the next.
 uniform float u_drift_texel;     // m
-uniform sampler2D u_drift_still; // where it was whole quarters of a brood ago, and a brood before that
+uniform sampler2D u_drift_still; // where it was whole quarters of a generation ago, and a generation before that
 out vec4 o_way;
 
 void main() {

@@ -127,7 +127,7 @@ vec2 octave(vec2 uv) {
 }
 
 // What each octave's ramp leaves grey is thresholded by the next, as far as the footprint shows it; all and none stay. Where two masks
-// meet each thins its foam, and what neither covers stays free (foam/cells_blended.glsl). whole: the amount where all is covered.
+// meet each thins its foam, and what neither covers stays free (foam/cover.glsl). whole: the amount where all is covered.
 float filtered_coverage(float s, float whole, vec2 uv, vec2 uv_x, vec2 uv_y) {
     Footprint tiles = Footprint(uv_x, uv_y);
     vec2 place = uv;

@@ -1,4 +1,4 @@
-// Foam that drifts, read from its map: f = amount * sum of the broods' patches, in [0, DRIFT_CAP].
+// Foam that drifts, read from its map: f = amount * sum of the generations' patches, in [0, DRIFT_CAP].
 uniform sampler2D u_drift_map;
 uniform sampler2D u_drift_coarse;
 

@@ -1,7 +1,8 @@
-// Foam where the sea folds, and where it folded within the last seconds: f = sum of a_j clamp((threshold - F_j) / width, 0, 1), at most 1,
-// F = l div D, the Jacobian less 1 to first order. What the footprint lost of it is taken as normal. docs/formulae.md, section 4.
-uniform vec2 u_fold[2];         // threshold and width of folds now and earlier
-uniform vec3 u_fold_variance;   // of the fold, a mean square slope's worth, now and earlier; and the whole mean square slope
+// Foam where the sea folds, now and within the last seconds: f = sum of a_j clamp((threshold - F_j) / width, 0, 1), at most 1.
+// F = l div D, the divergence of the displacement: the Jacobian less 1 to first order. What the footprint does not resolve of it is taken
+// as normal. docs/formulae.md, section 4.
+uniform vec2 u_fold[2];         // threshold and width, now and earlier
+uniform vec3 u_fold_variance;   // of the divergence, a mean square slope's worth, now and earlier; and the whole mean square slope
 uniform float u_fold_clamped;   // share of summed foam that is left where sums are held at 1
 uniform float u_fold_share[FOLD_TIMES]; // of the foam of each time that is left
 
@@ -16,8 +17,8 @@ float fold_above(float t, float s) {
     return s * 0.398942280401433 * bell + (t / s > 6.0 ? t : s * x * share);
 }
 
-float fold_ramp(float fold, float deviation, vec2 limits) {
-    float over = limits.x - fold;
+float fold_ramp(float divergence, float deviation, vec2 limits) {
+    float over = limits.x - divergence;
     if (deviation < 0.02 * limits.y) {
         return clamp(over / limits.y, 0.0, 1.0);
     }
@@ -25,6 +26,6 @@ float fold_ramp(float fold, float deviation, vec2 limits) {
 }
 
 // Foam of all times together. Means over a footprint are not held at 1 one by one, so what that would take goes by its share.
-float fold_together(float f, float lost) {
-    return min(f * mix(1.0, u_fold_clamped, min(lost / u_fold_variance.z, 1.0)), 1.0);
+float fold_together(float f, float unresolved) {
+    return min(f * mix(1.0, u_fold_clamped, min(unresolved / u_fold_variance.z, 1.0)), 1.0);
 }

@@ -51,7 +51,7 @@ float front_saturation(vec2 p, float height, Footprint fp) {
     vec2 by_z;
     vec2 signal = front_signal(p, by_x, by_z);
     float rho2 = dot(signal, signal);
-    vec2 gradient = vec2(signal.x * by_x.y - signal.y * by_x.x, signal.x * by_z.y - signal.y * by_z.x) / max(rho2, 1e-4);
+    vec2 gradient = front_gradient(signal, by_x, by_z);
     float width = abs(dot(gradient, fp.x)) + abs(dot(gradient, fp.y));
     float psi = rho2 > 0.0 ? atan(signal.y, signal.x) : 0.0;
     front_seen(p, height, dot(gradient, p) / max(length(p), 1e-6), length(gradient), psi, width);

@@ -1,5 +1,10 @@
-// What the eye sees of a front. docs/formulae.md, section 4.
+// A front's phase, and what the eye sees of it. docs/formulae.md, section 4.
 uniform float u_front_relief; // slope amplitude of the sinusoid that is as steep as the waves
+
+// How fast the phase of a sum of waves changes along x and z, rad/m. signal: the sum; by_x, by_z: its derivatives.
+vec2 front_gradient(vec2 signal, vec2 by_x, vec2 by_z) {
+    return vec2(signal.x * by_x.y - signal.y * by_x.x, signal.x * by_z.y - signal.y * by_z.x) / max(dot(signal, signal), 1e-4);
+}
 
 // Waves hide their backs from a ray that falls by less than they do. psi and width: the phases under the footprint; out: those
 // of them that the eye sees. along: how fast psi grows along the view, rad/m; across: in any direction.

@@ -1,4 +1,4 @@
-// What the waves' normal lacks of upright: 1 - n.y. What the footprint has taken out of the slope still counts, by its mean square.
+// What the waves' normal lacks of upright: 1 - n.y. What the footprint does not resolve of the slope still counts, by its mean square.
 uniform float u_slope_gain;
 uniform float u_slope_base;
 

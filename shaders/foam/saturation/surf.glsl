@@ -12,7 +12,7 @@ float surf_saturation(vec2 p, float height, Footprint fp) {
     float turn = shore_turn(f.here.r);
     float breaking = smoothstep(0.45, 0.9, f.here.b) * smoothstep(0.12, 0.4, f.here.g * u_surf_scale);
     vec2 out_to_sea = vec2(f.along_x.r, f.along_z.r);
-    surf_carried = vec3(1.5 * f.here.g * sin(TAU * turn) / max(length(out_to_sea), 1e-6) * out_to_sea, f.here.a);
+    surf_carried = vec3(shore_carried(f, turn), f.here.a);
     vec2 front = surf_front(turn, out_to_sea, fp);
     float patches = surf_patches(q + surf_carried.xy, fp);
     // The last of the water runs off under its foam: what is thinner than a hand holds more of it.

@@ -1,10 +1,10 @@
 // Torn foam under a footprint: noise keeps of itself what its correlation, taken as normal, keeps in the mean over the footprint, and
-// the step that makes patches of it is as much wider as what was lost is spread. docs/formulae.md, section 8.
+// the step that makes patches of it is as much wider as what is not resolved varies. docs/formulae.md, section 8.
 
-// No noise yet: mean and lost variance.
+// No noise yet: mean and unresolved variance.
 const vec2 TORN_NONE = vec2(0.5, 0.0);
 
-// sum: mean and lost variance so far. share: of this noise in the sum; cell: its side, lengths as of the footprint.
+// sum: mean and unresolved variance so far. share: of this noise in the sum; cell: its side, lengths as of the footprint.
 vec2 torn_noise(vec2 sum, float share, float cell, float noise, Footprint fp) {
     // 3.23: mean square change of noise_value a cell over its variance, 0.046.
     float per = (3.23 / 12.0) / (cell * cell);

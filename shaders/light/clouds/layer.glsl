@@ -37,9 +37,9 @@ vec4 clouds(vec3 d, float blur, out float hidden) {
     vec2 level = u_cloud_toward.xz / max(length(u_cloud_toward.xz), 1e-6);
     float before = cloud_density(fractal_3(place + vec3(0.18 * level, 0.0), width, max(CLOUD_OCTAVES - 2, 1), uint(CLOUD_SEED)));
     // Cells too narrow to be told apart: their mean.
-    float lost = smoothstep(0.15, 0.6, width);
+    float unresolved = smoothstep(0.15, 0.6, width);
     float deep = u_cloud_shape.w * density;
-    hidden = seen * mix(1.0 - exp(-deep), u_cloud_mean, lost);
+    hidden = seen * mix(1.0 - exp(-deep), u_cloud_mean, unresolved);
     float gamma = dot(d, u_cloud_toward);
     float edge = mie_phase(gamma);
     float lit = 0.3 * (0.15 + 0.85 * exp(-0.5 * u_cloud_shape.w * before)) + 0.3 * edge * exp(-deep);

@@ -1,5 +1,5 @@
 // No light: water is black, foam white, as the paper's equations have them.
-vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height, float f) {
+vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 unresolved, float height, float f) {
     return vec3(0.0);
 }
 

@@ -8,8 +8,8 @@ vec3 below_bed(vec2 p, float y, vec3 d, float reach, Footprint fp) {
 
 // Light that comes down along -d through the surface, or is mirrored in it. n: its normal, up; p, y: the place, `so_far` metres
 // from the eye.
-vec3 below_ceiling(vec3 d, vec3 n, float lost, vec2 p, float y, float so_far, Footprint fp) {
-    float sigma2 = u_roughness * u_roughness + lost;
+vec3 below_ceiling(vec3 d, vec3 n, float unresolved, vec2 p, float y, float so_far, Footprint fp) {
+    float sigma2 = u_roughness * u_roughness + unresolved;
     float nv = max(dot(n, d), 0.0);
     float cv2 = min(nv * nv + sigma2 * (1.0 - nv * nv), 1.0);
     // Past the critical angle nothing comes through.
@@ -29,7 +29,7 @@ vec3 below_ceiling(vec3 d, vec3 n, float lost, vec2 p, float y, float so_far, Fo
     // On its way on the footprint grows, and what it took out of the mirror blurs it.
     float way = bed_reach(p, y, mirrored);
     float wider = 1.0 + way / max(so_far, 1e-3);
-    float blur = 2.0 * sqrt(lost) * way;
+    float blur = 2.0 * sqrt(unresolved) * way;
     fp = Footprint(wider * fp.x + vec2(blur, 0.0), wider * fp.y + vec2(0.0, blur));
     vec3 down = below_bed(p, y, mirrored, way, fp);
     return (1.0 - reflectance) * (sky_light(through) + sun) + reflectance * down;

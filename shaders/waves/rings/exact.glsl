@@ -13,7 +13,7 @@ vec3 rings_waves(vec2 p) {
     return sum;
 }
 
-// Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
+// Height and gradient without what is smaller than the footprint, and the unresolved mean square slope.
 vec4 rings_shading(vec2 p, Footprint fp) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < RING_COUNT; ++i) {

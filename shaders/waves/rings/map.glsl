@@ -14,7 +14,7 @@ vec3 rings_waves(vec2 p) {
     return textureLod(u_ring_map, rings_uv(p), 0.0).xyz;
 }
 
-// Height and gradient with what is smaller than the footprint taken out, and the mean square slope taken out.
+// Height and gradient without what is smaller than the footprint, and the unresolved mean square slope.
 vec4 rings_shading(vec2 p, Footprint fp) {
     vec2 uv = rings_uv(p);
     vec3 here = textureLod(u_ring_map, uv, 0.0).xyz;

@@ -2,7 +2,7 @@
 uniform vec4 u_chop_wave[2 * CHOP_WAVES]; // k.x, k.z (rad/m), slope, band
 uniform float u_chop_phase[2 * CHOP_WAVES];
 
-// Gradient, and the mean square slope taken out.
+// Gradient, and the unresolved mean square slope.
 vec3 chop_detail(vec2 p, Footprint fp) {
     vec4 kept = vec4(chop_kept(0, fp), chop_kept(1, fp), chop_kept(2, fp), chop_kept(3, fp));
     vec2 slope = vec2(0.0);

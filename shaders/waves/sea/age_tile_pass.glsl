@@ -1,4 +1,4 @@
-// Folds of earlier times, carried to where their water is now: bilinear between texels, which lie twice as far apart as the sea's.
+// Divergence at earlier times, carried to where their water is now: bilinear between texels, which lie twice as far apart as the sea's.
 // Four times over the next four, a tile over the next, a pass for each; each with its first row once more at its end, so that bilinear
 // reads need no wrap there.
 uniform sampler2D u_age_folds;

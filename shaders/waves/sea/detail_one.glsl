@@ -7,7 +7,7 @@ vec2 sea_place_2(vec2 p) {
     return p / u_sea_size_2 + u_sea_offset_2;
 }
 
-// Gradient, and the mean square slope taken out.
+// Gradient, and the unresolved mean square slope.
 vec3 sea_detail(vec2 p, Footprint fp) {
     return sea_seen(u_sea_seen_2, u_sea_size_2, sea_place_2(p), fp).xyz;
 }

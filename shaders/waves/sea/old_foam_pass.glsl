@@ -1,5 +1,5 @@
 // Foam that the waves of the largest tile left at 16 times long ago, on the water that was there, where that water is now:
-// sum of a_j clamp((threshold - F_j) / width, 0, 1). Folds: four times over the next four, bilinear between texels.
+// sum of a_j clamp((threshold - F_j) / width, 0, 1). Divergence: four times over the next four, bilinear between texels.
 uniform sampler2D u_old_folds;
 uniform vec2 u_old_fold;     // threshold and width
 uniform vec4 u_old_share[4]; // of the foam of each time that is left

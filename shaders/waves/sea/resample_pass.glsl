@@ -1,5 +1,5 @@
 // From displaced water to a height field: x + l D(x) = p solved at each corner p of the tile by Newton's method on a cubic B-spline.
-// Writes height about 0 (m), slopes, and the fold l div D, the Jacobian less 1 to first order. docs/formulae.md, section 2.
+// Writes height about 0 (m), slopes, and the divergence l div D, the Jacobian less 1 to first order. docs/formulae.md, section 2.
 uniform sampler2D u_sea_displaced; // spline coefficients of (h, Dx, Dz), tiles side by side
 uniform float u_sea_block;         // which of the tiles
 uniform float u_sea_texel;         // m

@@ -1,4 +1,4 @@
-// A tile as footprints see it, twice as fine: slopes, their square, fold. Between its texels by the B-spline; the levels below it
+// A tile as footprints see it, twice as fine: slopes, their square, divergence. Between its texels by the B-spline; the levels below it
 // are means over more and more of them.
 uniform sampler2D u_sea_full;
 out vec4 o_seen;

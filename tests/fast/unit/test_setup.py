@@ -18,7 +18,7 @@ from support.probe import WHOLE
 STANDARD = TIERS["standard"]
 SHORES = [name for name in preset_names() if load_preset(name).scene.shore is not None]
 
-FLOWING = ("flow of drift", "drift, quarters of a brood back", "drift, two broods further back")
+FLOWING = ("flow of drift", "drift, quarters of a generation back", "drift, two generations further back")
 
 FIXED = Target.model_validate({"size": {"rule": "fixed", "width": 4, "height": 4}, "format": "RGBA16F"})
 SHADER = assemble(
@@ -124,7 +124,7 @@ def test_the_flow_of_drift_and_the_ways_along_it_are_drawn_once() -> None:
     plan = make_plan(load_preset("drift-vortices").scene, STANDARD)
     when = {one.name: one.when for one in plan.passes}
     assert when["flow of drift"] == "setup"
-    assert when["drift, quarters of a brood back"] == when["drift, two broods further back"] == "setup"
+    assert when["drift, quarters of a generation back"] == when["drift, two generations further back"] == "setup"
     assert when["drift, ways of the youngest"] == when["drift, followed back"] == "frame"
     assert plan.kept.keys() == {"drift_flow", "drift_still", "drift_older", "mask_atlas"}
 

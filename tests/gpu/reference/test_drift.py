@@ -106,11 +106,11 @@ def texels(size: int, side: float) -> tuple[Floats, Floats]:
 def generations(scene: Scene, time: float, x: Floats, z: Floats) -> Floats:
     """The four generations at places from the square's middle by the reference, (r, 4)."""
     flow = truth.flow_of(scene)
-    interval = SOURCE.life / 4.0
-    number, youngest = math.floor(time / interval), time % interval
+    generation = SOURCE.life / 4.0
+    number, youngest = math.floor(time / generation), time % generation
     found = []
     for j in range(4):
-        x, z = flow.back(x, z, youngest if j == 0 else interval)
+        x, z = flow.back(x, z, youngest if j == 0 else generation)
         found.append(truth.patch(SOURCE, (number - j) % 1024, x, z))
     return np.stack(found, axis=-1)
 
@@ -271,7 +271,7 @@ def test_backward_is_one_everywhere_where_forward_gaps_and_piles(executor: Execu
         quality = STANDARD.model_copy(update={"drift": ways, "drift_size": 128})
         found[ways] = drawn(executor, scene, quality, 34.9)[inner, inner]
         if ways == "backward":
-            # A generation of such large patches covers nearly everything or nearly nothing.
+            # A generation of so large patches is nearly everywhere or nearly nowhere.
             full = np.flatnonzero(found[ways].mean(axis=(0, 1)) > 0.999)
             assert full.size > 0
         found[ways] = found[ways][..., full]
@@ -296,7 +296,7 @@ def test_forward_foam_sticks_below_half_a_cell_a_step(executor: Executor) -> Non
     assert (drawn(executor, slow, backward, 33.0) != drawn(executor, STILL, backward, 33.0)).any()
 
 
-def test_nothing_jumps_when_a_generation_appears(probe: Probe) -> None:
+def test_nothing_jumps_when_a_generation_comes_up(probe: Probe) -> None:
     """The oldest has gone and the youngest has not begun: sin² is 0 at both ends, and 2 together at any time."""
     at = places(2000, 15.0) + np.array([0.0, -30.0])
     body = f"y.x = drift_saturation(x.xy, 0.0, {FOOTPRINT}); y.y = dot(drift_shares(), vec4(1.0));"
@@ -318,7 +318,7 @@ def test_a_window_shorter_than_a_life_ends_smoothly(probe: Probe) -> None:
     # What drifts by changes a place by itself; the window's end adds its slope, 0.5 a second.
     assert moved["cut"] < moved["whole"] + 0.05
     assert all(shares[:, 1].max() < 2.0 for shares in found["cut"])
-    assert given(SCENE, cut).consts["DRIFT_BROODS"] == 3
+    assert given(SCENE, cut).consts["DRIFT_GENERATIONS"] == 3
 
 
 def test_waves_carry_as_far_as_their_orbits_do_not_close() -> None:

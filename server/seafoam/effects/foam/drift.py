@@ -138,8 +138,8 @@ class _Advection:
             "DRIFT_VORTICES": len(vortices),
             "DRIFT_REACH_FROM": REACH[0],
             "DRIFT_REACH": REACH[1],
-            "DRIFT_BROOD": interval,
-            "DRIFT_BROODS": generations,
+            "DRIFT_GENERATION": interval,
+            "DRIFT_GENERATIONS": generations,
             "DRIFT_STEPS": steps,
             "DRIFT_MOVES": self.moves,
             "DRIFT_SIZE": self.size,
@@ -214,7 +214,7 @@ class _Advection:
         still = (*_NUMBERS, *_FLOW_MAP, "foam/drift/ago.glsl")
         return (
             PassSpec(
-                name="drift, quarters of a brood back",
+                name="drift, quarters of a generation back",
                 program="drift_still",
                 fragment=(*still, "foam/drift/still_pass.glsl"),
                 target="drift_still",
@@ -222,7 +222,7 @@ class _Advection:
                 uniforms={**self.square, **self.texel},
             ),
             PassSpec(
-                name="drift, two broods further back",
+                name="drift, two generations further back",
                 program="drift_still_older",
                 fragment=(*still, "foam/drift/still_older_pass.glsl"),
                 target="drift_older",
@@ -312,7 +312,7 @@ def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file where the flow advects the mask, and the files that it needs."""
     exact = quality.drift == "exact"
     paths = ("foam/drift/way_exact.glsl",) if exact else ("lib/bilinear.glsl", "foam/drift/way_map.glsl")
-    return "foam/drift/carried.glsl", (*paths, Source(look, (("foam_amount", "still_amount"),)))
+    return "foam/drift/carried.glsl", (*paths, "foam/cover.glsl", Source(look, (("foam_amount", "still_amount"),)))
 
 
 def turning(vortex: Vortex) -> float:

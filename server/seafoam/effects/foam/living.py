@@ -39,7 +39,7 @@ def carries(scene: Scene) -> bool:
 def living(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
     """The file that replaces a look's file for foam with a history, and the files that it needs."""
     rows: tuple[Piece, ...] = (*PERLIN_2, "foam/windrows.glsl") if life.windrows > 0.0 else (_NO_WINDROWS,)
-    return "foam/living.glsl", (*rows, Source(look, (("foam_amount", "young_amount"),)))
+    return "foam/living.glsl", (*rows, "foam/cover.glsl", Source(look, (("foam_amount", "young_amount"),)))
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:

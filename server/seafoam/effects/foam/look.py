@@ -241,8 +241,9 @@ def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[P
     look, life = f"foam/look/{foam.look}.glsl", foam_life(scene)
     needs: tuple[Piece, ...] = ()
     if _cells(scene, foam):
-        needs += (Source(look, (("foam_amount", "cell_amount"),)),)
-        look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
+        blended = foam.look == "filtered"
+        needs += (*(("foam/cover.glsl",) if blended else ()), Source(look, (("foam_amount", "cell_amount"),)))
+        look = "foam/cells_blended.glsl" if blended else "foam/cells.glsl"
     if drift.carries(scene, quality):
         look, own = drift.carried(look, quality)
         needs += own

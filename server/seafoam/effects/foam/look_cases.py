@@ -133,7 +133,7 @@ _HARD = (
             foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
             light=None,
         ),
-        guard="base of the power at least 1/256, below that linear to 0 (foam/cells_blended.glsl)",
+        guard="base of the power at least 1/256, below that linear to 0 (foam/cover.glsl)",
         without="the power has infinite slope at 0: foam off by 0.28 where s rounds to 1",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
