@@ -66,7 +66,7 @@ def by_hand() -> tuple[ByHand, ...]:
     wave = wake.model_copy(
         update={
             "foam": wake.foam.model_copy(update={"look": "halftone"}),
-            "water": wake.water.model_copy(update={"chop": None}),
+            "water": wake.water.model_copy(update={"ripples": None}),
         }
     )
     return (

@@ -73,7 +73,7 @@ def views() -> tuple[View, ...]:
             "camera": Camera(position=(0.0, 4.0, 0.0), pitch=-math.pi / 2, fov=0.9),
         }
     )
-    bare = flat.model_copy(update={"light": None, "water": flat.water.model_copy(update={"chop": None})})
+    bare = flat.model_copy(update={"light": None, "water": flat.water.model_copy(update={"ripples": None})})
     return (
         View("sea", f"preset {PRESET}", sea, 21, 60.0),
         View("flat", "a flat sea from 4 m straight above, half covered, lit, with ripples", flat, 40, 20.0),

@@ -27,7 +27,7 @@ from seafoam.planner.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUC
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 SWITCH = "u_uber_"
@@ -212,13 +212,13 @@ def _variants(quality: Quality, exact_ripples: bool) -> list[tuple[Scene, Qualit
         Scene(
             waves=(ParametricWave(),),
             foam=Foam(saturation=(FrontSaturation(), HeightSaturation()), look=look, texture=0.5, fade=0.5),
-            water=Water(depth=2.0, chop=Chop(), aeration=0.1),
+            water=Water(depth=2.0, ripples=Ripples(), aeration=0.1),
         )
         for look in get_args(Look)
     ]
     found = [(scene, quality) for scene in scenes]
     if exact_ripples:
-        found.append((scenes[0], quality.model_copy(update={"chop": "exact"})))
+        found.append((scenes[0], quality.model_copy(update={"ripples": "exact"})))
     return found
 
 

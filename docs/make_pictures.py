@@ -105,7 +105,7 @@ def drift(executor: Executor) -> Image.Image:
     place = scene.drift.place if scene.drift is not None else (0.0, 0.0)
     above = scene.camera.model_copy(update={"position": (place[0], 30.0, place[1]), "yaw": 0.0, "pitch": -math.pi / 2})
     back = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
-    fine, forward = (back.model_copy(update=knobs) for knobs in ({"drift_size": 1024}, {"drift": "forward"}))
+    fine, forward = (back.model_copy(update=parameters) for parameters in ({"drift_size": 1024}, {"drift": "forward"}))
     shots = [(back, time, scene.camera) for time in (0.0, 5.0, 20.0)]
     shots += [(quality, 33.0, above) for quality in (fine, back, forward)]
     made = []

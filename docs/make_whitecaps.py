@@ -30,10 +30,10 @@ from seafoam.ocean import cascades as sea_tiles
 from seafoam.ocean import whitecaps as foam_of_sea
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
-from seafoam.reference.waves.sea import fold_saturation, sea_surface
+from seafoam.reference.waves.sea import sea_surface, whitecap_saturation
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
@@ -80,14 +80,14 @@ OUTLINED, OUTLINED_SIDE = 24, 960
 
 def coverage(wind: float, seed: int, kind: Literal["fft", "gerstner"] = "fft", lasting: bool = False) -> float:
     """Mean foam saturation over random points of a sea: the covered share, since mask thresholds are uniform."""
-    foam = FoldSaturation(lasting=True, decay=LASTING_DECAY) if lasting else FoldSaturation()
+    foam = WhitecapSaturation(lasting=True, decay=LASTING_DECAY) if lasting else WhitecapSaturation()
     scene = Scene(sea=Sea(model=kind, wind=wind, fetch=FETCH, seed=seed), foam=Foam(saturation=(foam,)))
     # For lasting foam, maps have the resolution of the finest tiers.
     surface = sea_surface(scene, 100.0 * seed, (0.0, 0.0), 2 * TEXELS if lasting else TEXELS)
     assert surface is not None
     random = np.random.default_rng(seed)
     x, z = random.uniform(0.0, 20.0 * surface.tiles[0].size, (2, POINTS))
-    return float(fold_saturation(scene, foam, surface, x, z).mean())
+    return float(whitecap_saturation(scene, foam, surface, x, z).mean())
 
 
 def measured(
@@ -143,7 +143,7 @@ def seascape(wind: float, seed: int, yaw: float, *, own: bool = True) -> Scene:
     preset = load_preset(PRESET).scene
     assert preset.foam is not None
     assert preset.light is not None
-    changed: dict[str, Any] = {} if own else {"saturation": (FoldSaturation(),), "life": None}
+    changed: dict[str, Any] = {} if own else {"saturation": (WhitecapSaturation(),), "life": None}
     azimuth = math.remainder(yaw + 0.5 * math.pi, 2.0 * math.pi)
     light = Light(sun_azimuth=azimuth, sun_elevation=1.0, turbidity=2.0, visibility=18000.0)
     return preset.model_copy(

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from seafoam.effects.effect import Bound, Contribution, Effect, Extension, Knob, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, Extension, QualityParameter, SaturationSource, SlotFile
 from seafoam.framegraph.rules import Phase, array, number, vector
-from seafoam.quality import Knobs, Quality
+from seafoam.quality import Quality, QualityParameters
 from seafoam.reference.renderer.sources import SurfacePoints
 from seafoam.scene.base import Angle, Part
 from seafoam.scene.models import Scene
@@ -32,7 +32,7 @@ class Windrows(Part):
     )
 
 
-class WindrowQuality(Knobs):
+class WindrowQuality(QualityParameters):
     """Settings of windrows."""
 
     filter: bool = Field(default=True, description="Average the lines over a sample's footprint; false: they alias")
@@ -87,7 +87,11 @@ def truth(part: Windrows, scene: Scene, at: SurfacePoints) -> NDArray[np.float64
 EFFECT = Effect(
     "windrows",
     contribute,
-    knobs=(Knob("/extensions/windrows/filter", "windrows averaged over footprints", (False, True), "filtering"),),
+    parameters=(
+        QualityParameter(
+            "/extensions/windrows/filter", "windrows averaged over footprints", (False, True), "filtering"
+        ),
+    ),
     saturation=SaturationSource(Windrows, limit, live=("strength",)),
     extension=Extension("windrows", scene=Windrows, quality=WindrowQuality, truth=truth),
 )

@@ -16,13 +16,13 @@ def _no_truth_value(value: Any) -> Any:
     return value
 
 
-class Knobs(BaseModel):
+class QualityParameters(BaseModel):
     """Base class of groups of quality settings."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class SurfaceQuality(Knobs):
+class SurfaceQuality(QualityParameters):
     """Settings of the intersection of view rays with the surface."""
 
     method: Literal["mesh", "march"] = Field(
@@ -49,7 +49,7 @@ class QualityExtensions(Extensions):
     """Settings of effects outside the package, by name; absent: their defaults, in every tier."""
 
 
-class Quality(Extensible, Knobs):
+class Quality(Extensible, QualityParameters):
     """Settings that trade time against error."""
 
     surface: SurfaceQuality = SurfaceQuality()
@@ -68,11 +68,11 @@ class Quality(Extensible, Knobs):
     foam_relief: bool = Field(
         default=False, description="Shade the water and the foam edges around foam that has a thickness"
     )
-    chop: Literal["tile", "exact"] = Field(
+    ripples: Literal["tile", "exact"] = Field(
         default="tile",
         description="Wind ripples. tile: read from a tile that is drawn each frame; exact: summed for each sample",
     )
-    chop_size: int = Field(default=256, ge=32, le=1024, description="Side of the ripple tile, texels")
+    ripples_size: int = Field(default=256, ge=32, le=1024, description="Side of the ripple tile, texels")
     rings: Literal["map", "exact"] = Field(
         default="map",
         description="Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample",
@@ -211,7 +211,7 @@ TIERS: dict[Tier, Quality] = {
     "draft": Quality(
         surface=SurfaceQuality(tolerance=0.2),
         foam_taps=4,
-        chop_size=128,
+        ripples_size=128,
         sea_size=128,
         sea_tiles=3,
         age_steps=4,

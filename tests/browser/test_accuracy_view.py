@@ -40,10 +40,10 @@ def truth() -> bytes:
 
 @cache
 def points() -> tuple[dict[str, Any], ...]:
-    """The tiers, and one value of every third knob: enough of them to choose from."""
+    """The tiers, and one value of every third parameter: enough of them to choose from."""
     found = [point.model_dump(mode="json") for point in points_of(load_preset(PRESET).scene)]
-    knobs = {point["knob"]["pointer"]: point for point in found if point["knob"]}
-    return tuple([point for point in found if point["tier"]] + list(knobs.values())[::3])
+    parameters = {point["parameter"]["pointer"]: point for point in found if point["parameter"]}
+    return tuple([point for point in found if point["tier"]] + list(parameters.values())[::3])
 
 
 def answers() -> dict[str, Any]:
@@ -113,7 +113,7 @@ def marks(measured: Visit) -> Locator:
 
 
 def quality(measured: Visit) -> Any:
-    """What the page runs: a tier, or the knobs that it changes."""
+    """What the page runs: a tier, or the parameters that it changes."""
     said = measured.state()["quality"] or "standard"
     return json.loads(said) if said.startswith("{") else said
 
@@ -149,8 +149,8 @@ def test_every_quality_has_a_mark_and_a_row(measured: Visit) -> None:
 
 
 def test_a_mark_runs_its_quality(measured: Visit) -> None:
-    point = next(point for point in points() if point["knob"])
-    knob = point["knob"]
+    point = next(point for point in points() if point["parameter"])
+    parameter = point["parameter"]
     mark = measured.page.locator(f'#accuracy .mark[data-id="{point["id"]}"]')
     mark.focus()
     tip = measured.page.locator("#accuracy .tip")
@@ -158,8 +158,8 @@ def test_a_mark_runs_its_quality(measured: Visit) -> None:
     expect(tip).to_contain_text(" ms, error ")
     mark.press("Enter")
     assert mark.get_attribute("aria-pressed") == "true"
-    wanted: Any = knob["value"]
-    for step in reversed(knob["pointer"].split("/")[1:]):
+    wanted: Any = parameter["value"]
+    for step in reversed(parameter["pointer"].split("/")[1:]):
         wanted = {step: wanted}
     assert quality(measured) == wanted
     told = re.compile(r"Compared with standard: .*(time|error)")
@@ -256,7 +256,7 @@ def test_a_budget_picks_the_best_that_fits(measured: Visit) -> None:
 
 def test_knobs_are_sorted_by_worth(measured: Visit) -> None:
     rows = measured.page.locator("#accuracy details", has_text="Benefit of each setting").locator("tbody tr")
-    assert rows.count() == sum(point["knob"] is not None for point in points())
+    assert rows.count() == sum(point["parameter"] is not None for point in points())
     worth = {"free": np.inf, "–": 0.0}
     found = [row.locator("td").last.text_content() or "" for row in rows.all()]
     numbers = [worth[said] if said in worth else float(said.replace("−", "-")) for said in found]

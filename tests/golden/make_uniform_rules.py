@@ -5,7 +5,7 @@ import math
 from pathlib import Path
 
 from seafoam.framegraph.evaluation import FrameState, evaluate_rule
-from seafoam.framegraph.rules import CameraRule, Constant, Held, Loop, PassIndex, Phase, Rule, Viewport, Wrap
+from seafoam.framegraph.rules import CameraRule, Clamp, Constant, Loop, PassIndex, Phase, Rule, Viewport, Wrap
 from seafoam.scene.camera import Camera
 
 PATH = Path(__file__).with_name("uniform_rules.json")
@@ -20,9 +20,9 @@ RULES: list[Rule] = [
     Loop(period=60.0),
     Loop(period=0.1),
     Loop(period=7.3, offset=-2.25),
-    Held(offset=-1e9, rate=1.0, low=0.0, high=55.3),
-    Held(offset=-3.5, k=(-1.0, 0.0), low=-1e8, high=1e8),
-    Held(offset=12.0, rate=-0.25, k=(0.0, 1.0), low=-40.0, high=9.0),
+    Clamp(offset=-1e9, rate=1.0, low=0.0, high=55.3),
+    Clamp(offset=-3.5, k=(-1.0, 0.0), low=-1e8, high=1e8),
+    Clamp(offset=12.0, rate=-0.25, k=(0.0, 1.0), low=-40.0, high=9.0),
     *(CameraRule(what=what) for what in ("eye_height", "ray_x", "ray_y", "ray_z")),
     CameraRule(what="view_projection", top=2.3),
     CameraRule(what="view_projection", top=50.0),

@@ -5,7 +5,7 @@ from seafoam.quality import Quality, SurfaceQuality
 UNFILTERED = Quality(
     surface=SurfaceQuality(steps=512, tolerance=2e-4, refine=4, filter=False),
     foam_relief=True,
-    chop="exact",
+    ripples="exact",
     rings="exact",
     sea_size=512,
     sea_digits="float",

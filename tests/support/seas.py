@@ -1,6 +1,6 @@
 """Open seas that tests draw and compute."""
 
-from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Water
 from seafoam.scene.waves import Sea
@@ -13,5 +13,7 @@ SEAS = {
 
 def seen(sea: Sea, depth: float | None = None, foam: bool = True) -> Scene:
     return Scene(
-        sea=sea, water=Water(depth=depth), foam=Foam(saturation=(FoldSaturation(),), look="halftone") if foam else None
+        sea=sea,
+        water=Water(depth=depth),
+        foam=Foam(saturation=(WhitecapSaturation(),), look="halftone") if foam else None,
     )

@@ -14,7 +14,6 @@ from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.foam import (
     DriftSaturation,
     Foam,
-    FoldSaturation,
     FrontSaturation,
     HeightSaturation,
     Look,
@@ -22,6 +21,7 @@ from seafoam.scene.foam import (
     SlopeSaturation,
     SurfSaturation,
     WakeSaturation,
+    WhitecapSaturation,
 )
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -30,7 +30,7 @@ from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
 from seafoam.scene.spray import Spray
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import UNFILTERED
 
@@ -43,15 +43,15 @@ SATURATIONS: tuple[tuple[Saturation, ...], ...] = (
 
 
 def qualities() -> Iterator[Quality]:
-    """The tiers, the tests' exact quality, and every choice of a knob that changes a program's text in kind."""
+    """The tiers, the tests' exact quality, and every choice of a parameter that changes a program's text in kind."""
     yield from TIERS.values()
     yield UNFILTERED
     standard = TIERS["standard"]
-    for method, filtered, chop, target in product(
+    for method, filtered, ripples, target in product(
         ("mesh", "march"), (True, False), ("tile", "exact"), ("RGBA16F", "RGBA32F")
     ):
         surface = standard.surface.model_copy(update={"method": method, "filter": filtered})
-        yield standard.model_copy(update={"surface": surface, "chop": chop, "target": target})
+        yield standard.model_copy(update={"surface": surface, "ripples": ripples, "target": target})
     yield standard.model_copy(update={"cube": "exact", "cloud_octaves": 2})
     for mask, taps in product(("u8", "half"), (4, 16)):
         yield standard.model_copy(update={"mask": mask, "foam_taps": taps})
@@ -103,11 +103,11 @@ def scenes() -> Iterator[Scene]:
     for model in ("fft", "gerstner"):
         wind = Sea(model=model)  # type: ignore[arg-type]
         yield sea.model_copy(update={"sea": wind})
-        yield Scene(sea=wind, foam=Foam(saturation=(FoldSaturation(),), look="halftone"), light=None)
+        yield Scene(sea=wind, foam=Foam(saturation=(WhitecapSaturation(),), look="halftone"), light=None)
         yield Scene(
             sea=wind,
             waves=sea.waves,
-            foam=Foam(saturation=(FoldSaturation(), FrontSaturation(), HeightSaturation()), combine="product"),
+            foam=Foam(saturation=(WhitecapSaturation(), FrontSaturation(), HeightSaturation()), combine="product"),
         )
         yield Scene(sea=wind.model_copy(update={"choppiness": 0.0}))
     yield Scene()
@@ -128,7 +128,7 @@ def scenes() -> Iterator[Scene]:
             low = -0.3 if sky is not None and sky.moon is not None else 0.3
             light = Light(sun_elevation=low, sky=sky, reflection=reflection)  # type: ignore[arg-type]
             yield Scene(light=light, shore=around)
-    yield sea.model_copy(update={"water": Water(chop=Chop(gusts=Gusts()))})
+    yield sea.model_copy(update={"water": Water(ripples=Ripples(gusts=Gusts()))})
     yield from drifting(sea)
     yield from living(sea, shore)
 
@@ -161,7 +161,7 @@ def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
         yield Scene(waves=sea.waves, spray=Spray(), light=light)
         yield Scene(shore=rocky, waves=sea.waves, spray=Spray(), light=light)
     for light in (Light(), Light(sun_elevation=-0.3), None):
-        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, chop=Chop()), light=light)
+        yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, ripples=Ripples()), light=light)
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)
     for sky in (None, Sky(clouds=Clouds())):
         yield Scene(shore=shore, light=Light(reflection="planar", sky=sky))
@@ -171,7 +171,7 @@ def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
     for boats, light, coast in product((fleet[:1], fleet), (Light(), mirror, None), (None, shore)):
         yield Scene(boats=boats, foam=wake, light=light, shore=coast)
     yield Scene(boats=fleet, waves=sea.waves, light=mirror, water=Water(depth=5.0))
-    yield Scene(boats=fleet, sea=Sea(), light=mirror, foam=Foam(saturation=(WakeSaturation(), FoldSaturation())))
+    yield Scene(boats=fleet, sea=Sea(), light=mirror, foam=Foam(saturation=(WakeSaturation(), WhitecapSaturation())))
     yield Scene(foam=wake)
 
 

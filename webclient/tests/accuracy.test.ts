@@ -172,9 +172,9 @@ describe("a budget", () => {
   it("picks nothing of nothing", () => expect(selectForBudget([], 5)).toBeNull());
 });
 
-function point(id: string, quality: Point["quality"], knob: Partial<Point["knob"]> = null, tier: string | null = null): Point {
-  const whole = knob && { owner: "o", pointer: "/p", title: "t", cause: "c", value: 0, ...knob };
-  return { id, label: id, tier, knob: whole, quality };
+function point(id: string, quality: Point["quality"], parameter: Partial<Point["parameter"]> = null, tier: string | null = null): Point {
+  const whole = parameter && { owner: "o", pointer: "/p", title: "t", cause: "c", value: 0, ...parameter };
+  return { id, label: id, tier, parameter: whole, quality };
 }
 
 describe("a point", () => {
@@ -187,7 +187,7 @@ describe("a point", () => {
   });
 
   it("has a title, and survives nonsense", () => {
-    expect(qualityTitle('{"a":{"some_knob":9},"d":"y"}')).toBe("a: some knob: 9, d: y");
+    expect(qualityTitle('{"a":{"some_parameter":9},"d":"y"}')).toBe("a: some parameter: 9, d: y");
     expect([qualityTitle("high"), parseQuality("high"), parseQuality("{nonsense")]).toEqual(["high", "high", "{nonsense"]);
   });
 

@@ -31,7 +31,7 @@ const frame = ({ target_width, target_height, pass_index, ...state }: Golden["st
 describe("uniform rules agree with the server's", () => {
   it("has vectors of every rule", () => {
     expect(new Set(golden.map(({ rule }) => rule.rule))).toEqual(
-      new Set(["constant", "phase", "wrap", "loop", "held", "camera", "viewport", "pass_index"]),
+      new Set(["constant", "phase", "wrap", "loop", "clamp", "camera", "viewport", "pass_index"]),
     );
   });
 

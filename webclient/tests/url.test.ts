@@ -7,7 +7,7 @@ const full: LinkState = {
     ["/foam/look", "halftone"],
     ["/waves/0/amplitude", 0.1 + 0.2],
     ["/light", null],
-    ["/water/chop", undefined],
+    ["/water/ripples", undefined],
     ["/foam/saturation", [{ source: "height", base: 0.3 }]],
     ["/name", "a&b=c#d ~%20 λ \"quoted\""],
   ],
@@ -26,9 +26,9 @@ describe("a link", () => {
     expect(decode(`#${encode(full)}`)).toEqual(full);
   });
 
-  it("holds single knobs as well as a tier", () => {
-    const knobs = { ...full, quality: '{"surface":{"steps":48}}' };
-    expect(decode(`#${encode(knobs)}`)).toEqual(knobs);
+  it("holds single parameters as well as a tier", () => {
+    const parameters = { ...full, quality: '{"surface":{"steps":48}}' };
+    expect(decode(`#${encode(parameters)}`)).toEqual(parameters);
   });
 
   it("survives the browser's own parsing", () => {

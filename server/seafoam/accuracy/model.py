@@ -10,7 +10,7 @@ from seafoam.quality import Quality, Tier
 FORMAT = 4
 """Version of the JSON format; part of the cache keys."""
 
-KnobValue = bool | int | float | str
+ParameterValue = bool | int | float | str
 
 
 class Part(BaseModel):
@@ -19,24 +19,24 @@ class Part(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class KnobInfo(Part):
+class ParameterInfo(Part):
     """A quality setting and its measured values."""
 
     owner: str = Field(description="Effect that declares the setting, or 'frame'")
     pointer: str = Field(description="JSON pointer into the quality")
     title: str
     cause: Cause = Field(description="Kind of error that the setting affects")
-    steps: tuple[KnobValue, ...] = Field(description="Measured values, fastest first")
+    steps: tuple[ParameterValue, ...] = Field(description="Measured values, fastest first")
 
 
-class KnobChoice(Part):
+class ParameterChoice(Part):
     """A value of one setting; all others are as in tier standard."""
 
     owner: str
     pointer: str
     title: str
     cause: Cause
-    value: KnobValue
+    value: ParameterValue
 
 
 class Point(Part):
@@ -47,7 +47,7 @@ class Point(Part):
     )
     label: str
     tier: Tier | None
-    knob: KnobChoice | None
+    parameter: ParameterChoice | None
     quality: Quality
     plan: str = Field(description="SHA-256 of the frame plan")
 
@@ -145,8 +145,8 @@ class Step(Part):
     pointer: str
     title: str
     cause: Cause
-    value_from: KnobValue
-    value_to: KnobValue
+    value_from: ParameterValue
+    value_to: ParameterValue
     point_from: str
     point_to: str
     added_ms: float = Field(description="Median of the differences per round")

@@ -92,7 +92,7 @@ def _plain(value: float, _: object) -> str:
 
 
 def _kind(point: MeasuredPoint) -> str:
-    return point.knob.cause if point.knob else "tier"
+    return point.parameter.cause if point.parameter else "tier"
 
 
 def _shown(point: MeasuredPoint) -> float:

@@ -4,8 +4,8 @@ import json
 from functools import lru_cache
 from itertools import pairwise
 
-from seafoam.accuracy.knobs import all_knobs, with_value
-from seafoam.accuracy.model import KnobChoice, KnobValue, Point
+from seafoam.accuracy.model import ParameterChoice, ParameterValue, Point
+from seafoam.accuracy.parameters import all_parameters, with_value
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
@@ -22,21 +22,27 @@ def points_of(scene: Scene) -> tuple[Point, ...]:
         plan = plan_sha256(scene, quality)
         if tier == "standard" or plan not in seen:
             seen.add(plan)
-            points.append(Point(id=tier, label=tier, tier=tier, knob=None, quality=quality, plan=plan))
+            points.append(Point(id=tier, label=tier, tier=tier, parameter=None, quality=quality, plan=plan))
     standard = TIERS["standard"]
-    for owner, knob in all_knobs(scene):
-        for value in knob.steps:
-            quality = with_value(standard, knob.pointer, value)
+    for owner, parameter in all_parameters(scene):
+        for value in parameter.steps:
+            quality = with_value(standard, parameter.pointer, value)
             plan = plan_sha256(scene, quality)
             if plan in seen:
                 continue
             seen.add(plan)
             points.append(
                 Point(
-                    id=point_id(knob.pointer, value),
-                    label=f"{knob.title}: {shown(value)}",
+                    id=point_id(parameter.pointer, value),
+                    label=f"{parameter.title}: {shown(value)}",
                     tier=None,
-                    knob=KnobChoice(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, value=value),
+                    parameter=ParameterChoice(
+                        owner=owner,
+                        pointer=parameter.pointer,
+                        title=parameter.title,
+                        cause=parameter.cause,
+                        value=value,
+                    ),
                     quality=quality,
                     plan=plan,
                 )
@@ -44,15 +50,17 @@ def points_of(scene: Scene) -> tuple[Point, ...]:
     return tuple(points)
 
 
-def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, KnobChoice, KnobChoice, str, str]]:
+def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, ParameterChoice, ParameterChoice, str, str]]:
     """Return neighbouring values of each setting whose plans differ: (owner, from, to, point from, point to)."""
     by_plan = {point.plan: point.id for point in points}
     pairs = []
-    for owner, knob in all_knobs(scene):
-        links: list[tuple[KnobChoice, str]] = []
-        for value in knob.steps:
-            plan = plan_sha256(scene, with_value(TIERS["standard"], knob.pointer, value))
-            choice = KnobChoice(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, value=value)
+    for owner, parameter in all_parameters(scene):
+        links: list[tuple[ParameterChoice, str]] = []
+        for value in parameter.steps:
+            plan = plan_sha256(scene, with_value(TIERS["standard"], parameter.pointer, value))
+            choice = ParameterChoice(
+                owner=owner, pointer=parameter.pointer, title=parameter.title, cause=parameter.cause, value=value
+            )
             if plan in by_plan and (not links or links[-1][1] != by_plan[plan]):
                 links.append((choice, by_plan[plan]))
         pairs += [
@@ -67,11 +75,11 @@ def plan_sha256(scene: Scene, quality: Quality) -> str:
     return make_plan(scene, quality).sha256
 
 
-def point_id(pointer: str, value: KnobValue) -> str:
+def point_id(pointer: str, value: ParameterValue) -> str:
     """Return the name of tier standard with one setting changed."""
     return f"{pointer[1:].replace('/', '.')}={shown(value)}"
 
 
-def shown(value: KnobValue) -> str:
+def shown(value: ParameterValue) -> str:
     """Return the value of a setting as JSON without quotes."""
     return value if isinstance(value, str) else json.dumps(value)

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from seafoam.accuracy.model import Causes, MeasuredPoint, Sweep
 
 COLUMNS = (
-    "id", "tier", "owner", "knob", "value", "cause", "on_front", "beaten_by", "time_ms", "time_low_ms", "time_high_ms",
+    "id", "tier", "owner", "parameter", "value", "cause", "on_front", "beaten_by",
+    "time_ms", "time_low_ms", "time_high_ms",
     "rounds_ms", "fixed_ms", "ns_per_pixel", "rmse", "max", "flip", "coverage", "flipped", "popping", "geometry",
     "filtering", "precision", "rest", "quality", "plan",
 )  # fmt: skip
@@ -39,14 +40,14 @@ def csv_of(sweep: Sweep) -> str:
     writer = csv.writer(buffer, lineterminator="\n")
     writer.writerow(COLUMNS)
     for point in sweep.points:
-        knob = point.knob
+        parameter = point.parameter
         causes = dict.fromkeys(Causes.model_fields) if point.causes is None else point.causes.model_dump()
         figures = (*point.error.model_dump().values(), *causes.values())
         writer.writerow(
             [
                 point.id,
                 point.tier,
-                *((knob.owner, knob.pointer, knob.value, knob.cause) if knob else (None,) * 4),
+                *((parameter.owner, parameter.pointer, parameter.value, parameter.cause) if parameter else (None,) * 4),
                 int(point.on_front),
                 " ".join(point.beaten_by),
                 *(round(value, 4) for value in (point.time.median_ms, point.time.low_ms, point.time.high_ms)),
@@ -54,7 +55,7 @@ def csv_of(sweep: Sweep) -> str:
                 round(point.model.fixed_ms, 4),
                 round(point.model.ns_per_pixel, 3),
                 *(None if value is None else f"{value:.6g}" for value in figures),
-                # What differs from the knobs' defaults.
+                # What differs from the parameters' defaults.
                 point.quality.model_dump_json(exclude_defaults=True),
                 point.plan,
             ]

@@ -20,7 +20,6 @@ import numpy as np
 from seafoam.accuracy import metrics
 from seafoam.accuracy.cache import Store, key_of
 from seafoam.accuracy.fronts import beating, compare, front, sentences
-from seafoam.accuracy.knobs import idealised
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.model import (
     FORMAT,
@@ -34,6 +33,7 @@ from seafoam.accuracy.model import (
     Timing,
     TruthInfo,
 )
+from seafoam.accuracy.parameters import idealised
 from seafoam.accuracy.points import chains, plan_sha256, points_of, shown
 from seafoam.accuracy.times import median_model, spread_of, time_model
 from seafoam.accuracy.truth import StoppedError, make_truth

@@ -8,7 +8,7 @@ from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import Context
 from seafoam.api.errors import BadRequestError, FieldProblem, NotMeasuredError
-from seafoam.api.parameters import TierOrAuto, knobs_of
+from seafoam.api.parameters import TierOrAuto, quality_of
 from seafoam.api.routers.accuracy import measured, retry_seconds
 from seafoam.quality import Quality
 
@@ -52,7 +52,7 @@ async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Qua
     """
     if asked.quality != "auto":
         asked.no_budget()
-        return knobs_of(asked.quality), {}
+        return quality_of(asked.quality), {}
     budget = asked.budget()
     limits = context.settings.frame_limits
     limits.check(asked.width, asked.height, 1)

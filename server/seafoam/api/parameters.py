@@ -149,23 +149,23 @@ class FrameParameters(SceneOverrides):
         return own.model_copy(update={"position": (x, y, z), **angles})
 
 
-def _tier_or_knobs(value: Any) -> Literal["tier", "knobs"]:
-    return "tier" if isinstance(value, str) else "knobs"
+def _tier_or_quality(value: Any) -> Literal["tier", "parameters"]:
+    return "tier" if isinstance(value, str) else "parameters"
 
 
-TierOrKnobs = Annotated[
-    Annotated[Tier, Tag("tier")] | Annotated[Quality, Tag("knobs")],
-    Discriminator(_tier_or_knobs),
+TierOrQuality = Annotated[
+    Annotated[Tier, Tag("tier")] | Annotated[Quality, Tag("parameters")],
+    Discriminator(_tier_or_quality),
 ]
 
 
-TierAutoOrKnobs = Annotated[
-    Annotated[TierOrAuto, Tag("tier")] | Annotated[Quality, Tag("knobs")],
-    Discriminator(_tier_or_knobs),
+TierAutoOrQuality = Annotated[
+    Annotated[TierOrAuto, Tag("tier")] | Annotated[Quality, Tag("parameters")],
+    Discriminator(_tier_or_quality),
 ]
 
 
-def knobs_of(quality: Tier | Quality) -> Quality:
+def quality_of(quality: Tier | Quality) -> Quality:
     """Return the settings of a tier; settings are returned as they are."""
     return quality if isinstance(quality, Quality) else TIERS[quality]
 
@@ -184,7 +184,7 @@ class SceneRequest(BaseModel):
 class PlanRequest(SceneRequest):
     """A scene and a quality to compile into a frame plan."""
 
-    quality: TierOrKnobs = Field(
+    quality: TierOrQuality = Field(
         default="standard", description="A tier, or the settings that differ from tier standard"
     )
 
@@ -192,7 +192,7 @@ class PlanRequest(SceneRequest):
 class FrameRequest(SceneRequest):
     """A frame to render: scene, quality, time, size and camera."""
 
-    quality: TierAutoOrKnobs = Field(
+    quality: TierAutoOrQuality = Field(
         default="standard",
         description="A tier, the settings that differ from tier standard, or auto: the most exact quality "
         "predicted to render within budget_ms",

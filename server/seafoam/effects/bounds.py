@@ -72,7 +72,7 @@ def waves_bound(scene: Scene, max_slope: float, height: float) -> Bound | None:
     their slope, by light through their crests, and by the haze before them: a crest changes it by its share of the
     camera's height, at most a tenth per metre.
     """
-    ripples = scene.water.chop is not None and scene.light is not None
+    ripples = scene.water.ripples is not None and scene.light is not None
     floor = scene.water.depth is not None or scene.shore is not None
     if scene.foam is not None or scene.spray is not None or scene.boats or ripples or floor:
         return None

@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Points, View
 from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
 from seafoam.framegraph.rules import Uniform
-from seafoam.quality import Knobs, Quality
+from seafoam.quality import Quality, QualityParameters
 from seafoam.scene.base import Part as ScenePart
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -207,7 +207,7 @@ Cause = Literal["geometry", "filtering", "precision"]
 
 
 @dataclass(frozen=True)
-class Knob:
+class QualityParameter:
     """A quality setting that trades time against error, declared by the effect that owns it.
 
     ``pointer``: JSON pointer into the Quality. ``steps``: values to measure, from cheap to exact. ``cause``: the kind
@@ -298,7 +298,7 @@ class Extension:
 
     name: str
     scene: type[ScenePart]
-    quality: type[Knobs] | None = None
+    quality: type[QualityParameters] | None = None
     truth: Callable[..., Any] | None = None
 
 
@@ -308,16 +308,16 @@ class Effect:
 
     ``contribute`` returns ``None`` if the scene does not contain the effect. The effect's :class:`Cases` are the entry
     under its name in ``CASES`` of the module ``NAME_cases`` beside its own, which servers do not load. ``fields``: JSON
-    pointers of the parts and fields of a scene that belong to the effect, without list indices. ``knobs``: its fields
-    of a quality. ``saturation``: the source of foam that it draws. ``extension``: for effects outside the package,
-    instead of ``fields``; effects of the package have their models in :mod:`seafoam.scene` and :mod:`seafoam.quality`
-    and their float64 form in :mod:`seafoam.reference`.
+    pointers of the parts and fields of a scene that belong to the effect, without list indices. ``parameters``: its
+    fields of a quality. ``saturation``: the source of foam that it draws. ``extension``: for effects outside the
+    package, instead of ``fields``; effects of the package have their models in :mod:`seafoam.scene` and
+    :mod:`seafoam.quality` and their float64 form in :mod:`seafoam.reference`.
     """
 
     name: str
     contribute: Callable[[Scene, Quality], Contribution | None]
     fields: tuple[str, ...] = ()
-    knobs: tuple[Knob, ...] = ()
+    parameters: tuple[QualityParameter, ...] = ()
     saturation: SaturationSource | None = None
     extension: Extension | None = None
 

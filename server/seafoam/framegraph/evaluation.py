@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.framegraph.rules import COMPONENTS, CameraRule, Constant, Held, Loop, Phase, Rule, Uniform, Viewport, Wrap
+from seafoam.framegraph.rules import COMPONENTS, CameraRule, Clamp, Constant, Loop, Phase, Rule, Uniform, Viewport, Wrap
 from seafoam.scene.camera import Camera
 
 TAU = 2.0 * math.pi
@@ -52,7 +52,7 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
             return (_modulo(rule.k[0] * x + rule.k[1] * z + rule.offset, rule.period),)
         case Loop():
             return (_modulo(state.time + rule.offset, rule.period),)
-        case Held():
+        case Clamp():
             x, _, z = state.camera.position
             value = rule.offset + rule.rate * state.time + (rule.k[0] * x + rule.k[1] * z)
             return (min(max(value, rule.low), rule.high),)

@@ -36,14 +36,14 @@ Blend = Literal["none", "add", "over"]
 """Blending of a pass: replaces the target's content, adds to it, or blends over it with premultiplied alpha."""
 
 
-class Ball(PlanPart):
+class BoundingSphere(PlanPart):
     """A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m."""
 
     centre: tuple[float, float, float]
     radius: float
 
 
-View = Literal["any", "rising", "falling"] | tuple[Ball, ...]
+View = Literal["any", "rising", "falling"] | tuple[BoundingSphere, ...]
 """Where a pass can be visible: anywhere; where a ray of the picture rises, or falls, or for both where crests can be
 above the camera; or in one of these bounding spheres."""
 
@@ -82,7 +82,7 @@ class Pass(PlanPart):
     view: View = Field(
         default="any",
         description="Where the pass can be visible, for culling. rising, falling: only if some ray of the "
-        "picture rises or falls, or the camera is below the plan's top; balls: only if one of "
+        "picture rises or falls, or the camera is below the plan's top; spheres: only if one of "
         "these bounding spheres is in the picture",
     )
     program: str

@@ -46,13 +46,13 @@ class Loop(PlanPart):
     offset: float = 0.0
 
 
-class Held(PlanPart):
+class Clamp(PlanPart):
     """offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
 
     Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
     """
 
-    rule: Literal["held"] = "held"
+    rule: Literal["clamp"] = "clamp"
     offset: float
     rate: float = 0.0
     k: tuple[float, float] = (0.0, 0.0)
@@ -86,7 +86,9 @@ class PassIndex(PlanPart):
     rule: Literal["pass_index"] = "pass_index"
 
 
-Rule = Annotated[Constant | Phase | Wrap | Loop | Held | CameraRule | Viewport | PassIndex, Field(discriminator="rule")]
+Rule = Annotated[
+    Constant | Phase | Wrap | Loop | Clamp | CameraRule | Viewport | PassIndex, Field(discriminator="rule")
+]
 
 UniformType = Literal["float", "vec2", "vec3", "vec4", "mat4"]
 

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 from seafoam.framegraph.evaluation import axes
-from seafoam.framegraph.passes import Ball, Pass, View
+from seafoam.framegraph.passes import BoundingSphere, Pass, View
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput
 from seafoam.scene.camera import Camera
@@ -65,7 +65,7 @@ def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> 
     tangent = math.tan(0.5 * camera.fov)
     sides = (right, tangent * width / height), (up, tangent)
     if isinstance(view, tuple):
-        return any(_intersects(ball, camera, forward, sides) for ball in view)
+        return any(_intersects(sphere, camera, forward, sides) for sphere in view)
     if camera.position[1] < top:
         return True
     spread = sum(reach * abs(axis[1]) for axis, reach in sides)
@@ -75,13 +75,15 @@ def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> 
 _Axis = tuple[float, float, float]
 
 
-def _intersects(ball: Ball, camera: Camera, forward: _Axis, sides: tuple[tuple[_Axis, float], ...]) -> bool:
+def _intersects(sphere: BoundingSphere, camera: Camera, forward: _Axis, sides: tuple[tuple[_Axis, float], ...]) -> bool:
     """Whether a bounding sphere intersects the pyramid of the picture's rays; conservative near its edges."""
-    offset = [centre - eye for centre, eye in zip(ball.centre, camera.position, strict=True)]
+    offset = [centre - eye for centre, eye in zip(sphere.centre, camera.position, strict=True)]
     ahead = _dot(offset, forward)
-    if ahead < -ball.radius:
+    if ahead < -sphere.radius:
         return False
-    return all(abs(_dot(offset, axis)) - ahead * reach <= ball.radius * math.hypot(1.0, reach) for axis, reach in sides)
+    return all(
+        abs(_dot(offset, axis)) - ahead * reach <= sphere.radius * math.hypot(1.0, reach) for axis, reach in sides
+    )
 
 
 def _dot(a: list[float], b: _Axis) -> float:

@@ -39,7 +39,7 @@ SMALLEST_TILE = 24.0
 """Minimum side of the largest tile, m."""
 
 SHORTEST = 0.1
-"""Shortest wavelength, m; ripples (``Chop``) represent shorter waves."""
+"""Shortest wavelength, m; ripples (``Ripples``) represent shorter waves."""
 
 RAISED = 2
 """Number of tiles, from the largest, that displace the surface; smaller ones only tilt its normal."""

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.hash import chance
-from seafoam.scene.water import Chop
+from seafoam.scene.water import Ripples
 
 TILES = (18.9, 4.1)
 """Sides of the two tiles, m; their common period is so long that no repetition is visible."""
@@ -44,8 +44,8 @@ def tiles(repeats: bool) -> tuple[float, float]:
 
 
 @lru_cache(maxsize=64)
-def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]:
-    """Return the ripples of each cascade by rising wavenumber. Their mean square slopes add up to ``chop.slope``²."""
+def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]:
+    """Return the ripples of each cascade by rising wavenumber; mean square slopes add up to ``ripples.slope``²."""
     cascades = []
     weights = []
     for cascade, tile in enumerate(tiles(repeats)):
@@ -53,12 +53,12 @@ def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]
         drawn: list[tuple[float, float, float, float]] = []
         used: set[tuple[int, int]] = set()
         for index in range(WAVES_PER_TILE):
-            share = (index + float(chance(chop.seed, cascade, index, 0))) / WAVES_PER_TILE
+            share = (index + float(chance(ripples.seed, cascade, index, 0))) / WAVES_PER_TILE
             wavelength = longest * (shortest / longest) ** share
-            normal = math.sqrt(-2.0 * math.log(float(chance(chop.seed, cascade, index, 1)))) * math.cos(
-                2.0 * math.pi * float(chance(chop.seed, cascade, index, 2))
+            normal = math.sqrt(-2.0 * math.log(float(chance(ripples.seed, cascade, index, 1)))) * math.cos(
+                2.0 * math.pi * float(chance(ripples.seed, cascade, index, 2))
             )
-            heading = chop.wind_direction + chop.spread * normal
+            heading = ripples.wind_direction + ripples.spread * normal
             number = tile / wavelength
             ix, iz = round(number * math.cos(heading)), round(number * math.sin(heading))
             # Two ripples with the same wavevector would add up or cancel, so the second gets the next free integers.
@@ -67,11 +67,11 @@ def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]
             used.add((ix, iz))
             kx, kz = 2.0 * math.pi * ix / tile, 2.0 * math.pi * iz / tile
             k = math.hypot(kx, kz)
-            drawn.append((k, kx, kz, 2.0 * math.pi * float(chance(chop.seed, cascade, index, 3))))
+            drawn.append((k, kx, kz, 2.0 * math.pi * float(chance(ripples.seed, cascade, index, 3))))
             # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
             weights.append(1.0)
         cascades.append(sorted(drawn))
-    amplitude = chop.slope * math.sqrt(2.0 / sum(weights))
+    amplitude = ripples.slope * math.sqrt(2.0 / sum(weights))
     return tuple(
         tuple(
             Ripple(kx, kz, math.sqrt(GRAVITY * k + SURFACE_TENSION * k**3), phase, amplitude)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from seafoam.ocean.cascades import BAND, RAISED, cascades
-from seafoam.scene.foam import FoldSaturation
+from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.waves import Sea
 
 AGE_STEPS = 8
@@ -83,7 +83,7 @@ LASTING_CLAMPED: tuple[tuple[float, float], ...] = (
 
 
 def whitecap_model(
-    sea: Sea, foam: FoldSaturation, depth: float | None, steps: int, step: float, texels: int
+    sea: Sea, foam: WhitecapSaturation, depth: float | None, steps: int, step: float, texels: int
 ) -> WhitecapModel | None:
     """Return the thresholds that give a sea its whitecap coverage, on tiles of ``texels``²; None without foam.
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from seafoam.framegraph.passes import Fullscreen, Pass
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, Texture
-from seafoam.framegraph.rules import CameraRule, Held, Loop, Phase, Rule, Uniform, Viewport, Wrap
+from seafoam.framegraph.rules import CameraRule, Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import reads
 
@@ -52,7 +52,7 @@ def with_setup(
             digests[drawn.target] = _digest(
                 {
                     "target": targets[drawn.target].model_dump(mode="json"),
-                    "held": "" if _covers(drawn) else digests[drawn.target],
+                    "before": "" if _covers(drawn) else digests[drawn.target],
                     "vertex": programs[drawn.program].vertex.sha256,
                     "fragment": programs[drawn.program].fragment.sha256,
                     "mesh": drawn.mesh.model_dump(mode="json"),
@@ -107,7 +107,7 @@ def _uniforms_of(drawn: Pass, program: Program, uniforms: Mapping[str, Uniform])
 def _steady(rule: Rule) -> bool:
     """Whether a rule gives the same numbers in every frame, in a target of fixed size."""
     match rule:
-        case Phase() | Held():
+        case Phase() | Clamp():
             return rule.rate == 0.0 and rule.k == _NO_CAMERA
         case Wrap():
             return rule.k == _NO_CAMERA

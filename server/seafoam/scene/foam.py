@@ -106,10 +106,10 @@ class SlopeSaturation(Source):
     )
 
 
-class FoldSaturation(Source):
+class WhitecapSaturation(Source):
     """Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after."""
 
-    source: Literal["fold"] = "fold"
+    source: Literal["whitecap"] = "whitecap"
     coverage: float = Field(
         default=1.0,
         ge=0.0,
@@ -184,7 +184,7 @@ Saturation = Annotated[
     FrontSaturation
     | HeightSaturation
     | SlopeSaturation
-    | FoldSaturation
+    | WhitecapSaturation
     | SurfSaturation
     | DriftSaturation
     | WakeSaturation,

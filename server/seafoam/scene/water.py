@@ -8,7 +8,7 @@ from seafoam.scene.base import Angle, Part, Rgb
 from seafoam.scene.sky import Gusts
 
 
-class Chop(Part):
+class Ripples(Part):
     """Wind ripples: they tilt the surface normal but do not change the surface height."""
 
     wind_direction: Angle = Field(
@@ -78,4 +78,4 @@ class Water(Part):
         description="Root mean square slope of the surface detail below ripple scale; larger values widen the "
         "sun's glint",
     )
-    chop: Chop | None = Field(default=None, description="Wind ripples; absent: none")
+    ripples: Ripples | None = Field(default=None, description="Wind ripples; absent: none")

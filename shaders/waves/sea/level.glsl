@@ -6,7 +6,7 @@ float sea_level(float side, Footprint fp) {
     float longer = sqrt(max(dot(fp.x, fp.x), dot(fp.y, fp.y)));
     float area = abs(fp.x.x * fp.y.y - fp.x.y * fp.y.x);
     float width = area / max(longer, 1e-30);
-    // As wide as the footprint's area: by its longer side short waves would go that it tells apart across. Held to so many times its
+    // As wide as the footprint's area: by its longer side short waves would go that it tells apart across. Clamped to so many times its
     // width: on a crest's edge a footprint is endlessly long. A trilinear read has three times the variance of a box of its texels.
     float side_seen = 0.57735 * min(sqrt(area), 4.0 * width);
     // Two logarithms, of which every tile shares the first.

@@ -24,7 +24,7 @@ SPAN = 20.0
 
 @dataclass(frozen=True)
 class Measured:
-    """A line of a report: times by round (ms), RMSE (levels), knobs that are not their defaults (JSON)."""
+    """A line of a report: times by round (ms), RMSE (levels), parameters that are not their defaults (JSON)."""
 
     rounds: tuple[float, ...]
     error: float

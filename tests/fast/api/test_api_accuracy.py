@@ -147,10 +147,10 @@ def test_a_server_stops_in_the_middle_of_a_measurement(serve, tmp_path):
     assert time.monotonic() - began < 20.0
 
 
-def test_quality_lists_the_knobs(client):
-    measured = {knob["pointer"]: knob for knob in client.get("/api/quality").json()["measured"]}
+def test_quality_lists_the_parameters(client):
+    measured = {parameter["pointer"]: parameter for parameter in client.get("/api/quality").json()["measured"]}
     assert measured["/samples"]["owner"] == "frame"
-    assert measured["/chop"] == {
-        "owner": "ripples", "pointer": "/chop", "title": "ripples", "cause": "geometry", "steps": ["tile", "exact"],
+    assert measured["/ripples"] == {
+        "owner": "ripples", "pointer": "/ripples", "title": "ripples", "cause": "geometry", "steps": ["tile", "exact"],
     }  # fmt: skip
     assert set(measured["/surface/filter"]) == {"owner", "pointer", "title", "cause", "steps"}

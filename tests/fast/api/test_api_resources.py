@@ -65,9 +65,9 @@ def test_overrides_change_the_plan(client):
 
 
 def test_single_knobs_make_another_plan_than_the_tier(client):
-    knobs = TIERS["standard"].model_dump(mode="json")
+    parameters = TIERS["standard"].model_dump(mode="json")
     tier = client.post("/api/plans", json={"scene": {}, "quality": "standard"})
-    same = client.post("/api/plans", json={"scene": {}, "quality": knobs})
+    same = client.post("/api/plans", json={"scene": {}, "quality": parameters})
     other = client.post("/api/plans", json={"scene": {}, "quality": {"samples": 4}})
     assert tier.content == same.content
     assert other.json()["samples"] == 4
@@ -131,11 +131,11 @@ def test_head_answers_what_get_would_without_the_body(client, url):
         assert head.headers.get(name) == got.headers.get(name)
 
 
-def test_quality_names_tiers_and_the_range_of_every_knob(client):
+def test_quality_names_tiers_and_the_range_of_every_parameter(client):
     quality = client.get("/api/quality").json()
     assert list(quality["tiers"]) == ["draft", "standard", "high", "reference"]
     assert quality["tiers"]["standard"] == TIERS["standard"].model_dump(mode="json")
-    assert quality["knobs"]["properties"]["chop_size"]["maximum"] == 1024
+    assert quality["parameters"]["properties"]["ripples_size"]["maximum"] == 1024
 
 
 def test_the_manual_loads_nothing_from_elsewhere(client):

@@ -83,4 +83,4 @@ def test_a_wider_boat_than_its_circle_is_refused() -> None:
 def test_the_pose_is_as_small_as_the_fleet() -> None:
     plan = make_plan(Scene(boats=BOATS), TIERS["standard"])
     assert plan.targets["boat_pose"].size.width == len(BOATS)  # type: ignore[union-attr]
-    assert effect.EFFECT.knobs
+    assert effect.EFFECT.parameters

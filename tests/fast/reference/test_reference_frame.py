@@ -15,7 +15,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 WAVES = (
@@ -23,7 +23,9 @@ WAVES = (
     ParametricWave(amplitude=0.3, wavelength=6.0, direction=2.0, exponent=1.5, phase=1.0),
 )
 FOAM = Foam(saturation=(FrontSaturation(group=(0.1, 0.5)), HeightSaturation(base=0.4, full=0.9)), texture=0.4)
-SEA = Scene(waves=WAVES, foam=FOAM, water=Water(chop=Chop()), camera=Camera(position=(3.0, 4.0, -2.0), pitch=-0.3))
+SEA = Scene(
+    waves=WAVES, foam=FOAM, water=Water(ripples=Ripples()), camera=Camera(position=(3.0, 4.0, -2.0), pitch=-0.3)
+)
 
 
 @pytest.fixture(scope="module")
@@ -120,8 +122,8 @@ SEAS = {
 @pytest.mark.parametrize("sea", SEAS)
 def test_odd_scenes_are_finite(assets: Assets, camera: str, sea: str) -> None:
     sun = Light(sun_elevation=-0.3 if sea == "cusp" else 0.6, sun_azimuth=-math.pi / 2)
-    for width, height, chop in ((1, 1, None), (7, 5, Chop())):
-        scene = Scene(waves=SEAS[sea], foam=FOAM, water=Water(chop=chop), light=sun, camera=CAMERAS[camera])
+    for width, height, ripples in ((1, 1, None), (7, 5, Ripples())):
+        scene = Scene(waves=SEAS[sea], foam=FOAM, water=Water(ripples=ripples), light=sun, camera=CAMERAS[camera])
         frame = render(scene, time=1e9 + 0.25, width=width, height=height, samples=2, assets=assets)
         assert np.isfinite(frame.rgb).all()
         assert (frame.rgb >= 0.0).all()

@@ -9,7 +9,7 @@ from seafoam.reference.renderer import intersect
 from seafoam.reference.types import unit
 from seafoam.reference.waves.parametric import reduced, ripple_set, wave_derivative, wave_height, wave_set, wavenumber
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 SEA = Scene(
@@ -88,8 +88,8 @@ def test_places_are_absolute() -> None:
     x, z = np.linspace(-9.0, 9.0, 40), np.linspace(5.0, -7.0, 40)
     near, far = wave_set(SEA, 3.0, (0.0, 0.0)), wave_set(SEA, 3.0, (1000.5, -77.25))
     np.testing.assert_allclose(far.height(x, z), near.height(x + 1000.5, z - 77.25), atol=1e-11)
-    chop = Chop(seed=7)
-    a, b = ripple_set(chop, 3.0, (0.0, 0.0)), ripple_set(chop, 3.0, (1000.5, -77.25))
+    ripples = Ripples(seed=7)
+    a, b = ripple_set(ripples, 3.0, (0.0, 0.0)), ripple_set(ripples, 3.0, (1000.5, -77.25))
     np.testing.assert_allclose(b.gradient(x, z), a.gradient(x + 1000.5, z - 77.25), atol=1e-10)
 
 
@@ -112,7 +112,7 @@ def test_gradients_are_the_heights() -> None:
 
 def test_ripples_have_the_slope_asked_for() -> None:
     rng = np.random.default_rng(0)
-    c_x, c_z = ripple_set(Chop(slope=0.2), 1.0, (0.0, 0.0)).gradient(*rng.uniform(-1e4, 1e4, (2, 200_000)))
+    c_x, c_z = ripple_set(Ripples(slope=0.2), 1.0, (0.0, 0.0)).gradient(*rng.uniform(-1e4, 1e4, (2, 200_000)))
     # Ripples that share a wavenumber add up in phase, so the mean square is near what was asked for, not exact.
     assert np.mean(c_x**2 + c_z**2) == pytest.approx(0.04, rel=0.1)
 

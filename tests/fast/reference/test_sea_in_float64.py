@@ -12,7 +12,7 @@ from seafoam.ocean import spectrum as sea_spectrum
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.waves import sea as truth
-from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
@@ -140,7 +140,7 @@ def test_whitecaps_cover_what_the_wind_raises(
     report: Report, wind: float, model_name: Literal["fft", "gerstner"]
 ) -> None:
     """Within 20 % of Monahan and O'Muircheartaigh (1980); masks are rank-uniform, so mean saturation is coverage."""
-    foam = FoldSaturation()
+    foam = WhitecapSaturation()
     found = []
     for seed in (1, 4):
         sea = Sea(model=model_name, wind=wind, fetch=5e5, seed=seed)
@@ -148,7 +148,7 @@ def test_whitecaps_cover_what_the_wind_raises(
         surface = truth.sea_surface(scene, 70.0 * seed, (0.0, 0.0), 256)
         assert surface is not None
         x, z = np.random.default_rng(seed).uniform(0.0, 2e4, (2, 100_000))
-        found.append(float(truth.fold_saturation(scene, foam, surface, x, z).mean()))
+        found.append(float(truth.whitecap_saturation(scene, foam, surface, x, z).mean()))
     wanted = 3.84e-6 * wind**3.41
     report.add(
         "Whitecaps: share of the sea under foam",
@@ -163,14 +163,14 @@ def test_whitecaps_cover_what_the_wind_raises(
 @pytest.mark.parametrize("wind", [7.5, 12.5, 20.0])
 def test_whitecaps_that_last_cover_as_much(report: Report, wind: float) -> None:
     """Foam of larger waves that stays for 11 s is shared out anew: still within 20 % of the law."""
-    foam = FoldSaturation(lasting=True, decay=3.7)
+    foam = WhitecapSaturation(lasting=True, decay=3.7)
     found = []
     for seed in (1, 4):
         scene = Scene(sea=Sea(wind=wind, fetch=5e5, seed=seed), foam=Foam(saturation=(foam,)))
         surface = truth.sea_surface(scene, 70.0 * seed, (0.0, 0.0))
         assert surface is not None
         x, z = np.random.default_rng(seed).uniform(0.0, 2e4, (2, 100_000))
-        found.append(float(truth.fold_saturation(scene, foam, surface, x, z).mean()))
+        found.append(float(truth.whitecap_saturation(scene, foam, surface, x, z).mean()))
     wanted = 3.84e-6 * wind**3.41
     report.add(
         "Whitecaps that last: share of the sea under foam",
@@ -185,4 +185,4 @@ def test_whitecaps_that_last_cover_as_much(report: Report, wind: float) -> None:
 def test_wind_seas_foam_by_the_law(name: str) -> None:
     foam = load_preset(name).scene.foam
     assert foam is not None
-    assert [source.coverage for source in foam.saturation if isinstance(source, FoldSaturation)] == [1.0]
+    assert [source.coverage for source in foam.saturation if isinstance(source, WhitecapSaturation)] == [1.0]

@@ -8,11 +8,11 @@ from typing import Any, get_args
 import pytest
 from pydantic import BaseModel, Field, ValidationError
 
-from seafoam.accuracy.knobs import every_knob, value_at, with_value
+from seafoam.accuracy.parameters import every_parameter, value_at, with_value
 from seafoam.effects import EFFECTS, outside, register, registry, unregister
-from seafoam.effects.effect import Contribution, Effect, Extension, Knob, SaturationSource
+from seafoam.effects.effect import Contribution, Effect, Extension, QualityParameter, SaturationSource
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS, Knobs, Quality
+from seafoam.quality import TIERS, Quality, QualityParameters
 from seafoam.reference import scene_sha256
 from seafoam.scene.base import Part
 from seafoam.scene.camera import Camera
@@ -30,7 +30,7 @@ class Rows(Part):
     place: tuple[float, float] = Field(default=(0.0, 0.0), description="Place (x, z), m")
 
 
-class RowQuality(Knobs):
+class RowQuality(QualityParameters):
     """Settings of rows."""
 
     taps: int = Field(default=2, ge=1, le=4, description="Taps")
@@ -45,7 +45,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 ROWS = Effect(
     "rows",
     contribute,
-    knobs=(Knob("/extensions/rows/taps", "taps of rows", (1, 2, 4), "filtering"),),
+    parameters=(QualityParameter("/extensions/rows/taps", "taps of rows", (1, 2, 4), "filtering"),),
     saturation=SaturationSource(Rows, lambda part, scene: 3.0, ("spacing",)),
     extension=Extension("rows", scene=Rows, quality=RowQuality),
 )
@@ -131,7 +131,7 @@ def test_the_planner_asks_it_and_knobs_reach_its_settings() -> None:
     scene = with_rows(spacing=5.0)
     assert {note.why for note in make_plan(scene, STANDARD).effects if note.name == "rows"} == {"5 m, 2 taps"}
     pointer = "/extensions/rows/taps"
-    assert ("rows", ROWS.knobs[0]) in every_knob()
+    assert ("rows", ROWS.parameters[0]) in every_parameter()
     assert value_at(STANDARD, pointer) == 2
     finer = with_value(STANDARD, pointer, 4)
     assert value_at(finer, pointer) == 4

@@ -15,13 +15,13 @@ from seafoam.quality import TIERS
 from seafoam.resources import data_dir
 from seafoam.scene.camera import Camera
 from seafoam.scene.drift import Drift
-from seafoam.scene.foam import DriftSaturation, Foam, FoldSaturation, FrontSaturation, Look, SurfSaturation
+from seafoam.scene.foam import DriftSaturation, Foam, FrontSaturation, Look, SurfSaturation, WhitecapSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
 
 STANDARD = TIERS["standard"]
@@ -71,7 +71,7 @@ def test_every_uniform_is_filled_and_every_reference_resolves(preset: str, tier:
 def test_what_the_scene_does_not_call_for_is_not_there() -> None:
     bare = make_plan(Scene(light=None), STANDARD)
     text = "".join(program.fragment.text for program in bare.programs.values())
-    for word in ("u_sun", "u_foam", "u_mask", "u_chop", "parametric", "fresnel"):
+    for word in ("u_sun", "u_foam", "u_mask", "u_ripples", "parametric", "fresnel"):
         assert word not in text
     assert not bare.textures
     assert not bare.effects
@@ -173,9 +173,15 @@ def test_waves_of_no_height_bring_no_wave_code() -> None:
 
 def test_more_textures_than_a_shader_may_read_are_refused() -> None:
     """An open sea with folds, rings, ripples, cells and drift at a shore: each by itself can be drawn."""
-    foam = Foam(saturation=(FoldSaturation(), SurfSaturation(), DriftSaturation()), texture=0.5, texture_second=3.1)
+    foam = Foam(saturation=(WhitecapSaturation(), SurfSaturation(), DriftSaturation()), texture=0.5, texture_second=3.1)
     scene = Scene(
-        sea=Sea(), rings=(Ring(),), shore=Shore(), drift=Drift(), foam=foam, water=Water(chop=Chop()), light=Light()
+        sea=Sea(),
+        rings=(Ring(),),
+        shore=Shore(),
+        drift=Drift(),
+        foam=foam,
+        water=Water(ripples=Ripples()),
+        light=Light(),
     )
     with pytest.raises(PlanError, match=r"would read \d+ textures, and WebGL2 guarantees 16 .*sea \d"):
         make_plan(scene, STANDARD)

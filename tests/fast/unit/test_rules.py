@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from seafoam.framegraph.evaluation import FrameState, axes, evaluate, evaluate_rule
-from seafoam.framegraph.rules import CameraRule, Constant, Held, Loop, Phase, Uniform, Wrap
+from seafoam.framegraph.rules import CameraRule, Clamp, Constant, Loop, Phase, Uniform, Wrap
 from seafoam.scene.camera import Camera
 
 GOLDEN = Path(__file__).parents[2] / "golden" / "uniform_rules.json"
@@ -63,7 +63,7 @@ def test_wrap_and_loop_stay_in_their_period(value: float, period: float) -> None
 def test_an_age_is_as_exact_as_the_times_it_lies_between(birth: float, age: float) -> None:
     time = birth + age
     exact = min(max(Fraction(time) - Fraction(birth), Fraction(0)), Fraction(60))
-    (held,) = evaluate_rule(Held(offset=-birth, rate=1.0, low=0.0, high=60.0), state(time))
+    (held,) = evaluate_rule(Clamp(offset=-birth, rate=1.0, low=0.0, high=60.0), state(time))
     assert abs(Fraction(held) - exact) <= Fraction(math.ulp(time))
     (looped,) = evaluate_rule(Loop(period=7.5, offset=-birth), state(time))
     away = (Fraction(time) - Fraction(birth) - Fraction(looped)) % Fraction(7.5)
@@ -71,7 +71,7 @@ def test_an_age_is_as_exact_as_the_times_it_lies_between(birth: float, age: floa
 
 
 def test_held_stops_at_its_ends() -> None:
-    rule = Held(offset=0.5, k=(1.0, 0.0), low=-2.0, high=3.0)
+    rule = Clamp(offset=0.5, k=(1.0, 0.0), low=-2.0, high=3.0)
     places = (-1e7, 1.0, 1e7)
     got = [evaluate_rule(rule, state(0.0, Camera(position=(x, 5.0, 0.0)))) for x in places]
     assert got == [(-2.0,), (1.5,), (3.0,)]

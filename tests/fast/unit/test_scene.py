@@ -11,13 +11,13 @@ from scipy.optimize import brentq
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency, wavenumber, wavevector
-from seafoam.ocean.ripples import TILES, WAVES_PER_TILE, ripples
+from seafoam.ocean.ripples import TILES, WAVES_PER_TILE, ripple_cascades
 from seafoam.scene.base import non_defaults
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 
@@ -98,20 +98,24 @@ def test_waves_keep_their_frequency_over_a_floor() -> None:
 
 
 def test_ripples_tile_and_have_the_slope_asked_for() -> None:
-    chop = Chop(slope=0.2, seed=9)
-    cascades = ripples(chop)
+    ripples = Ripples(slope=0.2, seed=9)
+    cascades = ripple_cascades(ripples)
     assert [len(waves) for waves in cascades] == [WAVES_PER_TILE] * len(TILES)
     for tile, waves in zip(TILES, cascades, strict=True):
         numbers = [(w.kx * tile / (2 * math.pi), w.kz * tile / (2 * math.pi)) for w in waves]
         assert all(abs(a - round(a)) < 1e-9 and abs(b - round(b)) < 1e-9 for a, b in numbers)
         assert len({(round(a), round(b)) for a, b in numbers}) == WAVES_PER_TILE
     assert math.isclose(sum(0.5 * w.slope**2 for waves in cascades for w in waves), 0.2**2)
-    assert ripples(chop) == ripples(Chop(slope=0.2, seed=9)) != ripples(Chop(slope=0.2, seed=10))
+    assert (
+        ripple_cascades(ripples)
+        == ripple_cascades(Ripples(slope=0.2, seed=9))
+        != ripple_cascades(Ripples(slope=0.2, seed=10))
+    )
 
 
 def test_ripples_measured_on_a_tile() -> None:
     """The mean square slope over a whole tile is the one asked for."""
-    waves = ripples(Chop(slope=0.2, seed=4))[0]
+    waves = ripple_cascades(Ripples(slope=0.2, seed=4))[0]
     x, z = np.meshgrid(*(np.arange(128) * TILES[0] / 128,) * 2)
     slopes = [-w.slope / w.k * np.cos(w.phase - w.kx * x - w.kz * z) for w in waves]
     sx = sum(s * w.kx for s, w in zip(slopes, waves, strict=True))

@@ -5,7 +5,7 @@ import pytest
 from seafoam.effects.effect import Inline
 from seafoam.framegraph.passes import Fullscreen, Pass, Points, State
 from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
-from seafoam.framegraph.rules import Held, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
+from seafoam.framegraph.rules import Clamp, Loop, Phase, Rule, Uniform, Viewport, Wrap, number
 from seafoam.framegraph.shader import Program
 from seafoam.planner import make_plan
 from seafoam.planner.glsl import assemble
@@ -61,9 +61,9 @@ class TestInference:
             (Phase(offset=0.0, rate=0.0, k=(0.0, 1e-9)), False),
             (Wrap(k=(0.0, 0.0)), True),
             (Wrap(k=(1.0, 0.0)), False),
-            (Held(offset=2.0, low=0.0, high=1.0), True),
-            (Held(offset=2.0, rate=1.0, low=0.0, high=1.0), False),
-            (Held(offset=2.0, k=(0.0, 1.0), low=0.0, high=1.0), False),
+            (Clamp(offset=2.0, low=0.0, high=1.0), True),
+            (Clamp(offset=2.0, rate=1.0, low=0.0, high=1.0), False),
+            (Clamp(offset=2.0, k=(0.0, 1.0), low=0.0, high=1.0), False),
             (Loop(period=3.0), False),
         ],
     )

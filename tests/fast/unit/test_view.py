@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from seafoam.framegraph.passes import Ball
+from seafoam.framegraph.passes import BoundingSphere
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.visibility import drawn_passes, in_view
 from seafoam.planner import make_plan
@@ -16,7 +16,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 GOLDEN = json.loads((Path(__file__).parents[2] / "golden" / "views.json").read_text(encoding="utf-8"))
@@ -40,7 +40,7 @@ def test_pinned_views_are_those_of_today(preset: str, tier: str) -> None:
 
 
 def test_what_nothing_reads_is_not_drawn() -> None:
-    scene = Scene(waves=(ParametricWave(),), water=Water(chop=Chop()), light=Light())
+    scene = Scene(waves=(ParametricWave(),), water=Water(ripples=Ripples()), light=Light())
     plan = make_plan(scene, TIERS["standard"])
     up, down = (Camera(position=(0.0, 30.0, 0.0), pitch=pitch) for pitch in (1.0, -1.0))
     assert names(plan, Camera()) == [one.name for one in plan.passes if one.eye != "under"]
@@ -59,7 +59,7 @@ def test_a_boat_is_drawn_where_its_course_is_seen() -> None:
     assert "boats" in names(plan, Camera(position=(0.0, 5.0, -100.0), yaw=2.0))
 
 
-def test_balls_are_seen_where_they_touch_the_picture() -> None:
+def test_spheres_are_seen_where_they_touch_the_picture() -> None:
     camera = Camera(position=(1.0, 2.0, 3.0), pitch=0.0, fov=math.pi / 2)
     for centre, radius, seen in (
         ((1.0, 2.0, -7.0), 0.0, True),
@@ -70,5 +70,5 @@ def test_balls_are_seen_where_they_touch_the_picture() -> None:
         ((31.0, 2.0, -7.0), 4.4, False),
         ((31.0, 2.0, -7.0), 4.5, True),
     ):
-        assert in_view((Ball(centre=centre, radius=radius),), 0.0, camera, 200, 100) == seen
+        assert in_view((BoundingSphere(centre=centre, radius=radius),), 0.0, camera, 200, 100) == seen
     assert not in_view((), 0.0, camera, 200, 100)

@@ -18,7 +18,7 @@ from pydantic import BaseModel
 from seafoam.effects.light.light import sky_irradiance, sun_irradiance
 from seafoam.ocean.dispersion import angular_frequency
 from seafoam.ocean.rings import trains
-from seafoam.ocean.ripples import TILES, ripples
+from seafoam.ocean.ripples import TILES, ripple_cascades
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
@@ -26,7 +26,7 @@ from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
 from support.pictures import levels, samples
@@ -121,13 +121,13 @@ FOAMS = of(
     fade=SHARES,
     albedo=SHARES,
 )
-CHOPS = of(Chop, seed=lambda r: r.randrange(65536))
+RIPPLES = of(Ripples, seed=lambda r: r.randrange(65536))
 WATERS = of(
     Water,
     absorption_length=several(LENGTHS, LENGTHS, LENGTHS),
     depth=one_of(None, spread(0.05, 11000.0)),
     floor_albedo=several(SHARES, SHARES, SHARES),
-    chop=one_of(None, CHOPS),
+    ripples=one_of(None, RIPPLES),
 )
 LIGHTS = of(Light, visibility=spread(50.0, 1e6))
 EYES = one_of(-1000.0, 0.0, even(-5.0, 100.0), spread(1e-3, 1e5), spread(1.0, 100.0))
@@ -207,8 +207,8 @@ def test_any_frame_is_finite_and_no_brighter_than_its_light(executor: Executor, 
 def fastest(scene: Scene) -> float:
     """Greatest angular frequency of the scene, rad/s."""
     found = [angular_frequency(wave) for wave in scene.waves]
-    if scene.water.chop is not None:
-        found += [wave.omega for cascade in ripples(scene.water.chop) for wave in cascade]
+    if scene.water.ripples is not None:
+        found += [wave.omega for cascade in ripple_cascades(scene.water.ripples) for wave in cascade]
     found += [train.omega for train in trains(scene)]
     return max(found, default=0.0)
 

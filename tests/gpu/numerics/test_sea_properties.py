@@ -10,7 +10,7 @@ from seafoam.ocean.cascades import cascades
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Water
@@ -44,7 +44,7 @@ PLAIN = of(
     spread=one_of(0.0, spread(0.1, 100.0)),
     seed=lambda r: r.randrange(65536),
 )
-FOLDS = of(FoldSaturation)
+FOLDS = of(WhitecapSaturation)
 
 
 def some_sea(r: Random) -> Sea:

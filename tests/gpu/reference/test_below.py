@@ -19,14 +19,14 @@ from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Sky
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
 from support.pictures import draw, levels
 from support.report import Report
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
-POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)
+POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, ripples=Ripples(slope=0.05, seed=3)), light=PLAIN)
 TIME = 2.7
 
 WAVES = (ParametricWave(amplitude=0.5, wavelength=6.0, phase=1.0), ParametricWave(amplitude=0.2, wavelength=2.9))
@@ -45,7 +45,7 @@ VIEWS = {
     "under waves with foam, no floor": (
         Scene(
             waves=WAVES,
-            water=Water(chop=Chop()),
+            water=Water(ripples=Ripples()),
             foam=Foam(saturation=(SlopeSaturation(),), look="textured"),
             light=Light(exposure=-1.0),
         ),
@@ -56,7 +56,7 @@ VIEWS = {
         Camera(position=(0.0, -0.11, 0.0), pitch=0.1),
     ),
     "over a bare floor": (
-        Scene(waves=WAVES, water=Water(depth=1.5, chop=Chop()), light=Light(exposure=-1.5)),
+        Scene(waves=WAVES, water=Water(depth=1.5, ripples=Ripples()), light=Light(exposure=-1.5)),
         Camera(position=(0.0, -0.6, 0.0), pitch=-0.1),
     ),
     "before a beach": (BEACH, Camera(position=(-42.0, -1.2, 9.0), yaw=1.4, pitch=0.1)),
@@ -67,7 +67,7 @@ VIEWS = {
         Scene(
             waves=WAVES[:1],
             boats=(Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.5, speed=0.0),),
-            water=Water(chop=Chop()),
+            water=Water(ripples=Ripples()),
             light=Light(exposure=-1.0),
         ),
         Camera(position=(-2.0, -1.5, 10.0), yaw=0.2, pitch=0.15),
@@ -89,7 +89,7 @@ VIEWS = {
         Camera(position=(0.0, -1.0, 0.0), pitch=0.5),
     ),
     "under clouds": (
-        Scene(light=Light(sky=Sky(clouds=Clouds(cover=0.5)), exposure=-1.5), water=Water(chop=Chop())),
+        Scene(light=Light(sky=Sky(clouds=Clouds(cover=0.5)), exposure=-1.5), water=Water(ripples=Ripples())),
         Camera(position=(0.0, -1.0, 0.0), pitch=1.2),
     ),
     "under drifting foam": (
@@ -145,7 +145,7 @@ def test_snells_window_ends_at_the_critical_angle(executor: Executor) -> None:
 
 def test_plans_say_which_program_an_eye_needs(executor: Executor) -> None:
     """Over all crests, the programs of an eye in the air; lower ones are right for any eye."""
-    scene = Scene(waves=WAVES, water=Water(chop=Chop()), boats=(Boat(),))
+    scene = Scene(waves=WAVES, water=Water(ripples=Ripples()), boats=(Boat(),))
     plan = make_plan(scene, TIERS["standard"])
     assert plan.top >= 0.43
     assert {one.name for one in plan.passes if one.eye == "over"} == {"surface", "boats"}

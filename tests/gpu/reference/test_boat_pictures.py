@@ -24,9 +24,9 @@ from support.report import Report
 
 
 def picture(
-    executor: Executor, scene: Scene, time: float = 0.0, size: tuple[int, int] = (160, 90), **knobs: object
+    executor: Executor, scene: Scene, time: float = 0.0, size: tuple[int, int] = (160, 90), **parameters: object
 ) -> NDArray[np.float64]:
-    quality = UNFILTERED.model_copy(update={"samples": 1, **knobs})
+    quality = UNFILTERED.model_copy(update={"samples": 1, **parameters})
     plan = make_plan(scene, Quality.model_validate(quality.model_dump()))
     seen = draw(executor, plan, scene.camera, time=time, size=size, output="samples")
     return colours(seen)

@@ -17,12 +17,12 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from support.pictures import draw_target
 from support.report import Report
 
 PLAIN = Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0))
-POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, chop=Chop(slope=0.05, seed=3)), light=PLAIN)
+POOL = Scene(water=Water(depth=1.9, floor_tile=0.3, ripples=Ripples(slope=0.05, seed=3)), light=PLAIN)
 TIME = 2.7
 TEXELS = 256
 
@@ -33,8 +33,8 @@ def drawn(executor: Executor, scene: Scene, quality: Quality, time: float = TIME
     return drawn[..., :3].astype(np.float64)
 
 
-def wanted(**knobs: object) -> Quality:
-    return TIERS["standard"].model_copy(update={"caustics_size": TEXELS, **knobs})
+def wanted(**parameters: object) -> Quality:
+    return TIERS["standard"].model_copy(update={"caustics_size": TEXELS, **parameters})
 
 
 def orders(errors: list[float]) -> str:
@@ -48,7 +48,7 @@ def means(light: NDArray[np.float64], over: int) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize(
-    ("kind", "knob", "counts", "texels", "over", "least", "most"),
+    ("kind", "parameter", "counts", "texels", "over", "least", "most"),
     [
         ("photons", "caustics_photons", (128, 256, 512), 256, 1, 0.01, 0.01),
         # A triangle lights the texels whose centres it covers, so the grid's map is finer than what is compared.
@@ -59,7 +59,7 @@ def test_grid_and_photons_converge_to_one_photon_trace(
     executor: Executor,
     report: Report,
     kind: str,
-    knob: str,
+    parameter: str,
     counts: tuple[int, ...],
     texels: int,
     over: int,
@@ -70,7 +70,7 @@ def test_grid_and_photons_converge_to_one_photon_trace(
     truth = means(seafloor.photon_map(POOL, TIME, texels, 2048), over)
     errors = []
     for count in counts:
-        light = drawn(executor, POOL, wanted(caustics=kind, caustics_size=texels, **{knob: count}))
+        light = drawn(executor, POOL, wanted(caustics=kind, caustics_size=texels, **{parameter: count}))
         errors.append(float(np.abs(means(light, over) - truth).mean()))
         assert abs(light.mean() - 1.0) <= most
     report.add(
@@ -85,11 +85,11 @@ def test_grid_and_photons_converge_to_one_photon_trace(
     assert errors[-1] <= least
 
 
-@pytest.mark.parametrize(("knob", "kind"), [("caustics_photons", "photons"), ("caustics_cells", "grid")])
-def test_no_seam_shows(executor: Executor, kind: str, knob: str) -> None:
+@pytest.mark.parametrize(("parameter", "kind"), [("caustics_photons", "photons"), ("caustics_cells", "grid")])
+def test_no_seam_shows(executor: Executor, kind: str, parameter: str) -> None:
     """Where the tile ends the map is as exact as elsewhere."""
     truth = seafloor.photon_map(POOL, TIME, TEXELS, 1024)
-    away = np.abs(drawn(executor, POOL, wanted(caustics=kind, **{knob: 256})) - truth).mean(axis=-1)
+    away = np.abs(drawn(executor, POOL, wanted(caustics=kind, **{parameter: 256})) - truth).mean(axis=-1)
     rim = np.concatenate([away[:2], away[-2:], away[:, :2].T, away[:, -2:].T])
     assert rim.mean() <= 1.3 * away.mean()
 
@@ -104,7 +104,7 @@ def test_the_trace_itself_converges() -> None:
 
 
 def test_level_water_spreads_light_evenly() -> None:
-    calm = POOL.model_copy(update={"water": POOL.water.model_copy(update={"chop": Chop(slope=0.0)})})
+    calm = POOL.model_copy(update={"water": POOL.water.model_copy(update={"ripples": Ripples(slope=0.0)})})
     assert np.abs(seafloor.photon_map(calm, 0.0, 64, 128) - 1.0).max() <= 1e-9
 
 
@@ -172,9 +172,9 @@ def test_what_cannot_be_drawn_is_not_in_the_plan() -> None:
     light = Light(caustics=Caustics())
     for scene in (
         Scene(light=light, water=Water(depth=2.0)),
-        Scene(light=light, water=Water(chop=Chop())),
-        Scene(light=light, water=Water(depth=2.0, chop=Chop()), shore=Shore()),
-        Scene(light=None, water=Water(depth=2.0, floor_tile=0.3, chop=Chop())),
+        Scene(light=light, water=Water(ripples=Ripples())),
+        Scene(light=light, water=Water(depth=2.0, ripples=Ripples()), shore=Shore()),
+        Scene(light=None, water=Water(depth=2.0, floor_tile=0.3, ripples=Ripples())),
     ):
         plan = make_plan(scene, TIERS["standard"])
         assert "caustics" not in {note.name for note in plan.effects}

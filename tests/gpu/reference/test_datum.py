@@ -25,7 +25,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import EXACT
 from support.pictures import draw
@@ -153,7 +153,7 @@ def test_where_no_ring_and_no_wake_is_water_is_still(executor: Executor) -> None
 
 
 POOL = Scene(
-    water=Water(depth=2.4, floor_tile=0.4, scattering=0.05, translucency=0.0, chop=Chop(slope=0.06, seed=3)),
+    water=Water(depth=2.4, floor_tile=0.4, scattering=0.05, translucency=0.0, ripples=Ripples(slope=0.06, seed=3)),
     light=Light(sun_elevation=0.8, sun_azimuth=2.5, exposure=-1.5, caustics=Caustics(dispersion=0.0)),
 )
 DEEP = Scene(

@@ -232,8 +232,8 @@ def test_the_map_by_its_size_its_step_and_its_window(executor: Executor, report:
     """Each texel against float64 at its middle: finer, shorter and longer are better."""
     time = 33.3
 
-    def error(**knobs: object) -> float:
-        quality = STANDARD.model_copy(update=knobs)
+    def error(**parameters: object) -> float:
+        quality = STANDARD.model_copy(update=parameters)
         found = drawn(executor, SCENE, quality, time)
         x, z = texels(quality.drift_size, 40.0)
         kept = slice(None, None, 7)
@@ -250,11 +250,11 @@ def test_the_map_by_its_size_its_step_and_its_window(executor: Executor, report:
     for what, errors in (("texels", sizes), ("step, s", steps), ("window, s", windows)):
         report.add(
             "Map of drifting foam against float64, RMSE of the saturation",
-            knob=what,
+            parameter=what,
             **{f"{i}": f"{value:g}: {found:.4f}" for i, (value, found) in enumerate(errors.items())},
         )
     assert all(b < a for a, b in pairwise(sizes.values()))
-    # A vortex turns by a radian a step at most, whatever the knob says: texels are what is left.
+    # A vortex turns by a radian a step at most, whatever the parameter says: texels are what is left.
     assert turns == [7, 7, 7, 14]
     assert max(steps.values()) < 1.05 * min(steps.values())
     assert all(b < a for a, b in pairwise(windows.values()))

@@ -14,7 +14,7 @@ from seafoam.scene.foam import Foam, FrontSaturation, Look
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 from support.pictures import draw
 
@@ -61,7 +61,7 @@ def test_hard_waves_are_finite(executor: Executor, name: str, look: Look, consta
     scene = Scene(
         waves=(HARD_WAVES[name], HARD_WAVES[name].model_copy(update={"direction": math.pi})),
         foam=Foam(saturation=(front,), look=look, fade=0.2, texture=0.5),
-        water=Water(chop=Chop(), depth=0.05, scattering=0.0),
+        water=Water(ripples=Ripples(), depth=0.05, scattering=0.0),
     )
     for time in (0.0, 1e9, -1e9):
         assert finite(executor, scene, "standard", CAMERAS["level"].model_copy(update={"pitch": -0.4}), time)

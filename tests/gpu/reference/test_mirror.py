@@ -12,7 +12,7 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Sky
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 from support.exact import EXACT
 from support.pictures import draw
@@ -32,7 +32,7 @@ STILL = Scene(
 RIPPLED = STILL.model_copy(
     update={
         "waves": (ParametricWave(amplitude=0.02, wavelength=2.3, direction=1.1, exponent=1.0),),
-        "water": Water(scattering=0.012, chop=Chop(slope=0.02)),
+        "water": Water(scattering=0.012, ripples=Ripples(slope=0.02)),
         "boats": (Boat(centre=(0.0, 0.0), radius=12.0, bearing=-1.5, speed=0.0, length=6.0),),
         "light": Light(exposure=-1.5, reflection="planar", sky=Sky(clouds=Clouds(cover=0.4))),
     }
@@ -48,13 +48,13 @@ def test_land_in_the_mirror(executor: Executor, report: Report, scene: Scene, tr
     assert scene.light is not None
     alone = scene.model_copy(update={"light": scene.light.model_copy(update={"reflection": "sky"})})
     off = {}
-    for name, one, knobs in (
+    for name, one, parameters in (
         ("traced", scene, {}),
         ("map, 1024", scene, {"reflection": "map", "reflection_size": 1024}),
         ("map, 256", scene, {"reflection": "map", "reflection_size": 256}),
         ("sky alone", alone, {}),
     ):
-        plan = make_plan(one, EXACT.model_copy(update=knobs))
+        plan = make_plan(one, EXACT.model_copy(update=parameters))
         seen = draw(executor, plan, scene.camera, time=TIME, size=SIZE, output="samples")[..., :3]
         off[name] = 255.0 * float(np.sqrt(((np.clip(seen, 0.0, 1.0) - truth) ** 2).mean()))
     report.add(

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from seafoam.effects.effect import Effect
 from seafoam.effects.waves import parametric
-from seafoam.effects.waves import ripples as chop
+from seafoam.effects.waves import ripples as ripples
 from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.reference.waves.parametric import ripple_set, wave_set
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 from support.exact import UNFILTERED
 from support.probe import Probe
@@ -109,12 +109,12 @@ def test_ripples_equal_float64_at_any_time_and_place(
     probe: Probe, report: Report, time: float, origin: tuple[float, float]
 ) -> None:
     """Ripples have slopes alone: no height and no displacement to compare."""
-    scene = Scene(water=Water(chop=Chop(slope=0.2)))
-    body = "y.xyz = chop_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
+    scene = Scene(water=Water(ripples=Ripples(slope=0.2)))
+    body = "y.xyz = ripples_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
     files = ("waves/ripples/bands.glsl", "waves/ripples/exact.glsl")
-    got = drawn(probe, chop.EFFECT, files, body, scene, time, origin)[:, :2]
+    got = drawn(probe, ripples.EFFECT, files, body, scene, time, origin)[:, :2]
     x, z = places().astype(np.float64).T
-    want = np.column_stack(ripple_set(scene.water.chop, time, origin).gradient(x, z))
+    want = np.column_stack(ripple_set(scene.water.ripples, time, origin).gradient(x, z))
     slope, normal = float(np.abs(got - want).max()), between(got, want)
     report.add(
         "Ripples against float64, 28 ripples, 10 000 places",

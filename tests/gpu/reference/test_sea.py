@@ -16,7 +16,7 @@ from seafoam.quality import TIERS
 from seafoam.reference.waves import sea as truth
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 from support.exact import EXACT
@@ -250,7 +250,7 @@ def test_time_is_a_loop_of_whole_turns(executor: Executor) -> None:
 def test_whitecaps_counted_in_a_picture(executor: Executor, report: Report, look: str) -> None:
     """From above, one sample a pixel: the drawn foam covers what the closed form says."""
     wind = 15.0
-    foam = Foam(saturation=(FoldSaturation(),), look=look)  # type: ignore[arg-type]
+    foam = Foam(saturation=(WhitecapSaturation(),), look=look)  # type: ignore[arg-type]
     scene = Scene(sea=Sea(wind=wind, fetch=5e5), foam=foam, light=None)
     shares = []
     for height, size in ((300.0, (360, 360)), (4000.0, (240, 240))):

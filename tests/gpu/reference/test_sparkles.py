@@ -16,7 +16,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light, Sparkles
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 from support.pictures import draw
 from support.probe import Probe
@@ -94,7 +94,7 @@ def test_they_swell_and_fade_without_a_jump() -> None:
     assert (course == 0.0).any(axis=0).mean() >= 0.9
 
 
-WATER = Water(chop=Chop(slope=0.15), roughness=0.17)
+WATER = Water(ripples=Ripples(slope=0.15), roughness=0.17)
 SUNSET = Light(sun_elevation=0.15, sun_azimuth=-math.pi / 2, visibility=1e6)
 VIEW = Camera(position=(0.0, 6.0, 0.0), pitch=-0.1, fov=0.12)
 FEW = Sparkles(size=0.001, rate=6.0, life=0.3, share=1.0)

@@ -3,7 +3,7 @@ import type { Api } from "../api";
 import type { Json, JsonObject } from "../scene/json";
 
 /** One quality setting with its value; all others are those of the standard tier. */
-export interface Knob {
+export interface QualityParameter {
   owner: string;
   pointer: string;
   title: string;
@@ -16,7 +16,7 @@ export interface Point {
   id: string;
   label: string;
   tier: string | null;
-  knob: Knob | null;
+  parameter: QualityParameter | null;
   quality: JsonObject;
 }
 

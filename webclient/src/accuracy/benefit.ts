@@ -32,16 +32,16 @@ export interface Benefit {
 /** Sorted by benefit: error removed at no cost first. */
 export function benefits(standard: TimedPoint, points: readonly TimedPoint[]): Benefit[] {
   const list = points.flatMap((changed): Benefit[] => {
-    const { knob } = changed.point;
-    if (knob === null || changed.rounds.length === 0) return [];
+    const { parameter } = changed.point;
+    if (parameter === null || changed.rounds.length === 0) return [];
     const comparison = compare(standard.rounds, changed.rounds, 0, 0);
     const ascending = comparison.measurable ? comparison.added >= 0 : changed.error <= standard.error;
     const [first, second] = ascending ? [standard, changed] : [changed, standard];
     const { added, measurable } = compare(first.rounds, second.rounds, 0, 0);
     const removed = first.error - second.error;
-    const value = (timed: TimedPoint) => formatValue(timed === standard ? get(standard.point.quality, knob.pointer) : knob.value);
+    const value = (timed: TimedPoint) => formatValue(timed === standard ? get(standard.point.quality, parameter.pointer) : parameter.value);
     const perMs = measurable && added > 0 ? removed / added : null;
-    const { owner, title, cause } = knob;
+    const { owner, title, cause } = parameter;
     return [{ owner, title, cause, from: value(first), to: value(second), id: changed.id, added, measurable, removed, perMs }];
   });
   const rank = ({ perMs, removed }: Benefit) => perMs ?? (removed < NEGLIGIBLE ? 0 : Infinity);

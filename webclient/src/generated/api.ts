@@ -645,20 +645,6 @@ export interface components {
             status: "alive";
         };
         /**
-         * Ball
-         * @description A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m.
-         */
-        Ball: {
-            /** Centre */
-            centre: [
-                number,
-                number,
-                number
-            ];
-            /** Radius */
-            radius: number;
-        };
-        /**
          * Boat
          * @description A boat that floats on the waves and follows a circular course.
          */
@@ -767,6 +753,20 @@ export interface components {
             ];
         };
         /**
+         * BoundingSphere
+         * @description A bounding sphere of everything that a pass draws, at any time: ``centre`` (x, y, z) and ``radius``, m.
+         */
+        BoundingSphere: {
+            /** Centre */
+            centre: [
+                number,
+                number,
+                number
+            ];
+            /** Radius */
+            radius: number;
+        };
+        /**
          * Camera
          * @description A pinhole camera. Yaw 0 looks toward −z, a positive yaw turns toward +x, a positive pitch looks up.
          */
@@ -865,36 +865,39 @@ export interface components {
             dispersion: number;
         };
         /**
-         * Chop
-         * @description Wind ripples: they tilt the surface normal but do not change the surface height.
+         * Clamp
+         * @description offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
+         *
+         *     Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
          */
-        Chop: {
+        Clamp: {
             /**
-             * Wind Direction
-             * @description Direction toward which the wind blows, rad from +x toward +z
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            rule: "clamp";
+            /** Offset */
+            offset: number;
+            /**
+             * Rate
              * @default 0
              */
-            wind_direction: number;
+            rate: number;
             /**
-             * Slope
-             * @description Root mean square slope of the ripples
-             * @default 0.12
+             * K
+             * @default [
+             *       0,
+             *       0
+             *     ]
              */
-            slope: number;
-            /**
-             * Spread
-             * @description Standard deviation of the ripples' directions, rad
-             * @default 1
-             */
-            spread: number;
-            /**
-             * Seed
-             * @description Random seed of the ripples
-             * @default 1
-             */
-            seed: number;
-            /** @description Moving patches of rougher and smoother ripples; absent: uniform ripples */
-            gusts?: components["schemas"]["Gusts"] | null;
+            k: [
+                number,
+                number
+            ];
+            /** Low */
+            low: number;
+            /** High */
+            high: number;
         };
         /**
          * Clouds
@@ -1180,7 +1183,7 @@ export interface components {
              *       }
              *     ]
              */
-            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["FoldSaturation"] | components["schemas"]["SurfSaturation"] | components["schemas"]["DriftSaturation"] | components["schemas"]["WakeSaturation"])[];
+            saturation: (components["schemas"]["FrontSaturation"] | components["schemas"]["HeightSaturation"] | components["schemas"]["SlopeSaturation"] | components["schemas"]["WhitecapSaturation"] | components["schemas"]["SurfSaturation"] | components["schemas"]["DriftSaturation"] | components["schemas"]["WakeSaturation"])[];
             /**
              * Combine
              * @description How the saturations of several sources are combined: maximum or product
@@ -1307,41 +1310,6 @@ export interface components {
              * @default 12
              */
             windrow_spacing: number;
-        };
-        /**
-         * FoldSaturation
-         * @description Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after.
-         */
-        FoldSaturation: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            source: "fold";
-            /**
-             * Coverage
-             * @description Mean foam coverage, relative to the whitecap coverage for this wind (Monahan and O'Muircheartaigh 1980)
-             * @default 1
-             */
-            coverage: number;
-            /**
-             * Softness
-             * @description Width of the ramp from no foam to full foam, in standard deviations of the Jacobian
-             * @default 1.2
-             */
-            softness: number;
-            /**
-             * Decay
-             * @description Decay time of the foam, to 1/e, s
-             * @default 3
-             */
-            decay: number;
-            /**
-             * Lasting
-             * @description Keep foam of the longer waves for 11 s instead of 3 s, which leaves trails behind breakers; the mean coverage stays the same
-             * @default false
-             */
-            lasting: boolean;
         };
         /**
          * FramePlan
@@ -1597,89 +1565,6 @@ export interface components {
             full: number;
         };
         /**
-         * Held
-         * @description offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
-         *
-         *     Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
-         */
-        Held: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            rule: "held";
-            /** Offset */
-            offset: number;
-            /**
-             * Rate
-             * @default 0
-             */
-            rate: number;
-            /**
-             * K
-             * @default [
-             *       0,
-             *       0
-             *     ]
-             */
-            k: [
-                number,
-                number
-            ];
-            /** Low */
-            low: number;
-            /** High */
-            high: number;
-        };
-        /**
-         * KnobChoice
-         * @description A value of one setting; all others are as in tier standard.
-         */
-        KnobChoice: {
-            /** Owner */
-            owner: string;
-            /** Pointer */
-            pointer: string;
-            /** Title */
-            title: string;
-            /**
-             * Cause
-             * @enum {string}
-             */
-            cause: "geometry" | "filtering" | "precision";
-            /** Value */
-            value: boolean | number | string;
-        };
-        /**
-         * KnobInfo
-         * @description A quality setting and its measured values.
-         */
-        KnobInfo: {
-            /**
-             * Owner
-             * @description Effect that declares the setting, or 'frame'
-             */
-            owner: string;
-            /**
-             * Pointer
-             * @description JSON pointer into the quality
-             */
-            pointer: string;
-            /** Title */
-            title: string;
-            /**
-             * Cause
-             * @description Kind of error that the setting affects
-             * @enum {string}
-             */
-            cause: "geometry" | "filtering" | "precision";
-            /**
-             * Steps
-             * @description Measured values, fastest first
-             */
-            steps: (boolean | number | string)[];
-        };
-        /**
          * Light
          * @description Sun, sky and haze. Absent: unlit, white foam on black, as in the paper's equations.
          */
@@ -1875,7 +1760,7 @@ export interface components {
             label: string;
             /** Tier */
             tier: ("draft" | "standard" | "high" | "reference") | null;
-            knob: components["schemas"]["KnobChoice"] | null;
+            parameter: components["schemas"]["ParameterChoice"] | null;
             quality: components["schemas"]["Quality"];
             /**
              * Plan
@@ -1927,6 +1812,54 @@ export interface components {
              * @default 1
              */
             size: number;
+        };
+        /**
+         * ParameterChoice
+         * @description A value of one setting; all others are as in tier standard.
+         */
+        ParameterChoice: {
+            /** Owner */
+            owner: string;
+            /** Pointer */
+            pointer: string;
+            /** Title */
+            title: string;
+            /**
+             * Cause
+             * @enum {string}
+             */
+            cause: "geometry" | "filtering" | "precision";
+            /** Value */
+            value: boolean | number | string;
+        };
+        /**
+         * ParameterInfo
+         * @description A quality setting and its measured values.
+         */
+        ParameterInfo: {
+            /**
+             * Owner
+             * @description Effect that declares the setting, or 'frame'
+             */
+            owner: string;
+            /**
+             * Pointer
+             * @description JSON pointer into the quality
+             */
+            pointer: string;
+            /** Title */
+            title: string;
+            /**
+             * Cause
+             * @description Kind of error that the setting affects
+             * @enum {string}
+             */
+            cause: "geometry" | "filtering" | "precision";
+            /**
+             * Steps
+             * @description Measured values, fastest first
+             */
+            steps: (boolean | number | string)[];
         };
         /**
          * ParametricWave
@@ -1997,10 +1930,10 @@ export interface components {
             eye: "any" | "over" | "under";
             /**
              * View
-             * @description Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; balls: only if one of these bounding spheres is in the picture
+             * @description Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; spheres: only if one of these bounding spheres is in the picture
              * @default any
              */
-            view: ("any" | "rising" | "falling") | components["schemas"]["Ball"][];
+            view: ("any" | "rising" | "falling") | components["schemas"]["BoundingSphere"][];
             /** Program */
             program: string;
             /**
@@ -2104,7 +2037,7 @@ export interface components {
             label: string;
             /** Tier */
             tier: ("draft" | "standard" | "high" | "reference") | null;
-            knob: components["schemas"]["KnobChoice"] | null;
+            parameter: components["schemas"]["ParameterChoice"] | null;
             quality: components["schemas"]["Quality"];
             /**
              * Plan
@@ -2243,18 +2176,18 @@ export interface components {
              */
             foam_relief: boolean;
             /**
-             * Chop
+             * Ripples
              * @description Wind ripples. tile: read from a tile that is drawn each frame; exact: summed for each sample
              * @default tile
              * @enum {string}
              */
-            chop: "tile" | "exact";
+            ripples: "tile" | "exact";
             /**
-             * Chop Size
+             * Ripples Size
              * @description Side of the ripple tile, texels
              * @default 256
              */
-            chop_size: number;
+            ripples_size: number;
             /**
              * Rings
              * @description Rings. map: read from a displacement map that is drawn each frame; exact: summed for each sample
@@ -2513,17 +2446,17 @@ export interface components {
                 [key: string]: components["schemas"]["Quality"];
             };
             /**
-             * Knobs
+             * Parameters
              * @description JSON schema of the quality settings, with ranges and defaults
              */
-            knobs: {
+            parameters: {
                 [key: string]: unknown;
             };
             /**
              * Measured
              * @description Title, owner and measured values of each setting
              */
-            measured: components["schemas"]["KnobInfo"][];
+            measured: components["schemas"]["ParameterInfo"][];
         };
         /**
          * Ready
@@ -2635,6 +2568,38 @@ export interface components {
              * @description Number of waves behind the front, after which the water is calm; absent: waves to the centre
              */
             crests?: number | null;
+        };
+        /**
+         * Ripples
+         * @description Wind ripples: they tilt the surface normal but do not change the surface height.
+         */
+        Ripples: {
+            /**
+             * Wind Direction
+             * @description Direction toward which the wind blows, rad from +x toward +z
+             * @default 0
+             */
+            wind_direction: number;
+            /**
+             * Slope
+             * @description Root mean square slope of the ripples
+             * @default 0.12
+             */
+            slope: number;
+            /**
+             * Spread
+             * @description Standard deviation of the ripples' directions, rad
+             * @default 1
+             */
+            spread: number;
+            /**
+             * Seed
+             * @description Random seed of the ripples
+             * @default 1
+             */
+            seed: number;
+            /** @description Moving patches of rougher and smoother ripples; absent: uniform ripples */
+            gusts?: components["schemas"]["Gusts"] | null;
         };
         /**
          * Running
@@ -3542,7 +3507,7 @@ export interface components {
              */
             count: number;
             /** Rules */
-            rules: (components["schemas"]["Constant"] | components["schemas"]["Phase"] | components["schemas"]["Wrap"] | components["schemas"]["Loop"] | components["schemas"]["Held"] | components["schemas"]["CameraRule"] | components["schemas"]["Viewport"] | components["schemas"]["PassIndex"])[];
+            rules: (components["schemas"]["Constant"] | components["schemas"]["Phase"] | components["schemas"]["Wrap"] | components["schemas"]["Loop"] | components["schemas"]["Clamp"] | components["schemas"]["CameraRule"] | components["schemas"]["Viewport"] | components["schemas"]["PassIndex"])[];
         };
         /**
          * Viewport
@@ -3732,7 +3697,42 @@ export interface components {
              */
             roughness: number;
             /** @description Wind ripples; absent: none */
-            chop?: components["schemas"]["Chop"] | null;
+            ripples?: components["schemas"]["Ripples"] | null;
+        };
+        /**
+         * WhitecapSaturation
+         * @description Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after.
+         */
+        WhitecapSaturation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            source: "whitecap";
+            /**
+             * Coverage
+             * @description Mean foam coverage, relative to the whitecap coverage for this wind (Monahan and O'Muircheartaigh 1980)
+             * @default 1
+             */
+            coverage: number;
+            /**
+             * Softness
+             * @description Width of the ramp from no foam to full foam, in standard deviations of the Jacobian
+             * @default 1.2
+             */
+            softness: number;
+            /**
+             * Decay
+             * @description Decay time of the foam, to 1/e, s
+             * @default 3
+             */
+            decay: number;
+            /**
+             * Lasting
+             * @description Keep foam of the longer waves for 11 s instead of 3 s, which leaves trails behind breakers; the mean coverage stays the same
+             * @default false
+             */
+            lasting: boolean;
         };
         /**
          * Wrap
@@ -3871,13 +3871,13 @@ export interface components {
     pathItems: never;
 }
 export type Alive = components['schemas']['Alive'];
-export type Ball = components['schemas']['Ball'];
 export type Boat = components['schemas']['Boat'];
+export type BoundingSphere = components['schemas']['BoundingSphere'];
 export type Camera = components['schemas']['Camera'];
 export type CameraRule = components['schemas']['CameraRule'];
 export type Causes = components['schemas']['Causes'];
 export type Caustics = components['schemas']['Caustics'];
-export type Chop = components['schemas']['Chop'];
+export type Clamp = components['schemas']['Clamp'];
 export type Clouds = components['schemas']['Clouds'];
 export type Constant = components['schemas']['Constant'];
 export type Day = components['schemas']['Day'];
@@ -3888,7 +3888,6 @@ export type Errors = components['schemas']['Errors'];
 export type FixedSize = components['schemas']['FixedSize'];
 export type Foam = components['schemas']['Foam'];
 export type FoamLife = components['schemas']['FoamLife'];
-export type FoldSaturation = components['schemas']['FoldSaturation'];
 export type FramePlan = components['schemas']['FramePlan'];
 export type FrameRequest = components['schemas']['FrameRequest'];
 export type FrontSaturation = components['schemas']['FrontSaturation'];
@@ -3896,9 +3895,6 @@ export type Fullscreen = components['schemas']['Fullscreen'];
 export type Grid = components['schemas']['Grid'];
 export type Gusts = components['schemas']['Gusts'];
 export type HeightSaturation = components['schemas']['HeightSaturation'];
-export type Held = components['schemas']['Held'];
-export type KnobChoice = components['schemas']['KnobChoice'];
-export type KnobInfo = components['schemas']['KnobInfo'];
 export type Light = components['schemas']['Light'];
 export type Loop = components['schemas']['Loop'];
 export type Machine = components['schemas']['Machine'];
@@ -3907,6 +3903,8 @@ export type MaskParameters = components['schemas']['MaskParameters'];
 export type MaskSize = components['schemas']['MaskSize'];
 export type MeasuredPoint = components['schemas']['MeasuredPoint'];
 export type Moon = components['schemas']['Moon'];
+export type ParameterChoice = components['schemas']['ParameterChoice'];
+export type ParameterInfo = components['schemas']['ParameterInfo'];
 export type ParametricWave = components['schemas']['ParametricWave'];
 export type Pass = components['schemas']['Pass'];
 export type PassIndex = components['schemas']['PassIndex'];
@@ -3921,6 +3919,7 @@ export type QualityTiers = components['schemas']['QualityTiers'];
 export type Ready = components['schemas']['Ready'];
 export type RendererInfo = components['schemas']['RendererInfo'];
 export type Ring = components['schemas']['Ring'];
+export type Ripples = components['schemas']['Ripples'];
 export type Running = components['schemas']['Running'];
 export type Scene = components['schemas']['Scene'];
 export type Sea = components['schemas']['Sea'];
@@ -3951,6 +3950,7 @@ export type ViewportSize = components['schemas']['ViewportSize'];
 export type Vortex = components['schemas']['Vortex'];
 export type WakeSaturation = components['schemas']['WakeSaturation'];
 export type Water = components['schemas']['Water'];
+export type WhitecapSaturation = components['schemas']['WhitecapSaturation'];
 export type Wrap = components['schemas']['Wrap'];
 export type SeafoamAccuracyModelPoints = components['schemas']['seafoam__accuracy__model__Points'];
 export type SeafoamFramegraphPassesPoints = components['schemas']['seafoam__framegraph__passes__Points'];

@@ -77,7 +77,7 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
       return [modulo(rule.k[0] * ox + rule.k[1] * oz + rule.offset, rule.period)];
     case "loop":
       return [modulo(state.time + rule.offset, rule.period)];
-    case "held": {
+    case "clamp": {
       const value = rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz);
       return [Math.min(Math.max(value, rule.low), rule.high)];
     }

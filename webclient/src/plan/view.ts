@@ -4,7 +4,7 @@
  * The server has the same rules (framegraph/visibility.py); tests/golden/views.json pins both.
  */
 import { basis, type CameraState } from "../camera/state";
-import type { Ball, FramePlan, Pass } from "../generated/api";
+import type { BoundingSphere, FramePlan, Pass } from "../generated/api";
 
 /** Above all crests, or lower. */
 export type Eye = "over" | "under";
@@ -67,20 +67,20 @@ function inView(view: Pass["view"], top: number, camera: CameraState, width: num
     [right, (tangent * width) / height],
     [up, tangent],
   ] as const;
-  if (typeof view !== "string") return view.some((ball) => intersectsFrustum(ball, camera, forward, sides));
+  if (typeof view !== "string") return view.some((sphere) => intersectsFrustum(sphere, camera, forward, sides));
   if (camera.position[1] < top) return true;
   const spread = sides.reduce((sum, [axis, slope]) => sum + slope * Math.abs(axis[1]), 0);
   return view === "rising" ? forward[1] + spread >= -HORIZON_MARGIN : forward[1] - spread <= HORIZON_MARGIN;
 }
 
-/** Whether a ball intersects the view frustum; conservative near its edges. */
-function intersectsFrustum(ball: Ball, camera: CameraState, forward: Vector, sides: readonly (readonly [Vector, number])[]): boolean {
-  const [x, y, z] = ball.centre;
+/** Whether a sphere intersects the view frustum; conservative near its edges. */
+function intersectsFrustum(sphere: BoundingSphere, camera: CameraState, forward: Vector, sides: readonly (readonly [Vector, number])[]): boolean {
+  const [x, y, z] = sphere.centre;
   const [ex, ey, ez] = camera.position;
   const toCentre: Vector = [x - ex, y - ey, z - ez];
   const depth = dot(toCentre, forward);
-  if (depth < -ball.radius) return false;
-  return sides.every(([axis, reach]) => Math.abs(dot(toCentre, axis)) - depth * reach <= ball.radius * Math.hypot(1, reach));
+  if (depth < -sphere.radius) return false;
+  return sides.every(([axis, reach]) => Math.abs(dot(toCentre, axis)) - depth * reach <= sphere.radius * Math.hypot(1, reach));
 }
 
 function dot(a: Vector, b: Vector): number {

@@ -8,7 +8,7 @@ from starlette.responses import Response
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified
 from seafoam.api.context import InContext
 from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import PlanParameters, PlanRequest, knobs_of, strictly
+from seafoam.api.parameters import PlanParameters, PlanRequest, quality_of, strictly
 from seafoam.api.planning import CompiledPlan, compile_scene
 from seafoam.api.routers.presets import PresetName, find_preset
 from seafoam.framegraph.plan import FramePlan
@@ -53,7 +53,7 @@ async def get_plan(
 async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Response:  # type: ignore[valid-type]
     """Compile a scene sent as JSON into a frame plan."""
     body: PlanRequest = asked
-    compiled = await context.plans.run(compile_scene, body.scene, knobs_of(body.quality), scene_at="/scene")
+    compiled = await context.plans.run(compile_scene, body.scene, quality_of(body.quality), scene_at="/scene")
     return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})
 
 

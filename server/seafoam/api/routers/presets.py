@@ -6,8 +6,8 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Path, Query
 from pydantic import BaseModel, Field
 
-from seafoam.accuracy.knobs import every_knob
-from seafoam.accuracy.model import KnobInfo
+from seafoam.accuracy.model import ParameterInfo
+from seafoam.accuracy.parameters import every_parameter
 from seafoam.api.context import InContext
 from seafoam.api.errors import NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
@@ -46,8 +46,8 @@ class QualityTiers(BaseModel):
     """Quality tiers and settings."""
 
     tiers: dict[Tier, Quality] = Field(description="Settings of each named tier, fastest first")
-    knobs: dict[str, Any] = Field(description="JSON schema of the quality settings, with ranges and defaults")
-    measured: list[KnobInfo] = Field(description="Title, owner and measured values of each setting")
+    parameters: dict[str, Any] = Field(description="JSON schema of the quality settings, with ranges and defaults")
+    measured: list[ParameterInfo] = Field(description="Title, owner and measured values of each setting")
 
 
 def find_preset(name: str) -> Preset:
@@ -91,7 +91,9 @@ async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], cont
 async def get_quality(_: Annotated[Parameters, Query()]) -> QualityTiers:
     """Get the quality tiers with the value of every setting, and the allowed values of each setting."""
     measured = [
-        KnobInfo(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, steps=knob.steps)
-        for owner, knob in every_knob()
+        ParameterInfo(
+            owner=owner, pointer=parameter.pointer, title=parameter.title, cause=parameter.cause, steps=parameter.steps
+        )
+        for owner, parameter in every_parameter()
     ]
-    return QualityTiers(tiers=TIERS, knobs=Quality.model_json_schema(), measured=measured)
+    return QualityTiers(tiers=TIERS, parameters=Quality.model_json_schema(), measured=measured)

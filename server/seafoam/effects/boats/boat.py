@@ -9,9 +9,9 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    Knob,
     PassSpec,
     Piece,
+    QualityParameter,
     SlotRef,
     Source,
     constant_function,
@@ -19,11 +19,11 @@ from seafoam.effects.effect import (
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.underside import WATER
-from seafoam.framegraph.passes import Ball
+from seafoam.framegraph.passes import BoundingSphere
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import (
+    Clamp,
     Constant,
-    Held,
     Phase,
     Rule,
     Uniform,
@@ -92,8 +92,8 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
     for boat in boats:
         turn = 1.0 if boat.turn == "starboard" else -1.0
         rules += [
-            Held(offset=-boat.centre[0], k=(1.0, 0.0), low=-FAR, high=FAR),
-            Held(offset=-boat.centre[1], k=(0.0, 1.0), low=-FAR, high=FAR),
+            Clamp(offset=-boat.centre[0], k=(1.0, 0.0), low=-FAR, high=FAR),
+            Clamp(offset=-boat.centre[1], k=(0.0, 1.0), low=-FAR, high=FAR),
             Phase(offset=boat.bearing, rate=turn * boat.speed / boat.radius, k=(0.0, 0.0)),
             Constant(value=(turn * boat.radius,)),
         ]
@@ -166,7 +166,7 @@ def _picture_pass(scene: Scene) -> PassSpec:
     )
 
 
-def _bounding_sphere(boat: Boat, swing: float) -> Ball:
+def _bounding_sphere(boat: Boat, swing: float) -> BoundingSphere:
     """Sphere around a boat anywhere on its course. ``swing``: greatest distance of the water surface from 0, m."""
     x, z = boat.centre
     course = boat.radius
@@ -174,15 +174,15 @@ def _bounding_sphere(boat: Boat, swing: float) -> Ball:
         x, z = x + course * math.cos(boat.bearing), z + course * math.sin(boat.bearing)
         course = 0.0
     # Shaders search within 0.9 lengths of a point 0.4 lengths above the middle of the hull.
-    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
+    return BoundingSphere(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
 
 
 EFFECT = Effect(
     "boats",
     contribute,
     fields=("/boats",),
-    knobs=(
-        Knob("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
-        Knob("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
+    parameters=(
+        QualityParameter("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
+        QualityParameter("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),
     ),
 )

@@ -6,7 +6,7 @@ docs/formulae.md, section 15.
 from collections.abc import Sequence
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Contribution, Effect, Inline, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, Inline, PassSpec, QualityParameter, SlotFile
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant
@@ -112,8 +112,8 @@ EFFECT = Effect(
     "wakes",
     contribute,
     fields=("/boats/wake",),
-    knobs=(
-        Knob("/wake", "wakes", ("map", "exact"), "geometry"),
-        Knob("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
+    parameters=(
+        QualityParameter("/wake", "wakes", ("map", "exact"), "geometry"),
+        QualityParameter("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),
     ),
 )

@@ -10,10 +10,10 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    Knob,
     PassSpec,
     Piece,
     PlanError,
+    QualityParameter,
     SaturationSource,
     SlotFile,
     Source,
@@ -21,7 +21,7 @@ from seafoam.effects.effect import (
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, TargetInput, TextureInput
-from seafoam.framegraph.rules import Constant, Held, Loop, Uniform, array, number, significant, vector
+from seafoam.framegraph.rules import Clamp, Constant, Loop, Uniform, array, number, significant, vector
 from seafoam.ocean.stokes import steady_drift
 from seafoam.quality import Quality
 from seafoam.scene.drift import Drift, Vortex
@@ -351,11 +351,11 @@ def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> 
     }
 
 
-def _to_camera(place: tuple[float, float]) -> tuple[Held, Held]:
+def _to_camera(place: tuple[float, float]) -> tuple[Clamp, Clamp]:
     """Vector from a place to the camera, m."""
     return (
-        Held(offset=-place[0], k=(1.0, 0.0), low=-_FAR, high=_FAR),
-        Held(offset=-place[1], k=(0.0, 1.0), low=-_FAR, high=_FAR),
+        Clamp(offset=-place[0], k=(1.0, 0.0), low=-_FAR, high=_FAR),
+        Clamp(offset=-place[1], k=(0.0, 1.0), low=-_FAR, high=_FAR),
     )
 
 
@@ -369,10 +369,10 @@ EFFECT = Effect(
     contribute,
     fields=("/drift", "/drift/vortices"),
     saturation=SaturationSource(DriftSaturation, drift_limit, ("amount",)),
-    knobs=(
-        Knob("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
-        Knob("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
-        Knob("/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"),
-        Knob("/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"),
+    parameters=(
+        QualityParameter("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
+        QualityParameter("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),
+        QualityParameter("/drift_window", "maximum age of drifting foam, s", (6.0, 12.0, 24.0, 120.0), "geometry"),
+        QualityParameter("/drift_step", "maximum time step along the flow, s", (4.0, 2.0, 1.0, 0.5, 0.25), "geometry"),
     ),
 )

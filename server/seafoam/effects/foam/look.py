@@ -11,9 +11,9 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    Knob,
     Piece,
     PlanError,
+    QualityParameter,
     SlotFile,
     Source,
     TextureUse,
@@ -280,9 +280,9 @@ EFFECT = Effect(
     "foam look",
     contribute,
     fields=("/foam",),
-    knobs=(
-        Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
-        Knob("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
-        Knob("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
+    parameters=(
+        QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
+        QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),
+        QualityParameter("/foam_octaves", "maximum octaves of the mask", (1, 2, 3, 4), "filtering"),
     ),
 )

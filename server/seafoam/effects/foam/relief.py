@@ -1,7 +1,7 @@
 """Foam's thickness: it shadows water, and its edges toward the sun are brighter. docs/formulae.md, section 6."""
 
 from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
 from seafoam.effects.registry import saturation_fields
 from seafoam.framegraph.rules import number
 from seafoam.ocean.stokes import foam_life
@@ -38,5 +38,5 @@ EFFECT = Effect(
     "foam relief",
     contribute,
     fields=("/foam/thickness",),
-    knobs=(Knob("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
+    parameters=(QualityParameter("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
 )

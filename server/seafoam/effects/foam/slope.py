@@ -1,7 +1,7 @@
 """Foam saturation from the surface's slope (GPU ocean, 2007). docs/formulae.md, section 4."""
 
 from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, QualityParameter, SaturationSource, SlotFile
 from seafoam.framegraph.rules import Uniform, number
 from seafoam.quality import Quality
 from seafoam.scene.foam import SlopeSaturation
@@ -53,5 +53,5 @@ EFFECT = Effect(
     "slope foam",
     contribute,
     saturation=SaturationSource(SlopeSaturation, slope_limit, ("base", "gain")),
-    knobs=(Knob("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
+    parameters=(QualityParameter("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
 )

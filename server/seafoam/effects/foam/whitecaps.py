@@ -8,9 +8,9 @@ from seafoam.effects.effect import (
     Bound,
     Contribution,
     Effect,
-    Knob,
     PassSpec,
     Piece,
+    QualityParameter,
     SaturationSource,
     SlotFile,
     Source,
@@ -32,7 +32,7 @@ from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.stokes import foam_drift
 from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.quality import Quality
-from seafoam.scene.foam import FoldSaturation, SlopeSaturation
+from seafoam.scene.foam import SlopeSaturation, WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 
@@ -56,10 +56,10 @@ _OLD = _Names("old", "folds of long ago", "spectrum of folds of long ago", "fold
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if a saturation has source ``fold``."""
+    """Active if a saturation has source ``whitecap``."""
     if scene.foam is None:
         return None
-    source = scene.foam.source(FoldSaturation)
+    source = scene.foam.source(WhitecapSaturation)
     if source is None:
         return None
     raised = drawn(scene, quality)[:RAISED]
@@ -82,11 +82,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _slot(model: WhitecapModel, steps: int) -> SlotFile:
-    needs: tuple[str, ...] = ("foam/saturation/fold.glsl",)
+    needs: tuple[str, ...] = ("foam/saturation/whitecap.glsl",)
     if steps > 0:
-        needs += (f"foam/saturation/fold_{'old' if model.old_shares else 'no_old'}.glsl",)
+        needs += (f"foam/saturation/whitecap_{'old' if model.old_shares else 'no_old'}.glsl",)
     times = str(steps) if steps > 0 else "now"
-    return SlotFile("saturation", f"foam/saturation/fold_{times}.glsl", prefix="fold", needs=needs)
+    return SlotFile("saturation", f"foam/saturation/whitecap_{times}.glsl", prefix="whitecap", needs=needs)
 
 
 def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
@@ -94,10 +94,10 @@ def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[s
     thresholds = [Constant(value=tuple(significant(part) for part in pair)) for pair in (model.now, model.earlier)]
     shares = [Constant(value=(significant(share),)) for share in model.shares]
     return {
-        "u_fold": array("vec2", thresholds, 2),
-        "u_fold_variance": vector((*(significant(part / slopes) for part in model.variance), significant(slopes))),
-        "u_fold_clamped": number(significant(model.clamped)),
-        "u_fold_share": array("float", shares, len(shares)),
+        "u_whitecap": array("vec2", thresholds, 2),
+        "u_whitecap_variance": vector((*(significant(part / slopes) for part in model.variance), significant(slopes))),
+        "u_whitecap_clamped": number(significant(model.clamped)),
+        "u_whitecap_share": array("float", shares, len(shares)),
     }
 
 
@@ -232,17 +232,17 @@ def _time_uniforms(
     }
 
 
-def fold_limit(source: FoldSaturation, scene: Scene) -> float:
+def fold_limit(source: WhitecapSaturation, scene: Scene) -> float:
     """Return the greatest fold saturation: 0 without wind."""
     return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
 
 
 EFFECT = Effect(
-    "fold foam",
+    "whitecaps",
     contribute,
-    saturation=SaturationSource(FoldSaturation, fold_limit),
-    knobs=(
-        Knob("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
-        Knob("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
+    saturation=SaturationSource(WhitecapSaturation, fold_limit),
+    parameters=(
+        QualityParameter("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
+        QualityParameter("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
     ),
 )

@@ -1,6 +1,6 @@
 """Clouds: a layer of gradient noise over a round earth. docs/formulae.md, section 9."""
 
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
 from seafoam.effects.light import atmosphere
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.framegraph.rules import number, rounded, significant, vector
@@ -52,5 +52,5 @@ EFFECT = Effect(
     "clouds",
     contribute,
     fields=("/light/sky/clouds",),
-    knobs=(Knob("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),),
+    parameters=(QualityParameter("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),),
 )

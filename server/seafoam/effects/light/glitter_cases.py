@@ -6,7 +6,7 @@ from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _DOWN = Light(sun_elevation=-0.1)
@@ -34,7 +34,9 @@ _HARD = (
     ),
     HardCase(
         name="the brightest path of the sun",
-        scene=Scene(light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.03, chop=Chop(slope=0.05))),
+        scene=Scene(
+            light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.03, ripples=Ripples(slope=0.05))
+        ),
         guard="glitter is at most 1e4 (light/glitter/beckmann.glsl), the frame at most 65504 (surface/main.glsl)",
         without="5.9e6, ninety times the greatest half float",
         camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
@@ -49,7 +51,7 @@ _HARD = (
                 specular_power=2000.0,
                 specular_perturb=0.0,
             ),
-            water=Water(chop=Chop(slope=0.6)),
+            water=Water(ripples=Ripples(slope=0.6)),
         ),
         guard="n·h is clamped to [0, 1] before the power (light/glitter/blinn_phong.glsl)",
         without="powers of negative numbers: 65504 in a fifth of the samples, a mean error of 28 levels",

@@ -8,27 +8,27 @@ from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import Moon, Sky
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _HARD = (
     HardCase(
         name="sun at the horizon",
-        scene=Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(chop=Chop())),
+        scene=Scene(light=Light(sun_elevation=0.0, turbidity=10.0), water=Water(ripples=Ripples())),
         guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
         without="the sky is off by up to 0.8 levels at the horizon",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
     ),
     HardCase(
         name="sun under the horizon",
-        scene=Scene(light=Light(sun_elevation=-0.3, turbidity=10.0), water=Water(chop=Chop())),
+        scene=Scene(light=Light(sun_elevation=-0.3, turbidity=10.0), water=Water(ripples=Ripples())),
         guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
         without="the sky is off by up to 0.03 levels at the horizon",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
     ),
     HardCase(
         name="sun at the zenith",
-        scene=Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(chop=Chop())),
+        scene=Scene(light=Light(sun_elevation=math.pi / 2, turbidity=10.0), water=Water(ripples=Ripples())),
         guard="offsets of 0.03 and 0.09 in the air masses (docs/formulae.md, section 6)",
         without="1/0 at the horizon; the sky's mean error is 15 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
@@ -52,14 +52,14 @@ _HARD = (
     ),
     HardCase(
         name="ten stops down at night",
-        scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(chop=Chop())),
+        scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=-10.0), water=Water(ripples=Ripples())),
         guard="the air's light is at least 0.002 (effects/light/atmosphere.py)",
         without="67 % of samples are below the smallest half float and become 0: 2e-5 levels",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
         name="sun setting through 0 degrees under a layered sky",
-        scene=Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(chop=Chop())),
+        scene=Scene(light=Light(sun_elevation=0.0, exposure=-1.0, sky=Sky(haze=20.0)), water=Water(ripples=Ripples())),
         guard="an offset of 0.02 in the haze's air mass (light/sky/layered.glsl)",
         without="0/0 along the horizon: 85 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=0.0),
@@ -68,7 +68,7 @@ _HARD = (
         name="no lamp at all: the sun down, the moon not yet counted",
         scene=Scene(
             light=Light(sun_elevation=-0.06, exposure=2.0, sky=Sky(moon=Moon(), stars=1.0)),
-            water=Water(chop=Chop()),
+            water=Water(ripples=Ripples()),
         ),
         guard="moonlight starts at 0 at the elevation where sunlight reaches 0 (effects/light/atmosphere.py)",
         without="water and sky change by 16 levels in the mean as the sun sinks by a hundredth of a degree",

@@ -7,7 +7,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import Moon, Sky
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 
 _OPPOSITE = Moon(azimuth=0.3 - math.pi, elevation=0.4, size=5.0)
 
@@ -20,7 +20,7 @@ _MOON_HARD = (
         name="moon and sun opposite",
         scene=Scene(
             light=Light(sun_azimuth=0.3, sun_elevation=-0.4, exposure=1.0, sky=Sky(moon=_OPPOSITE)),
-            water=Water(chop=Chop()),
+            water=Water(ripples=Ripples()),
         ),
         guard="the depth of the sphere at its rim is the root of at least 0 (light/sky/moon_disc.glsl)",
         without="no difference on llvmpipe, whose max(NaN, 0) is 0: NaN in a ring of a twentieth of the disc",

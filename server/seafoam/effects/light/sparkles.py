@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile, Source
+from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile, Source
 from seafoam.effects.light.glitter import brightest_glint, smooth_glint
 from seafoam.effects.noise import HASH
 from seafoam.framegraph.rules import Loop, array, number, significant
@@ -62,5 +62,5 @@ EFFECT = Effect(
     "sparkles",
     contribute,
     fields=("/light/sparkles",),
-    knobs=(Knob("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),),
+    parameters=(QualityParameter("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),),
 )

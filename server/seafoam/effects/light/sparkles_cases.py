@@ -7,12 +7,12 @@ from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light, Sparkles
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _SUNSET = Light(sun_elevation=0.12, sun_azimuth=-math.pi / 2, exposure=-1.0, sparkles=Sparkles())
 
-_WATER = Water(chop=Chop(slope=0.2), roughness=0.12)
+_WATER = Water(ripples=Ripples(slope=0.2), roughness=0.12)
 
 _VIEW = Camera(position=(0.0, 4.0, 0.0), pitch=-0.1, fov=0.6)
 

@@ -6,7 +6,7 @@ from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
@@ -22,7 +22,7 @@ _HARD = (
         scene=Scene(
             waves=(ParametricWave(amplitude=1e-6, wavelength=3.0),),
             light=Light(sun_elevation=0.1),
-            water=Water(chop=Chop()),
+            water=Water(ripples=Ripples()),
         ),
         guard="the height relative to the greatest height, with 1/height in float64 (effects/light/subsurface.py)",
         without="no difference here; 0/0 is NaN where the water is level",

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, SlotRef
+from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, SlotFile, SlotRef
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
@@ -94,8 +94,8 @@ EFFECT = Effect(
     "cube map",
     contribute,
     fields=("/light/reflection",),
-    knobs=(
-        Knob("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
-        Knob("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
+    parameters=(
+        QualityParameter("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
+        QualityParameter("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),
     ),
 )

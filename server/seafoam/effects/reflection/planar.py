@@ -6,9 +6,9 @@ from seafoam.effects.effect import (
     Contribution,
     Effect,
     Inline,
-    Knob,
     PassSpec,
     Piece,
+    QualityParameter,
     SlotFile,
     SlotRef,
     constant_function,
@@ -100,8 +100,8 @@ EFFECT = Effect(
     "planar reflection",
     contribute,
     fields=("/light/reflection",),
-    knobs=(
-        Knob("/reflection", "planar mirror", ("map", "traced"), "filtering"),
-        Knob("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
+    parameters=(
+        QualityParameter("/reflection", "planar mirror", ("map", "traced"), "filtering"),
+        QualityParameter("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),
     ),
 )

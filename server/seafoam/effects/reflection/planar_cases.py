@@ -5,7 +5,7 @@ from seafoam.scene.boats import Boat
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _BOAT = Boat(centre=(0.0, -14.0), radius=15.0, bearing=1.6, speed=0.0)
@@ -17,7 +17,7 @@ _INVISIBLE = (Scene(light=_MIRROR), Scene(light=_MIRROR, waves=(ParametricWave()
 _HARD = (
     HardCase(
         name="a mirror under the eye and straight down",
-        scene=Scene(light=_MIRROR, boats=(_BOAT,), water=Water(chop=Chop())),
+        scene=Scene(light=_MIRROR, boats=(_BOAT,), water=Water(ripples=Ripples())),
         guard="only points in front of the mirrored camera are read (reflection/planar.glsl)",
         without="no difference on llvmpipe: the boats that are searched for are in front of the camera",
         camera=Camera(position=(0.0, 4.0, -2.0), pitch=-1.5708),

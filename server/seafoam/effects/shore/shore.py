@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_surface_height, min_surface_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, SlotFile, TextureUse
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, QualityParameter, SlotFile, TextureUse
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
 from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, blur_deviation, map_passes, map_targets
@@ -174,10 +174,10 @@ EFFECT = Effect(
     "shore",
     contribute,
     fields=("/shore", "/shore/surf"),
-    knobs=(
-        Knob("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
-        Knob("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
-        Knob("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
-        Knob("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
+    parameters=(
+        QualityParameter("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
+        QualityParameter("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
+        QualityParameter("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
+        QualityParameter("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
     ),
 )

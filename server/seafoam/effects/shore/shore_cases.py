@@ -9,7 +9,7 @@ from seafoam.scene.foam import Foam, SurfSaturation
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 
 _FOAM = Foam(saturation=(SurfSaturation(),), mask="clump")
 
@@ -104,7 +104,7 @@ _HARD = (
         "ripples that face away",
         "the refracted ray's direction has y of at most -0.25 (shore/through.glsl)",
         "up to 0.5 levels off where ripples make the ray almost horizontal",
-        water=Water(chop=Chop(slope=0.6), scattering=0.01),
+        water=Water(ripples=Ripples(slope=0.6), scattering=0.01),
         camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
     ),
     _case(

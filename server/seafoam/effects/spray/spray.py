@@ -10,8 +10,8 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    Knob,
     PassSpec,
+    QualityParameter,
     SlotRef,
     TextureUse,
 )
@@ -164,5 +164,5 @@ EFFECT = Effect(
     "spray",
     contribute,
     fields=("/spray",),
-    knobs=(Knob("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),),
+    parameters=(QualityParameter("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),),
 )

@@ -5,18 +5,18 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, min_surface_height
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, Part, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, Part, PassSpec, QualityParameter, SlotFile
 from seafoam.effects.light.light import sun_direction
 from seafoam.effects.waves.ripples import ripple_phases
 from seafoam.framegraph.passes import Grid, Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Uniform, array, in_tile, number, rounded, significant, vector
 from seafoam.ocean.refraction import INDEX, refracted_cosine
-from seafoam.ocean.ripples import Ripple, ripples, tiles
+from seafoam.ocean.ripples import Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop
+from seafoam.scene.water import Ripples
 
 COLOURS = ("red", "green", "blue")
 COLOUR_INDEX = (-0.0033, 0.0, 0.0042)
@@ -56,14 +56,14 @@ class _Tile:
     """Sunlight that enters a tile of ripples over a level floor. ``depth``: m; ``side``: of the tile, m."""
 
     light: Light
-    chop: Chop
+    ripples: Ripples
     depth: float
     dispersion: float
     side: float
 
     @property
     def waves(self) -> list[Ripple]:
-        return [wave for cascade in ripples(self.chop, True) for wave in cascade]
+        return [wave for cascade in ripple_cascades(self.ripples, True) for wave in cascade]
 
     @property
     def level(self) -> tuple[float, float]:
@@ -74,7 +74,7 @@ class _Tile:
     def steep_slopes(self) -> list[tuple[float, float]]:
         """Slopes in all directions up to :data:`_MAX_DEVIATIONS` standard deviations."""
         angles = [2.0 * math.pi * i / 64 for i in range(64)]
-        sizes = [share * _MAX_DEVIATIONS * self.chop.slope for share in (0.25, 0.5, 0.75, 1.0)]
+        sizes = [share * _MAX_DEVIATIONS * self.ripples.slope for share in (0.25, 0.5, 0.75, 1.0)]
         return [(size * math.cos(angle), size * math.sin(angle)) for angle in angles for size in sizes]
 
     @property
@@ -153,9 +153,15 @@ def _smoothing(shifts: list[tuple[float, float]]) -> _Smoothing:
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if the light has caustics and there are ripples over a level floor."""
     light, water = scene.light, scene.water
-    if light is None or light.caustics is None or water.depth is None or water.chop is None or scene.shore is not None:
+    if (
+        light is None
+        or light.caustics is None
+        or water.depth is None
+        or water.ripples is None
+        or scene.shore is not None
+    ):
         return None
-    tile = _Tile(light, water.chop, water.depth, light.caustics.dispersion, tiles(True)[0])
+    tile = _Tile(light, water.ripples, water.depth, light.caustics.dispersion, tiles(True)[0])
     photons = quality.caustics == "photons" or tile.spread > MAX_SPREAD
     rays = quality.caustics_photons if photons else quality.caustics_cells
     texels = quality.caustics_size
@@ -330,10 +336,10 @@ EFFECT = Effect(
     "caustics",
     contribute,
     fields=("/light/caustics",),
-    knobs=(
-        Knob("/caustics", "caustics", ("grid", "photons"), "geometry"),
-        Knob("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
-        Knob("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
-        Knob("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
+    parameters=(
+        QualityParameter("/caustics", "caustics", ("grid", "photons"), "geometry"),
+        QualityParameter("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),
+        QualityParameter("/caustics_cells", "cells of the refracted grid", (64, 128, 256, 512), "geometry"),
+        QualityParameter("/caustics_photons", "photons per side", (128, 256, 512, 1024), "geometry"),
     ),
 )

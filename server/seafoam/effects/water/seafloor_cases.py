@@ -3,19 +3,19 @@
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
     Scene(water=Water(depth=11000.0)),
-    Scene(waves=(ParametricWave(),), water=Water(depth=500.0, chop=Chop())),
+    Scene(waves=(ParametricWave(),), water=Water(depth=500.0, ripples=Ripples())),
 )
 
 _HARD = (
     HardCase(
         name="five centimetres of black water",
         scene=Scene(
-            water=Water(depth=0.05, absorption_length=(0.01, 0.01, 0.01), scattering=0.5, chop=Chop(slope=0.6)),
+            water=Water(depth=0.05, absorption_length=(0.01, 0.01, 0.01), scattering=0.5, ripples=Ripples(slope=0.6)),
             waves=(ParametricWave(amplitude=50.0, wavelength=0.05),),
         ),
         guard="cv is at most 1 under the root (water/body/floor.glsl)",
@@ -36,7 +36,7 @@ _HARD = (
     ),
     HardCase(
         name="a floor eleven kilometres down",
-        scene=Scene(water=Water(depth=11000.0, chop=Chop()), waves=(ParametricWave(),)),
+        scene=Scene(water=Water(depth=11000.0, ripples=Ripples()), waves=(ParametricWave(),)),
         guard="the floor is left out, since its bound is 0 (effects/water/seafloor.py); if it is drawn, its "
         "transmittance underflows to 0 (water/body/floor.glsl)",
         without="drawn nevertheless, it makes a difference of 0 levels",

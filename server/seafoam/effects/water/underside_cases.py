@@ -8,12 +8,12 @@ from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _BEACH = Shore(size=160.0, radius=25.0, depth=6.0, slope=0.1, smoothing=3.0)
 
-_POOL = Water(depth=2.0, floor_tile=0.3, chop=Chop(slope=0.08))
+_POOL = Water(depth=2.0, floor_tile=0.3, ripples=Ripples(slope=0.08))
 
 
 def _case(
@@ -43,7 +43,7 @@ _HARD = (
         "0/0 in 0.2 % of samples, 65504 after the frame's limit; where 1 + fall is a rounding error, errors "
         "of up to 236 levels",
         Camera(position=(0.0, -1.0, 0.0), pitch=math.pi / 2, fov=0.01),
-        water=_POOL.model_copy(update={"chop": None}),
+        water=_POOL.model_copy(update={"ripples": None}),
     ),
     _case(
         "a hair under the surface",
@@ -70,7 +70,7 @@ _HARD = (
         "distances are at most 1000 km, depths at least 0 (planner/defaults.py, water/underside/water.glsl)",
         "no difference: the light is 3e-9 there, and no light passes through 1e38 m of water",
         Camera(position=(1e7, -1000.0, -1e7), pitch=0.4),
-        water=Water(chop=Chop()),
+        water=Water(ripples=Ripples()),
     ),
     _case(
         "straight up from before a beach",

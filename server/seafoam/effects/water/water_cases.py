@@ -4,7 +4,7 @@ from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 
 _HARD = (
     HardCase(
@@ -33,7 +33,7 @@ _HARD = (
     ),
     HardCase(
         name="water as rough as it gets, a hundred kilometres up",
-        scene=Scene(water=Water(roughness=0.5, chop=Chop(slope=0.6))),
+        scene=Scene(water=Water(roughness=0.5, ripples=Ripples(slope=0.6))),
         guard="the unresolved slope variance, which is added to the roughness, is never negative "
         "(waves/ripples/bands.glsl)",
         without="no difference on llvmpipe: the resolved fractions are in [0, 1]",

@@ -3,7 +3,7 @@
 import math
 
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
-from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, SlotFile
 from seafoam.effects.foam.living import carries
 from seafoam.framegraph.rules import Constant, Phase, array, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
@@ -129,5 +129,5 @@ EFFECT = Effect(
     "parametric waves",
     contribute,
     fields=("/waves",),
-    knobs=(Knob("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
+    parameters=(QualityParameter("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
 )

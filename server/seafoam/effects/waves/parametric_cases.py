@@ -6,7 +6,7 @@ from seafoam.effects.effect import Bounds, Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 
 _INVISIBLE = (
@@ -94,7 +94,7 @@ _HARD = (
         scene=Scene(
             waves=(ParametricWave(amplitude=1e-30), ParametricWave(amplitude=0.0)),
             foam=Foam(look="halftone"),
-            water=Water(chop=Chop()),
+            water=Water(ripples=Ripples()),
         ),
         guard="steps are divided by at least 1e-6 |D| (surface/march.glsl)",
         without="no difference on llvmpipe, where ray marching ends by its tolerance; a ray along flat water would "
@@ -149,7 +149,7 @@ _HARD = (
     ),
     HardCase(
         name="eye far below the water",
-        scene=Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(chop=Chop())),
+        scene=Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(ripples=Ripples())),
         guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl)",
         without="that distance is infinite in 0.14 % of samples and negative in 0.29 %",
         camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),

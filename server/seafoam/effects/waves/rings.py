@@ -8,10 +8,20 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from seafoam.effects.bounds import waves_bound
-from seafoam.effects.effect import HALF_FLOAT, Bound, Const, Contribution, Effect, Knob, Part, PassSpec, SlotFile
+from seafoam.effects.effect import (
+    HALF_FLOAT,
+    Bound,
+    Const,
+    Contribution,
+    Effect,
+    Part,
+    PassSpec,
+    QualityParameter,
+    SlotFile,
+)
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Constant, Held, Loop, Rule, Uniform, array, number, significant
+from seafoam.framegraph.rules import Clamp, Constant, Loop, Rule, Uniform, array, number, significant
 from seafoam.ocean.rings import FRONT, SOFT, Train, ring_curvature, ring_height, ring_slope, trains
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -27,14 +37,14 @@ def _age(ring: Ring) -> Rule:
     if ring.every is not None:
         return Loop(period=ring.every, offset=-ring.birth)
     # The amplitude is 0 from the end of the ring's life on, so the age can be clamped a second later.
-    return Held(offset=-ring.birth, rate=1.0, low=0.0, high=significant(ring.life + 1.0))
+    return Clamp(offset=-ring.birth, rate=1.0, low=0.0, high=significant(ring.life + 1.0))
 
 
-def _from_camera(x: float, z: float) -> tuple[Held, Held]:
+def _from_camera(x: float, z: float) -> tuple[Clamp, Clamp]:
     """Vector from the point (x, z) to the camera, m."""
     return (
-        Held(offset=-x, k=(1.0, 0.0), low=-_FAR, high=_FAR),
-        Held(offset=-z, k=(0.0, 1.0), low=-_FAR, high=_FAR),
+        Clamp(offset=-x, k=(1.0, 0.0), low=-_FAR, high=_FAR),
+        Clamp(offset=-z, k=(0.0, 1.0), low=-_FAR, high=_FAR),
     )
 
 
@@ -175,8 +185,8 @@ EFFECT = Effect(
     "rings",
     contribute,
     fields=("/rings",),
-    knobs=(
-        Knob("/rings", "rings", ("map", "exact"), "geometry"),
-        Knob("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
+    parameters=(
+        QualityParameter("/rings", "rings", ("map", "exact"), "geometry"),
+        QualityParameter("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),
     ),
 )

@@ -7,7 +7,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 
 _VIEW = Camera(position=(0.0, 3.2, 0.0), pitch=-0.35)
 
@@ -35,7 +35,7 @@ _INVISIBLE = (
 _HARD = (
     HardCase(
         name="a hundred rings at one point",
-        scene=Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(chop=Chop())),
+        scene=Scene(rings=(_STONE.model_copy(update={"amplitude": 0.004}),) * 100, water=Water(ripples=Ripples())),
         guard="height and slope are bounded by the sum over rings that can meet (ocean/rings.py)",
         without="with the bound of the highest ring alone, crests are 0.39 m high in a slab of 8 mm",
         times=(2.0,),
@@ -74,7 +74,7 @@ _HARD = (
     ),
     HardCase(
         name="rings ten thousand kilometres away",
-        scene=Scene(rings=(_AWAY[0],), water=Water(chop=Chop())),
+        scene=Scene(rings=(_AWAY[0],), water=Water(ripples=Ripples())),
         guard="the vector from the centre to the camera is reduced in float64 (framegraph/evaluation.py)",
         without="in float32 an error of 0.14 m in a ring of 0.3 m",
         times=(2.3,),

@@ -4,14 +4,14 @@ import math
 from collections.abc import Sequence
 
 from seafoam.effects.bounds import slope_sensitivity
-from seafoam.effects.effect import Bound, Contribution, Effect, Knob, Part, PassSpec, SlotFile, Source
+from seafoam.effects.effect import Bound, Contribution, Effect, Part, PassSpec, QualityParameter, SlotFile, Source
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, array, in_tile, number, rounded, significant
-from seafoam.ocean.ripples import BANDS, WAVES_PER_TILE, Ripple, ripples, tiles
+from seafoam.ocean.ripples import BANDS, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop
+from seafoam.scene.water import Ripples
 
 _PER_BAND = WAVES_PER_TILE // BANDS
 """Ripples of a band."""
@@ -44,40 +44,40 @@ def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Active if the water has wind ripples (``water.chop``)."""
-    chop = scene.water.chop
-    if chop is None:
+    """Active if the water has wind ripples (``water.ripples``)."""
+    ripples = scene.water.ripples
+    if ripples is None:
         return None
     repeats = scene.light is not None and scene.light.caustics is not None
-    cascades, sides = ripples(chop, repeats), tiles(repeats)
+    cascades, sides = ripple_cascades(ripples, repeats), tiles(repeats)
     count = WAVES_PER_TILE * len(sides)
-    summed = quality.chop == "exact"
+    summed = quality.ripples == "exact"
     how = "summed at each sample" if summed else f"drawn into {len(sides)} tiles in each frame"
     contribution = Contribution(
         why=f"{count} ripples, {how}",
-        consts={"CHOP_WAVES": WAVES_PER_TILE},
-        uniforms={"u_chop_band": _bands(cascades)},
-        bound=_bound(scene, chop),
+        consts={"RIPPLE_WAVES": WAVES_PER_TILE},
+        uniforms={"u_ripples_band": _bands(cascades)},
+        bound=_bound(scene, ripples),
     )
     return contribution.joined(
-        _slopes("waves/ripples/exact.glsl" if summed else "waves/ripples/tile.glsl", chop),
-        _sum(cascades) if summed else _maps(cascades, sides, quality.chop_size),
+        _slopes("waves/ripples/exact.glsl" if summed else "waves/ripples/tile.glsl", ripples),
+        _sum(cascades) if summed else _maps(cascades, sides, quality.ripples_size),
     )
 
 
-def _slopes(file: str, chop: Chop) -> Part:
+def _slopes(file: str, ripples: Ripples) -> Part:
     """The slot file of the slopes, with gusts if the wind has any."""
-    gusts = chop.gusts
+    gusts = ripples.gusts
     if gusts is None or gusts.strength == 0.0:
-        return Part(slots=(SlotFile("detail", file, prefix="chop", needs=("waves/ripples/bands.glsl",)),))
-    needs = ("waves/ripples/bands.glsl", Source(file, (("chop_detail", "even_detail"),)), *PERLIN_3)
+        return Part(slots=(SlotFile("detail", file, prefix="ripples", needs=("waves/ripples/bands.glsl",)),))
+    needs = ("waves/ripples/bands.glsl", Source(file, (("ripples_detail", "even_detail"),)), *PERLIN_3)
     return Part(
-        slots=(SlotFile("detail", "waves/ripples/gusts.glsl", prefix="chop", needs=needs),),
+        slots=(SlotFile("detail", "waves/ripples/gusts.glsl", prefix="ripples", needs=needs),),
         consts={"GUST_SEED": 64 * gusts.seed},
         uniforms={
-            "u_gust_phase": drifting_noise(gusts.size, gusts.speed, chop.wind_direction, gusts.change),
+            "u_gust_phase": drifting_noise(gusts.size, gusts.speed, ripples.wind_direction, gusts.change),
             "u_gust_size": number(gusts.size),
-            "u_gust_strength": number(gusts.strength, "/water/chop/gusts/strength"),
+            "u_gust_strength": number(gusts.strength, "/water/ripples/gusts/strength"),
         },
     )
 
@@ -88,8 +88,8 @@ def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Part:
     data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * i)]
     return Part(
         uniforms={
-            "u_chop_wave": array("vec4", data, len(waves)),
-            "u_chop_phase": ripple_phases(waves, at_camera=True),
+            "u_ripples_wave": array("vec4", data, len(waves)),
+            "u_ripples_phase": ripple_phases(waves, at_camera=True),
         }
     )
 
@@ -99,21 +99,21 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
     target = Target(size=FixedSize.square(size), format="RGBA16F", filter="linear", wrap="repeat")
     return Part(
         uniforms={
-            "u_chop_offset": array("vec2", [rule for side in sides for rule in in_tile(side)], len(sides)),
-            "u_chop_size": array("float", [Constant(value=(side,)) for side in sides], len(sides)),
+            "u_ripples_offset": array("vec2", [rule for side in sides for rule in in_tile(side)], len(sides)),
+            "u_ripples_size": array("float", [Constant(value=(side,)) for side in sides], len(sides)),
         },
-        inputs={f"u_chop_{i}": TargetInput(target=f"chop_{i}") for i in range(len(sides))},
-        targets={f"chop_{i}": target for i in range(len(sides))},
+        inputs={f"u_ripples_{i}": TargetInput(target=f"ripples_{i}") for i in range(len(sides))},
+        targets={f"ripples_{i}": target for i in range(len(sides))},
         passes=tuple(
             PassSpec(
                 name=f"ripples, {side:g} m tile",
-                program="chop",
+                program="ripples",
                 fragment=("lib/numbers.glsl", "waves/ripples/tile_pass.glsl"),
-                target=f"chop_{i}",
+                target=f"ripples_{i}",
                 uniforms={
-                    "u_chop_wave": array("vec4", _wave_data(waves), len(waves)),
-                    "u_chop_phase": ripple_phases(waves),
-                    "u_chop_tile": number(side),
+                    "u_ripples_wave": array("vec4", _wave_data(waves), len(waves)),
+                    "u_ripples_phase": ripple_phases(waves),
+                    "u_ripples_tile": number(side),
                 },
             )
             for i, (side, waves) in enumerate(zip(sides, cascades, strict=True))
@@ -121,24 +121,24 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
     )
 
 
-def _bound(scene: Scene, chop: Chop) -> Bound | None:
+def _bound(scene: Scene, ripples: Ripples) -> Bound | None:
     """Ripples have slopes but no height, so only shading shows them."""
     if scene.light is None:
         return Bound(0.0, "the scene has no light, and ripples show by their shading alone")
-    max_slope = sum(wave.slope for cascade in ripples(chop) for wave in cascade)
+    max_slope = sum(wave.slope for cascade in ripple_cascades(ripples) for wave in cascade)
     fields: tuple[str, ...] = ("/light/exposure", "/water/roughness")
-    if chop.gusts is not None:
-        max_slope *= 1.0 + chop.gusts.strength
-        fields = (*fields, "/water/chop/gusts/strength")
+    if ripples.gusts is not None:
+        max_slope *= 1.0 + ripples.gusts.strength
+        fields = (*fields, "/water/ripples/gusts/strength")
     return Bound(slope_sensitivity(scene) * max_slope, f"the greatest slope is {max_slope:.1g}", fields)
 
 
 EFFECT = Effect(
     "ripples",
     contribute,
-    fields=("/water/chop", "/water/chop/gusts"),
-    knobs=(
-        Knob("/chop", "ripples", ("tile", "exact"), "geometry"),
-        Knob("/chop_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
+    fields=("/water/ripples", "/water/ripples/gusts"),
+    parameters=(
+        QualityParameter("/ripples", "ripples", ("tile", "exact"), "geometry"),
+        QualityParameter("/ripples_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),
     ),
 )

@@ -11,9 +11,9 @@ from seafoam.effects.effect import (
     Const,
     Contribution,
     Effect,
-    Knob,
     Part,
     PassSpec,
+    QualityParameter,
     SlotFile,
     TextureUse,
 )
@@ -323,9 +323,9 @@ EFFECT = Effect(
     "sea",
     contribute,
     fields=("/sea",),
-    knobs=(
-        Knob("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
-        Knob("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
-        Knob("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
+    parameters=(
+        QualityParameter("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
+        QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),
+        QualityParameter("/sea_digits", "number format of the sea tiles", ("half", "float"), "precision"),
     ),
 )

@@ -2,9 +2,9 @@
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
-from seafoam.scene.foam import Foam, FoldSaturation
+from seafoam.scene.foam import Foam, WhitecapSaturation
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import Sea
 
 _NEAR = Camera(position=(0.37, 9.0, -0.21), yaw=1.0, pitch=-0.3)
@@ -14,7 +14,7 @@ _INVISIBLE = (Scene(sea=Sea(wind=0.0)), Scene(sea=Sea(), light=None))
 _HARD = (
     HardCase(
         name="a sea without wind",
-        scene=Scene(sea=Sea(wind=0.0), foam=Foam(saturation=(FoldSaturation(),))),
+        scene=Scene(sea=Sea(wind=0.0), foam=Foam(saturation=(WhitecapSaturation(),))),
         guard="the spectrum is 0 without wind (ocean/cascades.py)",
         without="the peak frequency is g/0: no plan can be made",
         camera=_NEAR,
@@ -44,7 +44,7 @@ _HARD = (
     ),
     HardCase(
         name="a breath of wind, and no wave on the largest tile",
-        scene=Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(chop=Chop())),
+        scene=Scene(sea=Sea(wind=0.4, fetch=100.0, spread=100.0, against=0.0), water=Water(ripples=Ripples())),
         guard="the divisor is at least 1e-30 where slopes are clamped (waves/sea/tile_pass.glsl)",
         without="no difference on llvmpipe, whose min(1, 0/0) is 1; GLSL leaves it undefined",
         camera=_NEAR,

@@ -209,8 +209,8 @@ class Sky:
         if at.size == 0:
             return colour, hides
         a, b = dot(chord[at], right), dot(chord[at], up)
-        ball = a[:, None] * right + b[:, None] * up - np.sqrt(np.maximum(1.0 - far[at], 0.0))[:, None] * to_moon
-        lit = np.sqrt(np.maximum(dot(ball, self.lamps[0].direction), 0.0))
+        sphere = a[:, None] * right + b[:, None] * up - np.sqrt(np.maximum(1.0 - far[at], 0.0))[:, None] * to_moon
+        lit = np.sqrt(np.maximum(dot(sphere, self.lamps[0].direction), 0.0))
         noise = fractal(np.column_stack((1.7 * a + 3.1, 1.7 * b + 7.7)), np.zeros(at.size), 4, 77)
         dust = 1.0 - 0.55 * smoothstep(-0.2, 0.9, noise)
         hides[at] = 1.0 - smoothstep(0.8, 1.2, far[at])

@@ -16,16 +16,16 @@ from seafoam.reference.foam.front import CAP, History
 from seafoam.reference.foam.saturation import front_source, height_saturation, joined, slope_saturation
 from seafoam.reference.renderer.state import FrameState
 from seafoam.reference.types import Floats
-from seafoam.reference.waves.sea import fold_saturation
+from seafoam.reference.waves.sea import whitecap_saturation
 from seafoam.scene.foam import (
     DriftSaturation,
     Foam,
-    FoldSaturation,
     FrontSaturation,
     HeightSaturation,
     SlopeSaturation,
     SurfSaturation,
     WakeSaturation,
+    WhitecapSaturation,
 )
 
 
@@ -62,8 +62,8 @@ def _slope(of: FrameState, source: SlopeSaturation, at: SurfacePoints) -> Floats
     return slope_saturation(lambda x, z: of.slopes(x, z)[1], at.x, at.z, source.gain, source.base, source.blur)
 
 
-def _fold(of: FrameState, source: FoldSaturation, at: SurfacePoints) -> Floats:
-    return fold_saturation(of.scene, source, of.sea, at.x, at.z)
+def _fold(of: FrameState, source: WhitecapSaturation, at: SurfacePoints) -> Floats:
+    return whitecap_saturation(of.scene, source, of.sea, at.x, at.z)
 
 
 def _surf(of: FrameState, source: SurfSaturation, at: SurfacePoints) -> Floats:
@@ -82,7 +82,7 @@ _SOURCES: dict[type[BaseModel], Callable[[FrameState, Any, SurfacePoints], Float
     FrontSaturation: _front,
     HeightSaturation: _height,
     SlopeSaturation: _slope,
-    FoldSaturation: _fold,
+    WhitecapSaturation: _fold,
     SurfSaturation: _surf,
     DriftSaturation: _drift,
     WakeSaturation: _wake,

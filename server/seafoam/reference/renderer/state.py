@@ -70,9 +70,9 @@ class FrameState:
         coast = self.coast
         ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
         self.fleet = fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None
-        self.gusts = GustField(scene.water.chop, time, self.origin)
+        self.gusts = GustField(scene.water.ripples, time, self.origin)
         repeats = scene.light is not None and scene.light.caustics is not None
-        self.ripples: RippleSet = ripple_set(scene.water.chop, time, self.origin, repeats)
+        self.ripples: RippleSet = ripple_set(scene.water.ripples, time, self.origin, repeats)
         self.bed = bed_of(scene, self.air, time, self.origin)
         at_eye = float(self.relief.height(np.zeros(1), np.zeros(1))[0])
         self.covered = self.eye_y < at_eye

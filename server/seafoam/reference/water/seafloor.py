@@ -12,7 +12,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.ripples import ripples, tiles
+from seafoam.ocean.ripples import ripple_cascades, tiles
 from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, INDEX, Air, air, fresnel
 from seafoam.reference.noise import corner
 from seafoam.reference.shore.shore import Coast
@@ -20,7 +20,7 @@ from seafoam.reference.types import Floats, dot, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.water import Ripples, Water
 
 MAP = 512
 """Texels along a side of the caustic map."""
@@ -57,9 +57,9 @@ def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> 
     return ray[..., 0] * way, ray[..., 2] * way, share
 
 
-def tile_slopes(chop: Chop, time: float, count: int) -> tuple[Floats, Floats]:
+def tile_slopes(ripples: Ripples, time: float, count: int) -> tuple[Floats, Floats]:
     """Slopes of tiling ripples at the nodes of a tile's grid, (count, count) each, rows along z."""
-    drawn = [wave for cascade in ripples(chop, True) for wave in cascade]
+    drawn = [wave for cascade in ripple_cascades(ripples, True) for wave in cascade]
     at = np.arange(count) * (tiles(True)[0] / count)
     phase = np.array([reduced((wave.omega, time), plus=wave.phase) for wave in drawn])
     kx, kz = np.array([wave.kx for wave in drawn]), np.array([wave.kz for wave in drawn])
@@ -80,17 +80,17 @@ def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOT
     light, water = scene.light, scene.water
     assert light is not None
     assert light.caustics is not None
-    assert water.chop is not None
+    assert water.ripples is not None
     depth = water.depth or 0.0
-    return _photon_map(light, light.caustics, water.chop, depth, time, texels, photons)
+    return _photon_map(light, light.caustics, water.ripples, depth, time, texels, photons)
 
 
 @lru_cache(maxsize=8)
 def _photon_map(
-    light: Light, caustics: Caustics, chop: Chop, depth: float, time: float, texels: int, photons: int
+    light: Light, caustics: Caustics, ripples: Ripples, depth: float, time: float, texels: int, photons: int
 ) -> Floats:
     lighting = air(light)
-    h_x, h_z = tile_slopes(chop, time, photons)
+    h_x, h_z = tile_slopes(ripples, time, photons)
     flat_x, flat_z = (float(part[0]) for part in landing(lighting, depth, np.zeros(1), np.zeros(1), INDEX)[:2])
     start = np.arange(photons) * (texels / photons)
     per_metre = texels / tiles(True)[0]
@@ -141,7 +141,7 @@ class Seabed:
         self.origin = origin
         self.extinction = 1.0 / np.array(water.absorption_length) + water.scattering
         self.map: Floats | None = None
-        if light.caustics is not None and water.chop is not None and water.depth is not None:
+        if light.caustics is not None and water.ripples is not None and water.depth is not None:
             self.map = photon_map(scene, time)
             flat = landing(made, water.depth, np.zeros(1), np.zeros(1), INDEX)
             self.flat = float(flat[0][0]), float(flat[1][0])

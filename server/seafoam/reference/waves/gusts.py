@@ -7,7 +7,7 @@ import numpy as np
 from seafoam.reference.noise import PERIOD, fractal
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.parametric import reduced
-from seafoam.scene.water import Chop
+from seafoam.scene.water import Ripples
 
 OCTAVES = 3
 
@@ -15,13 +15,13 @@ OCTAVES = 3
 class GustField:
     """Factor on the ripples' amplitude at one time (s) around one origin (x, z) in m; 1 without gusts."""
 
-    def __init__(self, chop: Chop | None, time: float, origin: tuple[float, float]) -> None:
-        self.gusts = None if chop is None else chop.gusts
-        if chop is None or self.gusts is None:
+    def __init__(self, ripples: Ripples | None, time: float, origin: tuple[float, float]) -> None:
+        self.gusts = None if ripples is None else ripples.gusts
+        if ripples is None or self.gusts is None:
             return
         gusts = self.gusts
         turn = 2.0 * math.pi / (PERIOD * gusts.size)
-        speed = (gusts.speed * math.cos(chop.wind_direction), gusts.speed * math.sin(chop.wind_direction))
+        speed = (gusts.speed * math.cos(ripples.wind_direction), gusts.speed * math.sin(ripples.wind_direction))
         cells = PERIOD / (2.0 * math.pi)
         self.place = (
             cells * reduced((turn, origin[0]), (-turn * speed[0], time)),

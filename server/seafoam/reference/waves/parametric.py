@@ -13,11 +13,11 @@ import numpy as np
 from scipy import special
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.ripples import ripples
+from seafoam.ocean.ripples import ripple_cascades
 from seafoam.ocean.stokes import orbit
 from seafoam.reference.types import Floats
 from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop
+from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
 
 _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
@@ -230,9 +230,9 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
     )
 
 
-def ripple_set(chop: Chop | None, time: float, origin: tuple[float, float], repeats: bool = False) -> RippleSet:
-    """The ripples of a chop at a time (s) around an origin (x, z) in m; empty without one."""
-    drawn = [] if chop is None else [ripple for cascade in ripples(chop, repeats) for ripple in cascade]
+def ripple_set(ripples: Ripples | None, time: float, origin: tuple[float, float], repeats: bool = False) -> RippleSet:
+    """The ripples of a ripples at a time (s) around an origin (x, z) in m; empty without one."""
+    drawn = [] if ripples is None else [ripple for cascade in ripple_cascades(ripples, repeats) for ripple in cascade]
     phase = [
         reduced((ripple.omega, time), (-ripple.kx, origin[0]), (-ripple.kz, origin[1]), plus=ripple.phase)
         for ripple in drawn

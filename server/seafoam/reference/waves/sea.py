@@ -14,7 +14,7 @@ from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, 
 from seafoam.ocean.stokes import foam_drift
 from seafoam.ocean.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.reference.types import Floats
-from seafoam.scene.foam import FoldSaturation
+from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
 
@@ -295,13 +295,15 @@ def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: 
     if scene.sea is None or scene.sea.wind <= 0.0:
         return None
     depth = scene.water.depth
-    source = None if scene.foam is None else scene.foam.source(FoldSaturation)
+    source = None if scene.foam is None else scene.foam.source(WhitecapSaturation)
     lasting = source is not None and source.lasting
     tiles, earlier, old = _drawn(scene.sea, depth, time, texels, foam_drift(scene), lasting)
     return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
 
 
-def fold_saturation(scene: Scene, foam: FoldSaturation, surface: SeaSurface | None, x: Floats, z: Floats) -> Floats:
+def whitecap_saturation(
+    scene: Scene, foam: WhitecapSaturation, surface: SeaSurface | None, x: Floats, z: Floats
+) -> Floats:
     """f at (x, z), m from the origin; (r,) in [0, 1]."""
     if scene.sea is None or surface is None:
         return np.zeros_like(x)

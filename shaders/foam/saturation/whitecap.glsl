@@ -1,10 +1,10 @@
 // Foam where the sea folds, now and within the last seconds: f = sum of a_j clamp((threshold - F_j) / width, 0, 1), at most 1.
 // F = l div D, the divergence of the displacement: the Jacobian less 1 to first order. What the footprint does not resolve of it is taken
 // as normal. docs/formulae.md, section 4.
-uniform vec2 u_fold[2];         // threshold and width, now and earlier
-uniform vec3 u_fold_variance;   // of the divergence, a mean square slope's worth, now and earlier; and the whole mean square slope
-uniform float u_fold_clamped;   // share of summed foam that is left where sums are held at 1
-uniform float u_fold_share[FOLD_TIMES]; // of the foam of each time that is left
+uniform vec2 u_whitecap[2];         // threshold and width, now and earlier
+uniform vec3 u_whitecap_variance;   // of the divergence, a mean square slope's worth, now and earlier; and the whole mean square slope
+uniform float u_whitecap_clamped;   // share of summed foam that is left where sums are held at 1
+uniform float u_whitecap_share[FOLD_TIMES]; // of the foam of each time that is left
 
 // Mean of max(t - n, 0) over normal n of deviation s. The error function of Abramowitz and Stegun 7.1.26, to 1.5e-7.
 float fold_above(float t, float s) {
@@ -27,5 +27,5 @@ float fold_ramp(float divergence, float deviation, vec2 limits) {
 
 // Foam of all times together. Means over a footprint are not held at 1 one by one, so what that would take goes by its share.
 float fold_together(float f, float unresolved) {
-    return min(f * mix(1.0, u_fold_clamped, min(unresolved / u_fold_variance.z, 1.0)), 1.0);
+    return min(f * mix(1.0, u_whitecap_clamped, min(unresolved / u_whitecap_variance.z, 1.0)), 1.0);
 }

@@ -1,9 +1,9 @@
-"""Knobs and points: every field of the quality is somebody's knob, and what is measured has plans of its own."""
+"""Quality parameters and points: every field of the quality belongs to one, and what is measured has its own plan."""
 
 import pytest
 from pydantic import BaseModel, ValidationError
 
-from seafoam.accuracy.knobs import SPINE_KNOBS, all_knobs, every_knob, idealised, value_at, with_value
+from seafoam.accuracy.parameters import SPINE_KNOBS, all_parameters, every_parameter, idealised, value_at, with_value
 from seafoam.accuracy.points import chains, points_of
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
@@ -20,18 +20,20 @@ def fields(model: type[BaseModel], path: str = "") -> list[str]:
     return found
 
 
-def test_every_field_of_quality_is_covered_by_one_knob():
-    pointers = [knob.pointer for _, knob in every_knob()]
+def test_every_field_of_quality_is_covered_by_one_parameter():
+    pointers = [parameter.pointer for _, parameter in every_parameter()]
     assert sorted(pointers) == sorted(fields(Quality))
 
 
-@pytest.mark.parametrize("knob", [knob for _, knob in every_knob()], ids=lambda knob: knob.pointer)
-def test_steps_are_valid_qualities(knob):
-    made = [with_value(TIERS["standard"], knob.pointer, step) for step in knob.steps]
+@pytest.mark.parametrize(
+    "parameter", [parameter for _, parameter in every_parameter()], ids=lambda parameter: parameter.pointer
+)
+def test_steps_are_valid_qualities(parameter):
+    made = [with_value(TIERS["standard"], parameter.pointer, step) for step in parameter.steps]
     assert len(set(made)) == len(made) >= 2
-    assert [value_at(one, knob.pointer) for one in made] == list(knob.steps)
+    assert [value_at(one, parameter.pointer) for one in made] == list(parameter.steps)
     assert TIERS["standard"] in made
-    assert knob.title
+    assert parameter.title
 
 
 def test_a_value_out_of_range_is_refused():
@@ -41,10 +43,10 @@ def test_a_value_out_of_range_is_refused():
         with_value(TIERS["standard"], "/surface/nope", 0)
 
 
-def test_effects_that_do_not_run_bring_no_knobs():
-    assert {owner for owner, _ in all_knobs(Scene())} == {"frame"}
-    assert len(all_knobs(Scene())) == len(SPINE_KNOBS)
-    assert {owner for owner, _ in all_knobs(load_preset("default").scene)} > {"frame", "ripples", "foam look"}
+def test_effects_that_do_not_run_bring_no_parameters():
+    assert {owner for owner, _ in all_parameters(Scene())} == {"frame"}
+    assert len(all_parameters(Scene())) == len(SPINE_KNOBS)
+    assert {owner for owner, _ in all_parameters(load_preset("default").scene)} > {"frame", "ripples", "foam look"}
 
 
 @pytest.mark.parametrize("preset", preset_names())
@@ -58,8 +60,8 @@ def test_points_have_plans_of_their_own(preset):
     assert len({point.plan for point in points}) == len({point.id for point in points}) == len(points) > 6
     for point in points:
         assert point.plan == make_plan(scene, point.quality).sha256
-        if point.knob:
-            assert point.quality == with_value(TIERS["standard"], point.knob.pointer, point.knob.value)
+        if point.parameter:
+            assert point.quality == with_value(TIERS["standard"], point.parameter.pointer, point.parameter.value)
     names = {point.id for point in points}
     links = chains(scene, points)
     assert len(links) > 3
@@ -70,7 +72,7 @@ def test_points_have_plans_of_their_own(preset):
 
 
 def test_a_scene_without_ripples_has_no_points_of_theirs():
-    assert not [point for point in points_of(Scene()) if point.knob and point.knob.owner == "ripples"]
+    assert not [point for point in points_of(Scene()) if point.parameter and point.parameter.owner == "ripples"]
 
 
 def test_idealising_one_cause_leaves_the_others():
