@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from bench import (
+    adaptive,
     budget,
     compiler,
     document,
@@ -21,6 +22,7 @@ from bench import (
     frames,
     http,
     machine,
+    motion,
     page,
     passes,
     server,
@@ -33,7 +35,10 @@ from bench.watch import Watch
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import preset_names
 
-DRAWN = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")
+USUAL = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")
+LONG = ("motion", "adaptive")
+"""Sections that are measured only where they are named: their samples take longer than all others together."""
+DRAWN = (*USUAL, *LONG)
 SERVED = ("yardstick", "http", "page")
 SECTIONS = (*DRAWN, "compiler", "http", "page")
 QUICK = 0.2
@@ -96,28 +101,34 @@ def _asked(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m bench", description="Measure what Seafoam costs here.")
     parser.add_argument("--quick", action="store_true", help="a fifth of the rounds, rougher figures")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures as JSON, times in seconds")
-    parser.add_argument("--only", choices=SECTIONS, nargs="+", default=SECTIONS, help="measure only these parts")
+    parser.add_argument(
+        "--only",
+        choices=SECTIONS,
+        nargs="+",
+        default=(*USUAL, *SECTIONS[len(DRAWN) :]),
+        help="measure only these parts, of which motion and adaptive are left out unless named",
+    )
     parser.add_argument(
         "--presets",
         type=_presets,
         default=preset_names(),
         metavar="A,B",
-        help="of yardstick, passes and compiler: only these presets",
+        help="of yardstick, passes, adaptive and compiler: only these presets",
     )
     parser.add_argument(
         "--docs",
         action="store_true",
-        help="write the figures into docs/performance.md and the passes into docs/passes.md",
+        help="write the figures into the pages of docs",
     )
     parser.add_argument(
         "--write-table", action="store_true", help="of compiler: write bench/compiler.json, what its test admits"
     )
-    asked = parser.parse_args(arguments)
-    if (asked.docs or asked.write_table) and asked.presets != preset_names():
+    options = parser.parse_args(arguments)
+    if (options.docs or options.write_table) and options.presets != preset_names():
         parser.error("--docs and --write-table need all presets")
-    if asked.write_table and "compiler" not in asked.only:
+    if options.write_table and "compiler" not in options.only:
         parser.error("--write-table needs --only compiler")
-    return asked
+    return options
 
 
 def _presets(text: str) -> tuple[str, ...]:
@@ -134,10 +145,19 @@ def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
     executor = Executor()
     try:
         run.about["GL"] = f"{executor.info['renderer']}, {executor.info['version']}"
-        drawn = {"frames": frames, "economy": economy, "effects": effects, "foam": foam, "budget": budget}
+        drawn = {
+            "frames": frames,
+            "economy": economy,
+            "effects": effects,
+            "foam": foam,
+            "budget": budget,
+            "motion": motion,
+        }
         for name, section in drawn.items():
             if name in asked.only:
                 run.add(name, section.measure(executor, watch))
+        if "adaptive" in asked.only:
+            run.add("adaptive", adaptive.measure(executor, asked.presets, watch))
         if "yardstick" in asked.only:
             with water_page.opened() as three:
                 three.require(executor.info["renderer"])

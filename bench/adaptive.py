@@ -1,21 +1,18 @@
-"""Adaptive samples: error and time of 1, 4, 16 and adaptive samples a pixel, in turn, against 64 samples.
+"""Adaptive samples: error and time of 1, 4, 16 and adaptive samples a pixel, in turn, against 64 samples."""
 
-``python -m bench.adaptive [PRESET ...]``: every preset, or these.
-"""
-
-import sys
 from collections.abc import Sequence
 from statistics import median
 
 from bench.frames import is_software, ratios, side_by_side
 from bench.report import Column, Table, ms, times
+from bench.watch import Watch
 from seafoam.accuracy.metrics import Picture, rmse
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
-from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.presets import load_preset
 
 SIZE = (480, 270)
 TIME = 2.7
@@ -32,14 +29,14 @@ MOST_TIME, MOST_ERROR = 4.0, 2.0
 """The aim: at most so many times the time of one sample, and so many times the error of 16."""
 
 
-def measure(executor: Executor, presets: Sequence[str], rounds: int = ROUNDS) -> Table:
+def measure(executor: Executor, presets: Sequence[str], watch: Watch) -> list[Table]:
     """Draw every preset in all four ways, and tabulate it. ``presets``: their names."""
-    rows = [_row(executor, name, rounds) for name in presets]
+    rows = [_row(executor, name, watch) for name in presets]
     both = sum(row[-2] == "yes" and row[-1] == "yes" for row in rows)
-    return Table(
+    table = Table(
         "Adaptive samples",
         f"{SIZE[0]} x {SIZE[1]}, quality standard; error: root mean square, levels of linear light up to white, "
-        f"against {TRUTH} samples at {TIME:g} s; time: medians of {rounds} rounds' ratios to one sample (interquartile "
+        f"against {TRUTH} samples at {TIME:g} s; time: medians of {ROUNDS} rounds' ratios to one sample (interquartile "
         f"range). Within: at most {MOST_TIME:g} times the time of one sample and {MOST_ERROR:g} times the error of 16. "
         f"Better than 4: nearer to the truth, and faster. Both in {both} of {len(rows)}.",
         (
@@ -53,12 +50,13 @@ def measure(executor: Executor, presets: Sequence[str], rounds: int = ROUNDS) ->
         ),
         rows,
     )
+    return [table]
 
 
-def _row(executor: Executor, name: str, rounds: int) -> tuple[object, ...]:
+def _row(executor: Executor, name: str, watch: Watch) -> tuple[object, ...]:
     scene = load_preset(name).scene
     plans = {key: make_plan(scene, quality) for key, quality in COMPARED.items()}
-    costs = side_by_side(executor, plans, scene.camera, SIZE, range(rounds))
+    costs = side_by_side(executor, plans, scene.camera, SIZE, watch.rounds(f"{name}, adaptive", ROUNDS, 60.0))
     truth = _picture(executor, make_plan(scene, STANDARD.model_copy(update={"samples": TRUTH})), scene.camera)
     errors = {key: rmse(_picture(executor, plan, scene.camera), truth) for key, plan in plans.items()}
     basis = 0 if is_software(executor) else 1
@@ -77,12 +75,3 @@ def _row(executor: Executor, name: str, rounds: int) -> tuple[object, ...]:
 def _picture(executor: Executor, plan: FramePlan, camera: Camera) -> Picture:
     width, height = SIZE
     return executor.render(plan, time=TIME, camera=camera, width=width, height=height, output="linear").pixels
-
-
-if __name__ == "__main__":
-    drawing = Executor()
-    try:
-        table = measure(drawing, sys.argv[1:] or preset_names())
-    finally:
-        drawing.close()
-    print(table.text())

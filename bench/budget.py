@@ -25,15 +25,15 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
     threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
     with watch.step("cost of accuracy"):
         sweep = make_sweep(Store(), subject, Settings(), Rig(partial(draw, executor), executor.info, threads))
-    asked = [(size, share * sweep.point("standard").model.at(*size)) for size in SIZES for share in SHARES]
-    choices = [choose(sweep, *size, budget) for size, budget in asked]
-    taken: list[list[float]] = [[] for _ in asked]
-    drift: list[list[float]] = [[] for _ in asked]
+    budgets = [(size, share * sweep.point("standard").model.at(*size)) for size in SIZES for share in SHARES]
+    choices = [choose(sweep, *size, budget) for size, budget in budgets]
+    taken: list[list[float]] = [[] for _ in budgets]
+    drift: list[list[float]] = [[] for _ in budgets]
     standard = sweep.point("standard")
     timed = (sweep.timing.width, sweep.timing.height)
     for index in watch.rounds("budgets", 7, 90.0):
         at = subject.time + index / 60.0
-        for (size, _), choice, found, drifted in zip(asked, choices, taken, drift, strict=True):
+        for (size, _), choice, found, drifted in zip(budgets, choices, taken, drift, strict=True):
             # The machine's speed now against that of the sweep, taken just before and just after.
             now = [_seconds(executor, subject, standard.quality, at, timed)]
             found.append(_seconds(executor, subject, choice.point.quality, at, size))
@@ -53,7 +53,7 @@ def measure(executor: Executor, watch: Watch) -> list[Table]:
             choice.fits,
             choice.point.error.rmse,
         )
-        for (size, budget), choice, found, drifted in zip(asked, choices, taken, drift, strict=True)
+        for (size, budget), choice, found, drifted in zip(budgets, choices, taken, drift, strict=True)
     ]
     return [
         Table(

@@ -115,14 +115,14 @@ def compiled(programs: Mapping[Use, Program]) -> Compiled:
                         raise CompilerError(f"{use}: {error!r}") from error
                     known[key] = {stage: asdict(figures) for stage, figures in stages.items()}
         _write_cache(known, list(keys.values()))
-        found: dict[str, Figures] = {}
+        table: dict[str, Figures] = {}
         for use, program in programs.items():
             stages = {stage: Figures(**figures) for stage, figures in known[keys[use]].items()}
-            found[str(use)] = stages["fragment"]
+            table[str(use)] = stages["fragment"]
             # One triangle, over the target or one side of the horizon, is the same everywhere.
             if _TRIANGLES.isdisjoint(file.path for file in program.vertex.files):
-                found[f"{use}, vertex"] = stages["vertex"]
-        return Compiled(compiler.driver, found, len(set(keys.values())))
+                table[f"{use}, vertex"] = stages["vertex"]
+        return Compiled(compiler.driver, table, len(set(keys.values())))
 
 
 def _own_text() -> str:
@@ -139,10 +139,10 @@ def _key(program: Program, tools: str) -> str:
 
 def _read_cache() -> dict[str, dict[str, dict[str, int]]]:
     try:
-        found: dict[str, dict[str, dict[str, int]]] = json.loads(CACHE.read_text(encoding="utf-8"))
+        cached: dict[str, dict[str, dict[str, int]]] = json.loads(CACHE.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return found
+    return cached
 
 
 def _write_cache(known: Mapping[str, dict[str, dict[str, int]]], used: Sequence[str]) -> None:
@@ -197,8 +197,8 @@ def _for_vulkan(shader: Shader) -> str:
     return _VULKAN + shader.text.removeprefix(_ES)
 
 
-def _run(command: Sequence[str], what: str, folder: str | None = None, given: bytes | None = None) -> str:
-    done = subprocess.run(command, cwd=folder, input=given, capture_output=True, check=False)
+def _run(command: Sequence[str], what: str, folder: str | None = None, stdin: bytes | None = None) -> str:
+    done = subprocess.run(command, cwd=folder, input=stdin, capture_output=True, check=False)
     said = (done.stdout + done.stderr).decode()
     if done.returncode != 0:
         raise CompilerError(f"{what}:\n{said.strip()[-3000:]}")
@@ -207,8 +207,8 @@ def _run(command: Sequence[str], what: str, folder: str | None = None, given: by
 
 def read_table() -> tuple[str, dict[str, Figures]]:
     """The checked-in table: by which driver it was made, and the figures of each use."""
-    found = json.loads(TABLE.read_text(encoding="utf-8"))
-    return found["driver"], {use: Figures(*values) for use, values in found["figures"].items()}
+    table = json.loads(TABLE.read_text(encoding="utf-8"))
+    return table["driver"], {use: Figures(*values) for use, values in table["figures"].items()}
 
 
 def write_table(found: Compiled) -> None:

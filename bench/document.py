@@ -1,4 +1,4 @@
-"""Writes what was measured into the docs: blocks of ``performance.md``, and all of ``passes.md`` with its pictures."""
+"""Writes what was measured into the docs: blocks of its pages, and all of ``passes.md`` with its pictures."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -27,14 +27,19 @@ def write(
     frames: Sequence[Frame],
     docs: Path = DOCS,
 ) -> None:
-    """Write the sections that have a place in ``performance.md``, and the page of the passes if there are frames."""
-    performance = docs / "performance.md"
-    text = performance.read_text(encoding="utf-8")
-    for name in re.findall(r"<!-- bench: (\w+) -->", text):
-        if name in sections:
-            tables = (f"\n{table.text()}" for table in sections[name])
-            text = fill(text, name, "\n".join(["```", lines(about), *tables, "```"]))
-    performance.write_text(text, encoding="utf-8")
+    """Write what has a place in a page, and the page of the passes if there are frames.
+
+    A place is named by a section, for all its tables, or by a section and a title, ``SECTION: TITLE``, for one.
+    """
+    blocks = {name: list(tables) for name, tables in sections.items()}
+    blocks |= {f"{name}: {table.title}": [table] for name, tables in sections.items() for table in tables}
+    for page in sorted(docs.glob("*.md")):
+        text = page.read_text(encoding="utf-8")
+        for name in re.findall(r"<!-- bench: (.+) -->", text):
+            if name in blocks:
+                tables = (f"\n{table.text()}" for table in blocks[name])
+                text = fill(text, name, "\n".join(["```", lines(about), *tables, "```"]))
+        page.write_text(text, encoding="utf-8")
     if frames:
         _write_passes(about, frames, docs)
 

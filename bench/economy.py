@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import numpy as np
 
@@ -33,6 +34,8 @@ PICTURE_TIMES = (3.0, 40.7)
 HALF_A_LEVEL = 0.5 / 255.0
 FLIPPED = 2e-4
 """Share of pixels that may differ: where programs round differently, a few change sides of a threshold."""
+
+Row = tuple[Any, ...]
 
 _DECLARED = re.compile(r"^uniform (?P<type>\w+) (?P<name>\w+)(?P<size>\[\w+\])?;", re.MULTILINE)
 
@@ -93,77 +96,89 @@ def _presets(executor: Executor, watch: Watch) -> list[Table]:
             "uber": uber_plan(scene, QUALITY),
             "uber without sums": uber_plan(scene, QUALITY, exact_ripples=False),
         }
-        differences = [same_picture(executor, plans["plan"], plan, scene.camera) for plan in plans.values()]
-        compiled = _compiled(executor, plans, scene.camera, watch.rounds(f"{name}, compiling", 3, 6.0))
-        costs = side_by_side(executor, plans, scene.camera, SIZE, watch.rounds(f"{name}, all effects", 25, 10.0))
-        drawn.append(
-            (
-                name,
-                *ratios(costs["uber"], costs["plan"]),
-                *ratios(costs["uber without sums"], costs["plan"]),
-                median(one.cpu for one in costs["plan"]),
-                median(one.cpu for one in costs["uber"]),
-                255.0 * max(difference.worst for difference in differences),
-                len(costs["plan"]),
-            )
-        )
-        paths = slot_files(QUALITY)
-        programs.append(
-            (
-                name,
-                f"{len(running)} of {len(EFFECTS)}",
-                f"{len({file.path for file in _surface(plan).files} & set(paths))} of {len(paths)}",
-                _size(plan),
-                _size(plans["uber"]),
-                *(median(one.cpu for one in compiled[which]) for which in ("plan", "uber")),
-                ratios(compiled["uber"], compiled["plan"])[0],
-            )
-        )
-    text = f"{SIZE[0]} x {SIZE[1]}, quality standard"
-    return [
-        Table(
-            "One program with every effect of the paper, against the plan's own",
-            f"Whole frames of {text}; medians of per-round ratios (interquartile range). Without sums: a program that "
-            "lacks the ripples of the better tiers. Difference: the greatest of any pixel, levels of 255.",
-            (
-                Column("preset", "preset"),
-                *ratio_columns(times),
-                Column("cpu_ratio_without_sums", "without sums, processor", times),
-                Column("wall_ratio_without_sums", "wall", times),
-                Column("cpu", "the plan's, ms", ms),
-                Column("uber_cpu", "all effects, ms", ms),
-                Column("difference", "difference", _levels),
-                Column("rounds", "rounds", count),
-            ),
-            drawn,
+        drawn.append((name, *_preset_frames(executor, watch, name, plans, scene.camera)))
+        programs.append((name, *_preset_programs(executor, watch, name, plans, scene.camera)))
+    return [_frames_table(drawn), _programs_table(programs), _left_out_table(left_out)]
+
+
+def _preset_frames(executor: Executor, watch: Watch, name: str, plans: Mapping[str, FramePlan], camera: Camera) -> Row:
+    differences = [same_picture(executor, plan, plans["plan"], camera) for plan in plans.values()]
+    costs = side_by_side(executor, plans, camera, SIZE, watch.rounds(f"{name}, all effects", 25, 10.0))
+    return (
+        *ratios(costs["uber"], costs["plan"]),
+        *ratios(costs["uber without sums"], costs["plan"]),
+        median(frame.cpu for frame in costs["plan"]),
+        median(frame.cpu for frame in costs["uber"]),
+        255.0 * max(difference.worst for difference in differences),
+        len(costs["plan"]),
+    )
+
+
+def _preset_programs(
+    executor: Executor, watch: Watch, name: str, plans: Mapping[str, FramePlan], camera: Camera
+) -> Row:
+    compiled = _compiled(executor, plans, camera, watch.rounds(f"{name}, compiling", 3, 6.0))
+    plan, paths = plans["plan"], slot_files(QUALITY)
+    return (
+        f"{len(plan.effects)} of {len(EFFECTS)}",
+        f"{len({file.path for file in _surface(plan).files} & set(paths))} of {len(paths)}",
+        _size(plan),
+        _size(plans["uber"]),
+        *(median(program.cpu for program in compiled[which]) for which in ("plan", "uber")),
+        ratios(compiled["uber"], compiled["plan"])[0],
+    )
+
+
+def _frames_table(rows: list[Row]) -> Table:
+    return Table(
+        "One program with every effect of the paper, against the plan's own",
+        f"Whole frames of {SIZE[0]} x {SIZE[1]}, quality standard; medians of per-round ratios (interquartile range). "
+        "Without sums: a program that lacks the ripples of the better tiers. Difference: the greatest of any pixel, "
+        "levels of 255.",
+        (
+            Column("preset", "preset"),
+            *ratio_columns(times),
+            Column("cpu_ratio_without_sums", "without sums, processor", times),
+            Column("wall_ratio_without_sums", "wall", times),
+            Column("cpu", "the plan's, ms", ms),
+            Column("uber_cpu", "all effects, ms", ms),
+            Column("difference", "difference", _levels),
+            Column("rounds", "rounds", count),
         ),
-        Table(
-            "Programs",
-            "The surface's fragment program. Compiled: from the text to the first pixels of a program that the driver "
-            "has not seen, processor time.",
-            (
-                Column("preset", "preset"),
-                Column("effects", "effects"),
-                Column("files", "slot files"),
-                Column("bytes", "bytes", count),
-                Column("uber_bytes", "all effects", count),
-                Column("compiled", "compiled, ms", ms),
-                Column("uber_compiled", "all effects, ms", ms),
-                Column("compile_ratio", "ratio", times),
-            ),
-            programs,
+        rows,
+    )
+
+
+def _programs_table(rows: list[Row]) -> Table:
+    return Table(
+        "Programs",
+        "The surface's fragment program. Compiled: from the text to the first pixels of a program that the driver "
+        "has not seen, processor time.",
+        (
+            Column("preset", "preset"),
+            Column("effects", "effects"),
+            Column("files", "slot files"),
+            Column("bytes", "bytes", count),
+            Column("uber_bytes", "all effects", count),
+            Column("compiled", "compiled, ms", ms),
+            Column("uber_compiled", "all effects, ms", ms),
+            Column("compile_ratio", "ratio", times),
         ),
-        Table(
-            "What the plans leave out",
-            "Effects that the scene does not call for, and those that it calls for and that cannot be seen.",
-            (
-                Column("preset", "preset"),
-                Column("absent", "not called for"),
-                Column("skipped", "not seen"),
-            ),
-            left_out,
+        rows,
+    )
+
+
+def _left_out_table(rows: list[Row]) -> Table:
+    return Table(
+        "What the plans leave out",
+        "Effects that the scene does not call for, and those that it calls for and that cannot be seen.",
+        (
+            Column("preset", "preset"),
+            Column("absent", "not called for"),
+            Column("skipped", "not seen"),
         ),
-    ]
+        rows,
+    )
 
 
 def _bounds(executor: Executor, watch: Watch) -> Table:
@@ -206,78 +221,86 @@ def _hand(executor: Executor, watch: Watch) -> list[Table]:
         plan = make_plan(case.scene, QUALITY)
         text = (Path(__file__).with_name("minimal") / case.file).read_text(encoding="utf-8")
         plans = {"plan": plan, "hand": with_surface(plan, text)}
-        plans |= {f"{name}, numbers": _with_numbers(one) for name, one in plans.items()}
-        camera = case.scene.camera
-        differences = {name: same_picture(executor, plan, one, camera) for name, one in plans.items()}
-        compiled = _compiled(executor, plans, camera, watch.rounds(f"{case.name}, compiling", 5, 6.0))
-        frames = {name: plans[name] for name in ("plan", "hand")}
-        alone = {name: _alone(one) for name, one in plans.items()}
-        rounds = watch.rounds(f"{case.name}, by hand", 60, 20.0)
-        costs = side_by_side(
-            executor, frames | {f"{name}, alone": one for name, one in alone.items()}, camera, HAND_SIZE, rounds
-        )
-        taken = {name: costs[f"{name}, alone"] for name in alone}
-        for mine, theirs in (
-            ("plan", "hand"),
-            ("plan, numbers", "hand, numbers"),
-            ("plan", "plan, numbers"),
-        ):
-            whole = ratios(costs[mine], costs[theirs])[0] if {mine, theirs} <= frames.keys() else None
-            drawn.append(
-                (
-                    case.name,
-                    f"{mine} : {theirs}",
-                    whole,
-                    *ratios(taken[mine], taken[theirs]),
-                    median(one.cpu for one in taken[mine]),
-                    median(one.cpu for one in taken[theirs]),
-                    len(taken[mine]),
-                )
-            )
-        for name, one in plans.items():
-            programs.append(
-                (
-                    case.name,
-                    name,
-                    _size(one),
-                    median(one.cpu for one in compiled[name]),
-                    255.0 * differences[name].worst,
-                    differences[name].share,
-                )
-            )
-    titles = "; ".join(f"{case.name}: {case.title}" for case in by_hand())
+        plans |= {f"{name}, numbers": _with_numbers(variant) for name, variant in plans.items()}
+        programs += _hand_programs(executor, watch, case, plans)
+        drawn += _hand_frames(executor, watch, case, plans)
+    return [_hand_frames_table(drawn), _hand_programs_table(programs)]
+
+
+def _hand_programs(executor: Executor, watch: Watch, case: ByHand, plans: Mapping[str, FramePlan]) -> list[Row]:
+    camera = case.scene.camera
+    differences = {name: same_picture(executor, plans["plan"], variant, camera) for name, variant in plans.items()}
+    compiled = _compiled(executor, plans, camera, watch.rounds(f"{case.name}, compiling", 5, 6.0))
     return [
-        Table(
-            "Against programs written by hand",
-            f"{titles}. {HAND_SIZE[0]} x {HAND_SIZE[1]}, quality standard. Numbers: with all that does not change from "
-            "frame to frame written into the text. Surface: its pass alone.",
-            (
-                Column("scene", "scene"),
-                Column("compared", "compared"),
-                Column("frame_cpu_ratio", "frame, processor", extra),
-                Column("cpu_ratio", "surface, processor", extra),
-                Column("wall_ratio", "surface, wall", extra),
-                Column("cpu", "first, ms", ms),
-                Column("other_cpu", "second, ms", ms),
-                Column("rounds", "rounds", count),
-            ),
-            drawn,
-        ),
-        Table(
-            "Programs written by hand",
-            "Compiled as above. Difference from the plan's picture: the greatest, levels of 255, and the share of "
-            "pixels that differ by half a level.",
-            (
-                Column("scene", "scene"),
-                Column("program", "program"),
-                Column("bytes", "bytes", count),
-                Column("compiled", "compiled, ms", ms),
-                Column("difference", "difference", _levels),
-                Column("share", "pixels", lambda share: f"{100.0 * share:.4f} %"),
-            ),
-            programs,
-        ),
+        (
+            case.name,
+            name,
+            _size(variant),
+            median(program.cpu for program in compiled[name]),
+            255.0 * differences[name].worst,
+            differences[name].share,
+        )
+        for name, variant in plans.items()
     ]
+
+
+def _hand_frames(executor: Executor, watch: Watch, case: ByHand, plans: Mapping[str, FramePlan]) -> list[Row]:
+    whole = {name: plans[name] for name in ("plan", "hand")}
+    surfaces = {f"{name}, alone": _alone(variant) for name, variant in plans.items()}
+    rounds = watch.rounds(f"{case.name}, by hand", 60, 20.0)
+    costs = side_by_side(executor, whole | surfaces, case.scene.camera, HAND_SIZE, rounds)
+    rows = []
+    for first, second in (("plan", "hand"), ("plan, numbers", "hand, numbers"), ("plan", "plan, numbers")):
+        first_alone, second_alone = costs[f"{first}, alone"], costs[f"{second}, alone"]
+        rows.append(
+            (
+                case.name,
+                f"{first} : {second}",
+                ratios(costs[first], costs[second])[0] if {first, second} <= whole.keys() else None,
+                *ratios(first_alone, second_alone),
+                median(frame.cpu for frame in first_alone),
+                median(frame.cpu for frame in second_alone),
+                len(first_alone),
+            )
+        )
+    return rows
+
+
+def _hand_frames_table(rows: list[Row]) -> Table:
+    titles = "; ".join(f"{case.name}: {case.title}" for case in by_hand())
+    return Table(
+        "Against programs written by hand",
+        f"{titles}. {HAND_SIZE[0]} x {HAND_SIZE[1]}, quality standard. Numbers: with all that does not change from "
+        "frame to frame written into the text. Surface: its pass alone.",
+        (
+            Column("scene", "scene"),
+            Column("compared", "compared"),
+            Column("frame_cpu_ratio", "frame, processor", extra),
+            Column("cpu_ratio", "surface, processor", extra),
+            Column("wall_ratio", "surface, wall", extra),
+            Column("cpu", "first, ms", ms),
+            Column("other_cpu", "second, ms", ms),
+            Column("rounds", "rounds", count),
+        ),
+        rows,
+    )
+
+
+def _hand_programs_table(rows: list[Row]) -> Table:
+    return Table(
+        "Programs written by hand",
+        "Compiled as above. Difference from the plan's picture: the greatest, levels of 255, and the share of "
+        "pixels that differ by half a level.",
+        (
+            Column("scene", "scene"),
+            Column("program", "program"),
+            Column("bytes", "bytes", count),
+            Column("compiled", "compiled, ms", ms),
+            Column("difference", "difference", _levels),
+            Column("share", "pixels", lambda share: f"{100.0 * share:.4f} %"),
+        ),
+        rows,
+    )
 
 
 def _levels(value: float) -> str:
@@ -320,22 +343,22 @@ def _with_numbers(plan: FramePlan) -> FramePlan:
 
 def _alone(plan: FramePlan) -> FramePlan:
     """The plan with no pass but the surface's; what that reads is there from earlier frames."""
-    alone = (one for one in plan.passes if one.program == "surface")
+    alone = (spec for spec in plan.passes if spec.program == "surface")
     # Straight into the picture: a pass that nothing reads is not drawn.
-    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"target": "screen"}) for one in alone)})
+    return plan.model_copy(update={"passes": tuple(spec.model_copy(update={"target": "screen"}) for spec in alone)})
 
 
 def same_picture(executor: Executor, plan: FramePlan, other: FramePlan, camera: Camera) -> Difference:
     """How the pictures differ. Raises ``RuntimeError`` where they are not the same."""
-    found = []
+    differences = []
     for time in PICTURE_TIMES:
         pictures = [
-            executor.render(one, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear").pixels
-            for one in (plan, other)
+            executor.render(variant, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear").pixels
+            for variant in (plan, other)
         ]
         seen = [np.clip(picture[..., :3].astype(np.float64), 0.0, 1.0) for picture in pictures]
-        found.append(np.abs(seen[0] - seen[1]).max(axis=-1))
-    difference = Difference(float(np.max(found)), float(np.mean(np.array(found) > HALF_A_LEVEL)))
+        differences.append(np.abs(seen[0] - seen[1]).max(axis=-1))
+    difference = Difference(float(np.max(differences)), float(np.mean(np.array(differences) > HALF_A_LEVEL)))
     if difference.share > FLIPPED:
         raise RuntimeError(f"programs that should draw the same do not: {difference}")
     return difference

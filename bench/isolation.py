@@ -44,8 +44,8 @@ def running(scene: Scene, quality: Quality) -> frozenset[str]:
 
 
 def _shows(effect: Effect, scene: Scene, quality: Quality) -> bool:
-    given = effect.contribute(scene, quality)
-    return given is not None and (given.bound is None or given.bound.value >= NEGLIGIBLE)
+    contribution = effect.contribute(scene, quality)
+    return contribution is not None and (contribution.bound is None or contribution.bound.value >= NEGLIGIBLE)
 
 
 def switch(effect: Effect, scene: Scene, quality: Quality) -> Switch | None:

@@ -1,18 +1,10 @@
-"""Motion: flicker of a second at 60 Hz under a slow camera, one sample a pixel against 64.
+"""Motion: flicker of a second at 60 Hz under a slow camera, one sample a pixel against 64."""
 
-``python -m bench.motion [--docs] [PRESET ...]``: these presets, or the five of the page; ``--docs`` writes the table
-into ``docs/accuracy.md``.
-"""
-
-import argparse
 import math
 from collections.abc import Sequence
 
-from rich.console import Console
-from rich.progress import Progress
-
-from bench.document import DOCS, fill
 from bench.report import Column, Table
+from bench.watch import Watch
 from seafoam.accuracy.motion import excess, flicker, shown
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -38,32 +30,14 @@ def moved(camera: Camera, way: float) -> Camera:
     return camera.model_copy(update={"position": (x + way * math.sin(camera.yaw), y, z - way * math.cos(camera.yaw))})
 
 
-def measure(executor: Executor, presets: Sequence[str], progress: Progress) -> Table:
+def measure(executor: Executor, watch: Watch, presets: Sequence[str] = PRESETS) -> list[Table]:
     """Draw every preset's clip with one and with many samples, and tabulate their flicker."""
     rows: list[tuple[object, ...]] = []
     for name in presets:
-        preset = load_preset(name)
-        task = progress.add_task(name, total=FRAMES * len(SAMPLES))
-        pictures, foams = [], []
-        for samples in SAMPLES:
-            plan = make_plan(preset.scene, TIERS["standard"].model_copy(update={"samples": samples}))
-            pictures.append([])
-            foams.append([])
-            for i in range(FRAMES):
-                camera = moved(preset.scene.camera, SPEED * i / RATE)
-                time = preset.time + i / RATE
-                frame = executor.render(
-                    plan, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear"
-                ).pixels
-                pictures[-1].append(shown(frame))
-                foams[-1].append(frame[..., 3].copy())
-                progress.advance(task)
-        ratios = [excess(*clips) for clips in (foams, pictures)]
-        levels = [flicker(clip) for clips in (foams, pictures) for clip in clips]
-        held = "yes" if max(ratios) <= MOST else "no"
-        rows.append((name, *levels[:2], ratios[0], *levels[2:], ratios[1], held))
+        with watch.step(f"{name}, motion"):
+            rows.append(_row(executor, name))
     two = "{:.2f}".format
-    return Table(
+    table = Table(
         "Motion",
         f"{SIZE[0]} x {SIZE[1]}, {FRAMES} frames at {RATE:g} Hz, the camera {SPEED:g} m/s forward, quality standard. "
         f"Flicker: root mean square second difference in time, levels. The aim: at most {MOST:g} times that of "
@@ -76,30 +50,29 @@ def measure(executor: Executor, presets: Sequence[str], progress: Progress) -> T
             Column("picture_one", "picture: 1 sample", two),
             Column("picture_many", f"{SAMPLES[1]}", two),
             Column("picture_ratio", "ratio", two),
-            Column("held", "within"),
+            Column("within", "within"),
         ),
         rows,
     )
+    return [table]
 
 
-def main() -> None:
-    """Measure, print, and write the page if asked for."""
-    parser = argparse.ArgumentParser(prog="python -m bench.motion", description=__doc__)
-    parser.add_argument("--docs", action="store_true")
-    parser.add_argument("presets", nargs="*", default=PRESETS)
-    asked = parser.parse_args()
-    executor = Executor()
-    try:
-        with Progress(console=Console(stderr=True)) as progress:
-            table = measure(executor, asked.presets, progress)
-    finally:
-        executor.close()
-    print(table.text())
-    if asked.docs:
-        page = DOCS / "accuracy.md"
-        block = f"```\n{table.text()}\n```"
-        page.write_text(fill(page.read_text(encoding="utf-8"), "motion", block), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()
+def _row(executor: Executor, name: str) -> tuple[object, ...]:
+    preset = load_preset(name)
+    pictures, foams = [], []
+    for samples in SAMPLES:
+        plan = make_plan(preset.scene, TIERS["standard"].model_copy(update={"samples": samples}))
+        pictures.append([])
+        foams.append([])
+        for i in range(FRAMES):
+            camera = moved(preset.scene.camera, SPEED * i / RATE)
+            time = preset.time + i / RATE
+            frame = executor.render(
+                plan, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear"
+            ).pixels
+            pictures[-1].append(shown(frame))
+            foams[-1].append(frame[..., 3].copy())
+    ratios = [excess(*clips) for clips in (foams, pictures)]
+    levels = [flicker(clip) for clips in (foams, pictures) for clip in clips]
+    within = "yes" if max(ratios) <= MOST else "no"
+    return (name, *levels[:2], ratios[0], *levels[2:], ratios[1], within)

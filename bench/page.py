@@ -181,7 +181,7 @@ def _overlays(page: Page, address: str) -> tuple[list[float], list[float]]:
     page.goto(f"{address}#scale={OVERLAY_SCALE}", wait_until="load", timeout=1000 * READY_SECONDS)
     page.wait_for_function("() => window.benchReady !== undefined", timeout=1000 * READY_SECONDS)
     page.wait_for_timeout(1000.0 * REST_SECONDS)
-    found: tuple[list[float], list[float]] = ([], [])
+    seconds: tuple[list[float], list[float]] = ([], [])
     hide = (
         "(hidden) => document.body.querySelectorAll(':scope > :not(#stage)')"
         ".forEach((part) => { part.style.display = hidden ? 'none' : ''; })"
@@ -193,8 +193,8 @@ def _overlays(page: Page, address: str) -> tuple[list[float], list[float]]:
         frames, at = page.evaluate(count_frames)
         page.wait_for_timeout(1000.0 * OVERLAY_SECONDS)
         later, until = page.evaluate(count_frames)
-        found[index % 2].append((until - at) / 1000.0 / max(1, later - frames))
-    return found
+        seconds[index % 2].append((until - at) / 1000.0 / max(1, later - frames))
+    return seconds
 
 
 def _visits(loads: dict[str, tuple[list[Load], list[Load]]]) -> Table:

@@ -55,14 +55,14 @@ class Frame:
     @property
     def drawn(self) -> float:
         """Seconds of the passes that every frame draws."""
-        return sum(one.seconds for one in self.passes if not one.kept)
+        return sum(timed.seconds for timed in self.passes if not timed.kept)
 
     def kinds(self) -> list[tuple[str, int, float, bool]]:
         """Passes of a kind together: its name, how many, their seconds, whether they are kept. In drawing order."""
-        found: dict[tuple[str, bool], list[float]] = {}
-        for one in self.passes:
-            found.setdefault((one.kind, one.kept), []).append(one.seconds)
-        return [(kind, len(seconds), sum(seconds), kept) for (kind, kept), seconds in found.items()]
+        by_kind: dict[tuple[str, bool], list[float]] = {}
+        for timed in self.passes:
+            by_kind.setdefault((timed.kind, timed.kept), []).append(timed.seconds)
+        return [(kind, len(seconds), sum(seconds), kept) for (kind, kept), seconds in by_kind.items()]
 
 
 def measure(executor: Executor, presets: Sequence[str], watch: Watch) -> tuple[list[Frame], Table]:

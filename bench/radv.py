@@ -40,8 +40,8 @@ class CompilerError(RuntimeError):
 
 def icd() -> Path | None:
     """The file by which Vulkan's loader finds RADV, if it is installed."""
-    found = (path for folder in _ICD_FOLDERS for path in sorted(Path(folder).glob("radeon_icd*.json")))
-    return next(found, None)
+    files = (path for folder in _ICD_FOLDERS for path in sorted(Path(folder).glob("radeon_icd*.json")))
+    return next(files, None)
 
 
 class Radv:
@@ -168,21 +168,21 @@ class Radv:
 
     def _figures(self, pipeline: Any) -> dict[str, Figures]:
         vk = self._vk
-        found: dict[str, Figures] = {}
+        figures: dict[str, Figures] = {}
         pipeline_info = vk.VkPipelineInfoKHR(pipeline=pipeline)
         for index, executable in enumerate(self._properties(self._device, pipeline_info)):
             info = vk.VkPipelineExecutableInfoKHR(pipeline=pipeline, executableIndex=index)
             values = {_text(vk, one.name): one.value.u64 for one in self._statistics(self._device, info)}
-            found[_STAGES[_text(vk, executable.name)]] = Figures(
+            figures[_STAGES[_text(vk, executable.name)]] = Figures(
                 instructions=values["Instructions"],
                 vgprs=values["VGPRs"],
                 waves=values["Subgroups per SIMD"],
                 spills=values["Spilled SGPRs"] + values["Spilled VGPRs"],
                 bytes=values["Code size"],
             )
-        if found.keys() != {"vertex", "fragment"}:
-            raise CompilerError(f"the driver gave figures of {sorted(found)}")
-        return found
+        if figures.keys() != {"vertex", "fragment"}:
+            raise CompilerError(f"the driver gave figures of {sorted(figures)}")
+        return figures
 
 
 def _text(vk: Any, name: Any) -> str:
@@ -216,12 +216,12 @@ def reflect(code: bytes) -> dict[int, str]:
 @contextmanager
 def opened() -> Iterator[Radv]:
     """The null device while the context lasts. Raises :class:`CompilerError` where there is none."""
-    found = icd()
-    if found is None:
+    driver_file = icd()
+    if driver_file is None:
         raise CompilerError("no RADV: mesa-vulkan-drivers is not installed")
     chosen = {
         "RADV_FORCE_FAMILY": FAMILY,
-        "VK_ICD_FILENAMES": str(found),
+        "VK_ICD_FILENAMES": str(driver_file),
         "XDG_RUNTIME_DIR": os.environ.get("XDG_RUNTIME_DIR", "/tmp"),
     }
     with patch.dict(os.environ, chosen):
@@ -229,8 +229,8 @@ def opened() -> Iterator[Radv]:
             import vulkan
         except (ImportError, OSError) as error:
             raise CompilerError(f"no Vulkan: {error}") from error
-        made = Radv(vulkan)
+        device = Radv(vulkan)
         try:
-            yield made
+            yield device
         finally:
-            made.close()
+            device.close()

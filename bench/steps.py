@@ -52,13 +52,13 @@ def steps(executor: Executor, plan: FramePlan, *, time: float, camera: Camera, s
     water, evaluations, looked = drawn[..., 0] > 0.5, drawn[..., 1], drawn[..., 3] > 0.5
     if not looked.any():
         raise RuntimeError("the counting program drew nothing")
-    found = evaluations[water] if water.any() else np.zeros(1)
-    if plan.top > 0.0 and water.any() and not found.all():
+    counts = evaluations[water] if water.any() else np.zeros(1)
+    if plan.top > 0.0 and water.any() and not counts.all():
         raise RuntimeError("waves were found without an evaluation that could be counted: see bench/steps.py")
     return Steps(
         water=float(water.mean()),
-        mean=float(found.mean()),
-        most=float(np.quantile(found, 0.99)),
+        mean=float(counts.mean()),
+        most=float(np.quantile(counts, 0.99)),
         everywhere=float(evaluations.mean()),
     )
 
@@ -69,10 +69,10 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
     # With a shore a pass of its own finds what rays meet.
     names = {plan.passes[index].name for index in shown}
     name = "what rays meet" if "what rays meet" in names else "surface"
-    found = [index for index, shows in shown.items() if shows and plan.passes[index].name == name]
-    if len(found) != 1:
-        raise RuntimeError(f"a frame has one pass that finds the surface, not {len(found)}")
-    surface = plan.passes[found[0]]
+    indices = [index for index, shows in shown.items() if shows and plan.passes[index].name == name]
+    if len(indices) != 1:
+        raise RuntimeError(f"a frame has one pass that finds the surface, not {len(indices)}")
+    surface = plan.passes[indices[0]]
     program = plan.programs[surface.program]
     counting = program.model_copy(update={"fragment": counting_shader(program.fragment)})
     # Half floats count no further than 2048.
@@ -81,7 +81,7 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
         update={
             "programs": {**plan.programs, surface.program: counting},
             "targets": {**plan.targets, surface.target: target},
-            "passes": plan.passes[: found[0] + 1],
+            "passes": plan.passes[: indices[0] + 1],
             "linear": surface.target,
         }
     )

@@ -14,7 +14,7 @@ from typing import get_args
 from unittest.mock import patch
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import Const, Contribution, Inline, Piece, SlotFile, Source, path_of
+from seafoam.effects.effect import Const, Contribution, Inline, Piece, SlotFile, Source, path_of, refine
 from seafoam.effects.foam import front
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.plan import FramePlan
@@ -22,7 +22,7 @@ from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import COMPONENTS, Constant, Uniform, number
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.planner import defaults, make_plan
-from seafoam.planner.glsl import assemble, read_file
+from seafoam.planner.glsl import assemble, read_file, source_text
 from seafoam.planner.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
@@ -36,6 +36,7 @@ COMBINE = f"{SWITCH}combine"
 START = "u_start"
 _MARCH: tuple[Piece, ...] = (
     "surface/step.glsl",
+    refine("refine_water", "waves", "vec3"),
     "surface/begin.glsl",
     "surface/now_declared.glsl",
     defaults.NO_SHORT_WAVES,
@@ -137,12 +138,12 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     for name in _WAVES.findall(text):
         uniforms[name] = _padded(uniforms[name])
     declared = declared_uniforms(uber.program.fragment)
-    textures = {name: texture for one in uber.plans for name, texture in one.textures.items()}
-    targets = {name: target for one in uber.plans for name, target in one.targets.items()}
+    textures = {name: texture for source in uber.plans for name, texture in source.textures.items()}
+    targets = {name: target for source in uber.plans for name, target in source.targets.items()}
     given = {START: TargetInput(target="start")} | uber.parts.inputs | own.inputs
     inputs = {name: source for name, source in given.items() if name in declared}
     # A plan of level water finds a plane and knows nothing of a start: all its rays begin at 0.
-    free = () if any(one.target == "start" for one in plan.passes) else (NO_START,)
+    free = () if any(spec.target == "start" for spec in plan.passes) else (NO_START,)
     return plan.model_copy(
         update={
             "programs": {**plan.programs, "surface": uber.program},
@@ -153,8 +154,8 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
             "passes": (
                 *free,
                 *(
-                    one.model_copy(update={"inputs": inputs}) if one.program == "surface" else one
-                    for one in plan.passes
+                    spec.model_copy(update={"inputs": inputs}) if spec.program == "surface" else spec
+                    for spec in plan.passes
                 ),
             ),
         }
@@ -225,7 +226,7 @@ def _text(piece: Piece) -> str:
     """GLSL of a part of a shader."""
     if isinstance(piece, Inline):
         return piece.text
-    return read_file(piece.path if isinstance(piece, Source) else piece)
+    return source_text(piece if isinstance(piece, Source) else Source(piece))
 
 
 def _surface(parts: _Parts) -> tuple[list[str], dict[str, Sequence[Piece]]]:

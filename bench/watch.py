@@ -21,8 +21,8 @@ class Watch:
         began = time.perf_counter()
         task = self._progress.add_task(what, total=1.0)
         for index in range(most):
-            spent = time.perf_counter() - began
-            if index >= least and spent >= limit:
+            elapsed = time.perf_counter() - began
+            if index >= least and elapsed >= limit:
                 break
             yield index
             done = max((index + 1) / most, (time.perf_counter() - began) / limit)

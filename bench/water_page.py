@@ -64,7 +64,7 @@ class WaterPage:
         cpu = (self._cpu() - before) / count
         # What was drawn goes to the screen now, and not while somebody else is measured.
         self._page.evaluate("() => window.yardstick.rest()")
-        return Frames(tuple(one / 1000.0 for one in taken), cpu)
+        return Frames(tuple(milliseconds / 1000.0 for milliseconds in taken), cpu)
 
     def screenshot(self) -> tuple[float, int]:
         """Seconds from a new moment of the water until the browser has given a PNG of it; and its bytes."""
@@ -75,8 +75,8 @@ class WaterPage:
 
     def _cpu(self) -> float:
         """Processor time that the browser's processes have used, s."""
-        found = self._processes.send("SystemInfo.getProcessInfo")["processInfo"]
-        return float(sum(process["cpuTime"] for process in found))
+        processes = self._processes.send("SystemInfo.getProcessInfo")["processInfo"]
+        return float(sum(process["cpuTime"] for process in processes))
 
 
 class _Files(SimpleHTTPRequestHandler):
@@ -86,8 +86,8 @@ class _Files(SimpleHTTPRequestHandler):
         name = path.partition("?")[0].lstrip("/") or "index.html"
         top, _, rest = name.partition("/")
         root, inner = (PACKAGE, rest) if top == "three" else (PAGE, name)
-        found = (root / inner).resolve()
-        return str(found if found.is_relative_to(root.resolve()) else root / "absent")
+        file = (root / inner).resolve()
+        return str(file if file.is_relative_to(root.resolve()) else root / "absent")
 
     def log_message(self, *_: Any) -> None:
         """Say nothing."""

@@ -80,23 +80,23 @@ class Measured:
     @property
     def wall(self) -> list[float]:
         """Of each round: the median frame over three.js's median frame."""
-        return [median(one.wall for one in ours) / self._three(i) for i, ours in enumerate(self.ours)]
+        return [median(frame.wall for frame in ours) / self._three(i) for i, ours in enumerate(self.ours)]
 
     @property
     def cpu(self) -> list[float]:
         """Of each round: the mean frame's processor time over that of three.js."""
         pairs = zip(self.ours, self.theirs, strict=True)
-        return [fmean(one.cpu for one in ours) / fmean(one.cpu for one in theirs) for ours, theirs in pairs]
+        return [fmean(frame.cpu for frame in ours) / fmean(frame.cpu for frame in theirs) for ours, theirs in pairs]
 
     @property
     def frames(self) -> list[float]:
         """Every frame over three.js's median frame of its round."""
-        return [one.wall / self._three(i) for i, ours in enumerate(self.ours) for one in ours]
+        return [frame.wall / self._three(i) for i, ours in enumerate(self.ours) for frame in ours]
 
     @property
     def seconds(self) -> float:
         """The median frame."""
-        return median(one.wall for ours in self.ours for one in ours)
+        return median(frame.wall for ours in self.ours for frame in ours)
 
     @property
     def three_seconds(self) -> float:

@@ -42,17 +42,17 @@ def merged(figures: Mapping[str, Mapping[str, Any]], tables: Mapping[str, list[d
     for case in (case for effect in EFFECTS for case in effect.cases.hard):
         of = drawn(case)
         known = figures.get(case.name, {})
-        one = dict(known) if known.get("of") == of else {"of": of}
+        figure = dict(known) if known.get("of") == of else {"of": of}
         for title, rows in tables.items():
             own = [row for row in rows if row.get("case") == case.name]
             if own and title.startswith(REFERENCE):
                 apart = own[0]["mean"] == "apart"
-                one["mean"] = None if apart else float(own[0]["mean"])
-                one["over_2"] = None if apart else float(own[0]["over_2"].removesuffix(" %"))
+                figure["mean"] = None if apart else float(own[0]["mean"])
+                figure["over_2"] = None if apart else float(own[0]["over_2"].removesuffix(" %"))
             elif own and title.startswith(BROWSER):
-                one["swiftshader"] = max(float(row["mean"]) for row in own)
-        if "mean" in one:
-            result[case.name] = one
+                figure["swiftshader"] = max(float(row["mean"]) for row in own)
+        if "mean" in figure:
+            result[case.name] = figure
     return result
 
 
@@ -61,14 +61,16 @@ def table(figures: Mapping[str, Mapping[str, Any]]) -> str:
     rows = ["| case | guard, and where | without it | now | SwiftShader |", "|---|---|---|---|---|"]
     for effect in EFFECTS:
         for case in effect.cases.hard:
-            one = figures[case.name]
-            now = f"{one['mean']:.4f} levels, {one['over_2']:.2f} % over 2" if one["mean"] is not None else None
+            figure = figures[case.name]
+            now = (
+                f"{figure['mean']:.4f} levels, {figure['over_2']:.2f} % over 2" if figure["mean"] is not None else None
+            )
             cells = [
                 f"{effect.name}: {case.name}",
                 case.guard,
                 case.without,
                 now or "sound; not compared (below)",
-                f"{one['swiftshader']:.2f}" if "swiftshader" in one else "–",
+                f"{figure['swiftshader']:.2f}" if "swiftshader" in figure else "–",
             ]
             joined = " | ".join(cell.replace("|", r"\|") for cell in cells)
             rows.append(f"| {joined} |")
@@ -89,7 +91,7 @@ def main() -> None:
     figures = json.loads(FIGURES.read_text(encoding="utf-8"))
     if measured is not None:
         figures = merged(figures, json.loads(measured.read_text(encoding="utf-8")))
-        lines = [f"{json.dumps(name, ensure_ascii=False)}: {json.dumps(one)}" for name, one in figures.items()]
+        lines = [f"{json.dumps(name, ensure_ascii=False)}: {json.dumps(figure)}" for name, figure in figures.items()]
         FIGURES.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
     PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), figures), encoding="utf-8")
 

@@ -1,8 +1,8 @@
 """Whitecaps of the open sea against the wind: tables and plots of docs/whitecaps.md, factors of ocean/cascades.py.
 
-Run as ``python docs/make_whitecaps.py [--derive | --photographs | --patches]``; with ``--derive`` it prints what
-``CLAMPED`` and ``LASTING_CLAMPED`` should be instead, with ``--photographs`` it draws the sea as from a ship and counts
-by AWE, with ``--patches`` it measures patches of foam from above.
+Run as ``python docs/make_whitecaps.py [--derive | --photographs | --patches]``. ``--derive`` prints new values of
+``CLAMPED`` and ``LASTING_CLAMPED``; ``--photographs`` draws the sea as seen from a ship and counts whitecaps by AWE;
+``--patches`` measures patches of foam in pictures from above.
 """
 
 import argparse
@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -42,10 +43,9 @@ PAGE = Path(__file__).parent / "whitecaps.md"
 PICTURE = Path(__file__).parent / "pictures" / "whitecaps.png"
 Floats = NDArray[np.float32]
 Floats64 = NDArray[np.float64]
-MARK = "<!-- table -->\n"
 WINDS = (5.0, 7.5, 10.0, 12.5, 15.0, 17.5, 20.0)
 DERIVED, SHOWN = (1, 2), (5, 6)
-"""Seeds of the seas that the factors come from, and of others that the page shows."""
+"""Seeds of the seas from which the factors are derived, and of the other seas that the page shows."""
 FETCH = 5e5
 LASTING_DECAY = 3.7
 """To 1/e, s: whitecaps of the open sea fade in 3.5 to 4 s (Monahan and Zietlow 1969)."""
@@ -55,34 +55,34 @@ POINTS = 100_000
 PRESET = "open-ocean"
 PHOTOGRAPHED = (8.0, 10.0, 12.5, 15.0, 18.0)
 SIZE = (2592, 1944)
-"""Of a photograph: five megapixels, for which the program is written."""
+"""Size of a photograph, pixels: the five megapixels for which AWE was published."""
 SMALL = (128, 96)
-"""Of the frames without light in which foam alone is counted."""
+"""Size of the frames without light, in which only foam is measured, pixels."""
 COARSE = 6
-"""Pixels along a side that are one in the small photographs."""
+"""Pixels along a side that are averaged to one pixel of the small photographs."""
 EYE, PITCH, FOV = 30.0, -0.6, 0.7
 """Camera over still water, m; its pitch and vertical field of view, rad: 14 to 54 degrees down."""
 QUALITY = TIERS["standard"].model_copy(update={"sea_size": 128})
-"""A tile of 128 texels still holds all waves, and is drawn sooner."""
+"""Tiles of 128 texels resolve all waves and are fast to draw."""
 VIEWS = 80
-"""Small views of a wind."""
+"""Number of small views per wind speed."""
 PHOTOGRAPHS = 4
-"""Photographs of a wind: AWE's ratio to the foam drawn in the same picture needs few."""
+"""Number of photographs per wind speed: the ratio of AWE to the foam in the same picture needs few."""
 RULES: tuple[Rule, ...] = ("program", "least")
 THIN = 0.02
-"""Foam amount under which a pixel counts as water."""
+"""Foam amount below which a pixel counts as water."""
 OUTLINED_WIND = 12.5
 ABOVE = 300.0
-"""Height from which patches are measured, m."""
+"""Height of the camera for patches, m."""
 OUTLINED, OUTLINED_SIDE = 24, 960
-"""Pictures from above, and pixels along their side."""
+"""Number of pictures from above, and pixels along their sides."""
 
 
 def coverage(wind: float, seed: int, kind: Literal["fft", "gerstner"] = "fft", lasting: bool = False) -> float:
-    """Mean foam of a sea, over points spread over its largest tile: the covered share, as masks are rank-uniform."""
+    """Mean foam saturation over random points of a sea: the covered share, since mask thresholds are uniform."""
     foam = FoldSaturation(lasting=True, decay=LASTING_DECAY) if lasting else FoldSaturation()
     scene = Scene(sea=Sea(model=kind, wind=wind, fetch=FETCH, seed=seed), foam=Foam(saturation=(foam,)))
-    # Where foam lasts, texels of its maps are those of the finest tiers.
+    # For lasting foam, maps have the resolution of the finest tiers.
     surface = sea_surface(scene, 100.0 * seed, (0.0, 0.0), 2 * TEXELS if lasting else TEXELS)
     assert surface is not None
     random = np.random.default_rng(seed)
@@ -98,7 +98,7 @@ def measured(
 
 
 def derive(lasting: bool) -> tuple[tuple[float, float], ...]:
-    """``CLAMPED`` from seas drawn with it: what is wanted over what is drawn, until it stands still."""
+    """``CLAMPED``, iterated: the ratio of wanted to drawn coverage of seas drawn with it."""
     factors = dict.fromkeys(WINDS, 1.0)
     for _ in range(3):
         if lasting:
@@ -112,7 +112,7 @@ def derive(lasting: bool) -> tuple[tuple[float, float], ...]:
 
 
 def write(drawn: dict[float, float], lasting: dict[float, float], gerstner: dict[float, float]) -> None:
-    """The page's table and its plot."""
+    """Write the page's table and its plot."""
     rows = [
         "| wind, m/s | wanted, % | `fft`, % | over wanted | `fft`, lasting, % | over wanted "
         "| `gerstner`, % | over wanted |\n",
@@ -122,15 +122,8 @@ def write(drawn: dict[float, float], lasting: dict[float, float], gerstner: dict
         wanted = foam_of_sea.whitecaps(wind)
         shares = " | ".join(f"{100 * of[wind]:.3f} | {of[wind] / wanted:.2f}" for of in (drawn, lasting, gerstner))
         rows.append(f"| {wind:g} | {100 * wanted:.3f} | {shares} |\n")
-    before, _, after = PAGE.read_text(encoding="utf-8").split(MARK)
-    PAGE.write_text(before + MARK + "".join(rows) + MARK + after, encoding="utf-8")
-    figure = Figure(figsize=(8.0, 5.0), dpi=120, layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots()
-    winds = np.linspace(4.5, 21.0, 100)
-    law = 100 * 3.84e-6 * winds**3.41
-    axes.fill_between(winds, 0.8 * law, 1.2 * law, color="#dde3e6", label="within 20 %")
-    axes.plot(winds, law, color="#1c2b33", lw=1.2, label="3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980)")
+    fill("table", rows)
+    figure, axes = law_plot("share of the sea under foam, %", (4.5, 21.0), dpi=120)
     series = (
         (drawn, "o", "#b5353c", "fft"),
         (lasting, "s", "#c98a2b", "fft, lasting"),
@@ -138,18 +131,14 @@ def write(drawn: dict[float, float], lasting: dict[float, float], gerstner: dict
     )
     for of, mark, colour, name in series:
         axes.plot(list(of), [100 * share for share in of.values()], mark, color=colour, label=f"drawn, {name}")
-    axes.set_yscale("log")
-    axes.set_xlabel("wind 10 m above the sea, m/s")
-    axes.set_ylabel("share of the sea under foam, %")
     axes.legend(frameon=False)
-    axes.grid(color="#dde3e6", lw=0.6)
     figure.savefig(PICTURE)
 
 
 def seascape(wind: float, seed: int, yaw: float, *, own: bool = True) -> Scene:
-    """The preset's sea and foam, of coverage 1, the sun high behind a camera that heads to ``yaw``.
+    """The preset's sea with foam of coverage 1, and a high sun behind a camera that faces ``yaw``.
 
-    own: with the preset's foam that lasts and lives, else with that of the last 3 s, lying still.
+    own: with the preset's lasting, drifting foam, else with fixed foam of the last 3 s.
     """
     preset = load_preset(PRESET).scene
     assert preset.foam is not None
@@ -168,20 +157,20 @@ def seascape(wind: float, seed: int, yaw: float, *, own: bool = True) -> Scene:
 
 @dataclass(frozen=True)
 class Shot:
-    """A photograph: shares of its pixels that are counted, and the foam drawn."""
+    """A photograph: the shares of its pixels that are counted, and the drawn foam."""
 
     drawn: float
     """Mean foam amount."""
     coarse: float
-    """AWE, a sixth of the resolution, as it is."""
+    """AWE at a sixth of the resolution, not levelled."""
     whole: dict[Rule, float]
-    """AWE, all pixels, levelled."""
+    """AWE over all pixels, levelled."""
     made_of: tuple[float, float, float]
-    """Of ``whole`` by the program: pixels at least half under foam, thinly, and not."""
+    """``whole`` by the program, split into pixels with foam of at least 0.5, at least THIN, and less."""
     drawn_steep: float
-    """Mean foam amount of the lower half, which looks 34 degrees down and more."""
+    """Mean foam amount of the lower half, 34 degrees and more below the horizon."""
     steep: dict[Rule, float]
-    """AWE in that half alone, levelled."""
+    """AWE in that half, levelled."""
 
 
 def counted(image: Floats64, rule: Rule) -> NDArray[np.bool_]:
@@ -196,7 +185,7 @@ def photo(pixels: NDArray[np.float32]) -> NDArray[np.uint8]:
 
 
 def shot(pixels: NDArray[np.float32]) -> Shot:
-    """Judge a linear frame. Its sides are multiples of :data:`COARSE`."""
+    """Count a linear frame. Its sides are multiples of :data:`COARSE`."""
     height, width, _ = pixels.shape
     foam = pixels[..., 3].astype(np.float64)
     picture = photo(pixels)
@@ -217,15 +206,15 @@ def shot(pixels: NDArray[np.float32]) -> Shot:
 
 @dataclass(frozen=True)
 class Album:
-    """Views at one wind."""
+    """Views at one wind speed."""
 
     foam: list[float]
     """Mean foam amount of every view."""
     shots: list[Shot]
 
     def over_law(self, wind: float, of: Callable[[Shot], float], drawn: Callable[[Shot], float]) -> float:
-        """What is counted in all photographs over what is drawn there, times what all views draw, over the law."""
-        counted = sum(of(one) for one in self.shots) / sum(drawn(one) for one in self.shots)
+        """Ratio of counted to drawn foam in the photographs, times mean drawn foam of all views, over the law."""
+        counted = sum(map(of, self.shots)) / sum(map(drawn, self.shots))
         return counted * float(np.mean(self.foam)) / foam_of_sea.whitecaps(wind)
 
 
@@ -243,7 +232,7 @@ def spread(values: Sequence[float]) -> float:
 
 
 def photographed(executor: Executor, wind: float, progress: Progress) -> Album:
-    """Views of other seas, places, moments and headings, some of them photographed."""
+    """Views of different seas, places, times and headings; some of them also as photographs."""
     random = np.random.default_rng(round(10.0 * wind))
     album = Album([], [])
     task = progress.add_task(f"photographs, {wind:g} m/s", total=VIEWS)
@@ -263,7 +252,7 @@ def photographed(executor: Executor, wind: float, progress: Progress) -> Album:
 
 
 def write_photographs(albums: Mapping[float, Album]) -> None:
-    """The page's table of photographs and its plot."""
+    """Write the page's table of photographs and its plot."""
     rows = [
         "| wind, m/s | law, % | views | drawn, over law | sure to | photographs | AWE, 0.14 megapixels | AWE, 5 "
         "| its pixels: foam / thin / none | AWE, 5, steep | least PIP, 5 | least PIP, 5, steep |\n",
@@ -275,17 +264,17 @@ def write_photographs(albums: Mapping[float, Album]) -> None:
         drawn = float(np.mean(album.foam)) / law
 
         def whole(of: Callable[[Shot], float], album: Album = album, wind: float = wind) -> float:
-            return album.over_law(wind, of, lambda one: one.drawn)
+            return album.over_law(wind, of, lambda shot: shot.drawn)
 
         def steep(rule: Rule, album: Album = album, wind: float = wind) -> float:
-            return album.over_law(wind, lambda one: one.steep[rule], lambda one: one.drawn_steep)
+            return album.over_law(wind, lambda shot: shot.steep[rule], lambda shot: shot.drawn_steep)
 
-        coarse = whole(lambda one: one.coarse)
-        awe, least = whole(lambda one: one.whole["program"]), whole(lambda one: one.whole["least"])
+        coarse = whole(lambda shot: shot.coarse)
+        awe, least = whole(lambda shot: shot.whole["program"]), whole(lambda shot: shot.whole["least"])
         parts = (
-            whole(lambda one: one.made_of[0]),
-            whole(lambda one: one.made_of[1]),
-            whole(lambda one: one.made_of[2]),
+            whole(lambda shot: shot.made_of[0]),
+            whole(lambda shot: shot.made_of[1]),
+            whole(lambda shot: shot.made_of[2]),
         )
         rows.append(
             f"| {wind:g} | {100 * law:.3f} | {len(album.foam)} | {drawn:.2f} | {100 * spread(album.foam):.0f} % "
@@ -295,29 +284,19 @@ def write_photographs(albums: Mapping[float, Album]) -> None:
         for name, value in zip(columns, (drawn, coarse, awe, least), strict=True):
             columns[name].append(100.0 * law * value)
     fill("photographs", rows)
-    figure = Figure(figsize=(8.0, 5.0), dpi=100, layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots()
-    winds = np.linspace(7.5, 19.0, 100)
-    law_curve = 100 * 3.84e-6 * winds**3.41
-    axes.fill_between(winds, 0.8 * law_curve, 1.2 * law_curve, color="#dde3e6", label="within 20 %")
-    axes.plot(winds, law_curve, color="#1c2b33", lw=1.2, label="3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980)")
+    figure, axes = law_plot("share of the photograph, %", (7.5, 19.0), dpi=100)
     for (name, values), mark, colour in zip(
         columns.items(), "o^vs", ("#b5353c", "#27708b", "#5b9bb3", "#c98a2b"), strict=True
     ):
         axes.plot(list(albums), values, mark, color=colour, label=name)
-    axes.set_yscale("log")
-    axes.set_xlabel("wind 10 m above the sea, m/s")
-    axes.set_ylabel("share of the photograph, %")
     axes.legend(frameon=False)
-    axes.grid(color="#dde3e6", lw=0.6)
     save(figure, "whitecaps-photographs")
 
 
 def outlined(executor: Executor, progress: Progress, *, own: bool) -> Patches:
-    """Patches of pixels at least half under foam, from straight above."""
+    """Patches of pixels with foam of at least 0.5, seen from straight above."""
     random = np.random.default_rng(3)
-    found = []
+    pictures = []
     for i in progress.track(range(OUTLINED), description=f"patches, {'own look' if own else 'lying still'}"):
         scene = seascape(OUTLINED_WIND, 200 + i, 0.0, own=own)
         x, z, time = (float(value) for value in random.uniform((-2e3, -2e3, 0.0), (2e3, 2e3, sea_tiles.LOOP)))
@@ -325,13 +304,13 @@ def outlined(executor: Executor, progress: Progress, *, own: bool) -> Patches:
         plan = make_plan(scene, QUALITY)
         side = OUTLINED_SIDE
         frame = executor.render(plan, time=time, camera=camera, width=side, height=side, output="linear")
-        found.append(patches(frame.pixels[..., 3] >= 0.5, ABOVE / side))
+        pictures.append(patches(frame.pixels[..., 3] >= 0.5, ABOVE / side))
     parts = ("areas", "lengths", "perimeters")
-    return Patches(*(np.concatenate([getattr(one, part) for one in found]) for part in parts))
+    return Patches(*(np.concatenate([getattr(picture, part) for picture in pictures]) for part in parts))
 
 
-def write_patches(found: Mapping[str, Patches]) -> None:
-    """The page's table of patches and its plot."""
+def write_patches(patches_of: Mapping[str, Patches]) -> None:
+    """Write the page's table of patches and its plot."""
     rows = [
         "| foam | patches | areas, m² | exponent of the areas | mean axis ratio (0.41) | outlines' dimension "
         "(1.39; streaks 1.23) | lengths, m: median, 90 % | gamma law of lengths, greatest distance |\n",
@@ -340,7 +319,7 @@ def write_patches(found: Mapping[str, Patches]) -> None:
     figure = Figure(figsize=(8.0, 4.6), dpi=100, layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.subplots()
-    for (name, of), colour in zip(found.items(), ("#b5353c", "#27708b"), strict=True):
+    for (name, of), colour in zip(patches_of.items(), ("#b5353c", "#27708b"), strict=True):
         shape, _, scale = stats.gamma.fit(of.lengths, floc=0.0)
         distance = stats.kstest(of.lengths, "gamma", args=(shape, 0.0, scale)).statistic
         rows.append(
@@ -360,27 +339,43 @@ def write_patches(found: Mapping[str, Patches]) -> None:
     save(figure, "whitecaps-patches")
 
 
+def law_plot(shares: str, winds: tuple[float, float], dpi: int) -> tuple[Figure, Axes]:
+    """A plot of the whitecap law over a range of wind speeds, m/s. ``shares``: title of the vertical axis."""
+    figure = Figure(figsize=(8.0, 5.0), dpi=dpi, layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    speeds = np.linspace(*winds, 100)
+    law = 100 * 3.84e-6 * speeds**3.41
+    axes.fill_between(speeds, 0.8 * law, 1.2 * law, color="#dde3e6", label="within 20 %")
+    axes.plot(speeds, law, color="#1c2b33", lw=1.2, label="3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980)")
+    axes.set_yscale("log")
+    axes.set_xlabel("wind 10 m above the sea, m/s")
+    axes.set_ylabel(shares)
+    axes.grid(color="#dde3e6", lw=0.6)
+    return figure, axes
+
+
 def fill(name: str, rows: Sequence[str]) -> None:
-    """Put a table between its marks on the page. Raises where they are not there once each."""
+    """Put a table between its two marks on the page. Raises ``ValueError`` unless there are exactly two."""
     mark = f"<!-- {name} -->\n"
     before, _, after = PAGE.read_text(encoding="utf-8").split(mark)
     PAGE.write_text(before + mark + "".join(rows) + mark + after, encoding="utf-8")
 
 
 def save(figure: Figure, name: str) -> None:
-    """A plot as a small WebP."""
+    """Save a plot as a small WebP."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png")
     Image.open(buffer).convert("RGB").save(PICTURE.with_name(f"{name}.webp"), quality=85, method=6)
 
 
 def main() -> None:
-    """Write what was asked for of the page, or print ``CLAMPED``."""
+    """Write the requested part of the page, or print ``CLAMPED``."""
     parser = argparse.ArgumentParser(description=__doc__)
-    asked = parser.add_mutually_exclusive_group()
-    asked.add_argument("--derive", action="store_true")
-    asked.add_argument("--photographs", action="store_true")
-    asked.add_argument("--patches", action="store_true")
+    mode = parser.add_mutually_exclusive_group()
+    mode.add_argument("--derive", action="store_true")
+    mode.add_argument("--photographs", action="store_true")
+    mode.add_argument("--patches", action="store_true")
     chosen = parser.parse_args()
     if chosen.derive:
         for lasting in (False, True):

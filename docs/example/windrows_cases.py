@@ -1,22 +1,32 @@
-"""Cases of the example: a scene that calls for it and cannot show it, and one that would break it."""
+"""Cases of the example: a scene that calls for it and cannot show it, one that would break it, and its variants."""
+
+from windrows import Windrows
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam
-from seafoam.scene.models import Scene
-from seafoam.scene.water import Chop, Water
+from seafoam.scene.models import Scene, SceneExtensions
 from seafoam.scene.waves import ParametricWave
 
-INVISIBLE = (Scene(water=Water(chop=Chop(slope=0.0)), foam=Foam()),)
+LINES = SceneExtensions(windrows=Windrows())
+NONE = SceneExtensions(windrows=Windrows(strength=0.0))
+
+INVISIBLE = (Scene(foam=Foam(), extensions=NONE),)
 
 HARD = (
     HardCase(
         name="windrows ten thousand kilometres away",
-        scene=Scene(waves=(ParametricWave(),), water=Water(chop=Chop()), foam=Foam(look="halftone")),
+        scene=Scene(waves=(ParametricWave(),), foam=Foam(look="halftone"), extensions=LINES),
         guard="the eye's place across the wind reduced in float64 (framegraph/evaluation.py)",
         without="in float32: lines in steps of a metre, saturation off by up to 0.5",
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.5),
     ),
 )
 
-CASES = {"windrows": Cases(hard=HARD, invisible=INVISIBLE)}
+VARIANTS = (
+    Scene(foam=Foam(look="halftone"), extensions=LINES),
+    Scene(foam=Foam(look="filtered"), extensions=LINES),
+)
+
+CASES = {"windrows": Cases(hard=HARD, invisible=INVISIBLE, variants=VARIANTS)}
+"""By the effect's name."""

@@ -12,6 +12,7 @@ from typing import Literal
 
 from pebble import ProcessExpired, ProcessPool
 
+from seafoam.extras import MissingExtraError, require_reports
 from seafoam.resources import data_dir
 
 PROBE_SECONDS = 60.0
@@ -48,7 +49,7 @@ def probe_renderer() -> dict[str, str]:
 
 def examine(probe: Callable[[], dict[str, str]] = probe_renderer) -> list[Finding]:
     """Check everything that rendering, the web client and the tests need. Takes seconds; starts a process."""
-    return [_python(), *_renderer(probe), _masks(), _webclient(), _node(), _chromium()]
+    return [_python(), *_renderer(probe), _masks(), _webclient(), _reports(), _node(), _chromium()]
 
 
 def able_to_render(findings: list[Finding]) -> bool:
@@ -104,6 +105,14 @@ def _webclient() -> Finding:
     if index.is_file():
         return Finding("Web client", "good", f"built, {index.parent}")
     return Finding("Web client", "optional", "not built; the server shows a text page at /", "make webclient")
+
+
+def _reports() -> Finding:
+    try:
+        require_reports()
+    except MissingExtraError as error:
+        return Finding("Reports", "optional", str(error).partition("; ")[0], error.remedy)
+    return Finding("Reports", "good", "plots and measurements of accuracy")
 
 
 def _node() -> Finding:

@@ -4,6 +4,8 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
+from seafoam.extensions import Extensible, Extensions
+
 Tier = Literal["draft", "standard", "high", "reference"]
 
 
@@ -43,7 +45,11 @@ class SurfaceQuality(Knobs):
     )
 
 
-class Quality(Knobs):
+class QualityExtensions(Extensions):
+    """Settings of effects outside the package, by name; absent: their defaults, in every tier."""
+
+
+class Quality(Extensible, Knobs):
     """Settings that trade time against error."""
 
     surface: SurfaceQuality = SurfaceQuality()
@@ -182,6 +188,12 @@ class Quality(Knobs):
     )
     target: Literal["RGBA16F", "RGBA32F"] = Field(
         default="RGBA16F", description="Floating-point format of the linear frame"
+    )
+
+    extensions: QualityExtensions = Field(
+        default=QualityExtensions(),
+        exclude_if=lambda given: not dict(given),
+        description="Settings of effects outside the package, by name; absent: their defaults",
     )
 
     @property

@@ -1,6 +1,6 @@
 // Texel of a face of the cube map.
 uniform sampler2D u_cube;
 
-vec3 cube_texel(int face, ivec2 at) {
-    return texelFetch(u_cube, ivec2(face % 3, face / 3) * CUBE_SIZE + at, 0).rgb;
+vec4 cube_texel(int face, ivec2 at) {
+    return texelFetch(u_cube, ivec2(face % 3, face / 3) * CUBE_SIZE + at, 0);
 }

@@ -6,8 +6,7 @@ vec3 reflected_light(vec3 place, vec3 r) {
     // By hand: a filter of the GPU would reach over the rim into the next face of the picture.
     ivec2 base = min(ivec2(at), ivec2(CUBE_SIZE - 2));
     vec2 t = at - vec2(base);
-    return mix(
-        mix(cube_texel(face, base), cube_texel(face, base + ivec2(1, 0)), t.x),
-        mix(cube_texel(face, base + ivec2(0, 1)), cube_texel(face, base + ivec2(1, 1)), t.x),
-        t.y);
+    return bilinear(
+        cube_texel(face, base), cube_texel(face, base + ivec2(1, 0)),
+        cube_texel(face, base + ivec2(0, 1)), cube_texel(face, base + ivec2(1, 1)), t).rgb;
 }

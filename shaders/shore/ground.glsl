@@ -1,4 +1,4 @@
-// Land and sea floor: where the ray meets land, where the refracted ray meets the floor, and what colour it is there.
+// Land and sea floor: how high and steep they are at most, and what colour.
 uniform float u_shore_top;       // nothing is higher, m
 uniform float u_shore_steepest[2]; // slope of the floor, and of what stands over y = 0
 uniform float u_shore_swash;     // height that waves reach on the beach, m
@@ -37,19 +37,4 @@ vec3 ground_albedo(vec4 ground, float grain) {
     albedo = mix(albedo, u_shore_plants * (0.4 + 1.2 * grain), grown);
     albedo = mix(albedo, u_shore_rock * (0.5 + grain), rocky);
     return albedo * mix(1.0, 0.55, shore_wet(ground.x));
-}
-
-// Way of the refracted ray from the surface to the floor and of the light straight down to it, m; `at`: where it meets the
-// floor. d, n: unit vectors. Steps of the fixed point that starts from the depth right under.
-float floor_path(vec2 q, float height, vec3 d, vec3 n, out vec2 at) {
-    float c = dot(n, d);
-    vec3 r = d / 1.34 - (c / 1.34 + sqrt(1.0 - (1.0 - c * c) / (1.34 * 1.34))) * n;
-    float fall = max(-r.y, 0.25);
-    at = q;
-    float under = max(height - shore_floor(q).x, 0.0);
-    for (int i = 0; i < REFRACTION_STEPS; ++i) {
-        at = q + r.xz * (under / fall);
-        under = max(height - shore_floor(at).x, 0.0);
-    }
-    return under * (1.0 + 1.0 / fall);
 }

@@ -12,3 +12,8 @@ vec3 march_start(vec3 ray) {
     float curvature = start.a < 60000.0 ? start.a : 1e9;
     return any(greaterThan(abs(clip), vec2(1.0))) ? vec3(0.0, 0.0, 1e9) : vec3(start.r + start.g, start.b, curvature);
 }
+
+// Gap over tau from which on Newton's method finishes a march: a share of a sample's height.
+float march_tolerance() {
+    return MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
+}

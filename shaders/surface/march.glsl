@@ -28,8 +28,7 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
     vec3 start = march_start(ray);
     enter = min(max(enter, start.r), leave);
 
-    // Share of a sample's height under which Newton takes over.
-    float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
+    float fine = march_tolerance();
     vec3 now = surface_now();
     vec3 beyond = surface_beyond(ray, 0.0);
     tau = enter;
@@ -60,19 +59,6 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
     if ((ray.y >= 0.0 || tau >= farthest) && gap >= fine * tau) {
         return false;
     }
-    float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * length(ray));
-    for (int i = 0; i < REFINE; ++i) {
-        float rate = ray.y - dot(wave.yz, ray.xz);
-        if (rate < -1e-3 * length(ray)) {
-            float trial = max(tau - clamp(gap / rate, -limit, limit), enter);
-            vec3 there = waves(trial * ray.xz);
-            // A step over the crest would end on its back: the place before it is within the march's tolerance.
-            if (ray.y < dot(there.yz, ray.xz)) {
-                tau = trial;
-                wave = there;
-                gap = u_eye_height + tau * ray.y - wave.x;
-            }
-        }
-    }
+    refine_water(vec2(0.0), u_eye_height, ray, 1.0, fine, enter, REFINE, true, tau, gap, wave);
     return true;
 }

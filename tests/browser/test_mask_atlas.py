@@ -17,7 +17,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
-from seafoam.textures import texture
+from seafoam.textures import MaskTexture, texture, url_of
 from support.browsers import Lane, opened
 from support.pictures import draw
 from support.probe import WHOLE
@@ -38,7 +38,7 @@ def comparing(mask: str) -> FramePlan:
     """A plan whose picture is red where the drawn atlas is not the one of the server's resource."""
     foam = Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="filtered", mask=mask)
     plan = make_plan(Scene(foam=foam, light=None), TIERS["standard"])
-    made = texture(f"mask/{mask}/atlas")
+    made = texture(MaskTexture(masks=(mask,), table="atlas"))
     vertex = WHOLE
     compare = Pass(
         name="compare",
@@ -49,7 +49,7 @@ def comparing(mask: str) -> FramePlan:
         inputs={"u_drawn": TargetInput(target="mask_atlas"), "u_made": TextureInput(texture="made")},
     )
     given = Texture(
-        url=f"/api/textures/mask/{mask}/atlas",
+        url=url_of(MaskTexture(masks=(mask,), table="atlas")),
         sha256=made.sha256,
         format="RG32UI",
         width=made.width,
@@ -74,7 +74,7 @@ def test_the_drawn_atlas_is_the_made_one(
 ) -> None:
     browser: Lane = request.getfixturevalue(lane)
     plan, camera = comparing(mask), Camera()
-    made = texture(f"mask/{mask}/atlas")
+    made = texture(MaskTexture(masks=(mask,), table="atlas"))
     page = opened(browser, server)
     answer = page.evaluate(
         "([plan, options]) => window.seafoam.render(plan, options)",

@@ -1,51 +1,72 @@
-"""CONTRIBUTING.md's example: one Python module and its GLSL, and both executors draw it. No TypeScript knows of it."""
+"""CONTRIBUTING.md's example: one Python module and its GLSL, registered from outside the package. Both executors draw
+it as its float64 truth says; no TypeScript and no file of the package knows of it."""
 
 import base64
 import importlib
 import json
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from playwright.sync_api import Page
 
-from seafoam.effects import EFFECTS
+from seafoam.effects import register, unregister
 from seafoam.effects.effect import Effect
-from seafoam.planner import FramePlan, make_plan, planner
-from seafoam.quality import TIERS, Tier
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS, Quality
+from seafoam.reference import render
 from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from support.pictures import draw
 
-EXAMPLE = Path(__file__).parents[2] / "docs" / "example" / "windrows.py"
+ROOT = Path(__file__).parents[2]
+EXAMPLE = ROOT / "docs" / "example" / "windrows.py"
 SIZE = (320, 180)
-SHOWN = ("float windrow", "slots=", "EFFECT =", "bound=", "CASES =", "guard=", "without=")
+SHOWN = (
+    "float rows",
+    "class Windrows",
+    "class WindrowQuality",
+    "slots=",
+    "EFFECT =",
+    "bound=",
+    "def truth",
+    "extension=",
+    "saturation=",
+    "CASES =",
+    "guard=",
+    "without=",
+)
 """Beginnings of lines that CONTRIBUTING.md must hold."""
+DRY = (HeightSaturation(base=50.0, full=60.0),)
+"""A saturation that nothing reaches: all foam is the example's."""
+PART = {"windrows": {"spacing": 9.0, "strength": 0.8, "wind_direction": 0.6}}
 
 
 @pytest.fixture
-def example(monkeypatch: pytest.MonkeyPatch) -> Effect:
-    """The example's."""
+def example(monkeypatch: pytest.MonkeyPatch) -> Iterator[Effect]:
+    """The example's, registered."""
     monkeypatch.syspath_prepend(str(EXAMPLE.parent))
-    return importlib.import_module(EXAMPLE.stem).EFFECT
-
-
-def plan_of(effect: Effect, scene: Scene, tier: Tier = "standard", *, economy: bool = True) -> FramePlan:
-    """A plan with one more effect, past the cache."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(planner, "EFFECTS", (*EFFECTS, effect))
-        return planner.make_plan.__wrapped__(scene, TIERS[tier], economy=economy)
+    effect: Effect = importlib.import_module(EXAMPLE.stem).EFFECT
+    register(effect)
+    yield effect
+    unregister(effect)
 
 
 def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example: Effect) -> None:
-    scene = load_preset("default").scene
-    without, plan = make_plan(scene, TIERS["standard"]), plan_of(example, scene)
+    plain = load_preset("default").scene
+    scene = Scene.model_validate({**plain.model_dump(), "extensions": PART})
+    without, plan = make_plan(plain, TIERS["standard"]), make_plan(scene, TIERS["standard"])
+    assert example.name not in {note.name for note in (*without.effects, *without.skipped)}
     assert example.name in {note.name for note in plan.effects}
     width, height = SIZE
     with_lines = draw(executor, plan, scene.camera, time=5.0, size=(width, height))
-    plain = draw(executor, without, scene.camera, time=5.0, size=(width, height))
-    assert np.abs(with_lines.astype(int) - plain.astype(int)).mean() > 0.5
+    bare = draw(executor, without, scene.camera, time=5.0, size=(width, height))
+    assert np.abs(with_lines.astype(int) - bare.astype(int)).mean() > 0.5
     answer = page.evaluate(
         "([plan, options]) => window.seafoam.render(plan, options)",
         [
@@ -60,7 +81,7 @@ def test_the_example_draws_on_both_sides(page: Page, executor: Executor, example
 
 def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect) -> None:
     (case,) = example.cases.hard
-    plan = plan_of(example, case.scene, "reference")
+    plan = make_plan(case.scene, TIERS["reference"])
     for time in case.times:
         drawn = draw(executor, plan, case.camera, time=time, size=(48, 27), output="linear")
         assert np.isfinite(drawn).all()
@@ -69,19 +90,64 @@ def test_the_example_holds_where_it_is_hard(executor: Executor, example: Effect)
 
 def test_the_example_is_left_out_where_it_cannot_show(executor: Executor, example: Effect) -> None:
     (scene,) = example.cases.invisible
-    lean, full = plan_of(example, scene), plan_of(example, scene, economy=False)
+    lean, full = (make_plan(scene, TIERS["standard"], economy=economy) for economy in (True, False))
     assert example.name in {note.name for note in lean.skipped}
     assert example.name in {note.name for note in full.effects}
     pictures = [draw(executor, plan, scene.camera, time=0.0, size=(48, 27), output="linear") for plan in (lean, full)]
     assert np.abs(pictures[0] - pictures[1]).max() < 0.5 / 255.0
 
 
+@pytest.mark.parametrize("look", ["fading", "filtered"])
+def test_the_example_is_as_its_truth(executor: Executor, example: Effect, look: str) -> None:
+    camera = Camera(position=(40.0, 5.0, -3.0), pitch=-0.35)
+    scene = Scene.model_validate(
+        {"foam": Foam(saturation=DRY, look=look), "light": None, "camera": camera, "extensions": PART}
+    )
+    width, height = 96, 54
+    quality = TIERS["reference"].model_copy(update={"samples": 4})
+    frame = render(scene, time=2.0, width=width, height=height, samples=2, mode="same-samples")
+    drawn = draw(executor, make_plan(scene, quality), camera, time=2.0, size=(width, height), output="linear")
+    assert 0.005 < frame.alpha.mean() < 0.5
+    off = np.abs(drawn[..., 3] - frame.alpha)
+    # A threshold that a sample just misses turns that sample: the mean holds, and nearly every pixel.
+    assert off.mean() < 1.0 / 255.0
+    assert (off < 2.0 / 255.0).mean() > 0.99
+
+
+def test_the_examples_quality_changes_what_is_drawn(example: Effect) -> None:
+    scene = Scene.model_validate({"foam": Foam(look="filtered"), "extensions": PART})
+    for value in (True, False):
+        quality = Quality.model_validate({"extensions": {"windrows": {"filter": value}}})
+        text = make_plan(scene, quality).programs["surface"].fragment.text
+        assert f"ROWS_FILTER = {str(value).lower()}" in text
+    assert make_plan(scene, Quality()) == make_plan(
+        scene, Quality.model_validate({"extensions": {"windrows": {"filter": True}}})
+    )
+
+
 def test_contributing_shows_the_very_files_that_run() -> None:
-    text = (EXAMPLE.parents[2] / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    shown = set()
     for name in ("windrows.py", "windrows_cases.py", "windrows.glsl"):
-        body = (EXAMPLE.parent / name).read_text(encoding="utf-8")
-        for line in body.splitlines():
-            if line.strip().startswith(
-                ("float windrow", "slots=", "EFFECT =", "bound=", "CASES =", "guard=", "without=")
-            ):
-                assert line.strip() in text, line
+        for line in (EXAMPLE.parent / name).read_text(encoding="utf-8").splitlines():
+            for start in SHOWN:
+                if line.strip().startswith(start):
+                    assert line.strip() in text, line
+                    shown.add(start)
+    assert shown == set(SHOWN)
+
+
+def test_contributing_lists_the_files_of_an_effect_of_the_package() -> None:
+    """The list of sparkles, and that no other module of the package names them."""
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    listed = set(re.findall(r"^\| `((?:server|shaders|docs|tests)/[^`]+)`", text, re.MULTILINE))
+    assert listed
+    assert all((ROOT / path).is_file() for path in listed)
+    folders = (ROOT / "server" / "seafoam", ROOT / "shaders")
+    files = [path for folder in folders for path in folder.rglob("*") if path.suffix in (".py", ".glsl")]
+    naming = {
+        str(path.relative_to(ROOT))
+        for path in files
+        if re.search(r"sparkle", path.read_text(encoding="utf-8"), re.IGNORECASE)
+    }
+    assert naming <= listed, naming - listed

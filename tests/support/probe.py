@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from seafoam.effects.effect import Inline
 from seafoam.planner.glsl import assemble
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
-from seafoam.textures import texture
+from seafoam.textures import TextureSpec, spec_at, texture
 
 WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
 """The vertex shader over the whole target."""
@@ -32,7 +32,7 @@ class Probe:
         *,
         consts: Mapping[str, Any] | None = None,
         uniforms: Mapping[str, Any] | None = None,
-        textures: Mapping[str, str] | None = None,
+        textures: Mapping[str, TextureSpec | str] | None = None,
     ) -> NDArray[np.float32]:
         """Evaluate ``body`` (statements that read ``vec4 x`` and set ``vec4 y``) for each row of ``inputs`` (n, ≤ 4).
 
@@ -80,8 +80,8 @@ class Probe:
             item.release()
         return np.frombuffer(raw, np.float32).reshape(-1, 4)[:count].copy()
 
-    def _texture(self, stored: str) -> moderngl.Texture:
-        data = texture(stored)
+    def _texture(self, stored: TextureSpec | str) -> moderngl.Texture:
+        data = texture(spec_at(stored) if isinstance(stored, str) else stored)
         components, dtype = TEXTURE_FORMATS[data.format]
         bytes_a_texel = components * int(dtype[1])
         made = self._context.texture((data.width, data.height), components, dtype=dtype, alignment=1)

@@ -5,6 +5,7 @@ from heapq import heapify, heappop, heapreplace
 from itertools import combinations, product
 from typing import get_args
 
+from seafoam.effects import EFFECTS
 from seafoam.framegraph.shader import Program
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import TIERS, Quality
@@ -22,7 +23,7 @@ from seafoam.scene.foam import (
     SurfSaturation,
     WakeSaturation,
 )
-from seafoam.scene.light import Caustics, Light, Sparkles
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
@@ -70,7 +71,12 @@ def qualities() -> Iterator[Quality]:
 
 
 def scenes() -> Iterator[Scene]:
-    """Every slot file at least once, every join, every compile-time switch both ways."""
+    """Every slot file at least once, every join, every compile-time switch both ways.
+
+    Scenes that only one effect needs are in its cases; here are those that need several together.
+    """
+    for effect in EFFECTS:
+        yield from effect.cases.variants
     sea = load_preset("default").scene
     assert sea.foam is not None
     yield from foams(sea)
@@ -147,16 +153,13 @@ def drifting(sea: Scene) -> Iterator[Scene]:
 
 
 def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
-    """Sparkles, spray, pools, views from below, boats and their mirror."""
-    for specular, sparkles in product(("glint", "blinn_phong"), (None, Sparkles())):
-        yield Scene(light=Light(specular=specular, sparkles=sparkles))  # type: ignore[arg-type]
+    """Glints, spray, views from below, boats and their mirror."""
+    for specular in ("glint", "blinn_phong"):
+        yield Scene(light=Light(specular=specular))  # type: ignore[arg-type]
     rocky = shore.model_copy(update={"slope": 0.9})
     for light in (Light(), None):
         yield Scene(waves=sea.waves, spray=Spray(), light=light)
         yield Scene(shore=rocky, waves=sea.waves, spray=Spray(), light=light)
-    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True)):
-        pool = Water(depth=2.0, floor_tile=tile, view_below=below, chop=Chop())
-        yield Scene(water=pool, light=Light(caustics=Caustics(dispersion=dispersion)))
     for light in (Light(), Light(sun_elevation=-0.3), None):
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, chop=Chop()), light=light)
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)

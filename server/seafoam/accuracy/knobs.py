@@ -2,8 +2,9 @@
 
 from typing import Any
 
-from seafoam.effects import EFFECTS
+from seafoam.effects import EFFECTS, outside
 from seafoam.effects.effect import Cause, Knob
+from seafoam.extensions import Extensions
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene
@@ -29,7 +30,7 @@ SPINE_KNOBS: tuple[Knob, ...] = (
 def every_knob() -> tuple[tuple[str, Knob], ...]:
     """Return every setting, with the name of its owner."""
     spine = tuple((SPINE, knob) for knob in SPINE_KNOBS)
-    return spine + tuple((effect.name, knob) for effect in EFFECTS for knob in effect.knobs)
+    return spine + tuple((effect.name, knob) for effect in (*EFFECTS, *outside()) for knob in effect.knobs)
 
 
 def all_knobs(scene: Scene) -> tuple[tuple[str, Knob], ...]:
@@ -43,15 +44,15 @@ def all_knobs(scene: Scene) -> tuple[tuple[str, Knob], ...]:
 
 def value_at(quality: Quality, pointer: str) -> Any:
     """Return the value at a JSON pointer."""
-    found: Any = quality
+    value: Any = quality
     for member in pointer.split("/")[1:]:
-        found = getattr(found, member)
-    return found
+        value = value.part(member) if isinstance(value, Extensions) else getattr(value, member)
+    return value
 
 
 def with_value(quality: Quality, pointer: str, value: Any) -> Quality:
     """Return the quality with one value changed. Raises ``ValidationError`` if it is out of range."""
-    document = quality.model_dump()
+    document = quality.model_copy(update={"extensions": quality.extensions.with_defaults()}).model_dump()
     *path, last = pointer.split("/")[1:]
     inner = document
     for member in path:

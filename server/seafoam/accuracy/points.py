@@ -47,7 +47,7 @@ def points_of(scene: Scene) -> tuple[Point, ...]:
 def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, KnobChoice, KnobChoice, str, str]]:
     """Return neighbouring values of each setting whose plans differ: (owner, from, to, point from, point to)."""
     by_plan = {point.plan: point.id for point in points}
-    found = []
+    pairs = []
     for owner, knob in all_knobs(scene):
         links: list[tuple[KnobChoice, str]] = []
         for value in knob.steps:
@@ -55,10 +55,10 @@ def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, KnobChoic
             choice = KnobChoice(owner=owner, pointer=knob.pointer, title=knob.title, cause=knob.cause, value=value)
             if plan in by_plan and (not links or links[-1][1] != by_plan[plan]):
                 links.append((choice, by_plan[plan]))
-        found += [
+        pairs += [
             (owner, before, after, id_before, id_after) for (before, id_before), (after, id_after) in pairwise(links)
         ]
-    return found
+    return pairs
 
 
 @lru_cache(maxsize=2048)

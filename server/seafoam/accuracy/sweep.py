@@ -1,8 +1,8 @@
-"""A sweep: every point of a scene drawn in turn, round after round, timed, and compared with the float64 picture.
+"""A sweep: every point of a scene is drawn in turn, in several rounds, timed, and compared with the float64 picture.
 
-Rounds visit all points, so that a slowdown of the machine affects all of them; a round's frames are 1/60 s after
-the last round's, so they are also the sequence in which popping is counted. A frame is drawn once untimed just before
-it is timed, which compiles and allocates; after that, only if it is so short that caches matter.
+Every round visits all points, so that a slowdown of the machine affects all of them. Frames of a round are 1/60 s later
+than those of the round before, so the rounds are also the sequence in which popping is counted. A frame is drawn once
+untimed before it is timed, except if it takes so long that a warm cache makes no difference.
 """
 
 import os
@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
-from statistics import median, quantiles
 from typing import get_args
 
 import numpy as np
@@ -32,11 +31,11 @@ from seafoam.accuracy.model import (
     Step,
     Sweep,
     TimeModel,
-    TimeSpread,
     Timing,
     TruthInfo,
 )
 from seafoam.accuracy.points import chains, plan_sha256, points_of, shown
+from seafoam.accuracy.times import median_model, spread_of, time_model
 from seafoam.accuracy.truth import StoppedError, make_truth
 from seafoam.effects.effect import Cause
 from seafoam.quality import Quality
@@ -66,6 +65,8 @@ SMALL = 10
 COMPILE_WEIGHT = 6.0
 """Time to compile a plan, in frames of one sample per pixel; used only for the progress."""
 
+Size = tuple[int, int]
+"""Width and height, pixels."""
 Measure = Callable[[MeasureJob], tuple[Drawn, ...]]
 
 
@@ -76,13 +77,13 @@ class Subject:
     preset: str | None
     scene: Scene
     time: float
-    size: tuple[int, int]
+    size: Size
 
     @staticmethod
     def of_preset(name: str) -> "Subject":
         """Return the subject of a preset. Raises ``KeyError``."""
-        found = load_preset(name)
-        return Subject(name, found.scene, found.time, found.size)
+        preset = load_preset(name)
+        return Subject(name, preset.scene, preset.time, preset.size)
 
     @staticmethod
     def of_scene(scene: Scene) -> "Subject":
@@ -152,19 +153,19 @@ def find_sweep(store: Store, subject: Subject, settings: Settings, machine: Mach
     if content is None:
         return None
     try:
-        found = Sweep.model_validate_json(content)
+        sweep = Sweep.model_validate_json(content)
     except ValueError:
         return None
     # A preset and a posted scene that equals it share their measurements.
-    return found.model_copy(update={"preset": subject.preset, "truth": truth_info(subject, settings)})
+    return sweep.model_copy(update={"preset": subject.preset, "truth": truth_info(subject, settings)})
 
 
 def make_sweep(
     store: Store, subject: Subject, settings: Settings, rig: Rig, watcher: Watcher | None = None, *, again: bool = False
 ) -> Sweep:
-    """Measure a scene, or find the measurement; ``again``: measure all the same.
+    """Measure a scene, or return the stored measurement; ``again``: ignore a stored one.
 
-    Raises :class:`seafoam.planner.PlanError`, what drawing raises, and :class:`StoppedError` where it was called off.
+    Raises :class:`seafoam.planner.PlanError`, what drawing raises, and :class:`StoppedError` if the watcher stops it.
     """
     watcher = watcher or Watcher()
     machine = rig.machine
@@ -206,89 +207,108 @@ class _Sweeping:
         self.began = clock.perf_counter()
 
     def run(self, truth: Picture) -> Sweep:
-        settings, points = self.settings, self.points
-        for point in points:
-            self._picture(point.plan, point.quality, "compiling")
-        timed, small = self._sizes()
-        # Compiles what only finished pictures need.
-        for point in points:
-            self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
-        frames: dict[str, list[Picture]] = {point.id: [] for point in points}
-        models: dict[str, list[TimeModel]] = {point.id: [] for point in points}
-        compared = (settings.width, settings.height)
-        for index in range(settings.rounds):
-            first = index % len(points)
-            turned = [*points[first:], *points[:first]]
-            for point in turned if index % 2 == 0 else reversed(turned):
-                before = models[point.id][-1] if index > 0 else None
-                long = before is not None and before.at(*timed) > LONG_MS
-                slow = before is not None and before.at(*compared) - before.fixed_ms > SLOW_MS
-                warm = () if timed == compared or long else (Draw(*timed, "rgba8"),)
-                larger = () if slow else (*warm, Draw(*timed, "rgba8"))
-                draws = (Draw(*compared, "linear", keep=True), *larger, Draw(*small, "rgba8"))
-                weight = 2.0 * (1.0 + point.quality.samples)
-                stage = f"round {index + 1} of {settings.rounds}"
-                drawn = self._draw(point.quality, index, draws, stage, weight)
-                assert drawn[0].pixels is not None
-                frames[point.id].append(drawn[0].pixels)
-                large = compared if slow else timed
-                models[point.id].append(_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small))
-        measured = []
-        errors = {point.id: metrics.errors(frames[point.id], truth) for point in points}
-        times = {id: [model.at(*self.subject.size) for model in found] for id, found in models.items()}
-        spreads = {id: _spread(values) for id, values in times.items()}
-        best = front({id: (spread.median_ms, errors[id].rmse) for id, spread in spreads.items()})
-        beaten = beating({id: (values, errors[id].rmse) for id, values in times.items()})
-        for point in points:
-            measured.append(
-                MeasuredPoint(
-                    **dict(point),
-                    on_front=point.id in best,
-                    beaten_by=beaten[point.id],
-                    time=spreads[point.id],
-                    model=_middle(models[point.id], self.subject.size),
-                    error=errors[point.id],
-                    causes=self._causes(point, errors[point.id].rmse, truth),
-                )
+        timed, small = self._compile()
+        frames, models = self._rounds(timed, small)
+        errors = {point.id: metrics.errors(frames[point.id], truth) for point in self.points}
+        rmse = {id: error.rmse for id, error in errors.items()}
+        times = {id: [model.at(*self.subject.size) for model in rounds] for id, rounds in models.items()}
+        spreads = {id: spread_of(values) for id, values in times.items()}
+        best = front({id: (spread.median_ms, rmse[id]) for id, spread in spreads.items()})
+        beaten = beating({id: (values, rmse[id]) for id, values in times.items()})
+        measured = {
+            point.id: MeasuredPoint(
+                **dict(point),
+                on_front=point.id in best,
+                beaten_by=beaten[point.id],
+                time=spreads[point.id],
+                model=median_model(models[point.id], self.subject.size),
+                error=errors[point.id],
+                causes=self._causes(point, rmse[point.id], truth),
             )
+            for point in self.points
+        }
         return Sweep(
             preset=self.subject.preset,
             scene_sha256=scene_sha256(self.subject.scene),
-            width=settings.width,
-            height=settings.height,
+            width=self.settings.width,
+            height=self.settings.height,
             time=self.subject.time,
-            truth=truth_info(self.subject, settings),
-            timing=Timing(
-                timer="wall",
-                width=timed[0],
-                height=timed[1],
-                small_width=small[0],
-                small_height=small[1],
-                own_width=self.subject.size[0],
-                own_height=self.subject.size[1],
-                rounds=settings.rounds,
-            ),
+            truth=truth_info(self.subject, self.settings),
+            timing=self._timing(timed, small),
             machine=self.rig.machine,
             versions={name: version(name) for name in ("seafoam", "moderngl", "numpy", "flip-evaluator")},
             measured_at=datetime.now(UTC).isoformat(timespec="seconds"),
             seconds=round(clock.perf_counter() - self.began, 1),
-            points=tuple(measured),
+            points=tuple(measured.values()),
             front=best,
-            steps=self._steps(times, {id: error.rmse for id, error in errors.items()}),
-            sentences=sentences([point for id in best for point in measured if point.id == id], times),
+            steps=self._steps(times, rmse),
+            sentences=sentences([measured[id] for id in best], times),
+        )
+
+    def _compile(self) -> tuple[Size, Size]:
+        """Compile every point's programs, and return the timing size and the small size."""
+        for point in self.points:
+            self._picture(point.plan, point.quality, "compiling")
+        timed, small = self._sizes()
+        # Display-referred frames have a pass that linear ones lack.
+        for point in self.points:
+            self._draw(point.quality, 0, (Draw(*small, "rgba8"),), "compiling", 0.0)
+        return timed, small
+
+    def _rounds(self, timed: Size, small: Size) -> tuple[dict[str, list[Picture]], dict[str, list[TimeModel]]]:
+        """Pictures and time models of every point, one per round."""
+        points, rounds = self.points, self.settings.rounds
+        frames: dict[str, list[Picture]] = {point.id: [] for point in points}
+        models: dict[str, list[TimeModel]] = {point.id: [] for point in points}
+        for index in range(rounds):
+            first = index % len(points)
+            turned = [*points[first:], *points[:first]]
+            for point in turned if index % 2 == 0 else reversed(turned):
+                last = models[point.id][-1] if index > 0 else None
+                stage = f"round {index + 1} of {rounds}"
+                picture, model = self._measure(point.quality, index, last, timed, small, stage)
+                frames[point.id].append(picture)
+                models[point.id].append(model)
+        return frames, models
+
+    def _measure(
+        self, quality: Quality, frame: int, last: TimeModel | None, timed: Size, small: Size, stage: str
+    ) -> tuple[Picture, TimeModel]:
+        """A frame's linear picture and its time model. ``last``: the model of the round before."""
+        compared = (self.settings.width, self.settings.height)
+        long = last is not None and last.at(*timed) > LONG_MS
+        slow = last is not None and last.at(*compared) - last.fixed_ms > SLOW_MS
+        warm = () if timed == compared or long else (Draw(*timed, "rgba8"),)
+        larger = () if slow else (*warm, Draw(*timed, "rgba8"))
+        draws = (Draw(*compared, "linear", keep=True), *larger, Draw(*small, "rgba8"))
+        drawn = self._draw(quality, frame, draws, stage, 2.0 * (1.0 + quality.samples))
+        assert drawn[0].pixels is not None
+        large = compared if slow else timed
+        return drawn[0].pixels, time_model(1000.0 * drawn[-2].seconds, large, 1000.0 * drawn[-1].seconds, small)
+
+    def _timing(self, timed: Size, small: Size) -> Timing:
+        return Timing(
+            timer="wall",
+            width=timed[0],
+            height=timed[1],
+            small_width=small[0],
+            small_height=small[1],
+            own_width=self.subject.size[0],
+            own_height=self.subject.size[1],
+            rounds=self.settings.rounds,
         )
 
     def _ideals(self) -> dict[str, dict[str, tuple[str, Quality]]]:
-        """By tier and cause ("rest": all three): the plan and the quality without that cause."""
-        found: dict[str, dict[str, tuple[str, Quality]]] = {}
-        for point in (one for one in self.points if one.tier is not None):
-            whole = point.quality
+        """Of each tier, by cause of error ("rest": all three): plan and quality without that cause."""
+        ideals: dict[str, dict[str, tuple[str, Quality]]] = {}
+        for point in (point for point in self.points if point.tier is not None):
+            without_all = point.quality
             for cause in get_args(Cause):
-                one = idealised(point.quality, cause)
-                found.setdefault(point.id, {})[cause] = plan_sha256(self.subject.scene, one), one
-                whole = idealised(whole, cause)
-            found[point.id]["rest"] = plan_sha256(self.subject.scene, whole), whole
-        return found
+                without = idealised(point.quality, cause)
+                ideals.setdefault(point.id, {})[cause] = plan_sha256(self.subject.scene, without), without
+                without_all = idealised(without_all, cause)
+            ideals[point.id]["rest"] = plan_sha256(self.subject.scene, without_all), without_all
+        return ideals
 
     def _causes(self, point: Point, error: float, truth: Picture) -> Causes | None:
         if point.tier is None:
@@ -323,7 +343,7 @@ class _Sweeping:
         self.watcher.progress(stage, 0.3 + 0.7 * share, remaining)
         return drawn
 
-    def _sizes(self) -> tuple[tuple[int, int], tuple[int, int]]:
+    def _sizes(self) -> tuple[Size, Size]:
         """Return the timing size, at least that of the pictures, at most the subject's own; and the small size."""
         width, height = self.settings.width, self.settings.height
         whole = self.subject.size
@@ -331,7 +351,7 @@ class _Sweeping:
         while 2 * width <= whole[0] and 2 * height <= whole[1]:
             if LEAST_SHARE * width >= whole[0] and LEAST_SHARE * height >= whole[1]:
                 drawn = self._draw(standard.quality, 0, 3 * (Draw(width, height, "rgba8"),), "timing size", 0.0)
-                if min(one.seconds for one in drawn[1:]) >= ENOUGH_SECONDS:
+                if min(frame.seconds for frame in drawn[1:]) >= ENOUGH_SECONDS:
                     break
             width, height = 2 * width, 2 * height
         return (width, height), (max(1, width // SMALL), max(1, height // SMALL))
@@ -363,26 +383,6 @@ class _Sweeping:
         return tuple(steps)
 
 
-def _spread(values: list[float]) -> TimeSpread:
-    low, middle, high = quantiles(values, n=4, method="inclusive")
-    return TimeSpread(median_ms=middle, low_ms=low, high_ms=high, rounds_ms=tuple(round(value, 4) for value in values))
-
-
-def _model(large_ms: float, large: tuple[int, int], small_ms: float, small: tuple[int, int]) -> TimeModel:
-    pixels, few = large[0] * large[1], small[0] * small[1]
-    if pixels == few:
-        return TimeModel(fixed_ms=0.0, ns_per_pixel=1e6 * large_ms / pixels)
-    slope = max(0.0, (large_ms - small_ms) / (pixels - few))
-    return TimeModel(fixed_ms=max(0.0, large_ms - slope * pixels), ns_per_pixel=1e6 * slope)
-
-
-def _middle(models: list[TimeModel], size: tuple[int, int]) -> TimeModel:
-    """Return the median of the constant parts, and of the rest of the median time."""
-    fixed = median(model.fixed_ms for model in models)
-    left = max(0.0, median(model.at(*size) for model in models) - fixed)
-    return TimeModel(fixed_ms=fixed, ns_per_pixel=1e6 * left / (size[0] * size[1]))
-
-
 def _name(subject: Subject, settings: Settings, machine: Machine) -> str:
     plans = sorted(point.plan for point in points_of(subject.scene))
     what = [FORMAT, plans, scene_sha256(subject.scene), subject.time, subject.size]
@@ -396,5 +396,5 @@ def _processor() -> str:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
         lines = []
-    found = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
-    return next(found, platform.processor() or platform.machine())
+    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
+    return next(names, platform.processor() or platform.machine())

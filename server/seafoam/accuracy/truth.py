@@ -38,11 +38,11 @@ def find_truth(store: Store, scene: Scene, at: float, width: int, height: int, a
     if content is None:
         return None
     try:
-        found: NDArray[Any] = np.load(io.BytesIO(content), allow_pickle=False)
+        picture: NDArray[Any] = np.load(io.BytesIO(content), allow_pickle=False)
     except (ValueError, EOFError):
         return None
-    good = found.shape == (height, width, 4) and found.dtype == np.float32
-    return found if good else None
+    good = picture.shape == (height, width, 4) and picture.dtype == np.float32
+    return picture if good else None
 
 
 def make_truth(
@@ -61,9 +61,9 @@ def make_truth(
     ``progress`` receives the fraction done and the remaining seconds, estimated from a coarser picture.
     Raises :class:`StoppedError` once ``stopped`` returns true.
     """
-    found = find_truth(store, scene, at, width, height, along)
-    if found is not None:
-        return found
+    stored = find_truth(store, scene, at, width, height, along)
+    if stored is not None:
+        return stored
     pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
     try:
         coarse = max(1, along // 4)

@@ -57,7 +57,7 @@ def levelled(picture: NDArray[Any]) -> Floats:
     blue = picture[..., 2] / 255.0 if picture.dtype == np.uint8 else picture[..., 2].astype(np.float64)
     rows = np.arange(own.shape[0], dtype=np.float64)
     fits = [(np.polyfit(rows, channel.mean(axis=1), 1), channel) for channel in (own, blue)]
-    fit, chosen = min(fits, key=lambda one: abs(float(one[0][0])))
+    fit, chosen = min(fits, key=lambda candidate: abs(float(candidate[0][0])))
     # A line that falls to nothing within the picture would divide by nothing.
     line = np.maximum(np.polyval(fit, rows), 1e-3)
     result: Floats = np.minimum(chosen * (line[rows.size // 2] / line)[:, None], 1.0)

@@ -14,8 +14,8 @@ def allowed_at(schema: Schema, root: Schema, path: Sequence[str | int], value: A
 
     root: document that ``$ref`` points into. value: the whole value that was sent, which selects among alternatives.
     """
-    found = _descend(schema, root, tuple(path), value)
-    return None if found is None else _summary(found, root)
+    schemas = _descend(schema, root, tuple(path), value)
+    return None if schemas is None else _summary(schemas, root)
 
 
 def describe_allowed(allowed: Mapping[str, Any]) -> str:
@@ -50,7 +50,7 @@ def _alternatives(schema: Schema, root: Schema) -> list[Schema]:
     nested = [*schema.get("anyOf", ()), *schema.get("oneOf", ())]
     if not nested:
         return [schema]
-    return [found for alternative in nested for found in _alternatives(alternative, root)]
+    return [leaf for alternative in nested for leaf in _alternatives(alternative, root)]
 
 
 def _fits(schema: Schema, value: Any) -> bool:

@@ -15,16 +15,18 @@ from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddle
 from seafoam.api import errors, pages
 from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
-from seafoam.api.measuring import measuring_station
+from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, NoSniff
 from seafoam.api.parameters import one_value_each
 from seafoam.api.routers import accuracy, frames, health, masks, plans, presets, textures
 from seafoam.api.settings import Settings
-from seafoam.api.workshop import Workshop
+from seafoam.api.threads import ThreadPool
+from seafoam.quality import QualityExtensions
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
+from seafoam.scene.models import SceneExtensions
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
@@ -58,9 +60,9 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        station = measuring_station(settings, pool, asyncio.get_running_loop())
+        sweeps = sweep_service(settings, pool, asyncio.get_running_loop())
         app.state.context = Context(
-            settings, pool, metrics, plans=Workshop(2, 64), masks=Workshop(1, 8), station=station
+            settings, pool, metrics, plans=ThreadPool(2, 64), masks=ThreadPool(1, 8), sweeps=sweeps
         )
         await pool.start()
         warming = asyncio.create_task(presets.warm(app.state.context.plans))
@@ -68,7 +70,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         warming.cancel()
         with suppress(asyncio.CancelledError, errors.BusyError):
             await warming
-        await asyncio.to_thread(station.stop)
+        await asyncio.to_thread(sweeps.stop)
         await pool.stop()
 
     app = FastAPI(
@@ -112,9 +114,13 @@ def _describe(app: FastAPI, settings: Settings) -> None:
             schemas = document["components"]["schemas"]
             problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
             schemas |= problem.pop("$defs") | {"Problem": problem}
+            for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
+                del schemas[unused.__name__]
             frame = document["paths"]["/api/frames/{preset}.{format}"]["get"]
             sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
-            sides += [one["schema"] for one in frame["parameters"] if one["name"] in ("width", "height")]
+            sides += [
+                parameter["schema"] for parameter in frame["parameters"] if parameter["name"] in ("width", "height")
+            ]
             for schema in sides:
                 for alternative in schema.get("anyOf", [schema]):
                     if alternative["type"] == "integer":

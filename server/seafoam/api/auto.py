@@ -56,13 +56,13 @@ async def resolve(asked: Asked, subject: Subject, context: Context) -> tuple[Qua
     budget = asked.budget()
     limits = context.settings.frame_limits
     limits.check(asked.width, asked.height, 1)
-    found = await measured(context, subject)
-    if isinstance(found, Running):
+    sweep = await measured(context, subject)
+    if isinstance(sweep, Running):
         what = f"preset {subject.preset}" if subject.preset else "this scene"
-        state = "is queued for measurement" if found.status == "queued" else f"is {100 * found.progress:.0f} % measured"
+        state = "is queued for measurement" if sweep.status == "queued" else f"is {100 * sweep.progress:.0f} % measured"
         detail = f"cost of accuracy: {what} {state}; retry later, or name a tier"
-        raise NotMeasuredError(detail, retry_seconds(found))
+        raise NotMeasuredError(detail, retry_seconds(sweep))
     choice = choose(
-        found, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples_drawn)
+        sweep, asked.width, asked.height, budget, lambda q: limits.allows(asked.width, asked.height, q.samples_drawn)
     )
     return choice.point.quality, {"Seafoam-Quality": choice.point.id, "Seafoam-Quality-Why": choice.why}

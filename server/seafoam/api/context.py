@@ -5,16 +5,16 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
-from seafoam.accuracy.station import Station
+from seafoam.accuracy.sweep_service import SweepService
 from seafoam.api.metrics import Metrics
 from seafoam.api.settings import Settings
-from seafoam.api.workshop import Workshop
+from seafoam.api.threads import ThreadPool
 from seafoam.render.service.pool import RenderPool
 
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Settings, render pool, metrics, thread pools of the web process, and the measuring station.
+    """Settings, render pool, metrics, thread pools of the web process, and the service that measures sweeps.
 
     ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans.
     """
@@ -22,9 +22,9 @@ class Context:
     settings: Settings
     pool: RenderPool
     metrics: Metrics
-    plans: Workshop
-    masks: Workshop
-    station: Station
+    plans: ThreadPool
+    masks: ThreadPool
+    sweeps: SweepService
 
 
 def _context(request: Request) -> Context:

@@ -23,8 +23,9 @@ from pydantic import BaseModel, ConfigDict, Field
 from starlette.exceptions import HTTPException
 from starlette.responses import JSONResponse
 
-from seafoam.accuracy.station import FailedError
+from seafoam.accuracy.sweep_service import FailedError
 from seafoam.api.allowed import Schema, allowed_at
+from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError
 from seafoam.render.service.errors import (
     DeadlineError,
@@ -122,6 +123,7 @@ KINDS: dict[type[Exception], Kind] = {
     MaskTooSlowError: Kind(422, "mask-too-slow", "The mask would take too long to generate"),
     RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
     FailedError: Kind(500, "measurement-failed", "The measurement failed"),
+    MissingExtraError: Kind(501, "not-installed", "A package that the answer needs is not installed"),
     BusyError: Kind(503, "busy", "The server is busy"),
     NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),
     QueueFullError: Kind(503, "queue-full", "The render queue is full"),
@@ -244,6 +246,8 @@ async def _known(request: Request, error: Exception) -> JSONResponse:
         case RendererUnavailableError():
             headers = {"Retry-After": str(UNAVAILABLE_RETRY)}
             remedy = str(error)
+        case MissingExtraError():
+            remedy = error.remedy
     return problem(
         request.url.path,
         kind.status,

@@ -1,12 +1,12 @@
-"""The measuring station of an application, which draws on its render pool."""
+"""The service that measures sweeps for an application, on its render pool."""
 
 import asyncio
 from concurrent.futures import TimeoutError as NotYet
 
 from seafoam.accuracy.cache import Store
-from seafoam.accuracy.station import Station
 from seafoam.accuracy.sweep import Rig
 from seafoam.accuracy.sweep import Settings as SweepSettings
+from seafoam.accuracy.sweep_service import SweepService
 from seafoam.accuracy.truth import StoppedError
 from seafoam.api.settings import Settings
 from seafoam.render.service.errors import RendererUnavailableError
@@ -16,8 +16,8 @@ from seafoam.render.service.pool import RenderPool
 _POLL_SECONDS = 0.2
 
 
-def measuring_station(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEventLoop) -> Station:
-    """Return a station that measures on the pool; coroutines run on ``loop``."""
+def sweep_service(settings: Settings, pool: RenderPool, loop: asyncio.AbstractEventLoop) -> SweepService:
+    """Return a service that measures on the pool; coroutines run on ``loop``."""
 
     def measure(job: MeasureJob) -> tuple[Drawn, ...]:
         future = asyncio.run_coroutine_threadsafe(pool.measure(job), loop)
@@ -28,7 +28,7 @@ def measuring_station(settings: Settings, pool: RenderPool, loop: asyncio.Abstra
                 # Also what a coroutine that timed out raises, which has nothing to wait for.
                 if future.done():
                     raise
-                if station.stopped:
+                if service.stopped:
                     future.cancel()
                     raise StoppedError from None
 
@@ -38,5 +38,5 @@ def measuring_station(settings: Settings, pool: RenderPool, loop: asyncio.Abstra
         return Rig(measure, pool.info, pool.threads)
 
     sizes = (settings.accuracy_width, settings.accuracy_height, settings.accuracy_samples, settings.accuracy_rounds)
-    station = Station(Store(settings.cache), SweepSettings(*sizes), rig)
-    return station
+    service = SweepService(Store(settings.cache), SweepSettings(*sizes), rig)
+    return service

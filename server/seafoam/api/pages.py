@@ -1,13 +1,12 @@
 """HTML pages: the web client at ``/`` and the API reference at ``/docs``, without external resources."""
 
-import importlib.util
 import mimetypes
 from pathlib import Path
 
 from fastapi import FastAPI
 from fastapi.openapi.docs import get_swagger_ui_html
 from starlette.datastructures import Headers
-from starlette.responses import HTMLResponse, PlainTextResponse, Response
+from starlette.responses import PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
@@ -17,7 +16,7 @@ from seafoam.resources import data_dir
 NOT_BUILT = """Seafoam is running, but its web client has not been built.
 
 To build it, run:  make webclient
-The API reference is at /docs, a rendered frame at /api/frames/default.png.
+The API's description is at /openapi.json, a rendered frame at /api/frames/default.png.
 """
 
 
@@ -53,22 +52,20 @@ class WebClient(StaticFiles):
 
 def install(app: FastAPI) -> None:
     """Serve the pages on paths that no route of the application matches."""
-    found = importlib.util.find_spec("fastapi_offline")
-    assert found is not None
-    assert found.origin is not None
-    # Swagger UI's files are all that is used of that package: FastAPI's own page would load them from a CDN.
-    app.mount("/docs/static", StaticFiles(directory=Path(found.origin).parent / "static"), name="docs-static")
     app.add_api_route("/docs", _manual, include_in_schema=False)
     # The stills' type, which Python 3.11 knows only where the system tells it.
     mimetypes.add_type("image/avif", ".avif")
     app.router.default = WebClient(data_dir("webclient"))
 
 
-async def _manual() -> HTMLResponse:
+async def _manual() -> Response:
+    """Return the API reference. Its script is part of the web client's build: FastAPI's own page uses a CDN."""
+    if not (data_dir("webclient") / "docs" / "swagger-ui-bundle.js").is_file():
+        return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
     return get_swagger_ui_html(
         openapi_url="/openapi.json",
         title="Seafoam: API",
-        swagger_js_url="/docs/static/swagger-ui-bundle.js",
-        swagger_css_url="/docs/static/swagger-ui.css",
-        swagger_favicon_url="/docs/static/favicon.png",
+        swagger_js_url="/docs/swagger-ui-bundle.js",
+        swagger_css_url="/docs/swagger-ui.css",
+        swagger_favicon_url="/icon.svg",
     )

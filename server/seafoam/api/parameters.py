@@ -58,8 +58,8 @@ def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
     """Return an optional query parameter with the range and description of a scene field."""
     bounds: dict[str, Any] = {}
     for rule in info.metadata:
-        found = {name: getattr(rule, name, None) for name in ("ge", "le", "max_length", "pattern")}
-        bounds |= {name: value for name, value in found.items() if value is not None}
+        limits = {name: getattr(rule, name, None) for name in ("ge", "le", "max_length", "pattern")}
+        bounds |= {name: value for name, value in limits.items() if value is not None}
     return Field(default=None, description=description or info.description, **(bounds | override))
 
 

@@ -7,24 +7,18 @@ workers import this module too.
 
 import json
 import logging
-import re
 import socket
 import sys
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 from typer.exceptions import TyperException
 
-if TYPE_CHECKING:
-    from seafoam.accuracy.model import Sweep
-    from seafoam.accuracy.sweep import Settings, Subject
-    from seafoam.render.gl.executor import Executor
-
 from seafoam.cli.masks import masks
-from seafoam.cli.support import UNABLE, CommandError, Output, extension_of, refuse, write
+from seafoam.cli.support import UNABLE, CommandError, Output, need_reports, refuse, size_of
 
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
@@ -36,12 +30,6 @@ app.add_typer(masks, name="masks")
 
 OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
-LARGEST_SIDE = 8192
-LARGEST_SAMPLED_SIDE = 16384
-LARGEST_SAMPLES = 16384 * 8192
-"""Maximum frame size of ``render``, which is limited only by memory."""
-TABLE_WIDTH = 140
-"""Width of the table of ``accuracy``, columns; a narrower terminal wraps its lines."""
 _QUIET = ("/healthz", "/readyz", "/metrics")
 
 
@@ -58,11 +46,11 @@ def serve(
     from seafoam.api.app import create_app
     from seafoam.api.settings import Settings
 
-    given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
+    options: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     try:
-        settings = Settings(**given)
+        settings = Settings(**options)
     except ValidationError as error:
-        refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+        refuse(error, Settings, lambda field: f"--{field}" if field in options else f"SEAFOAM_{field.upper()}")
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
     except OSError as error:
@@ -116,73 +104,15 @@ def render(
     fov: Annotated[float | None, typer.Option(help="Vertical field of view, rad.")] = None,
 ) -> None:
     """Render a frame to a .png, .webp (lossless) or .npy (linear float32) file, without a server."""
-    from pydantic import ValidationError
+    _require_preset(preset)
+    from seafoam.cli.frames import render_to_file
 
-    from seafoam.accuracy.budget import choose
-    from seafoam.accuracy.sweep import Settings, Subject
-    from seafoam.api.errors import ApiError
-    from seafoam.api.parameters import FrameParameters
-    from seafoam.api.routers.presets import find_preset
-    from seafoam.planner import PlanError
-    from seafoam.quality import TIERS
-    from seafoam.render.encode import FRAME_FORMATS
-    from seafoam.render.gl.executor import Executor, NoRendererError
-    from seafoam.render.service.errors import FrameTooLargeError
-    from seafoam.render.service.jobs import FrameJob, render_frame
-    from seafoam.render.service.limits import FrameLimits
-    from seafoam.scene.presets import preset_names
-
-    if preset not in preset_names():
-        raise CommandError(f"PRESET: {preset!r} was not found; available: {', '.join(preset_names())}")
-    found = find_preset(preset)
-    extension = extension_of(output, FRAME_FORMATS)
-    width, height = found.size if size is None else _size(size)
-    given = {
+    options = {
         "time": time, "quality": quality, "budget_ms": budget_ms, "look": look, "mask": mask,
-        "width": width, "height": height,
         "x": x, "y": y, "z": z, "yaw": yaw, "pitch": pitch, "roll": roll, "fov": fov,
     }  # fmt: skip
-    try:
-        asked = FrameParameters.model_validate({name: value for name, value in given.items() if value is not None})
-        if (asked.quality == "auto") != (asked.budget_ms is not None):
-            raise CommandError("--budget-ms: required with --quality auto, and allowed only with it")
-        limits = FrameLimits(LARGEST_SIDE, LARGEST_SAMPLED_SIDE, LARGEST_SAMPLES)
-        limits.check(width, height, 1 if asked.quality == "auto" else TIERS[asked.quality].samples_drawn)
-        scene = asked.apply(found.scene)
-    except ValidationError as error:
-        refuse(error, FrameParameters, _frame_option)
-    except FrameTooLargeError as error:
-        raise CommandError(f"--size: {error}") from error
-    except ApiError as error:
-        raise CommandError(f"--{error}") from error
-    at = found.time if asked.time is None else asked.time
-    why = ""
-    try:
-        executor = Executor()
-        if asked.quality == "auto":
-            assert asked.budget_ms is not None
-            subject = Subject(None if asked.changed else preset, scene, found.time, found.size)
-            sweep = _measured(executor, subject, Settings())
-            choice = choose(
-                sweep, width, height, asked.budget_ms, lambda q: limits.allows(width, height, q.samples_drawn)
-            )
-            knobs, why = choice.point.quality, f"{choice.point.id}: {choice.why}"
-        else:
-            knobs = TIERS[asked.quality]
-        job = FrameJob(scene, knobs, at, asked.camera(scene.camera), width, height, extension)
-        frame = render_frame(executor, job)
-        renderer = executor.info["renderer"]
-    except PlanError as error:
-        member = error.pointer.rpartition("/")[2]
-        where = f"--{member}" if member in asked.changed else error.pointer or "scene"
-        raise CommandError(f"{where}: {error.message}") from error
-    except NoRendererError as error:
-        raise CommandError(str(error), UNABLE) from error
-    write(output, frame.content)
-    times = ", ".join(f"{stage} {1000 * seconds:.0f} ms" for stage, seconds in frame.timings.items())
-    typer.echo(f"{output}: {width} × {height}, {len(frame.content):,} bytes; {times}; {renderer}")
-    if why:
-        typer.echo(why)
+    for line in render_to_file(preset, output, size, options):
+        typer.echo(line)
 
 
 @app.command()
@@ -206,91 +136,22 @@ def accuracy(
     ] = None,
     again: Annotated[bool, typer.Option("--again", help="Measure again, ignoring stored results.")] = False,
 ) -> None:
-    """Measure what accuracy costs in time: each tier and setting, against float64. Takes minutes; results are kept."""
-    from rich.console import Console
-    from rich.table import Column, Table
-
-    from seafoam.accuracy import report
-    from seafoam.accuracy.sweep import Settings, Subject
-    from seafoam.render.gl.executor import Executor, NoRendererError
-    from seafoam.scene.presets import preset_names
-
+    """Measure time against error: each tier and setting, compared with float64. Takes minutes; results are stored."""
+    need_reports()
     if (preset is None) != every:
         raise CommandError("PRESET or --all: exactly one is required")
-    if preset is not None and preset not in preset_names():
-        raise CommandError(f"PRESET: {preset!r} was not found; available: {', '.join(preset_names())}")
-    width, height = _size(size)
+    if preset is not None:
+        _require_preset(preset)
+    width, height = size_of(size)
     if not (16 <= width <= 1280 and 16 <= height <= 720):
         raise CommandError(f"--size: must be 16x16 to 1280x720, not {size!r}")
-    places = {"--output": (output, ".png"), "--json": (as_json, ".json"), "--csv": (as_csv, ".csv")}
-    places["--html"] = (as_html, ".html")
-    for option, (path, extension) in places.items():
-        if path is not None and not every and path.suffix.lower() != extension:
-            raise CommandError(f"{option}: {path.name!r} must end in {extension}")
-    try:
-        executor = Executor()
-    except NoRendererError as error:
-        raise CommandError(str(error), UNABLE) from error
-    console = Console()
-    console.width = max(console.width, TABLE_WIDTH)
-    for name in preset_names() if every else (str(preset),):
-        sweep = _measured(executor, Subject.of_preset(name), Settings(width, height, samples, rounds), again=again)
-        title = f"{name}: errors at {width} × {height}, times for {sweep.timing.own_width} × {sweep.timing.own_height}"
-        first, *others = (Column(heading, no_wrap=True, justify="right") for heading in report.HEADINGS)
-        first.justify = "left"
-        table = Table(first, *others, title=title, title_justify="left", box=None, pad_edge=False)
-        for point in sweep.points:
-            table.add_row(*report.row_of(point), style="bold" if point.on_front else None)
-        console.print(table)
-        for sentence in (*sweep.sentences, *(step.sentence for step in sweep.steps)):
-            console.print(f"  {sentence}", highlight=False, markup=False, soft_wrap=True)
-        command = f"seafoam accuracy {'--all' if every else name} --size {size} --rounds {rounds} --samples {samples}"
-        for path, extension in places.values():
-            if path is not None:
-                if every:
-                    path.mkdir(parents=True, exist_ok=True)
-                    path /= f"{name}{extension}"
-                write(path, _report(sweep, extension, command))
-                console.print(f"{path}", highlight=False, markup=False, soft_wrap=True)
+    from seafoam.accuracy.sweep import Settings
+    from seafoam.cli.sweeps import measure_presets
 
-
-def _report(sweep: "Sweep", extension: str, command: str) -> bytes:
-    from seafoam.accuracy import plots, report
-
-    match extension:
-        case ".png":
-            return plots.plot_sweep(sweep)
-        case ".json":
-            return (sweep.model_dump_json(indent=1) + "\n").encode()
-        case ".csv":
-            return report.csv_of(sweep).encode()
-        case _:
-            return report.page(sweep, command).encode()
-
-
-def _measured(executor: "Executor", subject: "Subject", settings: "Settings", *, again: bool = False) -> "Sweep":
-    """Return the sweep of a subject, from the cache or measured now, with a progress bar."""
-    import os
-    from functools import partial
-
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
-
-    from seafoam.accuracy.cache import Store
-    from seafoam.accuracy.sweep import Rig, Watcher, make_sweep
-    from seafoam.render.service.jobs import measure
-
-    threads = int(os.environ.get("LP_NUM_THREADS") or os.cpu_count() or 1)
-    rig = Rig(partial(measure, executor), executor.info, threads)
-    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-    console = Console(stderr=True)
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task(f"{subject.preset or 'scene'}: float64 truth", total=1.0)
-
-        def tell(stage: str, share: float, remaining: float | None) -> None:
-            bar.update(task, completed=share, description=f"{subject.preset or 'scene'}: {stage}")
-
-        return make_sweep(Store(), subject, settings, rig, Watcher(tell), again=again)
+    outputs = {"--output": (".png", output), "--json": (".json", as_json), "--csv": (".csv", as_csv)}
+    outputs["--html"] = (".html", as_html)
+    files = {(option, extension): path for option, (extension, path) in outputs.items()}
+    measure_presets(preset, size, Settings(width, height, samples, rounds), files, again=again)
 
 
 @app.command()
@@ -359,12 +220,8 @@ def _not_a_probe(record: logging.LogRecord) -> bool:
     return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(_QUIET))
 
 
-def _frame_option(field: str) -> str:
-    return "--size" if field in ("width", "height") else f"--{field.replace('_', '-')}"
+def _require_preset(name: str) -> None:
+    from seafoam.scene.presets import preset_names
 
-
-def _size(text: str) -> tuple[int, int]:
-    found = re.fullmatch(r"(\d{1,6})[x×](\d{1,6})", text)
-    if found is None:
-        raise CommandError(f"--size: must be WIDTHxHEIGHT in pixels, such as 1280x720, not {text!r}")
-    return int(found[1]), int(found[2])
+    if name not in preset_names():
+        raise CommandError(f"PRESET: {name!r} was not found; available: {', '.join(preset_names())}")

@@ -1,5 +1,6 @@
 """Errors, options and files that commands share."""
 
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
@@ -38,12 +39,29 @@ def refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> N
     raise CommandError("; ".join(lines)) from error
 
 
+def need_reports() -> None:
+    """End the command where the packages that plots and measurements need are not installed."""
+    from seafoam.extras import MissingExtraError, require_reports
+
+    try:
+        require_reports()
+    except MissingExtraError as error:
+        raise CommandError(str(error), UNABLE) from error
+
+
 def extension_of(path: Path, known: Sequence[E]) -> E:
     for name in known:
         if path.suffix.lower() == f".{name}":
             return name
     endings = ", ".join(f".{name}" for name in known)
     raise CommandError(f"--output: {path.name!r} must end in one of {endings}")
+
+
+def size_of(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d{1,6})[x×](\d{1,6})", text)
+    if match is None:
+        raise CommandError(f"--size: must be WIDTHxHEIGHT in pixels, such as 1280x720, not {text!r}")
+    return int(match[1]), int(match[2])
 
 
 def write(path: Path, content: bytes) -> None:

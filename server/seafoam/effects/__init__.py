@@ -1,10 +1,11 @@
-"""The effects, in the order in which they contribute. A new effect is one module here, its GLSL, and a line below."""
+"""The effects, in the order in which they contribute. A new effect is a module here, its GLSL, and a line below."""
 
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect
-from seafoam.effects.foam import aeration, drift, fold, front, height, living, look, relief, slope, surf, wake_foam
+from seafoam.effects.foam import aeration, drift, front, height, living, look, relief, slope, surf, wake_foam, whitecaps
 from seafoam.effects.light import clouds, glitter, light, night, sparkles, subsurface
 from seafoam.effects.reflection import cubemap, planar
+from seafoam.effects.registry import declare, load, outside, register, unregister
 from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, seafloor, underside, water
@@ -19,7 +20,7 @@ EFFECTS: tuple[Effect, ...] = (
     front.EFFECT,
     height.EFFECT,
     slope.EFFECT,
-    fold.EFFECT,
+    whitecaps.EFFECT,
     look.EFFECT,
     living.EFFECT,
     light.EFFECT,
@@ -44,6 +45,10 @@ EFFECTS: tuple[Effect, ...] = (
     boat.EFFECT,
     planar.EFFECT,
 )
-"""All effects."""
+"""All effects of the package."""
 
-__all__ = ["EFFECTS"]
+for _effect in EFFECTS:
+    declare(_effect)
+load()
+
+__all__ = ["EFFECTS", "outside", "register", "unregister"]

@@ -1,97 +1,113 @@
-"""What an effect gives to a frame plan: slot files, compile-time numbers, textures, targets, passes, bounds, hard
-cases.
+"""The contribution of an effect to a frame plan: slot files, constants, textures, targets, passes, bounds, hard cases.
 
 Effects describe; the planner assembles.
 """
 
 import importlib
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Literal
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal, Self, TypeVar
+
+from pydantic import BaseModel
 
 from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Points, View
 from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
 from seafoam.framegraph.rules import Uniform
-from seafoam.quality import Quality
+from seafoam.quality import Knobs, Quality
+from seafoam.scene.base import Part as ScenePart
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
+from seafoam.textures import TextureSpec
 
 BENEATH = "beneath"
-"""The target of surface and sky if passes of stage ``after`` follow; those can read it."""
+"""The target of surface and sky if passes of stage ``after`` follow, which can read it."""
 
 ABOVE = "above"
-"""The target of passes of stage ``after``: premultiplied light, blended over :data:`BENEATH`; half floats."""
+"""The target of passes of stage ``after``: half floats, premultiplied colour that is blended over :data:`BENEATH`."""
 
 HALF_FLOAT = 2.0**-11
-"""Relative rounding of a half float."""
+"""Relative rounding error of a half float."""
 
 UNBOUNDED = 1e9
-"""Curvature of a surface with kinks, 1/m: steps by its slope are always longer than any that this allows."""
+"""Curvature of a surface with kinks, 1/m: so large that ray marching uses the slope bound instead."""
 
 Const = int | float | bool | tuple[int, ...]
 """A compile-time constant; a tuple is an array."""
 
+T = TypeVar("T")
+
 
 @dataclass(frozen=True)
 class Source:
-    """A file of ``shaders/`` in which names are replaced, ``rename``: (old, new).
+    """A file of ``shaders/`` in which names are replaced, so that another file can define these names and call it.
 
-    So another file can stand in its place and call it.
+    ``rename``: pairs (old, new).
     """
 
     path: str
     rename: tuple[tuple[str, str], ...] = ()
 
 
+def refine(name: str, field: str, kind: str) -> Source:
+    """Newton's method along a ray to a height field, as a function ``name`` (``lib/newton.glsl``).
+
+    ``field``: the GLSL function of the field's height and gradient, which comes before it, and the type it returns.
+    """
+    return Source("lib/newton.glsl", (("refine", name), ("field_at", field), ("vec4", kind)))
+
+
 @dataclass(frozen=True)
 class Inline:
-    """GLSL that stands in no file."""
+    """GLSL source that is not in a file."""
 
     text: str
 
 
 def constant_function(returns: str, name: str, parameters: str, value: str = "") -> Inline:
-    """A GLSL function that gives ``value``, or 0, whatever it is called with: what stands in a slot nothing fills."""
+    """Return a GLSL function that returns ``value``, or 0, for all arguments: the default of a slot."""
     value = value or ("0.0" if returns == "float" else f"{returns}(0.0)")
     return Inline(f"{returns} {name}({parameters}) {{\n    return {value};\n}}\n")
 
 
 @dataclass(frozen=True)
 class SlotRef:
-    """Whatever fills a slot of the surface's shader."""
+    """The files that fill a slot of the surface's shader."""
 
     slot: str
 
 
 Piece = str | Source | Inline
-"""A part of a shader's text; a bare string is the path of a file of ``shaders/``, taken as it is."""
+"""A piece of a shader's source; a string is the path of a file of ``shaders/``, included unchanged."""
 
 
 def path_of(piece: Piece | SlotRef) -> str | None:
-    """Path of the file that a piece is; None: it is none."""
+    """Return the path of a piece's file; None if it is not a file."""
     return piece.path if isinstance(piece, Source) else piece if isinstance(piece, str) else None
 
 
 @dataclass(frozen=True)
 class SlotFile:
-    """A GLSL file that fills a slot. ``prefix`` names its functions where several files share a slot.
+    """A GLSL file that fills a slot.
 
-    ``needs``: helpers that go in before it, once however many ask for them.
+    ``prefix``: of the names of its functions, if several files can fill the slot. ``needs``: files that it calls, which
+    are included before it, and only once if several files need them. ``instead``: it replaces the files of earlier
+    effects in this slot, which need not know of it.
     """
 
     slot: str
     path: Piece
     prefix: str = ""
     needs: tuple[Piece, ...] = ()
+    instead: bool = False
 
 
 @dataclass(frozen=True)
 class PassSpec:
-    """A pass that an effect adds; ``vertex`` and ``fragment`` list its files.
+    """A pass that an effect adds; ``vertex`` and ``fragment`` list the files of its shaders.
 
-    It covers its whole target unless told otherwise. A :class:`SlotRef` among the files brings what its slot reads.
-    ``stage``: before the surface is
-    drawn, or after surface and sky into :data:`ABOVE`, which is cleared for the first of them.
+    A :class:`SlotRef` among them also adds the inputs of its slot. ``mesh``: what is drawn, by default the whole
+    target. ``stage``: drawn before the surface, or after surface and sky into :data:`ABOVE`, which is cleared before
+    the first of these passes.
     """
 
     name: str
@@ -107,47 +123,68 @@ class PassSpec:
     clear: bool = False
     view: View = "any"
     under: tuple[Piece | SlotRef, ...] = ()
-    """Files of the fragment shader for cameras that can be below crests; empty: the same files."""
+    """Files of the fragment shader for cameras that can be below crests; empty: the files of ``fragment``."""
 
 
-@dataclass(frozen=True)
-class Contribution:
-    """All that one effect adds to a plan, and why it runs."""
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """Shader files, numbers, textures, targets and passes that belong together: a map and the passes that draw it."""
 
-    why: str
     slots: tuple[SlotFile, ...] = ()
     consts: dict[str, Const] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     textures: dict[str, "TextureUse"] = field(default_factory=dict)
-    """Name in the plan -> what it holds and how it is sampled."""
+    """Name in the plan -> texture."""
     targets: dict[str, Target] = field(default_factory=dict)
     passes: tuple[PassSpec, ...] = ()
+
+    def joined(self, *others: "Part") -> Self:
+        """Return this with everything that ``others`` have, after its own. Raises :class:`AssemblyError`."""
+        every: tuple[Part, ...] = (self, *others)
+        return replace(
+            self,
+            slots=tuple(slot for part in every for slot in part.slots),
+            consts=united(part.consts for part in every),
+            uniforms=united(part.uniforms for part in every),
+            inputs=united(part.inputs for part in every),
+            textures=united(part.textures for part in every),
+            targets=united(part.targets for part in every),
+            passes=tuple(spec for part in every for spec in part.passes),
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contribution(Part):
+    """Everything that an effect adds to a plan. ``why``: the reason for which it is in the plan, for people."""
+
+    why: str
     bound: "Bound | None" = None
-    """Upper bound of the effect's change to a pixel; ``None``: visible."""
-    top: float = 0.0
-    """Upper bound of the effect's share of the surface height above still water, m."""
-    trough: float = 0.0
-    """Lower bound of the effect's share of the surface height, m; at most 0."""
-    steepest: float = 0.0
-    """Upper bound of the effect's share of the surface slope."""
-    curvature: float = 0.0
-    """Upper bound of the effect's share of the surface's second derivative along any direction, 1/m: how sharply its
-    troughs turn up. :data:`UNBOUNDED` if unknown."""
-    grain: float = 0.0
-    """Upper bound of the drawn surface's excess over what its slope at a place and ``curvature`` say, m, caused by the
-    interpolation and the number format of a map."""
-    bottom: float | None = None
+    """Upper bound of the effect's change to any pixel; ``None``: unknown, so the effect is drawn."""
+    max_height: float = 0.0
+    """Upper bound of the effect's contribution to the surface's height over still water, m."""
+    min_height: float = 0.0
+    """Lower bound of the effect's contribution to the surface's height, m; at most 0."""
+    max_slope: float = 0.0
+    """Upper bound of the effect's contribution to the surface's slope."""
+    max_curvature: float = 0.0
+    """Upper bound of the effect's contribution to the surface's second derivative in any direction, 1/m: the curvature
+    of its troughs. :data:`UNBOUNDED` if unknown."""
+    map_error: float = 0.0
+    """Upper bound of the height by which the drawn surface exceeds the parabola given by its slope at a place and
+    ``max_curvature``, m; caused by the interpolation and the number format of a map."""
+    min_ground: float | None = None
     """Lowest height of the effect's ground, m."""
-    march: int = 1
-    """Factor on the number of ray-marching steps: steep crests, or crests that fill their slab thinly, need more."""
+    march_factor: int = 1
+    """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
+    lowest and highest water."""
 
 
 @dataclass(frozen=True)
 class TextureUse:
-    """A texture of the store, and its sampler state."""
+    """A texture of the store (``source``: its name there), and its sampler state."""
 
-    source: str
+    source: TextureSpec
     filter: Filter = "nearest"
     wrap: WrapMode = "repeat"
 
@@ -156,9 +193,9 @@ class TextureUse:
 class Bound:
     """Upper bound of an effect's change to any pixel, from any camera, at any time.
 
-    ``value``: exposed linear light, display white = 1, pictures clipped there. ``why``: the reason. ``fields``: JSON
-    pointers of scene fields that the bound depends on and that could otherwise change without a new plan; if the
-    effect is left out, they cannot.
+    ``value``: exposed linear light, display white = 1, after clipping to white. ``why``: the reason, for people.
+    ``fields``: JSON pointers of live scene fields that the bound depends on; if the effect is left out, a change of one
+    of them needs a new plan.
     """
 
     value: float
@@ -223,35 +260,88 @@ class HardCase:
 
 @dataclass(frozen=True)
 class Cases:
-    """What holds an effect to its word: scenes that it cannot be seen in, and scenes that provoke a failure.
+    """Test scenes of an effect. ``hard``: scenes that provoke a numerical failure.
 
-    ``invisible``: scenes that call for the effect and cannot show it; an effect that shows wherever it is called for
-    says why in ``always_visible`` instead.
+    ``invisible``: scenes that contain the effect but cannot show it. ``always_visible``: why there are no such scenes.
+    ``variants``: scenes that between them need every file and every compile-time switch of the effect; browsers compile
+    them.
     """
 
     hard: tuple[HardCase, ...] = ()
     invisible: tuple[Scene, ...] = ()
     always_visible: str = ""
+    variants: tuple[Scene, ...] = ()
+
+
+@dataclass(frozen=True)
+class SaturationSource:
+    """A kind of foam saturation, declared by the effect that draws it.
+
+    ``model``: the part of a scene that describes it. ``limit``: ``limit(part, scene)``, the greatest saturation that
+    such a part has anywhere in a scene. ``live``: fields of the part that the limit depends on and that could otherwise
+    change without a new plan.
+    """
+
+    model: type[BaseModel]
+    limit: Callable[[Any, Scene], float]
+    live: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Extension:
+    """Fields and float64 reference of an effect outside the package.
+
+    ``name``: key under ``extensions`` of a scene and of a quality. ``scene``: the part of a scene; without it the
+    effect is off. ``quality``: settings; without them their defaults hold. ``truth``: ``truth(part, scene, points)``
+    in float64, the part's foam saturation at :class:`seafoam.reference.renderer.sources.SurfacePoints`; (r,).
+    """
+
+    name: str
+    scene: type[ScenePart]
+    quality: type[Knobs] | None = None
+    truth: Callable[..., Any] | None = None
 
 
 @dataclass(frozen=True)
 class Effect:
-    """An effect: its name, and what it gives to the plan of a scene.
+    """An effect: its name, the function that returns its contribution to the plan of a scene, and its declarations.
 
-    ``contribute`` returns ``None`` where the scene does not call for the effect. Its :class:`Cases` stand in ``CASES``
-    of the module beside its own, ``NAME_cases``, by the effect's name: no server loads them.
+    ``contribute`` returns ``None`` if the scene does not contain the effect. The effect's :class:`Cases` are the entry
+    under its name in ``CASES`` of the module ``NAME_cases`` beside its own, which servers do not load. ``fields``: JSON
+    pointers of the parts and fields of a scene that belong to the effect, without list indices. ``knobs``: its fields
+    of a quality. ``saturation``: the source of foam that it draws. ``extension``: for effects outside the package,
+    instead of ``fields``; effects of the package have their models in :mod:`seafoam.scene` and :mod:`seafoam.quality`
+    and their float64 form in :mod:`seafoam.reference`.
     """
 
     name: str
     contribute: Callable[[Scene, Quality], Contribution | None]
+    fields: tuple[str, ...] = ()
     knobs: tuple[Knob, ...] = ()
+    saturation: SaturationSource | None = None
+    extension: Extension | None = None
 
     @property
     def cases(self) -> Cases:
-        """The effect's cases. Raises ``ImportError`` where there is no module of them."""
+        """The effect's cases. Raises ``ImportError`` if their module does not exist."""
         beside = importlib.import_module(f"{self.contribute.__module__}_cases")
         cases: Cases = beside.CASES[self.name]
         return cases
+
+
+class AssemblyError(RuntimeError):
+    """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
+
+
+def united(mappings: Iterable[Mapping[str, T]]) -> dict[str, T]:
+    """Return the entries of all mappings. Raises :class:`AssemblyError` if two have a key with different values."""
+    result: dict[str, T] = {}
+    for mapping in mappings:
+        repeated = {key for key in result.keys() & mapping.keys() if result[key] != mapping[key]}
+        if repeated:
+            raise AssemblyError(f"{', '.join(sorted(repeated))}: defined twice")
+        result.update(mapping)
+    return result
 
 
 class PlanError(ValueError):

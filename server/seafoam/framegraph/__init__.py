@@ -1,4 +1,4 @@
-"""The frame graph: rules, resources, passes and plans, what a picture needs of them, and their numbers.
+"""The frame graph: rules, resources, passes and plans, the passes that a picture needs, and the values of uniforms.
 
-It imports the camera and nothing else of Seafoam.
+Of the rest of Seafoam it imports only the camera.
 """

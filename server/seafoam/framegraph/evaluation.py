@@ -68,11 +68,11 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
 
 
 def _modulo(value: float, period: float) -> float:
-    rest = math.fmod(value, period)
-    if rest < 0.0:
-        rest += period
-    # A tiny negative rest rounds up to the period itself.
-    return 0.0 if rest >= period else rest
+    remainder = math.fmod(value, period)
+    if remainder < 0.0:
+        remainder += period
+    # A tiny negative remainder plus the period is rounded to the period itself.
+    return 0.0 if remainder >= period else remainder
 
 
 def _camera(rule: CameraRule, state: FrameState) -> tuple[float, ...]:

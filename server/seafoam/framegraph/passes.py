@@ -1,4 +1,4 @@
-"""Passes of a frame plan: what is drawn, how, and where it can show something."""
+"""Passes of a frame plan: what is drawn, how, and where it can be visible."""
 
 from typing import Annotated, Literal
 

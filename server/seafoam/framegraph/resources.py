@@ -1,6 +1,6 @@
 """Textures and targets of a frame plan, and how they are read."""
 
-from typing import Annotated, Final, Literal
+from typing import Annotated, Final, Literal, Self
 
 from pydantic import Field
 
@@ -35,6 +35,11 @@ class FixedSize(PlanPart):
     rule: Literal["fixed"] = "fixed"
     width: int
     height: int
+
+    @classmethod
+    def square(cls, side: int) -> Self:
+        """Return the size of a square."""
+        return cls(width=side, height=side)
 
 
 TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]

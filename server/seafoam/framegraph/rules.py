@@ -117,6 +117,17 @@ def array(kind: UniformType, rules: Iterable[Rule], count: int) -> Uniform:
     return Uniform(type=kind, count=count, rules=tuple(rules))
 
 
+def in_tile(side: float, period: float = 1.0, offset: tuple[float, float] = (0.0, 0.0)) -> tuple[Wrap, Wrap]:
+    """The camera's (x, z) plus ``offset`` (m) in sides of a tile of ``side`` m, modulo ``period``."""
+    x, z = (significant(part / side) for part in offset)
+    return Wrap(k=(1.0 / side, 0.0), offset=x, period=period), Wrap(k=(0.0, 1.0 / side), offset=z, period=period)
+
+
+def rounded(values: Iterable[float]) -> tuple[float, ...]:
+    """Apply :func:`significant` to each value."""
+    return tuple(map(significant, values))
+
+
 def significant(value: float) -> float:
     """Round ``value`` to 8 significant digits, as float32 has: hides last bits that differ between processors."""
     return float(f"{value:.8g}")

@@ -13,7 +13,7 @@ from seafoam.framegraph.resources import TargetInput
 from seafoam.scene.camera import Camera
 
 LEVEL = 0.01
-"""Rays that fall or rise by less, of the picture's middle ray, may meet either water or sky."""
+"""Vertical component, relative to the central ray's length, below which a ray may hit water or sky."""
 
 
 def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, target: str) -> dict[int, bool]:
@@ -24,37 +24,37 @@ def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, targe
     """
     eye = "over" if camera.position[1] >= plan.top else "under"
     needed = {target}
-    found: dict[int, bool] = {}
-    for index, one in reversed([*enumerate(plan.passes)]):
-        if one.eye not in ("any", eye) or one.target not in needed:
+    selected: dict[int, bool] = {}
+    for index, drawn in reversed([*enumerate(plan.passes)]):
+        if drawn.eye not in ("any", eye) or drawn.target not in needed:
             continue
-        shows = in_view(one.view, plan.top, camera, width, height)
-        if shows or one.state.clear:
-            found[index] = shows
-        if shows:
-            needed |= reads(one)
-    return dict(sorted(found.items()))
+        visible = in_view(drawn.view, plan.top, camera, width, height)
+        if visible or drawn.state.clear:
+            selected[index] = visible
+        if visible:
+            needed |= reads(drawn)
+    return dict(sorted(selected.items()))
 
 
 def passes_into(passes: Mapping[int, Pass], targets: Iterable[str]) -> dict[int, Pass]:
     """Return those of ``passes`` by index that draw into ``targets`` or into their inputs, in drawing order."""
     needed = set(targets)
-    found: dict[int, Pass] = {}
-    for index, one in sorted(passes.items(), reverse=True):
-        if one.target in needed:
-            found[index] = one
-            needed |= reads(one)
-    return dict(sorted(found.items()))
+    selected: dict[int, Pass] = {}
+    for index, drawn in sorted(passes.items(), reverse=True):
+        if drawn.target in needed:
+            selected[index] = drawn
+            needed |= reads(drawn)
+    return dict(sorted(selected.items()))
 
 
-def reads(one: Pass) -> set[str]:
+def reads(drawn: Pass) -> set[str]:
     """Return the targets that a pass reads."""
-    return {source.target for source in one.inputs.values() if isinstance(source, TargetInput)}
+    return {source.target for source in drawn.inputs.values() if isinstance(source, TargetInput)}
 
 
 def everywhere(plan: FramePlan) -> FramePlan:
     """Return the plan without culling: every pass is drawn for its camera height, visible or not."""
-    return plan.model_copy(update={"passes": tuple(one.model_copy(update={"view": "any"}) for one in plan.passes)})
+    return plan.model_copy(update={"passes": tuple(drawn.model_copy(update={"view": "any"}) for drawn in plan.passes)})
 
 
 def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> bool:
@@ -65,7 +65,7 @@ def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> 
     tangent = math.tan(0.5 * camera.fov)
     sides = (right, tangent * width / height), (up, tangent)
     if isinstance(view, tuple):
-        return any(_meets(ball, camera, forward, sides) for ball in view)
+        return any(_intersects(ball, camera, forward, sides) for ball in view)
     if camera.position[1] < top:
         return True
     spread = sum(reach * abs(axis[1]) for axis, reach in sides)
@@ -75,13 +75,13 @@ def in_view(view: View, top: float, camera: Camera, width: int, height: int) -> 
 _Axis = tuple[float, float, float]
 
 
-def _meets(ball: Ball, camera: Camera, forward: _Axis, sides: tuple[tuple[_Axis, float], ...]) -> bool:
+def _intersects(ball: Ball, camera: Camera, forward: _Axis, sides: tuple[tuple[_Axis, float], ...]) -> bool:
     """Whether a bounding sphere intersects the pyramid of the picture's rays; conservative near its edges."""
-    way = [place - eye for place, eye in zip(ball.centre, camera.position, strict=True)]
-    ahead = _dot(way, forward)
+    offset = [centre - eye for centre, eye in zip(ball.centre, camera.position, strict=True)]
+    ahead = _dot(offset, forward)
     if ahead < -ball.radius:
         return False
-    return all(abs(_dot(way, axis)) - ahead * reach <= ball.radius * math.hypot(1.0, reach) for axis, reach in sides)
+    return all(abs(_dot(offset, axis)) - ahead * reach <= ball.radius * math.hypot(1.0, reach) for axis, reach in sides)
 
 
 def _dot(a: list[float], b: _Axis) -> float:

@@ -53,13 +53,13 @@ def _expected_seconds(mask: ShippedMask, new: bool) -> float:
 def _bake(directory: Path, mask: ShippedMask, new: bool, progress: Progress) -> dict[str, object]:
     """Write the ranks of one mask, or read them where it is not new, and return its record for the catalogue."""
     file = rank_file(directory, mask.name)
-    made = check_parameters(mask.family, mask.sigma, SHIPPED_SIZE, SHIPPED_SEED, mask.aspect, mask.age)
+    parameters = check_parameters(mask.family, mask.sigma, SHIPPED_SIZE, SHIPPED_SEED, mask.aspect, mask.age)
     if new:
-        ranks = build(made, SHIPPED_METHOD, progress)
+        ranks = build(parameters, SHIPPED_METHOD, progress)
         file.write_bytes(encode_ranks(ranks))
     else:
         ranks = decode_ranks(file.read_bytes(), SHIPPED_SIZE)
-    entry = describe(mask.name, made, SHIPPED_METHOD, ranks)
+    entry = describe(mask.name, parameters, SHIPPED_METHOD, ranks)
     return {**entry.to_json(), **MaskTables.measure(ranks).to_json()}
 
 

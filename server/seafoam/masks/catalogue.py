@@ -288,8 +288,10 @@ def mask_by_name(name: str) -> Mask:
     """
     if ":" not in name:
         return load_mask(name)
-    made = parse_parameters(name)
-    return custom_mask(made.family, made.sigma, made.size, made.seed, made.aspect, made.age)
+    parameters = parse_parameters(name)
+    return custom_mask(
+        parameters.family, parameters.sigma, parameters.size, parameters.seed, parameters.aspect, parameters.age
+    )
 
 
 def custom_mask(
@@ -305,14 +307,14 @@ def custom_mask(
     The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises ``ValueError`` for bad arguments and its subclass
     :class:`MaskTooSlowError` for good ones that would take too long.
     """
-    asked = check_parameters(family, sigma, size, seed, aspect, age)
-    seconds = estimated_seconds(asked.family, asked.sigma, asked.size)
+    parameters = check_parameters(family, sigma, size, seed, aspect, age)
+    seconds = estimated_seconds(parameters.family, parameters.sigma, parameters.size)
     if seconds > ON_REQUEST_SECONDS:
         raise MaskTooSlowError(
-            f"a {asked.family} mask of sigma {asked.sigma:g} at size {asked.size} would take about {seconds:.0f} s "
-            f"to generate; the limit is {ON_REQUEST_SECONDS:g} s: lower sigma or size"
+            f"a {family} mask of sigma {parameters.sigma:g} at size {parameters.size} would take about "
+            f"{seconds:.0f} s to generate; the limit is {ON_REQUEST_SECONDS:g} s: lower sigma or size"
         )
-    return _custom(asked)
+    return _custom(parameters)
 
 
 @lru_cache(maxsize=CUSTOM_MASKS_KEPT)

@@ -36,23 +36,23 @@ def make_mask(
     return build(check_parameters(family, sigma, size, seed, aspect, age), check_method(method), progress)
 
 
-def build(asked: MaskParameters, method: Method = "batched", progress: Progress = no_progress) -> Ranks:
+def build(parameters: MaskParameters, method: Method = "batched", progress: Progress = no_progress) -> Ranks:
     """Construct the mask of checked parameters; otherwise as :func:`make_mask`."""
-    rng = np.random.Generator(np.random.PCG64(asked.seed))
-    match asked.family:
+    rng = np.random.Generator(np.random.PCG64(parameters.seed))
+    match parameters.family:
         case "vac":
             build = void_cluster.exact if method == "exact" else void_cluster.batched
-            return build(asked.size, asked.sigma, rng, progress)
+            return build(parameters.size, parameters.sigma, rng, progress)
         case "bubble":
-            return bubble.bubble(asked.size, asked.sigma, rng, progress)
+            return bubble.bubble(parameters.size, parameters.sigma, rng, progress)
         case "mix":
-            return bubble.mix(asked.size, asked.sigma, rng, progress)
+            return bubble.mix(parameters.size, parameters.sigma, rng, progress)
         case "lace":
-            ranks = lace.lace(asked.size, asked.sigma, asked.aspect, asked.age, rng, progress)
+            ranks = lace.lace(parameters.size, parameters.sigma, parameters.aspect, parameters.age, rng, progress)
         case "blur":
-            ranks = filtered.blur(asked.size, asked.sigma, rng)
+            ranks = filtered.blur(parameters.size, parameters.sigma, rng)
         case "clump":
-            ranks = filtered.clump(asked.size, asked.sigma, rng)
+            ranks = filtered.clump(parameters.size, parameters.sigma, rng)
     progress(1.0)
     return ranks
 
@@ -63,15 +63,15 @@ def estimated_seconds(family: str, sigma: float | None, size: int, *, method: st
     Fitted to measurements on a Zen 4 class core with about a quarter to spare; good for refusing a request, not
     for a progress bar. Raises ``ValueError`` for bad arguments.
     """
-    asked = check_parameters(family, sigma, size, 0)
-    tile = (asked.size / 512) ** 2
-    match asked.family:
+    parameters = check_parameters(family, sigma, size, 0)
+    tile = (parameters.size / 512) ** 2
+    match parameters.family:
         case "vac":
             if check_method(method) == "exact":
                 return 50.0 * tile * (tile + 0.02)
-            return _batched_seconds(asked.sigma, tile)
+            return _batched_seconds(parameters.sigma, tile)
         case "bubble" | "mix":
-            cells = (asked.size / asked.sigma / 512) ** 2
+            cells = (parameters.size / parameters.sigma / 512) ** 2
             return 0.5 * tile + _batched_seconds(bubble.SITE_SIGMA, cells)
         case "lace":
             return 1.5 * tile

@@ -132,8 +132,8 @@ def hole_areas(ranks: Ranks, saturation: float) -> NDArray[np.int64]:
 def _shapes(ranks: Ranks, saturation: float) -> FoamShapes:
     foam = ranks < saturation * ranks.size
     holes = hole_areas(ranks, saturation)
-    held = np.cumsum(holes)
-    sizes = holes[[int(np.searchsorted(held, share * held[-1])) for share in HOLE_SHARES]]
+    cumulative = np.cumsum(holes)
+    sizes = holes[[int(np.searchsorted(cumulative, share * cumulative[-1])) for share in HOLE_SHARES]]
     # Each run begins where foam begins: as many along rows as along columns count twice.
     runs = sum(int((foam & ~np.roll(foam, 1, axis=axis)).sum()) for axis in (0, 1))
     area = int(foam.sum())

@@ -176,12 +176,12 @@ def _spline_quarters(ranks: Ranks) -> list[NDArray[np.int64]]:
 
 def _quarters(values: NDArray[np.int64], axis: int) -> list[NDArray[np.int64]]:
     """The cubic B-spline along an axis 3/8 and 1/8 before each texel's middle and behind; :data:`SPLINE_SCALE` is 1."""
-    found = []
+    entries = []
     for first, eighths in ((-2, 5), (-2, 7), (-1, 1), (-1, 3)):
         weights = (round(SPLINE_SCALE * weight) for weight in bspline_weights(eighths / 8.0))
         taps = (weight * np.roll(values, -first - tap, axis=axis) for tap, weight in enumerate(weights))
-        found.append(np.sum(list(taps), axis=0))
-    return found
+        entries.append(np.sum(list(taps), axis=0))
+    return entries
 
 
 def _even(values: NDArray[np.int64], table: ArrayLike) -> NDArray[np.int64]:
@@ -287,8 +287,8 @@ def _span_ramp(level: Level, shares: Field) -> Field:
     ends = np.bincount(low, SPAN_STEPS / width, count) - np.bincount(low + width, SPAN_STEPS / width, count)
     grid = ramp_threshold(quantile_saturation(np.linspace(0.0, 1.0, 16 * QUANTILE_ENTRIES)))
     above = np.maximum(grid[:, None] - np.arange(count) / SPAN_STEPS, 0.0)
-    held = np.minimum(above, OCTAVE_RAMP)
-    covered = (held * held / (2.0 * OCTAVE_RAMP) + (above - held)) @ ends / low.size
+    limited = np.minimum(above, OCTAVE_RAMP)
+    covered = (limited * limited / (2.0 * OCTAVE_RAMP) + (above - limited)) @ ends / low.size
     row = np.interp(shares, np.maximum.accumulate(covered), grid)
     row[0], row[-1] = 0.0, 1.0 + OCTAVE_RAMP
     return row

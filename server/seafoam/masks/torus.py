@@ -72,5 +72,5 @@ def window_minimum(values: Field, radius: int) -> Field:
 
 def local_minima(values: Field, radius: int) -> NDArray[np.intp]:
     """Flat indices of the finite local minima over a (2 radius + 1)^2 window, least value first."""
-    found = np.flatnonzero((values == window_minimum(values, radius)) & np.isfinite(values))
-    return found[np.argsort(values.ravel()[found], kind="stable")]
+    minima = np.flatnonzero((values == window_minimum(values, radius)) & np.isfinite(values))
+    return minima[np.argsort(values.ravel()[minima], kind="stable")]

@@ -1,4 +1,4 @@
-"""Periodic tiles of a wind sea: the random components that effect and reference both draw.
+"""Periodic tiles of a wind sea: the random wave components that both effect and reference use.
 
 docs/formulae.md, section 2."""
 
@@ -10,10 +10,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.hash import chance
 from seafoam.ocean.spectrum import (
-    Floats,
     dispersion,
     frequency_spectrum,
     peak_frequency,
@@ -24,16 +24,16 @@ from seafoam.ocean.spectrum import (
 from seafoam.scene.waves import Sea
 
 BAND = 64
-"""Bound of a tile's wavenumbers, in waves along its side."""
+"""Upper bound of a tile's wavenumbers, in waves along its side."""
 
 LOOP = 2048.0
 """Period of the sea, s: every angular frequency is an integer multiple of 2π/LOOP."""
 
 RATIOS = (1.0, 5.23, 4.87, 4.61)
-"""Ratio of the sides of successive tiles; no ratio of small integers, so that the tiles never align again."""
+"""Ratios of the sides of successive tiles; not ratios of small integers, so that their common period is long."""
 
 PEAKS = 8.0
-"""Waves of the spectral peak along the largest tile."""
+"""Wavelengths of the spectral peak along the largest tile."""
 
 SMALLEST_TILE = 24.0
 """Minimum side of the largest tile, m."""
@@ -42,21 +42,22 @@ SHORTEST = 0.1
 """Shortest wavelength, m; ripples (``Chop``) represent shorter waves."""
 
 RAISED = 2
-"""Number of tiles, the largest first, that displace the surface; smaller ones only tilt its normal."""
+"""Number of tiles, from the largest, that displace the surface; smaller ones only tilt its normal."""
 
 GERSTNER_WAVES = 48
+"""Number of waves of a Gerstner sea."""
 
 GERSTNER_RATIO = 1.618
 """Ratio of the sides of the two tiles of Gerstner waves."""
 
 CREST = 4.5
-"""Heights are clamped to this many standard deviations: one point in 150 000 of a Gaussian sea is higher."""
+"""Limit of heights in standard deviations, which one point in 150 000 of a Gaussian sea exceeds."""
 
 TILT = 0.24
-"""Maximum of a tile's root mean square slope times choppiness: one point in 60 000 of a Gaussian sea folds then."""
+"""Maximum of a tile's root mean square slope times choppiness: the Jacobian is then negative at 1 point in 60 000."""
 
 LEAST_JACOBIAN = 0.3
-"""Lower bound of the Jacobian in divisions: at a fold the sea turns over, which a height field cannot."""
+"""Lower limit of the Jacobian in divisions: where it is negative the surface overturns, unlike a height field."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,33 +93,37 @@ class Cascade:
 
     @cached_property
     def limit(self) -> float:
-        """Heights are clamped to ± this, m."""
+        """Limit of the absolute height, m."""
         return min(CREST * math.sqrt(self.variance), 2.0 * float(np.abs(self.h0).sum()))
 
     @property
-    def steepest(self) -> float:
+    def max_slope(self) -> float:
         """Upper bound of the slope of the drawn height."""
         return slope_limit(math.sqrt(self.mean_square_slope))
 
-    def grain(self, texels: int) -> float:
-        """How far the tile's height, read bilinearly between ``texels``² texels, stands over what its slopes and its
-        curvature say, m. Its unit is second derivative times texel²; the factor is measured, with a tenth to spare."""
+    def map_error(self, texels: int) -> float:
+        """Upper bound of the error of bilinear interpolation between ``texels``² texels, m.
+
+        Proportional to the second derivative times texel²; the factor is measured, plus a tenth.
+        """
         deviation = math.sqrt(float(2.0 * (np.abs(self.k**2 * self.h0) ** 2).sum()))
         return 0.085 * deviation * (self.size / texels) ** 2
 
-    def choppiness(self, wanted: float) -> float:
-        """Return ``wanted``, reduced if the tile would fold too often."""
+    def choppiness(self, requested: float) -> float:
+        """Return ``requested``, reduced if the Jacobian would be negative too often."""
         slope = math.sqrt(self.mean_square_slope)
-        return wanted if wanted * slope <= TILT else TILT / slope
+        return requested if requested * slope <= TILT else TILT / slope
 
-    def fold_variance(self, wanted: float, texels: int, read: Literal["spline", "bilinear", "halves"]) -> float:
-        """Mean square of the fold F = λ div D on ``texels``² texels, read by B-spline, bilinearly or at halves alone.
+    def divergence_variance(
+        self, choppiness: float, texels: int, read: Literal["spline", "bilinear", "halves"]
+    ) -> float:
+        """Mean square of F = λ div D, the divergence of the horizontal displacement, on ``texels``² texels.
 
-        ``halves``: bilinearly at the texels and half way between them.
+        ``read``: by B-spline, bilinearly, or bilinearly at the texels and the points half way between them.
         """
         i = np.arange(-BAND, BAND)
         cosine = np.cos(2.0 * math.pi * i / texels)
-        # The spline of the texels themselves weakens a wave by its response; bilinear ones its mean square.
+        # A B-spline through the texels' values attenuates amplitudes, bilinear interpolation the mean square.
         response = {
             "spline": ((2.0 + cosine) / 3.0) ** 2,
             "bilinear": (2.0 + cosine) / 3.0,
@@ -126,7 +131,7 @@ class Cascade:
         }
         power = response[read] * (np.abs(i) < min(BAND, texels // 2))
         square = np.abs(self.k * self.h0) ** 2 * power[:, None] * power[None, :]
-        return self.choppiness(wanted) ** 2 * float(2.0 * square.sum())
+        return self.choppiness(choppiness) ** 2 * float(2.0 * square.sum())
 
     @property
     def waves(self) -> list[tuple[int, int]]:
@@ -136,7 +141,7 @@ class Cascade:
 
 
 def slope_limit(root_mean_square: float) -> float:
-    """Return the slope that one in ten thousand texel pairs of a tile of this root mean square slope exceeds."""
+    """Return the slope that 1 pair of texels in 10 000 exceeds, for a tile of this root mean square slope."""
     return min(5.0 * root_mean_square, 3.0)
 
 
@@ -147,7 +152,7 @@ def largest_tile(sea: Sea, depth: float | None) -> float:
     omega = peak_frequency(sea.wind, sea.fetch)
     k = omega * omega / GRAVITY
     if depth is not None:
-        # k tanh(kd) = ω²/g by Newton from Eckart's estimate; a tile's side needs no more than some digits.
+        # k tanh(kd) = ω²/g by Newton's method from Eckart's estimate; a tile's side needs few digits.
         deep = k
         k = deep / math.sqrt(math.tanh(min(deep * depth, 30.0)))
         for _ in range(20):
@@ -163,13 +168,13 @@ def cascades(sea: Sea, depth: float | None) -> tuple[Cascade, ...]:
     largest = largest_tile(sea, depth)
     if sea.model == "gerstner":
         return _gerstner(sea, depth, (largest, float(f"{largest / GERSTNER_RATIO:.6g}")))
-    made = []
+    tiles = []
     size, low = largest, 0.0
     for number, ratio in enumerate(RATIOS):
         size = float(f"{size / ratio:.6g}")
-        made.append(_fft(sea, depth, number, size, low))
+        tiles.append(_fft(sea, depth, number, size, low))
         low = BAND * 2.0 * math.pi / size
-    return tuple(made)
+    return tuple(tiles)
 
 
 def _wavevectors(size: float) -> tuple[NDArray[np.int64], NDArray[np.int64], Floats]:
@@ -187,22 +192,22 @@ def _turns(k: Floats, depth: float | None) -> NDArray[np.int64]:
 
 def _fft(sea: Sea, depth: float | None, number: int, size: float, low: float) -> Cascade:
     ix, iz, k = _wavevectors(size)
-    there = (k >= low) & (k < min(BAND * 2.0 * math.pi / size, 2.0 * math.pi / SHORTEST)) & (k > 0.0)
+    covered = (k >= low) & (k < min(BAND * 2.0 * math.pi / size, 2.0 * math.pi / SHORTEST)) & (k > 0.0)
     h0 = np.zeros(k.shape, np.complex128)
     step = 2.0 * math.pi / size
-    if sea.wind > 0.0 and there.any():
-        kx, kz = step * ix[there].astype(np.float64), step * iz[there].astype(np.float64)
+    if sea.wind > 0.0 and covered.any():
+        kx, kz = step * ix[covered].astype(np.float64), step * iz[covered].astype(np.float64)
         energy = wave_spectrum(kx, kz, sea, depth) * step * step
-        phase = 2.0 * math.pi * chance(sea.seed, number, ix[there] + BAND, iz[there] + BAND)
-        # Phases are random and amplitudes are the spectrum's, so that every seed has the sea's exact height.
-        h0[there] = np.sqrt(0.5 * energy) * np.exp(1j * phase)
-    return Cascade(size, h0, np.where(there, _turns(k, depth), 0))
+        phase = 2.0 * math.pi * chance(sea.seed, number, ix[covered] + BAND, iz[covered] + BAND)
+        # Only phases are random: amplitudes are the spectrum's, so that the significant height is exact for every seed.
+        h0[covered] = np.sqrt(0.5 * energy) * np.exp(1j * phase)
+    return Cascade(size, h0, np.where(covered, _turns(k, depth), 0))
 
 
 def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tuple[Cascade, Cascade]:
     """Return waves on the tiles' integer wavevectors, one per equal step of log k, with that step's energy.
 
-    They lie on the two tiles in turn: the tiles have no common period, so no pattern of waves repeats.
+    They alternate between the two tiles, which have no common period, so that no pattern repeats.
     """
     tiles = [np.zeros((2 * BAND, 2 * BAND), np.complex128) for _ in sizes]
     steps = [2.0 * math.pi / size for size in sizes]
@@ -216,7 +221,7 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
             density = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
             energy = float(np.trapezoid(density, inner))
             draws = [float(chance(sea.seed, 7 + n, wave + BAND, BAND)) for n in range(3)]
-            # Headings by the golden ratio: even over the spread whatever the seed.
+            # Golden-ratio sequence of directions: evenly distributed over the spread for every seed.
             angle = sea.wind_direction + float(np.interp((draws[0] + 0.618034 * wave) % 1.0, share, around))
             h0, step = tiles[wave % 2], steps[wave % 2]
             middle = math.sqrt(edges[wave] * edges[wave + 1]) / step
@@ -230,7 +235,7 @@ def _gerstner(sea: Sea, depth: float | None, sizes: tuple[float, float]) -> tupl
         total = float(
             np.trapezoid(frequency_spectrum(omega, sea.wind, sea.fetch) * shallow_water_factor(omega, depth), omega)
         )
-        # The few waves have the height of all.
+        # The waves are scaled to the significant height of the whole spectrum.
         tiles = [h0 * (math.sqrt(total / drawn) if drawn > 0.0 else 0.0) for h0 in tiles]
     first, second = (
         Cascade(size, h0, np.where(h0 != 0.0, _turns(_wavevectors(size)[2], depth), 0))

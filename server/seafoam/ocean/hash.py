@@ -1,22 +1,24 @@
-"""Random numbers that are the same on every machine: a hash of integers."""
+"""Pseudo-random numbers that are the same on every machine: a hash of integers."""
 
 import numpy as np
 from numpy.typing import NDArray
+
+from seafoam.ocean.arrays import Floats
 
 _Words = NDArray[np.uint64]
 _LOW = np.uint64(0xFFFFFFFF)
 
 
-def chance(*words: int | NDArray[np.integer]) -> NDArray[np.float64]:
+def chance(*words: int | NDArray[np.integer]) -> Floats:
     """Return a number in (0, 1) for integers taken modulo 2³², in the shape to which they broadcast.
 
-    They are chained through PCG-RXS-M-XS 32 (O'Neill 2014): pcg(… pcg(pcg(first) ⊕ second) … ⊕ last).
+    The integers are chained through PCG-RXS-M-XS 32 (O'Neill 2014): pcg(… pcg(pcg(first) ⊕ second) … ⊕ last).
     """
     word: _Words = np.zeros((1,), np.uint64)
     for part in words:
         word = _pcg(word ^ (np.asarray(part, np.int64).astype(np.uint64) & _LOW))
     shape = np.broadcast_shapes(*(np.shape(part) for part in words))
-    result: NDArray[np.float64] = (word.astype(np.float64).reshape(shape) + 0.5) / 2.0**32
+    result: Floats = (word.astype(np.float64).reshape(shape) + 0.5) / 2.0**32
     return result
 
 

@@ -1,4 +1,4 @@
-"""Still water among the paper's waves, whose heights count from their troughs; y = 0 is still water everywhere."""
+"""Still-water level of parametric waves, whose heights are measured from their troughs; still water is at y = 0."""
 
 import math
 
@@ -16,5 +16,5 @@ def wave_level(wave: ParametricWave) -> float:
 
 
 def paper_level(scene: Scene) -> float:
-    """Return the height of still water above the troughs of all parametric waves, m: the zero of the paper's H₀."""
+    """Return the height of still water above the troughs of all parametric waves, m: where H₀ is 0."""
     return sum(wave_level(wave) for wave in scene.waves)

@@ -1,8 +1,8 @@
-"""Bounds of the joint height and slope of all rings of a scene, valid at any place and time.
+"""Bounds of the height and slope of all rings of a scene together, valid at any place and time.
 
-A ring reaches a place with its front, so its amplitude there is never above that of the age at which the front
-arrives: a bound that falls with the distance from its centre. The maximum over the plane of the sum of these bounds
-lies among the centres and is found by branch and bound on squares, the most promising first.
+Amplitudes decay, so the amplitude of a ring at a point is at most that when its front arrives: a bound that falls with
+the distance from the centre. The maximum over the plane of the sum of these bounds is between the centres; it is found
+by branch and bound on squares, the one with the greatest bound first.
 """
 
 import heapq
@@ -23,8 +23,10 @@ FRONT = 1.0
 STEEPER = math.hypot(1.0, 1.5 / (2.0 * math.pi * FRONT))
 """Upper bound of the slope of wave and front together, relative to the wave's own."""
 
-_CLOSE = 0.02
-_SQUARES = 3000
+_TOLERANCE = 0.02
+"""Relative gap between bound and attained value at which the search ends."""
+_MAX_SQUARES = 3000
+"""Number of squares after which the search ends."""
 
 
 @dataclass(frozen=True)
@@ -37,14 +39,17 @@ class Train:
 
     @property
     def speed(self) -> float:
+        """Speed of the front, m/s."""
         return self.omega / self.k
 
     @property
     def length(self) -> float:
+        """Wavelength, m."""
         return 2.0 * math.pi / self.k
 
     @property
     def soft(self) -> float:
+        """Radius of the rounded centre, m."""
         return SOFT * self.length
 
     @property
@@ -67,11 +72,11 @@ class Train:
 @lru_cache(maxsize=64)
 def trains(scene: Scene) -> tuple[Train, ...]:
     """Return the scene's rings with their properties; at finite depth they keep their frequency and shorten."""
-    found = []
+    result = []
     for ring in scene.rings:
         deep = 2.0 * math.pi / ring.wavelength
-        found.append(Train(ring, wavenumber(deep, scene.water.depth), math.sqrt(GRAVITY * deep)))
-    return tuple(found)
+        result.append(Train(ring, wavenumber(deep, scene.water.depth), math.sqrt(GRAVITY * deep)))
+    return tuple(result)
 
 
 @lru_cache(maxsize=64)
@@ -103,7 +108,7 @@ def ring_curvature(scene: Scene) -> float:
 
 
 def _rounded_up(value: float) -> float:
-    # Seven digits, so that no processor's last bits show in a plan.
+    # To seven digits, so that plans do not depend on a processor's rounding errors.
     return float(f"{value * (1.0 + 1e-6):.7g}") if value > 0.0 else 0.0
 
 
@@ -117,16 +122,16 @@ def _greatest(rings: tuple[Train, ...], weight: Callable[[Train], float]) -> flo
 
 def _over_time(shown: list[tuple[Train, float]]) -> float:
     """Return the maximum sum of amplitudes regardless of place: just after some birth, since each amplitude decays."""
-    always = sum(w * (t.ring.amplitude - t.ring.dead) for t, w in shown if t.ring.every is not None)
+    repeated = sum(w * (t.ring.amplitude - t.ring.dead) for t, w in shown if t.ring.every is not None)
     once = [(t.ring, w) for t, w in shown if t.ring.every is None]
-    most = 0.0
+    single = 0.0
     for now, _ in once:
         ages = [(ring, w, now.birth - ring.birth) for ring, w in once]
-        most = max(
-            most,
+        single = max(
+            single,
             sum(w * max(r.amplitude * math.exp(-r.decay * age) - r.dead, 0.0) for r, w, age in ages if age >= 0.0),
         )
-    return always + most
+    return repeated + single
 
 
 def _over_the_plane(shown: list[tuple[Train, float]]) -> float:
@@ -136,6 +141,7 @@ def _over_the_plane(shown: list[tuple[Train, float]]) -> float:
     half = 0.5 * max(max(p[i] for p in places) - min(p[i] for p in places) for i in (0, 1))
 
     def above(cx: float, cz: float, h: float) -> float:
+        """Bound of the sum within the square of half side h around (cx, cz)."""
         total = 0.0
         for train, w in shown:
             px, pz = train.ring.place
@@ -143,11 +149,11 @@ def _over_the_plane(shown: list[tuple[Train, float]]) -> float:
         return total
 
     squares = [(-above(x, z, half), x, z, half)]
-    reached = 0.0
-    for _ in range(_SQUARES):
-        most, cx, cz, h = squares[0]
-        reached = max(reached, above(cx, cz, 0.0))
-        if h == 0.0 or -most <= (1.0 + _CLOSE) * reached:
+    attained = 0.0
+    for _ in range(_MAX_SQUARES):
+        negative_bound, cx, cz, h = squares[0]
+        attained = max(attained, above(cx, cz, 0.0))
+        if h == 0.0 or -negative_bound <= (1.0 + _TOLERANCE) * attained:
             break
         heapq.heappop(squares)
         h *= 0.5

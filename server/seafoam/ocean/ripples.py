@@ -9,9 +9,9 @@ from seafoam.ocean.hash import chance
 from seafoam.scene.water import Chop
 
 TILES = (18.9, 4.1)
-"""Sides of the two tiles, m; incommensurable, so that ripples never repeat."""
+"""Sides of the two tiles, m; their common period is so long that no repetition is visible."""
 REPEATING_TILES = (9.3, 3.1)
-"""Sides of the two tiles of ripples that repeat, which caustics on a tile require, m."""
+"""Sides of the two tiles, m, if ripples must repeat with the larger one, as caustics on a tile require."""
 WAVES_PER_TILE = 14
 BANDS = 2
 """Number of wavenumber bands of a tile, of equal count; a band is filtered as one."""
@@ -19,6 +19,7 @@ SURFACE_TENSION = 7.4e-5
 """Surface tension over density of water, m³/s²."""
 
 _RANGES = ((1.1, 6.5), (0.16, 1.05))
+"""Shortest and longest wavelength of each tile, m."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]
     for cascade, tile in enumerate(tiles(repeats)):
         longest, shortest = _RANGES[cascade][1], _RANGES[cascade][0]
         drawn: list[tuple[float, float, float, float]] = []
-        taken: set[tuple[int, int]] = set()
+        used: set[tuple[int, int]] = set()
         for index in range(WAVES_PER_TILE):
             share = (index + float(chance(chop.seed, cascade, index, 0))) / WAVES_PER_TILE
             wavelength = longest * (shortest / longest) ** share
@@ -60,10 +61,10 @@ def ripples(chop: Chop, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]
             heading = chop.wind_direction + chop.spread * normal
             number = tile / wavelength
             ix, iz = round(number * math.cos(heading)), round(number * math.sin(heading))
-            # Two ripples on one wavevector would add up or cancel; the next free whole number takes the second.
-            while (ix, iz) in taken or (ix == 0 and iz == 0):
+            # Two ripples with the same wavevector would add up or cancel, so the second gets the next free integers.
+            while (ix, iz) in used or (ix == 0 and iz == 0):
                 ix += 1
-            taken.add((ix, iz))
+            used.add((ix, iz))
             kx, kz = 2.0 * math.pi * ix / tile, 2.0 * math.pi * iz / tile
             k = math.hypot(kx, kz)
             drawn.append((k, kx, kz, 2.0 * math.pi * float(chance(chop.seed, cascade, index, 3))))

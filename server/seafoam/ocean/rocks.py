@@ -1,35 +1,38 @@
-"""Places on a shore where spray rises."""
+"""Points on a rocky coast at which spray starts."""
 
 import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.seabed import floor_grid
 from seafoam.scene.shore import Shore
 
 ROCKS = 1024
-"""Number of places on rocks at which drops start."""
+"""Number of points at which drops start."""
 
 _TEXELS = 256
 
 _SEED = 7
 
 
-@lru_cache(maxsize=16)
-def rocks(ground: str, steep: float) -> NDArray[np.float64]:
-    """(ROCKS, 4): places on the coast (x, z) from the square's middle, m, and the way out to sea there, a unit vector.
+def rocks(shore: Shore, steep: float) -> Floats:
+    """(ROCKS, 4): points on the coast (x, z) from the square's centre, m, and unit vectors from there toward the sea.
 
-    Where the ground at the water's edge is as steep as ``steep`` or more, in a random order, some more than once;
-    (0, 4) where there is none. ``ground``: :attr:`Shore.ground`. Rounded to 1/1024.
+    The points are those of the coast at which the ground's slope is at least ``steep``, in random order, some of them
+    repeated; (0, 4) if there are none. Rounded to 1/1024.
     """
-    shore = Shore.of_ground(ground)
+    return _rocks(shore.ground, steep)
+
+
+@lru_cache(maxsize=16)
+def _rocks(shore: Shore, steep: float) -> Floats:
     height = floor_grid(shore, _TEXELS)[..., 0]
     texel = shore.size / _TEXELS
-    # Heights are level where the square ends: no coast is lost with the last row and column.
+    # The ground is level at the edge of the square, so the last row and column contain no coast.
     along_z, along_x = (np.asarray(np.gradient(height, texel, axis=axis), np.float64) for axis in (0, 1))
-    found = []
+    coast = []
     for axis in (0, 1):
         a, b = (height[:-1], height[1:]) if axis == 0 else (height[:, :-1], height[:, 1:])
         row, column = np.nonzero((a >= 0.0) != (b >= 0.0))
@@ -40,16 +43,16 @@ def rocks(ground: str, steep: float) -> NDArray[np.float64]:
         else:
             x = x + share
         uphill = np.stack((along_x[row, column], along_z[row, column]), axis=-1)
-        slope: NDArray[np.float64] = np.hypot(uphill[:, 0], uphill[:, 1])
+        slope: Floats = np.hypot(uphill[:, 0], uphill[:, 1])
         out = -uphill / np.maximum(slope, 1e-6)[:, None]
         places = np.stack((x, z), axis=-1) * texel - 0.5 * shore.size
-        both: NDArray[np.float64] = np.concatenate((places, out), axis=1)
-        found.append(both[slope >= steep])
-    every = np.concatenate(found)
+        both: Floats = np.concatenate((places, out), axis=1)
+        coast.append(both[slope >= steep])
+    every = np.concatenate(coast)
     if len(every) == 0:
         return np.zeros((0, 4))
     random = np.random.Generator(np.random.PCG64(_SEED))
     chosen = np.concatenate([random.permutation(len(every)) for _ in range(math.ceil(ROCKS / len(every)))])[:ROCKS]
-    result: NDArray[np.float64] = np.round(every[chosen] * 1024.0) / 1024.0
+    result: Floats = np.round(every[chosen] * 1024.0) / 1024.0
     result.setflags(write=False)
     return result

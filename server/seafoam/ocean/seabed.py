@@ -5,12 +5,13 @@ from functools import lru_cache
 
 import numpy as np
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.hash import chance
-from seafoam.scene.shore import STEPS, Floats, Shore, decoded_image
+from seafoam.scene.shore import STEPS, Shore, decoded_image
 
 
 def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
-    """Return the quadratic B-spline of a picture at x, z in [0, 1]; of the shape of ``x``."""
+    """Return the quadratic B-spline of an image at x, z in [0, 1]; of the shape of ``x``."""
     taps = []
     for place, count in ((z, grey.shape[0]), (x, grey.shape[1])):
         at = place * count - 0.5
@@ -28,15 +29,14 @@ def _pictured(grey: Floats, x: Floats, z: Floats) -> Floats:
 def floor_grid(shore: Shore, texels: int) -> Floats:
     """Return (texels, texels, 2): height of floor or land above y = 0 (m), and a tint in [0, 1]; row z, column x.
 
-    Values are at texel centres. Only sums, products, quotients and square roots (and one sine and cosine), rounded to
-    1/1024: the same bytes on every machine.
+    Values are at texel centres. They are computed by sums, products, quotients and square roots (and one sine and
+    cosine) and rounded to 1/1024, so that every machine gets the same bytes.
     """
     return _floor_grid(shore.ground, texels)
 
 
 @lru_cache(maxsize=16)
-def _floor_grid(ground: str, texels: int) -> Floats:
-    shore = Shore.of_ground(ground)
+def _floor_grid(shore: Shore, texels: int) -> Floats:
     half = 0.5 * shore.size
     centres = ((np.arange(texels) + 0.5) / texels - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")
@@ -45,32 +45,32 @@ def _floor_grid(ground: str, texels: int) -> Floats:
         return _finished(shore, x, z, grey * (shore.depth + shore.height) - shore.depth)
     strays = shore.roughness * 0.3 * min(shore.size, 8.0 * shore.radius if shore.kind != "beach" else shore.size)
     e = _plain(shore, x, z) + strays * (_fbm(x, z, 0.3 * shore.size, shore.seed, 5) - 0.5)
-    # Whatever the shape, the sea is all round: the floor is level where the square ends.
+    # The square's edge is sea for every kind of shore, and the floor there is level.
     edge = np.maximum(np.abs(x), np.abs(z)) - 0.84 * half
     e = 0.5 * (e + edge + np.sqrt((e - edge) ** 2 + (0.04 * shore.size) ** 2))
     sea, land = np.maximum(e, 0.0), np.maximum(-e, 0.0)
     depth = np.full_like(x, shore.depth)
     if shore.kind == "lagoon":
         r = np.sqrt(x * x + z * z)
-        depth = shore.inner_depth + (shore.depth - shore.inner_depth) * _smoothstep(0.9, 1.15, r / shore.radius)
+        depth = shore.inner_depth + (shore.depth - shore.inner_depth) * smoothstep(0.9, 1.15, r / shore.radius)
     fall = shore.slope * sea / depth
     floor = -depth * fall / np.sqrt(1.0 + fall * fall)
     dune = max(0.3 * shore.height, 1e-3)
     rise = shore.slope * land / dune
     hills = _fbm(x, z, 0.22 * shore.size, shore.seed + 101, 5)
-    inland = _smoothstep(0.0, 0.12 * shore.size if shore.kind == "beach" else 0.8 * shore.radius, land)
+    inland = smoothstep(0.0, 0.12 * shore.size if shore.kind == "beach" else 0.8 * shore.radius, land)
     rest = shore.height - 0.3 * shore.height
     floor += dune * rise / np.sqrt(1.0 + rise * rise) + rest * inland * (0.25 + 1.1 * hills * hills)
-    # Sand ripples and bars, gone at the water's edge and in the deep.
+    # Sand ripples and bars, absent at the water's edge and in deep water.
     floor += (
         0.25
         * shore.roughness
         * (_fbm(x, z, 0.06 * shore.size, shore.seed + 211, 3) - 0.5)
-        * _smoothstep(0.0, 30.0, np.abs(e))
+        * smoothstep(0.0, 30.0, np.abs(e))
     )
-    # Off the coast it sinks to the deep long before the square ends, and in the round: no edge shows from the air.
+    # The floor sinks to full depth well inside the square, in a rounded shape, so that no edge is visible from above.
     out = np.sqrt(np.sqrt(x**4 + z**4)) / half
-    floor += (-shore.depth - floor) * _smoothstep(0.5, 0.95, out) * _smoothstep(0.0, 0.14 * shore.size, e)
+    floor += (-shore.depth - floor) * smoothstep(0.5, 0.95, out) * smoothstep(0.0, 0.14 * shore.size, e)
     return _finished(shore, x, z, floor)
 
 
@@ -78,7 +78,7 @@ def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
     """Return the floor, levelled toward the edges of the square, with its tint; rounded, read-only."""
     half = 0.5 * shore.size
     # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
-    ends = _smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
+    ends = smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
     floor = floor + (-shore.depth - floor) * ends
     tint = _fbm(x, z, 0.09 * shore.size, shore.seed + 307, 5)
     tint += (0.4 - tint) * ends
@@ -103,20 +103,21 @@ def _plain(shore: Shore, x: Floats, z: Floats) -> Floats:
                 draws = [chance(shore.seed + 401, i, k) for k in range(3)]
                 at_x, at_z = (0.62 * shore.size * (float(draw) - 0.5) for draw in draws[:2])
                 size = shore.radius * (0.35 + 0.65 * float(draws[2]))
-                one = np.sqrt((x - at_x) ** 2 + (z - at_z) ** 2) - size
-                # Two that come near grow together.
+                island = np.sqrt((x - at_x) ** 2 + (z - at_z) ** 2) - size
+                # Smooth minimum: islands near each other merge.
                 blend = 0.5 * shore.radius
-                share = np.clip(0.5 + 0.5 * (e - one) / blend, 0.0, 1.0)
-                e = e + (one - e) * share - blend * share * (1.0 - share)
+                share = np.clip(0.5 + 0.5 * (e - island) / blend, 0.0, 1.0)
+                e = e + (island - e) * share - blend * share * (1.0 - share)
             return e
         case _:
             width = 0.16 * shore.radius
             along = (x * c + z * s) / np.maximum(r, 1e-6)
-            gap: Floats = np.abs(r - shore.radius) - width + 2.2 * width * _smoothstep(0.90, 0.985, along)
+            gap: Floats = np.abs(r - shore.radius) - width + 2.2 * width * smoothstep(0.90, 0.985, along)
             return gap
 
 
-def _smoothstep(low: float, high: float, x: Floats) -> Floats:
+def smoothstep(low: float, high: float, x: Floats) -> Floats:
+    """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
     q = np.clip((x - low) / (high - low), 0.0, 1.0)
     result: Floats = q * q * (3.0 - 2.0 * q)
     return result
@@ -139,7 +140,7 @@ def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
     """Octaves of value noise, the largest with cells of ``cell`` m; in [0, 1], mean about ½."""
     total, weight, sum_of_weights = np.zeros_like(x), 1.0, 0.0
     for octave in range(octaves):
-        # Each octave is turned against the last (3-4-5), so that no lattice shows.
+        # Each octave is rotated against the last (by 3-4-5 triangles), which hides the lattice.
         x, z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
         total += weight * _value_noise(x / cell, z / cell, seed + 17 * octave)
         sum_of_weights += weight

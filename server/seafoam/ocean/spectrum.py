@@ -8,15 +8,13 @@ et al. 1963). docs/formulae.md, section 2.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.waves import Sea
 
 GAMMA = 3.3
 """Peak enhancement of JONSWAP."""
-
-Floats = NDArray[np.float64]
 
 
 def peak_frequency(wind: float, fetch: float) -> float:
@@ -34,9 +32,9 @@ def frequency_spectrum(omega: Floats, wind: float, fetch: float) -> Floats:
     ratio = omega / peak
     width = np.where(ratio <= 1.0, 0.07, 0.09)
     enhanced = GAMMA ** np.exp(-((ratio - 1.0) ** 2) / (2.0 * width * width))
-    # Under a third of the peak exp underflows anyway, and the powers of a tiny ratio must not overflow.
-    held = np.maximum(ratio, 0.05)
-    result: Floats = alpha * GRAVITY**2 * (held * peak) ** -5.0 * np.exp(-1.25 * held**-4.0) * enhanced
+    # Below a third of the peak frequency exp underflows; the limit keeps powers of small ratios from overflowing.
+    limited = np.maximum(ratio, 0.05)
+    result: Floats = alpha * GRAVITY**2 * (limited * peak) ** -5.0 * np.exp(-1.25 * limited**-4.0) * enhanced
     return np.where(ratio < 0.05, 0.0, result)
 
 
@@ -53,7 +51,8 @@ def dispersion(k: Floats, depth: float | None) -> tuple[Floats, Floats, Floats]:
 
 
 def spreading(angle: Floats, exponent: float, against: float) -> Floats:
-    """Return the energy fraction per radian at an angle to the wind (rad); ``against`` weights waves against it."""
+    """Return the energy fraction per radian at an angle to the wind (rad); ``against``: weight of waves
+    that travel against it."""
 
     def shape(angles: Floats) -> Floats:
         weight = np.where(np.cos(angles) < 0.0, against, 1.0)
@@ -76,7 +75,7 @@ def wave_spectrum(kx: Floats, kz: Floats, sea: Sea, depth: float | None) -> Floa
 
 
 def shallow_water_factor(omega: Floats, depth: float | None) -> Floats:
-    """Return the depth factor by frequency."""
+    """Return the finite-depth factor of the spectrum at ω (rad/s); depth in m, absent: deep."""
     if depth is None:
         return np.ones_like(omega)
     k = np.geomspace(1e-7, 1e3, 20001)

@@ -16,7 +16,7 @@ SHALLOW = 0.5
 
 
 def steady_drift(scene: Scene) -> tuple[float, float]:
-    """Return the sum of current and Stokes drift, (x, z) m/s, which carries foam where there is no vortex."""
+    """Return the sum of current and Stokes drift, (x, z) m/s, which moves foam outside vortices."""
     drift = scene.drift
     if drift is None:
         return 0.0, 0.0
@@ -75,7 +75,7 @@ def sea_drift(sea: Sea, depth: float | None) -> float:
     k = np.geomspace(1e-4, 2.0 * math.pi / SHORTEST, 4096)
     omega, group, shallow = dispersion(k, depth)
     energy = frequency_spectrum(omega, sea.wind, sea.fetch) * shallow * group
-    factor = np.array([_shallow(one, depth) for one in k])
+    factor = np.array([_shallow(k_i, depth) for k_i in k])
     values = 2.0 * omega * k * energy * factor
     total = float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(k)))
     angles = (np.arange(720, dtype=np.float64) + 0.5) * (2.0 * math.pi / 720)

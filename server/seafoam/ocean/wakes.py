@@ -1,17 +1,16 @@
-"""Wakes of boats: the numbers of their waves. docs/formulae.md, section 15."""
+"""Wakes of boats: wavenumbers, sizes and bounds of their waves. docs/formulae.md, section 15."""
 
 import math
 from dataclasses import dataclass
 
+from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.boats import Boat
 
 LEAST_SPEED = 0.5
 """Speed below which a boat leaves no wake, m/s."""
 
-_GRAVITY = 9.81
-
 NEAR = 2.0
-"""Distance from a boat's middle, in lengths, beyond which the window at its bow is negligible."""
+"""Distance from a boat's centre, in its lengths, beyond which the window at its bow is negligible."""
 
 _OPENING = 2800.0
 """Second derivative of a wake's window near the bow, in units of its height over the boat's length squared."""
@@ -25,12 +24,13 @@ class Wake:
 
     @property
     def shows(self) -> bool:
+        """Whether the boat is fast enough to leave a wake."""
         return self.boat.speed >= LEAST_SPEED and self.boat.wake > 0.0
 
     @property
     def k(self) -> float:
         """Wavenumber of the transverse waves, whose phase speed is the boat's: g/v², rad/m."""
-        return _GRAVITY / max(self.boat.speed, LEAST_SPEED) ** 2
+        return GRAVITY / max(self.boat.speed, LEAST_SPEED) ** 2
 
     @property
     def wavelength(self) -> float:
@@ -53,16 +53,16 @@ class Wake:
         return 1.5 * self.boat.wake if self.shows else 0.0
 
     @property
-    def steepest(self) -> float:
+    def max_slope(self) -> float:
         """Upper bound of the slope: a·k of both systems, and the slope of their windows."""
         if not self.shows:
             return 0.0
-        # k exp(-(k/c)^2) is greatest at k = c/sqrt 2; no wave is longer than those across.
+        # k exp(-(k/c)²) is greatest at k = c/√2; the transverse waves are the longest.
         peak = max(self.k, self.shortest / math.sqrt(2.0))
         waves = 1.5 * self.boat.wake * peak * math.exp(-((peak / self.shortest) ** 2))
-        # The windows at the bow and at the edge, where both systems open over a tenth of the way behind it.
+        # The windows at the bow and at the edge, where both systems rise over a tenth of the distance behind the bow.
         windows = self.height * math.exp(-((self.k / self.shortest) ** 2)) * 5.0 / self.boat.length
-        # Inside the circle a wake is drawn together, at most to 0.75 of its length.
+        # Inside the circle of its course a wake is compressed, to at least 0.75 of its length.
         return (waves + windows) / 0.75
 
     @property
@@ -71,7 +71,7 @@ class Wake:
 
         a·k² of both systems, and the window at the bow, where the wake opens: its width there is proportional to the
         distance from the bow, so its contribution grows with 1/length² and falls with the square of the distance. The
-        factor is measured over boats of every speed, radius and height, plus a tenth.
+        factor is measured over boats of all speeds, radii and heights, plus a tenth.
         """
         if not self.shows:
             return 0.0, 0.0
@@ -80,8 +80,8 @@ class Wake:
         window = _OPENING * self.height * math.exp(-((self.k / self.shortest) ** 2)) / self.boat.length**2
         return (waves + window) / 0.75**2, (waves + window / NEAR**2) / 0.75**2
 
-    def grain(self, texel: float) -> float:
-        """Upper bound of the excess of a bilinear map of ``texel`` m over what its slope and curvature say, m.
+    def map_error(self, texel: float) -> float:
+        """Upper bound of the error of bilinear interpolation in a map with texels of ``texel`` m, m.
 
         In units of the second derivative of its shortest waves times texel²; the factor is measured, plus a tenth.
         """
@@ -100,4 +100,4 @@ def wake_height(boats: tuple[Boat, ...]) -> float:
 
 def wake_slope(boats: tuple[Boat, ...]) -> float:
     """Return an upper bound of the slope of all wakes together."""
-    return float(f"{sum(wake.steepest for wake in wakes(boats)):.7g}")
+    return float(f"{sum(wake.max_slope for wake in wakes(boats)):.7g}")

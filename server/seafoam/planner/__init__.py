@@ -1,11 +1,10 @@
-"""The planner: scenes become frame plans.
+"""The planner: compiles scenes into frame plans.
 
-It knows slots and passes; of effects it knows what they contribute, and no formula.
+It uses the contributions of effects and contains no formula of theirs.
 """
 
-from seafoam.effects.effect import PlanError
+from seafoam.effects.effect import AssemblyError, PlanError
 from seafoam.framegraph.plan import FramePlan
-from seafoam.planner.collect import AssemblyError
 from seafoam.planner.planner import make_plan
 
 __all__ = ["AssemblyError", "FramePlan", "PlanError", "make_plan"]

@@ -1,12 +1,12 @@
 """Adaptive sampling: passes that select pixels, draw their additional samples, and assemble the frame.
 
-docs/formulae.md, section 1, has the error estimate and the limits. Selected pixels are counted and listed in passes of
-their own, so that their samples are adjacent in a target twice as wide and high as the picture, and nothing else is
-drawn again.
+docs/formulae.md, section 1, has the error estimate and the limits. Passes count and list the selected pixels, so that
+their samples are adjacent in a target twice as wide and high as the picture, and no other pixels are drawn again.
 """
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import chain
 
 from seafoam.effects.effect import Const, Piece
 from seafoam.framegraph.passes import Fullscreen, Pass
@@ -19,15 +19,16 @@ from seafoam.quality import Quality
 PLACE = "lib/place.glsl"
 """The file that maps a fragment to its sample of the picture."""
 SPREAD = ("lib/numbers.glsl", "lib/camera.glsl", PLACE, "adaptive/spread_pass.glsl")
-"""The fragment shader that reads points which were drawn over the whole picture, as ``u_points``."""
+"""Files of the fragment shader that reads points drawn for the whole picture from ``u_points``."""
 
 RATIO = 3.5
 """Ratio of the contrast thresholds for 16 and for 4 samples. 4 samples leave a quarter of the squared error and 16 a
-sixteenth: a sample gains as much in either step where the squared error is 12 times as large."""
-GREATEST = 1.5
+sixteenth: a sample reduces the error equally in both steps if the squared error is 12 times as large in the second."""
+MAX_CONTRAST = 1.5
 """Contrast that hardly any pixel exceeds: the greatest threshold tried in the first round."""
 ROUNDS = 3
-"""Rounds of four thresholds each: the first reach :data:`GREATEST`, the next are between two of the last round."""
+"""Rounds of four thresholds each: those of the first reach :data:`MAX_CONTRAST`, those of the
+next are between two of the last round."""
 PARTS = 32
 """Number of parts along each side of the picture in which samples are counted."""
 
@@ -41,19 +42,19 @@ _LISTS = {"u_chosen_cells": "chosen cells", "u_chosen_groups": "chosen groups", 
 
 
 @dataclass(frozen=True)
-class Seen:
-    """A pass of the picture as drawn again for selected pixels: ``model`` with these pieces of a fragment shader.
+class Redrawn:
+    """A pass that is drawn again for selected pixels: ``original``, with these pieces of a fragment shader.
 
-    ``depth``: of what it draws, in clip space.
+    ``depth``: its depth in clip space.
     """
 
-    model: Pass
+    original: Pass
     pieces: tuple[Piece, ...]
     depth: float = 0.0
 
 
 @dataclass
-class Spent:
+class Additions:
     """What adaptive sampling adds to a plan."""
 
     consts: dict[str, Const]
@@ -72,11 +73,13 @@ class Spent:
         rows: bool = False,
         uniforms: Mapping[str, Uniform] | None = None,
     ) -> None:
-        """Return a pass over the whole target, or over the ``rows`` of selected pixels; its files name its program."""
+        """Add a pass over the whole target, or the ``rows`` of selected pixels; its files name its program."""
         program = ", ".join(files)
         if program not in self.programs:
             self.programs[program] = self.program(_ROWS if rows else (_FULL,), files)
-        inputs: dict[str, TextureInput | TargetInput] = {key: TargetInput(target=one) for key, one in reads.items()}
+        inputs: dict[str, TextureInput | TargetInput] = {
+            key: TargetInput(target=source) for key, source in reads.items()
+        }
         self.passes.append(
             Pass(
                 name=name,
@@ -90,34 +93,34 @@ class Spent:
         )
 
     def program(self, vertex: tuple[str, ...], fragment: Iterable[Piece], depth: float = 0.0) -> Program:
-        """Return a program with the constants of the selection."""
+        """Return a program with the constants of adaptive sampling."""
         return Program(
             vertex=assemble(vertex, {**self.consts, "FULLSCREEN_DEPTH": depth}),
             fragment=assemble(fragment, self.consts),
         )
 
 
-def spend(
+def additional_samples(
     quality: Quality,
     frame: str,
     linear: str,
-    scene: tuple[Seen, ...],
-    after: tuple[Seen, ...],
+    scene: tuple[Redrawn, ...],
+    after: tuple[Redrawn, ...],
     consts: Mapping[str, Const],
-) -> Spent:
-    """Return passes that read the target ``frame``, one value per pixel, and draw the finished frame into ``linear``.
+) -> Additions:
+    """Return passes that read ``frame``, a target with one value per pixel, and draw the final frame into ``linear``.
 
-    ``scene``: surface and sky, in drawing order; ``after``: passes blended over them.
+    ``scene``: surface and sky, in drawing order; ``after``: the passes blended over them.
     """
-    kinds = quality.chosen_samples
-    spent = Spent(
+    counts = quality.chosen_samples
+    added = Additions(
         consts={
             **consts,
-            "CHOOSE_FEW": 4 in kinds,
-            "CHOOSE_MANY": 16 in kinds,
+            "CHOOSE_FEW": 4 in counts,
+            "CHOOSE_MANY": 16 in counts,
             "CHOOSE_RATIO": RATIO,
             "CHOOSE_LEAST": quality.samples_threshold,
-            "CHOOSE_STEP": (GREATEST / quality.samples_threshold) ** (1.0 / 3.0),
+            "CHOOSE_STEP": (MAX_CONTRAST / quality.samples_threshold) ** (1.0 / 3.0),
             "CHOOSE_BUDGET": quality.samples_budget,
         },
         uniforms={
@@ -125,86 +128,86 @@ def spend(
             "u_picture": Uniform(type="vec2", rules=(Viewport(of="picture"),)),
         },
     )
-    _choose(spent, frame)
+    _choose(added, frame)
     drawn = _BENEATH if after else _SAMPLES
     finer = ViewportSize(scale=2)
-    spent.targets[drawn] = Target(size=finer, format=quality.target, depth=True)
+    added.targets[drawn] = Target(size=finer, format=quality.target, depth=True)
     if after:
-        spent.targets[_ABOVE] = Target(size=finer, format="RGBA16F")
-        spent.targets[_SAMPLES] = Target(size=finer, format=quality.target)
-    for count in kinds:
-        _draw(spent, count, ((scene, drawn), (after, _ABOVE)), first=count == kinds[0])
-    spent.targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
+        added.targets[_ABOVE] = Target(size=finer, format="RGBA16F")
+        added.targets[_SAMPLES] = Target(size=finer, format=quality.target)
+    for count in counts:
+        _draw(added, count, ((scene, drawn), (after, _ABOVE)), first=count == counts[0])
+    added.targets[linear] = Target(size=ViewportSize(), format="RGBA32F")
     files = (_BITS, "adaptive/resolve_pass.glsl")
-    spent.add("means of the samples", linear, files, {"u_frame": frame, "u_samples": _SAMPLES, **_LISTS})
-    return spent
+    added.add("means of the samples", linear, files, {"u_frame": frame, "u_samples": _SAMPLES, **_LISTS})
+    return added
 
 
-def _choose(spent: Spent, frame: str) -> None:
-    """Contrast, the threshold that the budget allows, and which pixels exceed it: bits, and running counts."""
-    parts, one = FixedSize(width=PARTS, height=PARTS), FixedSize(width=1, height=1)
+def _choose(added: Additions, frame: str) -> None:
+    """Passes of contrast, of the threshold that the budget allows, and of the selection: bits and running sums."""
+    parts, single = FixedSize.square(PARTS), FixedSize.square(1)
     cells, groups = ViewportSize(part=4), ViewportSize(part=4, narrow=16)
     rows = ViewportSize(part=4, narrow=1 << 14)
-    spent.targets |= {
+    added.targets |= {
         "contrast": Target(size=ViewportSize(), format="RGBA16F"),
         "choice counts": Target(size=parts, format="RGBA32F"),
-        **{f"choice limits {k}": Target(size=one, format="RGBA32F") for k in range(ROUNDS)},
+        **{f"choice limits {k}": Target(size=single, format="RGBA32F") for k in range(ROUNDS)},
         "choice": Target(size=cells, format="RGBA32F"),
         "chosen cells": Target(size=cells, format="RGBA32F"),
         "chosen groups": Target(size=groups, format="RGBA32F"),
         "chosen rows": Target(size=rows, format="RGBA32F"),
     }
     contrast, counts = {"u_contrast": "contrast"}, {"u_counts": "choice counts"}
-    spent.add("contrast", "contrast", ("adaptive/contrast_pass.glsl",), {"u_frame": frame})
+    added.add("contrast", "contrast", ("adaptive/contrast_pass.glsl",), {"u_frame": frame})
     for k in range(ROUNDS):
-        tried = f"adaptive/{'next' if k else 'first'}_limits.glsl"
+        thresholds = f"adaptive/{'next' if k else 'first'}_limits.glsl"
         limits = {"u_limits": f"choice limits {k - 1}"} if k else {}
-        spent.add(f"samples at limits {k}", "choice counts", (tried, "adaptive/count_pass.glsl"), contrast | limits)
-        spent.add(f"limits {k}", f"choice limits {k}", (tried, "adaptive/limit_pass.glsl"), counts | limits)
+        added.add(
+            f"samples at limits {k}", "choice counts", (thresholds, "adaptive/count_pass.glsl"), contrast | limits
+        )
+        added.add(f"limits {k}", f"choice limits {k}", (thresholds, "adaptive/limit_pass.glsl"), counts | limits)
     files = ("adaptive/choice.glsl", "adaptive/cells_pass.glsl")
-    spent.add("choice of pixels", "choice", files, contrast | {"u_limit": f"choice limits {ROUNDS - 1}"})
-    spent.add("chosen by cell", "chosen cells", (_BITS, "adaptive/within_pass.glsl"), {"u_choice": "choice"})
+    added.add("choice of pixels", "choice", files, contrast | {"u_limit": f"choice limits {ROUNDS - 1}"})
+    added.add("chosen by cell", "chosen cells", (_BITS, "adaptive/within_pass.glsl"), {"u_choice": "choice"})
     files = (_BITS, "adaptive/groups_pass.glsl")
-    spent.add("chosen by group", "chosen groups", files, {"u_chosen_cells": "chosen cells"})
-    spent.add("chosen by row", "chosen rows", ("adaptive/rows_pass.glsl",), {"u_chosen_groups": "chosen groups"})
+    added.add("chosen by group", "chosen groups", files, {"u_chosen_cells": "chosen cells"})
+    added.add("chosen by row", "chosen rows", ("adaptive/rows_pass.glsl",), {"u_chosen_groups": "chosen groups"})
 
 
-def _draw(spent: Spent, count: int, layers: tuple[tuple[tuple[Seen, ...], str], ...], *, first: bool) -> None:
-    """The list of the pixels that get ``count`` samples, and these samples. ``first``: into cleared targets."""
+def _draw(added: Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...], str], ...], *, first: bool) -> None:
+    """Passes that list the pixels with ``count`` samples and draw these. ``first``: into cleared targets."""
     side = 2 if count == 4 else 4
     pixels = f"pixels of {count}"
-    spent.targets[pixels] = Target(size=ViewportSize(part=side // 2), format="RGBA32F")
+    added.targets[pixels] = Target(size=ViewportSize(part=side // 2), format="RGBA32F")
     listed = {"u_chosen": vector((float(side), 1.0, 1.0))}
     files = (_KIND, _BITS, "adaptive/pixels_pass.glsl")
-    spent.add(f"list of {pixels} samples", pixels, files, _LISTS, rows=True, uniforms=listed)
+    added.add(f"list of {pixels} samples", pixels, files, _LISTS, rows=True, uniforms=listed)
 
-    # Blocks of 4 samples lie in rows from below, those of 16 in rows from above.
+    # Blocks of 4 samples fill the target's rows from the bottom, blocks of 16 from the top.
     uniforms = {
         "u_chosen": vector((float(side), float(side), 1.0 if side == 2 else -1.0)),
         "u_viewport": Uniform(type="vec2", rules=(Viewport(of="picture", times=side),)),
     }
     lists = {"u_chosen_rows": TargetInput(target="chosen rows"), "u_chosen_pixels": TargetInput(target=pixels)}
     for group, target in layers:
-        for seen in group:
-            program = f"{seen.model.program}, chosen"
-            if program not in spent.programs:
-                pieces = (_AT_CHOSEN if one == PLACE else (one,) for one in seen.pieces)
-                fragment = [one for some in pieces for one in some]
-                vertex = _ROWS
-                spent.programs[program] = spent.program(vertex, fragment, seen.depth)
-            clear = first and seen.model.name == group[0].model.name
+        for redrawn in group:
+            program = f"{redrawn.original.program}, chosen"
+            if program not in added.programs:
+                pieces = (_AT_CHOSEN if piece == PLACE else (piece,) for piece in redrawn.pieces)
+                added.programs[program] = added.program(_ROWS, chain.from_iterable(pieces), redrawn.depth)
+            clear = first and redrawn.original.name == group[0].original.name
             changes = {
-                "name": f"{seen.model.name}, {count} samples",
+                "name": f"{redrawn.original.name}, {count} samples",
                 "program": program,
                 "target": target,
                 "mesh": Fullscreen(),
-                "inputs": {**seen.model.inputs, **lists},
-                "uniforms": {**seen.model.uniforms, **uniforms},
-                "state": seen.model.state.model_copy(update={"clear": clear}),
+                "inputs": {**redrawn.original.inputs, **lists},
+                "uniforms": {**redrawn.original.uniforms, **uniforms},
+                "state": redrawn.original.state.model_copy(update={"clear": clear}),
             }
-            spent.passes.append(seen.model.model_copy(update=changes))
+            added.passes.append(redrawn.original.model_copy(update=changes))
     if layers[1][0]:
         compose = ("lib/numbers.glsl", "output/compose.glsl")
         reads = {"u_beneath": _BENEATH, "u_above": _ABOVE, "u_chosen_rows": "chosen rows"}
         name = f"what stands before the water, {count} samples"
-        spent.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)
+        added.add(name, _SAMPLES, compose, reads, rows=True, uniforms=uniforms)

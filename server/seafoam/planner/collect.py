@@ -2,7 +2,18 @@
 
 from collections.abc import Sequence
 
-from seafoam.effects.effect import Const, Contribution, Effect, PassSpec, SlotFile, SlotRef, TextureUse, path_of
+from seafoam.effects.effect import (
+    AssemblyError,
+    Const,
+    Contribution,
+    Effect,
+    PassSpec,
+    SlotFile,
+    SlotRef,
+    TextureUse,
+    path_of,
+    united,
+)
 from seafoam.framegraph.plan import EffectNote
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
@@ -11,21 +22,17 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 NEGLIGIBLE = 0.5 / 255.0
-"""Half a level of exposed linear light: an effect that changes every pixel by less is left out."""
+"""Half a level of exposed linear light: effects that change all pixels by less are left out."""
 
 START_TILE = 4
-"""Side of the tiles whose rays share a start distance, pixels."""
+"""Side of the tiles of pixels whose rays share a start distance."""
 
 LOWEST = -100.0
-"""Maximum depth of the camera without a floor, m: there is nothing more to see."""
-
-
-class AssemblyError(RuntimeError):
-    """Effects contradict each other or their GLSL: a defect of Seafoam, never of a scene."""
+"""Lowest camera height without a floor, m: nothing more is visible below."""
 
 
 class Collection:
-    """The contributions of a scene's effects, joined.
+    """The joined contributions of a scene's effects.
 
     ``economy``: leave out effects whose bound is below :data:`NEGLIGIBLE`.
     """
@@ -40,17 +47,17 @@ class Collection:
         self.textures: dict[str, TextureUse] = {}
         self.targets: dict[str, Target] = {}
         self.passes: list[PassSpec] = []
-        self.top = 0.0
-        self.trough = 0.0
-        self.grain = 0.0
-        self.steepest = 0.0
+        self.max_height = 0.0
+        self.min_height = 0.0
+        self.map_error = 0.0
+        self.max_slope = 0.0
         self.bounds = [0.0, 0.0, 0.0]
-        """Upper bounds of height, slope and curvature of what does not measure its own."""
-        self.bottom = LOWEST
-        self.march = 1
+        """Upper bounds of height, slope and curvature of the effects that do not measure their own."""
+        self.min_ground = LOWEST
+        self.march_factor = 1
         self.bound_fields: set[str] = set()
         self.readers: dict[str, str] = {}
-        """Sampler -> the effect that adds it."""
+        """Sampler -> name of the effect that adds it."""
         for effect in effects:
             contribution = effect.contribute(scene, quality)
             if contribution is None:
@@ -66,37 +73,36 @@ class Collection:
         """Whether an effect fills the slot."""
         return any(file.slot == slot for file in self.slots)
 
-    def _add(self, name: str, given: Contribution) -> None:
-        pieces = [piece for file in given.slots for piece in (*file.needs, file.path)]
-        pieces += [piece for spec in given.passes for piece in (*spec.vertex, *spec.fragment)]  # type: ignore[misc]
+    def _add(self, name: str, contribution: Contribution) -> None:
+        pieces = [piece for file in contribution.slots for piece in (*file.needs, file.path)]
+        pieces += [piece for spec in contribution.passes for piece in (*spec.vertex, *spec.fragment)]  # type: ignore[misc]
         paths = {path for path in map(path_of, pieces) if path is not None}
-        self.effects.append(EffectNote(name=name, why=given.why, files=tuple(sorted(paths))))
-        self.readers |= dict.fromkeys(given.inputs, name)
-        self.slots += given.slots
-        self.passes += given.passes
-        self.top += given.top
-        self.trough += given.trough
-        self.grain += given.grain
-        self.steepest += given.steepest
-        if not any(file.slot == "bounds" for file in given.slots):
-            more = (given.top, given.steepest, given.curvature)
-            self.bounds = [a + b for a, b in zip(self.bounds, more, strict=True)]
-        self.bottom = given.bottom if given.bottom is not None else self.bottom
-        self.march = max(self.march, given.march)
-        for mine, theirs in (
-            (self.consts, given.consts),
-            (self.uniforms, given.uniforms),
-            (self.inputs, given.inputs),
-            (self.textures, given.textures),
-            (self.targets, given.targets),
-        ):
-            taken = mine.keys() & theirs.keys()
-            if taken:
-                raise AssemblyError(f"{name} defines {sorted(taken)} a second time")
-            mine.update(theirs)  # type: ignore[arg-type]
+        self.effects.append(EffectNote(name=name, why=contribution.why, files=tuple(sorted(paths))))
+        self.readers |= dict.fromkeys(contribution.inputs, name)
+        replaced = {file.slot for file in contribution.slots if file.instead}
+        self.slots = [file for file in self.slots if file.slot not in replaced] + [*contribution.slots]
+        self.passes += contribution.passes
+        self.max_height += contribution.max_height
+        self.min_height += contribution.min_height
+        self.map_error += contribution.map_error
+        self.max_slope += contribution.max_slope
+        if not any(file.slot == "bounds" for file in contribution.slots):
+            bounds = (contribution.max_height, contribution.max_slope, contribution.max_curvature)
+            self.bounds = [a + b for a, b in zip(self.bounds, bounds, strict=True)]
+        if contribution.min_ground is not None:
+            self.min_ground = contribution.min_ground
+        self.march_factor = max(self.march_factor, contribution.march_factor)
+        try:
+            self.consts = united((self.consts, contribution.consts))
+            self.uniforms = united((self.uniforms, contribution.uniforms))
+            self.inputs = united((self.inputs, contribution.inputs))
+            self.textures = united((self.textures, contribution.textures))
+            self.targets = united((self.targets, contribution.targets))
+        except AssemblyError as error:
+            raise AssemblyError(f"effect {name}: {error}") from None
 
     def add_starts(self, side: int) -> None:
-        """Return the pass that finds, for tiles of the picture, the start distances of their rays to water and land.
+        """Add the pass that finds the start distances to water and land of the rays of each tile of the picture.
 
         ``side``: samples along each side of a pixel.
         """
@@ -104,7 +110,7 @@ class Collection:
         self.targets["start"] = Target(size=ViewportSize(scale=side, part=START_TILE), format="RGBA16F")
         self.inputs["u_start"] = TargetInput(target="start")
         if self.fills("bounds"):
-            self.targets["surface_now"] = Target(size=FixedSize(width=1, height=1), format="RGBA16F")
+            self.targets["surface_now"] = Target(size=FixedSize.square(1), format="RGBA16F")
             self.inputs["u_surface_now"] = TargetInput(target="surface_now")
             self.slots.append(SlotFile("now", "surface/now_measured.glsl"))
             self.passes.append(

@@ -1,4 +1,4 @@
-"""GLSL of slots that nothing fills."""
+"""GLSL of slots that no effect fills."""
 
 from seafoam.effects.effect import Inline, constant_function
 

@@ -4,12 +4,12 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from seafoam.effects.effect import ABOVE, BENEATH, Const, PassSpec, Piece, SlotFile, SlotRef, Source
+from seafoam.effects.effect import ABOVE, BENEATH, Const, PassSpec, Piece, SlotFile, SlotRef, Source, refine
 from seafoam.framegraph.passes import Eye, Fullscreen, Grid, Mesh, Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
 from seafoam.framegraph.shader import Program
-from seafoam.planner.adaptive import PLACE, SPREAD, Seen, spend
+from seafoam.planner.adaptive import PLACE, SPREAD, Redrawn, additional_samples
 from seafoam.planner.collect import Collection
 from seafoam.planner.glsl import COMMON, FULLSCREEN, assemble, slot_pieces
 from seafoam.planner.slots import (
@@ -29,12 +29,12 @@ from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 START_SHARE = 0.25
-"""Step, in heights of a tile, below which the search for a start distance ends."""
+"""Step length below which the search for a start distance ends, in heights of a tile at that distance."""
 
 LOW_EYE = "surface, low eye"
-"""The program of the surface for cameras that can be below crests."""
+"""Name of the surface's program for cameras that can be below crests."""
 
-_MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl",))
+_MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl", refine("refine_water", "waves", "vec3")))
 _MARCH_START = SlotFile(
     "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
 )
@@ -47,7 +47,7 @@ _HORIZON_DEPTH = 0.9999995
 
 
 class FrameBuilder:
-    """Programs, targets, uniforms and passes of the frame that a scene's effects make up.
+    """Programs, targets, uniforms and passes of a scene's frame.
 
     Each method adds what it needs to ``programs`` and ``targets`` and returns its passes; :meth:`passes` calls them in
     the order in which they are drawn.
@@ -56,9 +56,9 @@ class FrameBuilder:
     def __init__(self, collection: Collection, scene: Scene, quality: Quality) -> None:
         self.collection, self.scene, self.quality = collection, scene, quality
         self.side = math.isqrt(quality.samples)
-        self.level = collection.top == 0.0
+        self.level = collection.max_height == 0.0
         self.shore, self.below = collection.fills("shore"), collection.fills("below")
-        # Land stands above the horizon, where no mesh of the sea reaches.
+        # Land extends above the horizon, where the sea's mesh does not.
         self.mesh = quality.surface.method == "mesh" and not self.level and not self.shore
         if not self.level or self.shore:
             collection.add_starts(self.side)
@@ -66,7 +66,7 @@ class FrameBuilder:
             **collection.consts,
             "SURFACE_FILTER": quality.surface.filter,
             "REFINE": quality.surface.refine,
-            "MARCH_STEPS": quality.surface.steps * collection.march,
+            "MARCH_STEPS": quality.surface.steps * collection.march_factor,
             "MARCH_TOLERANCE": quality.surface.tolerance,
             "START_SHARE": START_SHARE,
             "SAMPLE_SIDE": self.side,
@@ -92,21 +92,21 @@ class FrameBuilder:
         overlay = self._overlay()
         search, scenery = self._search(), self._scenery()
         resolve = self._resolve()
-        more_samples = self._more_samples([one for one in scenery if one.name != "land"])
+        more_samples = self._more_samples([drawn for drawn in scenery if drawn.name != "land"])
         tone = self._fullscreen("tone", "present", "screen", {"u_linear": self.linear})
         return [*before, *search, *scenery, *overlay, *resolve, *more_samples, tone]
 
     def _chosen(self) -> list[SlotFile]:
         """The files in the slots of the surface's shader."""
-        find = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
-        # Where there is land, a pass before the surface's finds which of them a ray meets.
+        intersection = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
+        # With land, a pass before the surface's finds whether a ray hits water or land first.
         of_land = (LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
         files = [file for file in self.collection.slots if file.slot not in of_land]
-        files.append(SlotFile("find", f"surface/{find}.glsl"))
-        return [*files, _MARCH] if find == "march" else files
+        files.append(SlotFile("find", f"surface/{intersection}.glsl"))
+        return [*files, _MARCH] if intersection == "march" else files
 
     def _marched(self) -> list[SlotFile]:
-        """The same for passes and for cameras that can be below crests: without a mesh they march to the surface."""
+        """The same files for passes and for cameras that can be below crests, which use no mesh."""
         return [
             *self.collection.slots,
             SlotFile("find", f"surface/{'plane' if self.level else 'march'}.glsl"),
@@ -116,7 +116,7 @@ class FrameBuilder:
         ]
 
     def _fragments(self) -> dict[str, list[Piece]]:
-        """Texts of the fragment shaders of surface and sky; ``surface, marched`` is for single pixels."""
+        """Pieces of the fragment shaders of surface and sky; ``surface, marched`` is for additional samples."""
         surface, marched, low = [*_SAMPLED], [*_SAMPLED], [*_SAMPLED]
         for slot in surface_slots(self._combine, self.shore):
             surface += slot_pieces(slot, self.chosen)
@@ -137,7 +137,7 @@ class FrameBuilder:
         return self.scene.foam.combine if self.scene.foam else "max"
 
     def _pieces(self, parts: Sequence[Piece | SlotRef]) -> list[Piece]:
-        """Files as they are, and slots as they are filled where rays march."""
+        """Return the pieces of a shader, with each slot replaced by the files that fill it for ray marching."""
         pieces: list[Piece] = []
         for part in parts:
             if isinstance(part, SlotRef):
@@ -181,33 +181,35 @@ class FrameBuilder:
                 self._program(f"{spec.program}, low eye", spec.under, spec.vertex)
 
     def _effect_passes(self, stage: str) -> list[Pass]:
-        return [one for spec in self.collection.passes if spec.stage == stage for one in self._passes_of(spec)]
+        return [drawn for spec in self.collection.passes if spec.stage == stage for drawn in self._passes_of(spec)]
 
     def _passes_of(self, spec: PassSpec) -> list[Pass]:
-        """The pass of a spec, or one for each range of camera heights if they differ."""
-        shared = any(isinstance(part, SlotRef) for part in (*spec.vertex, *spec.fragment))
-        one = Pass(
+        """Return the pass of a spec, or two if its shader differs for cameras above and below crests."""
+        reads_slots = any(isinstance(part, SlotRef) for part in (*spec.vertex, *spec.fragment))
+        always = Pass(
             name=spec.name,
             when="frame",
             program=spec.program,
             target=spec.target,
             mesh=spec.mesh,
-            inputs={**self.collection.inputs, **spec.inputs} if shared else spec.inputs,
+            inputs={**self.collection.inputs, **spec.inputs} if reads_slots else spec.inputs,
             uniforms=spec.uniforms,
             view=spec.view,
             state=State(clear=spec.clear, blend=spec.blend),
         )
         if not self.below or not spec.under:
-            return [one]
+            return [always]
         low = {"eye": "under", "program": f"{spec.program}, low eye"}
-        return [one.model_copy(update={"eye": "over"}), one.model_copy(update=low)]
+        return [always.model_copy(update={"eye": "over"}), always.model_copy(update=low)]
 
     def _fullscreen(self, name: str, program: str, target: str, reads: Mapping[str, str]) -> Pass:
-        inputs: dict[str, TextureInput | TargetInput] = {key: TargetInput(target=of) for key, of in reads.items()}
+        inputs: dict[str, TextureInput | TargetInput] = {
+            key: TargetInput(target=source) for key, source in reads.items()
+        }
         return Pass(name=name, when="frame", program=program, target=target, mesh=Fullscreen(), inputs=inputs)
 
     def _overlay(self) -> list[Pass]:
-        """Passes over surface and sky, and the one that blends them."""
+        """Passes that are blended over surface and sky, and the pass that blends them."""
         after = self._effect_passes("after")
         if not after:
             return []
@@ -219,9 +221,9 @@ class FrameBuilder:
             vertex=assemble(FULLSCREEN, _AT_FRONT),
             fragment=assemble(["lib/numbers.glsl", "output/compose.glsl"], {}),
         )
-        first = next(one for one in after if one.target == ABOVE).name
+        first = next(drawn for drawn in after if drawn.target == ABOVE).name
         return [
-            *(_cleared(one) if one.name == first else one for one in after),
+            *(_cleared(drawn) if drawn.name == first else drawn for drawn in after),
             self._fullscreen(
                 "what stands before the water", "compose", "samples", {"u_beneath": BENEATH, "u_above": ABOVE}
             ),
@@ -247,7 +249,7 @@ class FrameBuilder:
         )
 
     def _search(self) -> list[Pass]:
-        """Passes that find whether a ray meets water or land first."""
+        """Passes that find whether a ray hits water or land first."""
         if not self.shore:
             return []
         self.targets["met"] = Target(size=ViewportSize(scale=self.side), format="RGBA32F")
@@ -264,7 +266,7 @@ class FrameBuilder:
                 name="surface",
                 when="frame",
                 eye=eye,
-                # Land rises over the horizon.
+                # Land extends above the horizon.
                 view="any" if self.shore else "falling",
                 program=program,
                 target=self.drawn,
@@ -278,7 +280,7 @@ class FrameBuilder:
         sky = Pass(
             name="sky",
             when="frame",
-            # A mesh ends before the horizon, and a march may go between crests that an eye is among.
+            # A mesh ends before the horizon, and rays of a camera between crests may miss the water.
             view="any" if self.mesh else "rising",
             program="sky",
             target=self.drawn,
@@ -288,7 +290,7 @@ class FrameBuilder:
         return [*surfaces, *land, sky]
 
     def _resolve(self) -> list[Pass]:
-        """The mean of each pixel's samples."""
+        """The pass that averages each pixel's samples."""
         if self.side == 1:
             return []
         self.linear = "linear"
@@ -298,46 +300,48 @@ class FrameBuilder:
 
     def _more_samples(self, scenery: Sequence[Pass]) -> list[Pass]:
         """Passes of adaptive sampling."""
-        # Without light a sample costs less than its choice.
+        # Without light an additional sample costs less than its selection.
         if not self.quality.chosen_samples or self.scene.light is None:
             return []
         fragments = {**self.fragments, "surface": self.fragments["surface, marched"]}
         depths = {"sky": _HORIZON_DEPTH}
-        seen = tuple(Seen(one, tuple(fragments[one.program]), depths.get(one.program, 0.0)) for one in scenery)
-        laid, layers = self._laid()
+        redrawn = tuple(
+            Redrawn(drawn, tuple(fragments[drawn.program]), depths.get(drawn.program, 0.0)) for drawn in scenery
+        )
+        overlays, layers = self._redrawn_overlays()
         for layer in layers:
             self.targets[layer.target] = self.targets[ABOVE]
-        spent = spend(self.quality, self.linear, "finished", seen, laid, self.consts)
-        self.programs |= spent.programs
-        self.targets |= spent.targets
-        self.uniforms |= spent.uniforms
+        added = additional_samples(self.quality, self.linear, "finished", redrawn, overlays, self.consts)
+        self.programs |= added.programs
+        self.targets |= added.targets
+        self.uniforms |= added.uniforms
         self.linear = "finished"
-        return [*layers, *spent.passes]
+        return [*layers, *added.passes]
 
-    def _laid(self) -> tuple[tuple[Seen, ...], list[Pass]]:
-        """What lies over surface and sky, as chosen pixels draw it again, and passes that draw points alone for that.
+    def _redrawn_overlays(self) -> tuple[tuple[Redrawn, ...], list[Pass]]:
+        """Return the overlays as they are drawn again for selected pixels, and passes that draw points by themselves.
 
-        Points cannot be drawn where chosen samples lie: these read them from where they were drawn over the whole
-        picture.
+        Points cannot be drawn into the target of the additional samples, which read them from a target of the whole
+        picture instead.
         """
         specs = [spec for spec in self.collection.passes if spec.stage == "after" and spec.target == ABOVE]
-        seen: list[Seen] = []
+        overlays: list[Redrawn] = []
         layers: list[Pass] = []
         for spec in specs:
-            for one in self._passes_of(spec):
-                if isinstance(one.mesh, Fullscreen):
-                    files = spec.fragment if one.program == spec.program else spec.under
-                    seen.append(Seen(one, tuple(self._pieces(files))))
+            for drawn in self._passes_of(spec):
+                if isinstance(drawn.mesh, Fullscreen):
+                    files = spec.fragment if drawn.program == spec.program else spec.under
+                    overlays.append(Redrawn(drawn, tuple(self._pieces(files))))
                     continue
                 layer = ABOVE
                 if len(specs) > 1:
                     layer = f"{spec.name}, alone"
-                    layers.append(_cleared(one).model_copy(update={"name": layer, "target": layer}))
+                    layers.append(_cleared(drawn).model_copy(update={"name": layer, "target": layer}))
                 reads = {"program": "points", "inputs": {"u_points": TargetInput(target=layer)}, "uniforms": {}}
-                seen.append(Seen(one.model_copy(update=reads), SPREAD))
-        return tuple(seen), layers
+                overlays.append(Redrawn(drawn.model_copy(update=reads), SPREAD))
+        return tuple(overlays), layers
 
 
-def _cleared(one: Pass) -> Pass:
-    """The pass into a target that is cleared first."""
-    return one.model_copy(update={"state": one.state.model_copy(update={"clear": True})})
+def _cleared(drawn: Pass) -> Pass:
+    """Return the pass with its target cleared first."""
+    return drawn.model_copy(update={"state": drawn.state.model_copy(update={"clear": True})})

@@ -1,4 +1,4 @@
-"""GLSL assembly: files and joining functions, in order, after one prologue with the compile-time numbers."""
+"""GLSL assembly: files and joining functions, in order, after a prologue with the compile-time constants."""
 
 import hashlib
 import re
@@ -19,7 +19,7 @@ PROLOGUE = (
 )
 
 COMMON = ("lib/numbers.glsl", "lib/camera.glsl")
-"""Files that most fragment shaders begin with."""
+"""First files of most fragment shaders."""
 FULLSCREEN = ("vertex/fullscreen.glsl",)
 """The vertex shader of a triangle that covers its target."""
 
@@ -32,6 +32,14 @@ Consts = Mapping[str, Const]
 def read_file(path: str) -> str:
     """Return the source of a file of ``shaders/``. Raises ``FileNotFoundError``."""
     return (data_dir("shaders") / path).read_text(encoding="utf-8")
+
+
+def source_text(source: Source) -> str:
+    """Return the source of a file, its names replaced. Raises ``FileNotFoundError``."""
+    text = read_file(source.path)
+    for old, new in source.rename:
+        text = re.sub(rf"\b{old}\b", new, text)
+    return text
 
 
 def const_line(name: str, value: Const) -> str:
@@ -48,7 +56,7 @@ def const_line(name: str, value: Const) -> str:
 
 
 def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[Piece]:
-    """The files and joining functions that make up a slot."""
+    """Return the files and joining functions of a slot."""
     files = [file for file in chosen if file.slot == slot.name]
     pieces: list[Piece] = []
     for file in files:
@@ -61,9 +69,9 @@ def slot_pieces(slot: Slot, chosen: Sequence[SlotFile]) -> list[Piece]:
 
 
 def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
-    """A shader from files of ``shaders/``, each once, and text in between.
+    """Return a shader from files of ``shaders/``, each included once, and inline source.
 
-    Only the constants that the text names are defined.
+    Only constants that occur in the source are defined.
     """
     parts: list[tuple[str, str]] = []
     seen: set[Source] = set()
@@ -74,10 +82,7 @@ def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
         source = piece if isinstance(piece, Source) else Source(piece)
         if source not in seen:
             seen.add(source)
-            text = read_file(source.path)
-            for old, new in source.rename:
-                text = re.sub(rf"\b{old}\b", new, text)
-            parts.append((source.path, text))
+            parts.append((source.path, source_text(source)))
     words = frozenset[str]().union(*(_words(text) for _, text in parts))
     text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
     files: list[SourceFile] = []

@@ -1,44 +1,43 @@
-"""Linking: each pass gets the textures that its program reads, each declared uniform its rule."""
+"""Linking: assigns to each pass the inputs that its program reads, and to each declared uniform its rule."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
-from seafoam.effects.effect import PlanError, TextureUse
+from seafoam.effects.effect import AssemblyError, PlanError, TextureUse
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.resources import Target, Texture
 from seafoam.framegraph.rules import CameraRule, Uniform, Viewport, number, significant, vector
 from seafoam.framegraph.shader import Program, declared_uniforms
-from seafoam.planner.collect import AssemblyError
-from seafoam.textures import texture
+from seafoam.textures import texture, url_of
 
-MOST_SAMPLERS = 16
+MAX_SAMPLERS = 16
 """Maximum number of textures of a fragment shader that WebGL2 guarantees (MAX_TEXTURE_IMAGE_UNITS)."""
 
 
 def camera_uniforms(
-    top: float, trough: float, steepest: float, grain: float, bounds: Sequence[float]
+    max_height: float, min_height: float, max_slope: float, map_error: float, bounds: Sequence[float]
 ) -> dict[str, Uniform]:
-    """Uniforms of the camera and of the surface's bounds, which any shader may declare."""
+    """Return the uniforms of the camera and of the surface's bounds, which any shader may declare."""
     return {
         "u_viewport": Uniform(type="vec2", rules=(Viewport(),)),
         "u_eye_height": Uniform(type="float", rules=(CameraRule(what="eye_height"),)),
         "u_ray_x": Uniform(type="vec3", rules=(CameraRule(what="ray_x"),)),
         "u_ray_y": Uniform(type="vec3", rules=(CameraRule(what="ray_y"),)),
         "u_ray_z": Uniform(type="vec3", rules=(CameraRule(what="ray_z"),)),
-        "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=top),)),
-        "u_surface_top": number(top),
-        "u_surface_trough": number(significant(trough)),
-        "u_surface_steepest": number(steepest),
+        "u_view_projection": Uniform(type="mat4", rules=(CameraRule(what="view_projection", top=max_height),)),
+        "u_surface_top": number(max_height),
+        "u_surface_trough": number(significant(min_height)),
+        "u_surface_steepest": number(max_slope),
         "u_surface_bounds": vector(tuple(bounds)),
-        "u_surface_grain": number(significant(grain)),
+        "u_surface_grain": number(significant(map_error)),
     }
 
 
 def texture_entry(use: TextureUse) -> Texture:
-    """The plan's entry for a texture of the store."""
+    """Return the plan's entry for a texture of the store."""
     data = texture(use.source)
     return Texture(
-        url=f"/api/textures/{use.source}",
+        url=url_of(use.source),
         sha256=data.sha256,
         format=data.format,
         width=data.width,
@@ -49,25 +48,27 @@ def texture_entry(use: TextureUse) -> Texture:
     )
 
 
-def with_inputs(of: Pass, programs: Mapping[str, Program], uniforms: Mapping[str, Uniform]) -> Pass:
-    """The pass with the inputs that its program reads.
+def with_inputs(drawn: Pass, programs: Mapping[str, Program], uniforms: Mapping[str, Uniform]) -> Pass:
+    """Return the pass with only the inputs that its program reads.
 
-    Raises :class:`AssemblyError` where a uniform has no rule or a sampler no input.
+    Raises :class:`AssemblyError` if a uniform has no rule or a sampler no input.
     """
-    program = programs[of.program]
+    program = programs[drawn.program]
     declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
     samplers = {name for name, sampler in declared.items() if sampler}
     for name in sorted(declared.keys() - samplers):
-        if name not in uniforms and name not in of.uniforms:
-            raise AssemblyError(f"pass {of.name}: uniform {name} has no rule")
-    missing = samplers - of.inputs.keys()
+        if name not in uniforms and name not in drawn.uniforms:
+            raise AssemblyError(f"pass {drawn.name}: uniform {name} has no rule")
+    missing = samplers - drawn.inputs.keys()
     if missing:
-        raise AssemblyError(f"pass {of.name}: no source for {sorted(missing)}")
-    return of.model_copy(update={"inputs": {name: source for name, source in of.inputs.items() if name in samplers}})
+        raise AssemblyError(f"pass {drawn.name}: no source for {sorted(missing)}")
+    return drawn.model_copy(
+        update={"inputs": {name: source for name, source in drawn.inputs.items() if name in samplers}}
+    )
 
 
 def declared_in(uniforms: Mapping[str, Uniform], programs: Mapping[str, Program]) -> dict[str, Uniform]:
-    """The uniforms that some program declares."""
+    """Return the uniforms that at least one program declares."""
     declared: set[str] = set()
     for program in programs.values():
         declared |= declared_uniforms(program.vertex).keys() | declared_uniforms(program.fragment).keys()
@@ -85,28 +86,28 @@ def live_fields(uniforms: Mapping[str, Uniform]) -> set[str]:
 
 
 def refuse_too_many_samplers(program: Program, readers: Mapping[str, str]) -> None:
-    """Raise :class:`PlanError` if a shader reads more than :data:`MOST_SAMPLERS` textures.
+    """Raise :class:`PlanError` if a shader reads more than :data:`MAX_SAMPLERS` textures.
 
-    ``readers``: sampler -> the effect that adds it.
+    ``readers``: sampler -> name of the effect that adds it.
     """
     samplers = [name for name, sampler in declared_uniforms(program.fragment).items() if sampler]
-    if len(samplers) > MOST_SAMPLERS:
+    if len(samplers) > MAX_SAMPLERS:
         shares = Counter(readers.get(name, "other") for name in samplers)
-        most = ", ".join(f"{name} {count}" for name, count in shares.most_common())
+        counts = ", ".join(f"{name} {count}" for name, count in shares.most_common())
         raise PlanError(
             "",
             f"too many effects together: one shader would read {len(samplers)} textures, and WebGL2 guarantees "
-            f"{MOST_SAMPLERS} ({most}); leave out one of these",
+            f"{MAX_SAMPLERS} ({counts}); leave out one of these",
         )
 
 
-def refuse_integers(of: Pass, targets: Mapping[str, Target]) -> None:
-    """Raise :class:`AssemblyError` if a pass clears, blends or filters integers, which GL leaves undefined."""
-    target = targets.get(of.target)
+def refuse_integers(drawn: Pass, targets: Mapping[str, Target]) -> None:
+    """Raise :class:`AssemblyError` if a pass clears, blends or filters integers, which is undefined in GL."""
+    target = targets.get(drawn.target)
     if target is None or target.format != "RG32UI":
         return
-    if of.state != State() or of.mesh != Fullscreen() or target.depth or target.filter != "nearest":
+    if drawn.state != State() or drawn.mesh != Fullscreen() or target.depth or target.filter != "nearest":
         raise AssemblyError(
-            f"pass {of.name}: a target of integers must be drawn over its whole area, without depth or blending, and "
-            "read texel by texel"
+            f"pass {drawn.name}: a target of integers must be drawn as a whole, without depth or blending, and "
+            "read by texelFetch"
         )

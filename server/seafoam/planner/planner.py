@@ -2,7 +2,8 @@
 
 from functools import lru_cache
 
-from seafoam.effects import EFFECTS
+from seafoam.effects import EFFECTS, outside
+from seafoam.effects.registry import CHANGED
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.visibility import everywhere
 from seafoam.planner.collect import Collection
@@ -31,20 +32,20 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     :class:`seafoam.effects.effect.PlanError` if the scene names something that does not exist, such as an unknown mask,
     or more effects together than one shader can read the textures of.
     """
-    scene = _with_steepest_waves(scene, quality.waves)
-    collection = Collection(EFFECTS, scene, quality, economy=economy)
+    scene = _steepest_waves(scene, quality.waves)
+    collection = Collection((*EFFECTS, *outside()), scene, quality, economy=economy)
     frame = FrameBuilder(collection, scene, quality)
     passes = frame.passes()
     for program in frame.programs.values():
         refuse_too_many_samplers(program, collection.readers)
-    for each in passes:
-        refuse_integers(each, frame.targets)
+    for drawn in passes:
+        refuse_integers(drawn, frame.targets)
     camera = camera_uniforms(
-        collection.top, collection.trough, collection.steepest, collection.grain, collection.bounds
+        collection.max_height, collection.min_height, collection.max_slope, collection.map_error, collection.bounds
     )
     uniforms = {**collection.uniforms, **camera, **frame.uniforms}
     textures = {name: texture_entry(use) for name, use in collection.textures.items()}
-    linked = [with_inputs(each, frame.programs, uniforms) for each in passes]
+    linked = [with_inputs(drawn, frame.programs, uniforms) for drawn in passes]
     timed, kept = with_setup(linked, frame.programs, uniforms, frame.targets, textures)
     used = declared_in(uniforms, frame.programs)
     plan = FramePlan(
@@ -58,14 +59,17 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         uniforms=used,
         linear=frame.linear,
         samples=quality.samples,
-        top=collection.top,
-        bottom=collection.bottom,
+        top=collection.max_height,
+        bottom=collection.min_ground,
         live=tuple(sorted(live_fields(used) - collection.bound_fields)),
     )
     return plan if economy else everywhere(plan)
 
 
-def _with_steepest_waves(scene: Scene, count: int) -> Scene:
+CHANGED.append(make_plan.cache_clear)
+
+
+def _steepest_waves(scene: Scene, count: int) -> Scene:
     """Return the scene with its ``count`` steepest waves, in their own order."""
     if len(scene.waves) <= count:
         return scene

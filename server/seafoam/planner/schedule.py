@@ -1,4 +1,4 @@
-"""Finds the passes that are drawn once, and what determines their pixels.
+"""Finds the passes that are drawn only once, and what determines their pixels.
 
 A pass is static if neither it nor its inputs depend on time, camera or picture size. Only targets that nothing else
 draws into are kept: all passes into them must be static, the first must replace their whole content, and no other pass
@@ -16,7 +16,8 @@ from seafoam.framegraph.rules import CameraRule, Held, Loop, Phase, Rule, Unifor
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import reads
 
-_HERE = (0.0, 0.0)
+_NO_CAMERA = (0.0, 0.0)
+"""Wavevector of rules that do not depend on the camera's position."""
 
 
 def with_setup(
@@ -26,87 +27,90 @@ def with_setup(
     targets: Mapping[str, Target],
     textures: Mapping[str, Texture],
 ) -> tuple[tuple[Pass, ...], dict[str, str]]:
-    """The passes with their ``when``, and the targets to keep.
+    """Return the passes with their ``when``, and the targets to keep.
 
-    Of the latter: name -> SHA-256 of all that the pixels hang on (:attr:`seafoam.framegraph.plan.FramePlan.kept`).
+    The latter by name, with the SHA-256 of everything that determines their pixels
+    (:attr:`seafoam.framegraph.plan.FramePlan.kept`).
     """
-    used = [_uniforms_of(one, programs[one.program], uniforms) for one in passes]
+    used = [_uniforms_of(drawn, programs[drawn.program], uniforms) for drawn in passes]
     steady = [
-        one.eye == "any"
-        and one.view == "any"
-        and all(_steady(rule) for uniform in of.values() for rule in uniform.rules)
-        for one, of in zip(passes, used, strict=True)
+        drawn.eye == "any"
+        and drawn.view == "any"
+        and all(_steady(rule) for uniform in own.values() for rule in uniform.rules)
+        for drawn, own in zip(passes, used, strict=True)
     ]
     static = _static_targets(passes, steady, targets)
-    timed = tuple(one.model_copy(update={"when": "setup" if one.target in static else "frame"}) for one in passes)
-    read = {name for one in timed if one.when == "frame" for name in reads(one)}
-    found: dict[str, str] = {}
-    for index, one in enumerate(timed):
-        if one.when == "setup":
+    timed = tuple(drawn.model_copy(update={"when": "setup" if drawn.target in static else "frame"}) for drawn in passes)
+    read = {name for drawn in timed if drawn.when == "frame" for name in reads(drawn)}
+    digests: dict[str, str] = {}
+    for index, drawn in enumerate(timed):
+        if drawn.when == "setup":
             inputs = {
-                name: found[source.target] if isinstance(source, TargetInput) else _sampled(textures[source.texture])
-                for name, source in one.inputs.items()
+                name: digests[source.target] if isinstance(source, TargetInput) else _sampled(textures[source.texture])
+                for name, source in drawn.inputs.items()
             }
-            found[one.target] = _digest(
+            digests[drawn.target] = _digest(
                 {
-                    "target": targets[one.target].model_dump(mode="json"),
-                    "held": "" if _covers(one) else found[one.target],
-                    "vertex": programs[one.program].vertex.sha256,
-                    "fragment": programs[one.program].fragment.sha256,
-                    "mesh": one.mesh.model_dump(mode="json"),
-                    "state": one.state.model_dump(mode="json"),
+                    "target": targets[drawn.target].model_dump(mode="json"),
+                    "held": "" if _covers(drawn) else digests[drawn.target],
+                    "vertex": programs[drawn.program].vertex.sha256,
+                    "fragment": programs[drawn.program].fragment.sha256,
+                    "mesh": drawn.mesh.model_dump(mode="json"),
+                    "state": drawn.state.model_dump(mode="json"),
                     "inputs": inputs,
                     "uniforms": {name: _numbers(uniform, index) for name, uniform in used[index].items()},
                 }
             )
-    return timed, {name: digest for name, digest in found.items() if name in read}
+    return timed, {name: digest for name, digest in digests.items() if name in read}
 
 
 def _static_targets(passes: Sequence[Pass], steady: Sequence[bool], targets: Mapping[str, Target]) -> set[str]:
-    drawn: dict[str, list[int]] = {}
-    for index, one in enumerate(passes):
-        drawn.setdefault(one.target, []).append(index)
+    """Return the targets whose pixels are the same in all frames; ``steady``: whether a pass's uniforms are."""
+    writers: dict[str, list[int]] = {}
+    for index, drawn in enumerate(passes):
+        writers.setdefault(drawn.target, []).append(index)
     static = {
         name
-        for name, by in drawn.items()
+        for name, by in writers.items()
         if name in targets
         and isinstance(targets[name].size, FixedSize)
         and all(steady[index] for index in by)
         and _covers(passes[by[0]])
     }
     while True:
-        lost: set[str] = set()
-        for index, one in enumerate(passes):
-            for name in reads(one):
-                by = drawn.get(name, [])
-                # What was not drawn yet, or is drawn again, is another picture in the next frame.
+        changing: set[str] = set()
+        for index, drawn in enumerate(passes):
+            for name in reads(drawn):
+                by = writers.get(name, [])
+                # A target that is read before its first or last pass has other content in the next frame.
                 before = bool(by) and by[0] < index
-                if one.target in static and not (name in static and before):
-                    lost.add(one.target)
-                elif one.target not in static and name in static and not (before and by[-1] < index):
-                    lost.add(name)
-        if not lost:
+                if drawn.target in static and not (name in static and before):
+                    changing.add(drawn.target)
+                elif drawn.target not in static and name in static and not (before and by[-1] < index):
+                    changing.add(name)
+        if not changing:
             return static
-        static -= lost
+        static -= changing
 
 
-def _covers(one: Pass) -> bool:
+def _covers(drawn: Pass) -> bool:
     """Whether a pass replaces the whole content of its target."""
-    return one.state.clear or (isinstance(one.mesh, Fullscreen) and one.state.blend == "none" and not one.state.depth)
+    state = drawn.state
+    return state.clear or (isinstance(drawn.mesh, Fullscreen) and state.blend == "none" and not state.depth)
 
 
-def _uniforms_of(one: Pass, program: Program, uniforms: Mapping[str, Uniform]) -> dict[str, Uniform]:
+def _uniforms_of(drawn: Pass, program: Program, uniforms: Mapping[str, Uniform]) -> dict[str, Uniform]:
     declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
-    return {name: one.uniforms.get(name) or uniforms[name] for name, sampler in declared.items() if not sampler}
+    return {name: drawn.uniforms.get(name) or uniforms[name] for name, sampler in declared.items() if not sampler}
 
 
 def _steady(rule: Rule) -> bool:
     """Whether a rule gives the same numbers in every frame, in a target of fixed size."""
     match rule:
         case Phase() | Held():
-            return rule.rate == 0.0 and rule.k == _HERE
+            return rule.rate == 0.0 and rule.k == _NO_CAMERA
         case Wrap():
-            return rule.k == _HERE
+            return rule.k == _NO_CAMERA
         case Loop() | CameraRule() | Viewport(of="picture"):
             return False
         case _:
@@ -114,7 +118,7 @@ def _steady(rule: Rule) -> bool:
 
 
 def _numbers(uniform: Uniform, index: int) -> list[Any]:
-    """What gives a uniform's numbers; where a scene has them does not matter, and the pass's place only where asked."""
+    """Return what determines a uniform's values: its rules without scene fields, and the pass index if used."""
     rules = [rule.model_dump(mode="json", exclude={"field"}) for rule in uniform.rules]
     return [
         uniform.type,

@@ -1,4 +1,4 @@
-"""The slots of the surface and sky shaders: what may fill them, and how several files of one slot join.
+"""The slots of the surface and sky shaders: which files may fill them, and how several files of a slot are joined.
 
 A slot's files define the same functions, so the planner can pick any. Where a slot takes several files, each prefixes
 its functions, and the planner writes the function that joins them.
@@ -43,10 +43,10 @@ class Join:
 
 @dataclass(frozen=True)
 class Slot:
-    """A place in a shader. ``joins``: where it takes several files; ``default``: what
-    stands there where nothing fills it.
+    """A place in a shader that files fill.
 
-    ``under``: a slot; default and joins go in only where that one is filled.
+    ``joins``: functions that join several files; ``default``: the source if no file fills the slot. ``under``: another
+    slot; default and joins are included only if that one is filled.
     """
 
     name: str
@@ -208,17 +208,17 @@ def land_slots(combine: Literal["max", "product"], foam: bool) -> tuple[Slot, ..
 
 
 def slots_named(name: str, shore: bool = False) -> tuple[Slot, ...]:
-    """The slots of the surface's shader that have a name. Raises ``KeyError``.
+    """Return the slots of the surface's shader with a name. Raises ``KeyError``.
 
-    ``waves`` brings the shore's with it, ``find`` what a march asks, ``sky`` all that a layered sky is joined from.
+    ``waves`` includes the shore's slot, ``find`` those of ray marching, ``sky`` those of a layered sky.
     """
-    together = {
+    names = {
         "waves": {"waves", "shore"},
         "find": {"find", *(slot.name for slot in MARCH_SLOTS)},
         "sky": {slot.name for slot in SKY_SLOTS},
     }.get(name, {name})
     every = (*surface_slots("max", shore), *UNDER_SLOTS, BOUNDS, SHORT_BOUNDS, START)
-    found = tuple(slot for slot in every if slot.name in together)
-    if not found:
+    slots = tuple(slot for slot in every if slot.name in names)
+    if not slots:
         raise KeyError(name)
-    return found
+    return slots

@@ -21,13 +21,13 @@ TIMES = (0.0, 2.7, 1000003.5)
 """Times of same-samples frames, s."""
 SAME_SIZE = (320, 180)
 COSTLY_SIZE = (160, 90)
-"""Of same-samples frames with a shore, an open sea, drifting foam, caustics or boats, which cost ten times as much."""
+"""The same for scenes with a shore, an open sea, drifting foam, caustics or boats, which take ten times as long."""
 SAME_SAMPLES = 4
 CONVERGED_TIME = 2.7
 CONVERGED_SIZE = (160, 90)
 CONVERGED_SAMPLES = 16
 EVERY_LOOK = ("default", "paper-halftone")
-"""Presets that have converged frames, one in every look."""
+"""Presets with converged frames, at least one for every look."""
 PROCESSES = 2
 DIRECTORY = Path("tests/references")
 
@@ -92,16 +92,16 @@ def bake(job: Job, directory: Path) -> float:
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Bake the frames that are missing or of another scene; all of them with ``--force``."""
+    """Bake frames that are missing or show another scene; with ``--force`` all of them."""
     parser = argparse.ArgumentParser(prog="python -m seafoam.reference.bake", description=main.__doc__)
     parser.add_argument("--preset", action="append", choices=preset_names(), help="only this one; may be repeated")
     parser.add_argument("--out", type=Path, default=DIRECTORY)
     parser.add_argument("--force", action="store_true", help="bake current frames too")
-    asked = parser.parse_args(arguments)
-    directory: Path = asked.out
+    options = parser.parse_args(arguments)
+    directory: Path = options.out
     directory.mkdir(parents=True, exist_ok=True)
-    jobs = [job for name in asked.preset or preset_names() for job in jobs_of(name, load_preset(name).scene)]
-    if not asked.force:
+    jobs = [job for name in options.preset or preset_names() for job in jobs_of(name, load_preset(name).scene)]
+    if not options.force:
         jobs = [job for job in jobs if not truth_is_current(truth_file(directory, job.name), job.scene)]
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with (

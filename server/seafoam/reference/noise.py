@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from seafoam.reference.types import Floats, Indices, smoothstep
 
 KEY = 0x9031965F
-"""Of the noise that grounds and foam are torn by."""
+"""Hash key of the noise that textures ground and foam."""
 PERIOD = 256
 GAIN = 0.58
 FINER = 5.0**0.5
 STRENGTH = {2: 4.6207, 3: 4.2631}
-"""Of the first octave, by dimensions: endless octaves then have the standard deviation 1."""
+"""Amplitude of the first octave, by dimensions, so that infinitely many octaves have standard deviation 1."""
 BITS = {2: 16, 3: 10}
 SHIFT = (0.37, 0.71, 0.53)
 _LOW = np.uint64(0xFFFFFFFF)
@@ -21,7 +21,7 @@ _Words = NDArray[np.uint64]
 
 
 def pcg(word: _Words) -> _Words:
-    """One output of PCG-RXS-M-XS 32 (O'Neill 2014) of 32-bit words held in 64 bits."""
+    """One output of PCG-RXS-M-XS 32 (O'Neill 2014) for 32-bit words stored in 64 bits."""
     state = (word * np.uint64(747796405) + np.uint64(2891336453)) & _LOW
     mixed = (((state >> ((state >> np.uint64(28)) + np.uint64(4))) ^ state) * np.uint64(277803737)) & _LOW
     result: _Words = (mixed >> np.uint64(22)) ^ mixed
@@ -43,7 +43,7 @@ def chained(seed: int, *cells: Indices) -> _Words:
 
 
 def corner(key: int, i: Indices, j: Indices) -> Floats:
-    """A number in [0, 1) of whole coordinates (i, j) modulo 2³²; of their shape."""
+    """A random number in [0, 1) for integer coordinates (i, j) modulo 2³²; of their shape."""
     word = np.full(i.shape, key & 0xFFFFFFFF, np.uint64)
     for cell in (i, j):
         word = pcg(word ^ (np.asarray(cell, np.int64).astype(np.uint64) & _LOW))
@@ -51,7 +51,7 @@ def corner(key: int, i: Indices, j: Indices) -> Floats:
 
 
 def value(key: int, x: Floats, z: Floats) -> Floats:
-    """Value noise in [0, 1], one cell a unit; of the shape of ``x``."""
+    """Value noise in [0, 1] with cells of size 1; of the shape of ``x``."""
     i, j = np.floor(x), np.floor(z)
     u, v = smoothstep(0.0, 1.0, x - i), smoothstep(0.0, 1.0, z - j)
     a, b = i.astype(np.int64), j.astype(np.int64)
@@ -62,7 +62,7 @@ def value(key: int, x: Floats, z: Floats) -> Floats:
 
 
 def perlin(x: Floats, seed: int) -> Floats:
-    """Noise at places (r, n), one cell a unit, n 2 or 3; (r,). Gradients are uniform in the cube [−1, 1]ⁿ."""
+    """Gradient noise at (r, n), with cells of size 1, n 2 or 3; (r,). Gradients are uniform in the cube [−1, 1]ⁿ."""
     count, dimensions = x.shape
     bits = BITS[dimensions]
     base = np.floor(x)
@@ -82,7 +82,7 @@ def perlin(x: Floats, seed: int) -> Floats:
 
 
 def fractal(x: Floats, width: Floats, octaves: int, seed: int) -> Floats:
-    """Octaves of :func:`perlin` at places (r, n) seen with a width (r,) in cells; (r,), standard deviation 1."""
+    """Octaves of :func:`perlin` at (r, n), filtered to a width (r,) in cells; (r,), standard deviation 1 unfiltered."""
     dimensions = x.shape[1]
     strength, place, scale = STRENGTH[dimensions], x, 1.0
     total = np.zeros(x.shape[0])

@@ -37,14 +37,14 @@ def nearest(image: Floats, u: Floats, v: Floats) -> Floats:
 
 
 def texel(image: Floats, column: Floats, row: Floats) -> Floats:
-    """The texels of these whole numbers; (r,) or (r, channels)."""
+    """The texels with these integer coordinates; (r,) or (r, channels)."""
     size = image.shape[0]
     result: Floats = image[_wrapped(row, size), _wrapped(column, size)]
     return result
 
 
 def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
-    """Linear between the four nearest texel centres; (r,) or (r, channels)."""
+    """Bilinear between the four nearest texel centres; (r,) or (r, channels)."""
     size = image.shape[0]
     x, y = u * size - 0.5, v * size - 0.5
     i, j = np.floor(x), np.floor(y)
@@ -60,7 +60,7 @@ def bilinear(image: Floats, u: Floats, v: Floats) -> Floats:
 
 
 def trilinear(chain: list[Floats], u: Floats, v: Floats, level: Floats) -> Floats:
-    """Bilinear at the two levels around ``level`` (held to those there are), linear between; (r,) or (r, channels)."""
+    """Bilinear at the two levels around ``level``, clamped to existing ones, linear between; (r,) or (r, channels)."""
     level = np.clip(level, 0.0, len(chain) - 1.0)
     result = np.zeros(u.shape + chain[0].shape[2:])
     below = np.floor(level).astype(np.intp)
@@ -116,9 +116,9 @@ def bspline(image: Floats, u: Floats, v: Floats) -> Spline:
 
 
 def quantile(table: Floats, s: ArrayLike) -> Floats:
-    """Q(s): the B-spline mask is below it on a share s of the plane; s in [0, 1].
+    """Q(s): the value below which the B-spline mask is on a share s of the plane; s in [0, 1].
 
-    The 65 entries stand at even steps of √(s/2) up to s = ½ and of 1 − √((1 − s)/2) above, linear between.
+    The 65 entries are at equal steps of √(s/2) up to s = ½ and of 1 − √((1 − s)/2) above, linear between.
     """
     share = np.clip(np.asarray(s, np.float64), 0.0, 1.0)
     upper = share > 0.5

@@ -8,7 +8,6 @@ import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,30 +15,9 @@ from numpy.typing import NDArray
 from seafoam.reference.renderer.frame import Frame
 from seafoam.reference.renderer.state import Mode
 from seafoam.reference.types import Bools, Floats
+from seafoam.scene.base import non_defaults
 from seafoam.scene.models import Scene
 
-_LATER: dict[str, dict[str, Any]] = {
-    "": {"rings": [], "sea": None, "shore": None, "drift": None, "spray": None, "boats": []},
-    "shore": {"image": None},
-    "foam": {"texture_second": None, "cells": False, "octaves": 1, "life": None, "thickness": 0.0},
-    "foam/saturation": {"decay": None, "lasting": False, "line": 0.0},
-    "water": {"floor_tile": None, "view_below": True, "aeration": 0.0, "plume_depth": 1.5},
-    "water/chop": {"gusts": None},
-    "light": {
-        "day": None,
-        "sky": None,
-        "reflection": "sky",
-        "specular": "glint",
-        "specular_power": 364.0,
-        "specular_perturb": 0.4,
-        "sparkles": None,
-        "caustics": None,
-    },
-}
-"""Fields that scenes gained after frames were baked, by the part of the scene they are in, and their defaults.
-
-Of a list of parts: in each of them.
-"""
 BRIGHTEST = 4.0
 LEVELS = 65535
 
@@ -68,20 +46,11 @@ class Truth:
 
 
 def scene_sha256(scene: Scene) -> str:
-    """SHA-256, in hexadecimal, of the scene as canonical JSON.
+    """SHA-256, in hexadecimal, of the scene's :func:`~seafoam.scene.base.non_defaults`, as canonical JSON.
 
-    Fields that came later count only where they are used: a frame baked before stays the truth of its scene.
+    A new field of the schema does not invalidate baked frames. A changed default does: bake with ``--force``.
     """
-    document = scene.model_dump(mode="json")
-    for part, defaults in _LATER.items():
-        found: Any = document
-        for key in filter(None, part.split("/")):
-            found = found.get(key) or {}
-        for held in found if isinstance(found, list) else [found]:
-            for name, default in defaults.items():
-                if name in held and held[name] == default:
-                    del held[name]
-    text = json.dumps(document, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    text = json.dumps(non_defaults(scene), sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
 
 

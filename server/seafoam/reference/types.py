@@ -12,7 +12,7 @@ Ranks = NDArray[np.uint32] | NDArray[np.int64]
 
 
 def smoothstep(low: float, high: float, x: ArrayLike) -> Floats:
-    """3q² − 2q³ of q = (x − low)/(high − low) held in [0, 1]; low < high; of the shape of ``x``."""
+    """3q² − 2q³ of q = (x − low)/(high − low) clamped to [0, 1]; low < high; of the shape of ``x``."""
     q = np.clip((np.asarray(x, np.float64) - low) / (high - low), 0.0, 1.0)
     result: Floats = q * q * (3.0 - 2.0 * q)
     return result

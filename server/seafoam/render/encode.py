@@ -19,11 +19,11 @@ MEDIA_TYPES: dict[FrameFormat, str] = {
 }
 
 PNG_COMPRESS_LEVEL = 2
-"""ISA-L's level, 0..3: as fast as 1, and as small as zlib's level 1, which takes six times as long."""
+"""Level of ISA-L, 0..3: as fast as its level 1; files as small as by zlib's level 1, which takes six times as long."""
 _SUB = 1
 """The PNG filter of every row: each byte less the same channel of the pixel to its left."""
 WEBP_EFFORT = 10
-"""Pillow's ``quality`` for lossless WebP, which is effort and not loss; 0..100."""
+"""Pillow's ``quality`` of lossless WebP, 0..100, which controls effort, not loss."""
 
 
 def needs_linear(format: FrameFormat) -> bool:
@@ -64,7 +64,7 @@ def _png(pixels: NDArray[Any]) -> bytes:
         plane = pixels[..., channel]
         filtered[:, 0, channel] = plane[:, 0]
         np.subtract(plane[:, 1:], plane[:, :-1], out=filtered[:, 1:, channel])
-    # 8 bits a channel, RGB, the one compression and filter method there is, not interlaced.
+    # 8 bits per channel, RGB, the only defined compression and filter methods, not interlaced.
     header = struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)
     body = isal_zlib.compress(rows, PNG_COMPRESS_LEVEL)
     return b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header) + _chunk(b"IDAT", body) + _chunk(b"IEND", b"")

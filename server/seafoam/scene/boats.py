@@ -1,36 +1,26 @@
 """Boats: course, shape and wake. docs/formulae.md, section 15."""
 
-from typing import Annotated, Literal
+from typing import Literal
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
+
+from seafoam.scene.base import Angle, Part, Place, Rgb
 
 BOATS_MOST = 4
 """Maximum number of boats in a scene."""
 
-_Place = Annotated[float, Field(ge=-1e7, le=1e7)]
 
-_Share = Annotated[float, Field(ge=0.0, le=1.0)]
-
-_Rgb = tuple[_Share, _Share, _Share]
-
-
-class Boat(BaseModel):
+class Boat(Part):
     """A boat that floats on the waves and follows a circular course."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     kind: Literal["sail", "motor"] = Field(default="sail", description="sail: a sloop; motor: a small trawler")
     length: float = Field(
         default=9.0, ge=2.0, le=60.0, description="Overall length, m; all other dimensions scale with it"
     )
-    centre: tuple[_Place, _Place] = Field(default=(0.0, -40.0), description="Centre (x, z) of the circular course, m")
+    centre: tuple[Place, Place] = Field(default=(0.0, -40.0), description="Centre (x, z) of the circular course, m")
     radius: float = Field(default=60.0, ge=5.0, le=2000.0, description="Radius of the course, m; at least 1.5 lengths")
-    bearing: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Position on the course at time 0, as an angle about its centre, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
+    bearing: Angle = Field(
+        default=0.0, description="Position on the course at time 0, as an angle about its centre, rad from +x toward +z"
     )
     turn: Literal["starboard", "port"] = Field(default="starboard", description="Side to which the boat turns")
     speed: float = Field(default=3.0, ge=0.0, le=20.0, description="Speed, m/s; 0: at anchor, the bow along the course")
@@ -56,8 +46,8 @@ class Boat(BaseModel):
         "values steady the boat; 0: no averaging",
     )
     wake: float = Field(default=0.12, ge=0.0, le=2.0, description="Amplitude of the waves at the bow, m; 0: no wake")
-    hull: _Rgb = Field(default=(0.045, 0.09, 0.2), description="Albedo of the hull, linear RGB")
-    sails: _Rgb = Field(default=(0.83, 0.81, 0.76), description="Albedo of the sails or of the wheelhouse, linear RGB")
+    hull: Rgb = Field(default=(0.045, 0.09, 0.2), description="Albedo of the hull, linear RGB")
+    sails: Rgb = Field(default=(0.83, 0.81, 0.76), description="Albedo of the sails or of the wheelhouse, linear RGB")
 
     @model_validator(mode="after")
     def _course_wider_than_the_boat(self) -> "Boat":

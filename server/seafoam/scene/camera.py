@@ -4,31 +4,19 @@ from typing import Annotated
 
 from pydantic import Field
 
-from seafoam.scene.base import Part
+from seafoam.scene.base import Angle, Elevation, Part, Place
 
 
 class Camera(Part):
     """A pinhole camera. Yaw 0 looks toward −z, a positive yaw turns toward +x, a positive pitch looks up."""
 
     position: tuple[
-        Annotated[float, Field(ge=-1e7, le=1e7)],
+        Place,
         Annotated[float, Field(ge=-1000.0, le=1e5)],
-        Annotated[float, Field(ge=-1e7, le=1e7)],
+        Place,
     ] = Field(default=(0.0, 6.0, 0.0), description="Position of the camera, m; y is measured from still water")
-    yaw: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Yaw, rad from −z toward +x",
-        json_schema_extra={"unit": "rad"},
-    )
-    pitch: float = Field(
-        default=-0.15,
-        ge=-1.5708,
-        le=1.5708,
-        description="Pitch, rad; positive looks up",
-        json_schema_extra={"unit": "rad"},
-    )
+    yaw: Angle = Field(default=0.0, description="Yaw, rad from −z toward +x")
+    pitch: Elevation = Field(default=-0.15, description="Pitch, rad; positive looks up")
     roll: float = Field(
         default=0.0,
         ge=-3.1416,

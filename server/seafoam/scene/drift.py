@@ -2,23 +2,20 @@
 
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
+
+from seafoam.scene.base import Part, Place
 
 VORTICES_MOST = 12
 """Maximum number of vortices in a scene."""
 
-_Place = Annotated[float, Field(ge=-1e7, le=1e7)]
 _Speed = Annotated[float, Field(ge=-20.0, le=20.0)]
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class Vortex(_Part):
+class Vortex(Part):
     """A stationary vortex: fastest at its radius, at rest at its centre and beyond six radii."""
 
-    place: tuple[_Place, _Place] = Field(default=(0.0, -30.0), description="Centre (x, z), m")
+    place: tuple[Place, Place] = Field(default=(0.0, -30.0), description="Centre (x, z), m")
     radius: float = Field(
         default=2.0, ge=0.05, le=500.0, description="Distance from the centre at which the flow is fastest, m"
     )
@@ -30,10 +27,10 @@ class Vortex(_Part):
     )
 
 
-class Drift(_Part):
+class Drift(Part):
     """A steady flow over a square, which carries the foam of a ``drift`` saturation."""
 
-    place: tuple[_Place, _Place] = Field(default=(0.0, -30.0), description="Centre of the square (x, z), m")
+    place: tuple[Place, Place] = Field(default=(0.0, -30.0), description="Centre of the square (x, z), m")
     size: float = Field(
         default=60.0, ge=1.0, le=5000.0, description="Side of the square, m; drifting foam exists only inside it"
     )

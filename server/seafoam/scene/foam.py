@@ -1,14 +1,22 @@
 """Foam of a scene: where it comes from, and how it looks."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self, TypeVar
 
 from pydantic import Field, model_validator
 
-from seafoam.scene.base import Part, Share
+from seafoam.scene.base import Angle, Part, Share
 from seafoam.scene.living import MASK_NAME, FoamLife
 
 
-class FrontSaturation(Part):
+class Source(Part):
+    """Base class of sources of foam saturation."""
+
+    def lying_still(self) -> Self:
+        """Return the source without advection, ageing or decay of its foam."""
+        return self
+
+
+class FrontSaturation(Source):
     """Foam that appears at the front of a crest and fades behind it: f = exp(−tan(θ/2 + δ))/C (Yingst et al. 2011).
 
     With several waves θ is the phase of their sum (its analytic signal), so one wave gives the paper's formula.
@@ -48,8 +56,12 @@ class FrontSaturation(Part):
             raise ValueError("decay: requires constants 'text'")
         return self
 
+    def lying_still(self) -> Self:
+        """Return the source without advection, ageing or decay of its foam."""
+        return self.model_copy(update={"decay": None})
 
-class HeightSaturation(Part):
+
+class HeightSaturation(Source):
     """Foam by wave height: f = (H − H0)/(Hmax − H0) (Kryachko 2005)."""
 
     source: Literal["height"] = "height"
@@ -70,7 +82,7 @@ class HeightSaturation(Part):
         return self
 
 
-class SlopeSaturation(Part):
+class SlopeSaturation(Source):
     """Foam on steep water: f = gain (1 − n.y − base), n the normal of the waves (GPU ocean, 2007: base 0)."""
 
     source: Literal["slope"] = "slope"
@@ -94,7 +106,7 @@ class SlopeSaturation(Part):
     )
 
 
-class FoldSaturation(Part):
+class FoldSaturation(Source):
     """Foam where the sea folds, i.e. the Jacobian of its horizontal displacement is small, and for seconds after."""
 
     source: Literal["fold"] = "fold"
@@ -118,8 +130,12 @@ class FoldSaturation(Part):
         "breakers; the mean coverage stays the same",
     )
 
+    def lying_still(self) -> Self:
+        """Return the source without advection, ageing or decay of its foam."""
+        return self.model_copy(update={"lasting": False})
 
-class SurfSaturation(Part):
+
+class SurfSaturation(Source):
     """Foam of the surf: it appears at breaking fronts, remains behind them, and drains down the beach."""
 
     source: Literal["surf"] = "surf"
@@ -137,8 +153,12 @@ class SurfSaturation(Part):
         description="Saturation that the swash leaves on the sand, strongest along the line of maximum run-up",
     )
 
+    def lying_still(self) -> Self:
+        """Return the source without advection, ageing or decay of its foam."""
+        return self.model_copy(update={"line": 0.0})
 
-class DriftSaturation(Part):
+
+class DriftSaturation(Source):
     """Patches of foam that appear on the scene's ``drift`` square, are carried by its flow, and disappear."""
 
     source: Literal["drift"] = "drift"
@@ -151,7 +171,7 @@ class DriftSaturation(Part):
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the patches")
 
 
-class WakeSaturation(Part):
+class WakeSaturation(Source):
     """Foam of boats: the turbulent band behind each boat, and the foam of its bow wave."""
 
     source: Literal["wake"] = "wake"
@@ -170,6 +190,8 @@ Saturation = Annotated[
     | WakeSaturation,
     Field(discriminator="source"),
 ]
+
+S = TypeVar("S", bound=Source)
 
 Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
 
@@ -197,13 +219,7 @@ class Foam(Part):
     mask_tile: float = Field(
         default=12.0, ge=0.05, le=1000.0, description="Side of one tile of the mask, m; smaller gives finer bubbles"
     )
-    mask_angle: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Rotation of the mask about +y, rad",
-        json_schema_extra={"unit": "rad"},
-    )
+    mask_angle: Angle = Field(default=0.0, description="Rotation of the mask about +y, rad")
     cells: bool = Field(
         default=False,
         description="Rotate and shift the mask at random in hexagonal cells of one tile's size, so that it "
@@ -254,17 +270,15 @@ class Foam(Part):
             raise ValueError("life: cannot be combined with a drift saturation, whose flow already carries the foam")
         return self
 
+    def source(self, kind: type[S]) -> S | None:
+        """Return the saturation of a kind; None where there is none."""
+        return next((source for source in self.saturation if isinstance(source, kind)), None)
+
+    def pointer(self, source: Source) -> str:
+        """Return the JSON pointer of one of the saturations in a scene. Raises ``ValueError`` for any other."""
+        return f"/foam/saturation/{self.saturation.index(source)}"
+
     def lying_still(self) -> "Foam":
         """The same foam without what becomes of it after its birth: born anew at each moment, uncarried, flat."""
-        made: list[Saturation] = []
-        for source in self.saturation:
-            match source:
-                case FrontSaturation():
-                    made.append(source.model_copy(update={"decay": None}))
-                case FoldSaturation():
-                    made.append(source.model_copy(update={"lasting": False}))
-                case SurfSaturation():
-                    made.append(source.model_copy(update={"line": 0.0}))
-                case _:
-                    made.append(source)
-        return self.model_copy(update={"saturation": tuple(made), "life": None, "thickness": 0.0})
+        made = tuple(source.lying_still() for source in self.saturation)
+        return self.model_copy(update={"saturation": made, "life": None, "thickness": 0.0})

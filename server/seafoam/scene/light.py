@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from seafoam.scene.base import Part
+from seafoam.scene.base import Angle, Elevation, Part
 from seafoam.scene.sky import Day, Sky, sun_angles
 
 
@@ -49,20 +49,8 @@ class Caustics(Part):
 class Light(Part):
     """Sun, sky and haze. Absent: unlit, white foam on black, as in the paper's equations."""
 
-    sun_azimuth: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Azimuth of the sun, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
-    )
-    sun_elevation: float = Field(
-        default=0.6,
-        ge=-1.5708,
-        le=1.5708,
-        description="Elevation of the sun above the horizon, rad",
-        json_schema_extra={"unit": "rad"},
-    )
+    sun_azimuth: Angle = Field(default=0.0, description="Azimuth of the sun, rad from +x toward +z")
+    sun_elevation: Elevation = Field(default=0.6, description="Elevation of the sun above the horizon, rad")
     turbidity: float = Field(default=2.5, ge=1.0, le=10.0, description="Turbidity of the air: 1 pure, 2 clear, 10 hazy")
     visibility: float = Field(
         default=20000.0, ge=50.0, le=1e6, description="Visibility: distance at which contrast has fallen to 2 %, m"

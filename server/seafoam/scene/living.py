@@ -2,7 +2,9 @@
 
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
+
+from seafoam.scene.base import Angle, Part
 
 MASKS_MOST = 2
 """Maximum number of masks of older foam in a scene."""
@@ -14,10 +16,8 @@ _Mask = Annotated[
 ]
 
 
-class FoamLife(BaseModel):
+class FoamLife(Part):
     """Transport and ageing of foam; applies to the filtered look only."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     carried: bool = Field(
         default=True,
@@ -28,13 +28,10 @@ class FoamLife(BaseModel):
         max_length=MASKS_MOST,
         description="Masks for ageing foam, the oldest last; each must be as large as the foam's own mask",
     )
-    wind_direction: float = Field(
+    wind_direction: Angle = Field(
         default=0.0,
-        ge=-6.2832,
-        le=6.2832,
         description="Direction toward which the wind blows, rad from +x toward +z; sets the wind drift and "
         "the windrows",
-        json_schema_extra={"unit": "rad"},
     )
     wind_drift: float = Field(
         default=0.0,

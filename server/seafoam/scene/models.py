@@ -6,6 +6,7 @@ OpenAPI document, the panel of the web client and the validation errors are all 
 
 from pydantic import Field
 
+from seafoam.extensions import Extensible, Extensions
 from seafoam.scene.base import Part
 from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.camera import Camera
@@ -19,7 +20,11 @@ from seafoam.scene.water import Water
 from seafoam.scene.waves import Sea, Wave
 
 
-class Scene(Part):
+class SceneExtensions(Extensions):
+    """Parts that effects outside the package add to a scene, by name; absent: the effect is off."""
+
+
+class Scene(Extensible, Part):
     """A scene: water, foam, shore, objects, light and camera."""
 
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
@@ -39,3 +44,8 @@ class Scene(Part):
         default_factory=Light, description="Sun, sky and haze; null: unlit, white foam on black"
     )
     camera: Camera = Field(default_factory=Camera)
+    extensions: SceneExtensions = Field(
+        default=SceneExtensions(),
+        exclude_if=lambda given: not dict(given),
+        description="Parts of effects outside the package, by name; absent: off",
+    )

@@ -1,9 +1,10 @@
 """Circular waves from a stone, a drop or a blast (Kryachko 2005)."""
 
 import math
-from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
+
+from seafoam.scene.base import Part, Place
 
 DEAD = 1e-4
 DEAD_SHARE = 1.0 / 256.0
@@ -14,14 +15,10 @@ RINGS_MOST = 100
 """Maximum number of rings in a scene."""
 
 
-class Ring(BaseModel):
+class Ring(Part):
     """Circular waves around a centre: η = (I0 e^(−bs) − d) cos(kρ − ωs) behind a front, from ``birth`` on."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-    place: tuple[Annotated[float, Field(ge=-1e7, le=1e7)], Annotated[float, Field(ge=-1e7, le=1e7)]] = Field(
-        default=(0.0, -20.0), description="Centre (x, z), m"
-    )
+    place: tuple[Place, Place] = Field(default=(0.0, -20.0), description="Centre (x, z), m")
     birth: float = Field(default=0.0, ge=-1e9, le=1e9, description="Time at which the ring starts, s")
     every: float | None = Field(
         default=None,

@@ -4,30 +4,23 @@ import base64
 import binascii
 import io
 from functools import lru_cache
-from typing import Annotated, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
+
+from seafoam.scene.base import Angle, Part, Place, Rgb
 
 Floats = NDArray[np.float64]
 
-_Place = Annotated[float, Field(ge=-1e7, le=1e7)]
-
-_Share = Annotated[float, Field(ge=0.0, le=1.0)]
-
-_Rgb = tuple[_Share, _Share, _Share]
 
 STEPS = 1024
 """Heights are multiples of 1/1024 m, which hides differences in the last bits of square roots."""
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class Surf(_Part):
+class Surf(Part):
     """Shore waves: skewed trochoids x = s − b sin(2π frac(s)^γ), y = a cos(2π frac(s)^γ) (Outerra 2011)."""
 
     height: float = Field(default=1.0, ge=0.0, le=6.0, description="Height of the breakers, m; 0: no surf")
@@ -50,13 +43,7 @@ class Surf(_Part):
         le=1.0,
         description="Strength of the slow variation of the wave height along the coast; 0: all waves break alike",
     )
-    heading: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Direction of travel of the swell, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
-    )
+    heading: Angle = Field(default=0.0, description="Direction of travel of the swell, rad from +x toward +z")
     exposure: float = Field(
         default=0.0,
         ge=0.0,
@@ -65,7 +52,7 @@ class Surf(_Part):
     )
 
 
-class Shore(_Part):
+class Shore(Part):
     """Sea floor and land: a height field over a square; beyond it the floor is level."""
 
     kind: Literal["beach", "island", "islands", "lagoon", "image"] = Field(
@@ -73,14 +60,10 @@ class Shore(_Part):
         description="Shape of the coast. beach: a straight coast across the square; island; islands: several; "
         "lagoon: a ring with an opening; image: heights from `image`",
     )
-    place: tuple[_Place, _Place] = Field(default=(0.0, 0.0), description="Centre of the square (x, z), m")
+    place: tuple[Place, Place] = Field(default=(0.0, 0.0), description="Centre of the square (x, z), m")
     size: float = Field(default=500.0, ge=40.0, le=10000.0, description="Side of the square, m")
-    heading: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Direction of a beach's land, or of a lagoon's opening, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
+    heading: Angle = Field(
+        default=0.0, description="Direction of a beach's land, or of a lagoon's opening, rad from +x toward +z"
     )
     radius: float = Field(default=60.0, ge=1.0, le=4000.0, description="Radius of an island or of a lagoon's ring, m")
     depth: float = Field(default=12.0, ge=0.5, le=1000.0, description="Depth of the level floor offshore, m")
@@ -109,9 +92,9 @@ class Shore(_Part):
         le=60.0,
         description="Standard deviation of the Gaussian that smooths the distance to the shore, m",
     )
-    sand: _Rgb = Field(default=(0.66, 0.56, 0.40), description="Albedo of dry sand, linear RGB")
-    rock: _Rgb = Field(default=(0.27, 0.24, 0.21), description="Albedo of rock, on steep ground, linear RGB")
-    plants: _Rgb = Field(default=(0.06, 0.10, 0.035), description="Albedo of vegetation, linear RGB")
+    sand: Rgb = Field(default=(0.66, 0.56, 0.40), description="Albedo of dry sand, linear RGB")
+    rock: Rgb = Field(default=(0.27, 0.24, 0.21), description="Albedo of rock, on steep ground, linear RGB")
+    plants: Rgb = Field(default=(0.06, 0.10, 0.035), description="Albedo of vegetation, linear RGB")
     plants_from: float = Field(default=2.0, ge=0.0, le=400.0, description="Height above which vegetation grows, m")
     reef: float = Field(
         default=0.5, ge=0.0, le=1.0, description="Fraction of the shallow floor covered by dark reef and seaweed"
@@ -132,25 +115,9 @@ class Shore(_Part):
         return max(self.depth - self.level, 0.1)
 
     @property
-    def ground(self) -> str:
-        """Everything that determines the height field, as text; equal texts have the same floor."""
-        values = [str(getattr(self, name)) for name in _GROUND]
-        if self.image is not None:
-            # The alphabet of base64 that addresses take.
-            values.append(self.image.replace("+", "-").replace("/", "_"))
-        return ",".join(values)
-
-    @staticmethod
-    def of_ground(text: str) -> "Shore":
-        """Return a shore with the ground described by :attr:`ground`. Raises ``ValueError`` if the text is invalid."""
-        values = text.split(",")
-        names = _GROUND if len(values) == len(_GROUND) else (*_GROUND, "image")
-        if len(values) != len(names):
-            raise ValueError(text)
-        found = dict(zip(names, values, strict=True))
-        if "image" in found:
-            found["image"] = found["image"].replace("-", "+").replace("_", "/")
-        return Shore.model_validate(found)
+    def ground(self) -> "Shore":
+        """The same ground, all else at its default: equal ones have the same height field."""
+        return Shore.model_construct(**{name: getattr(self, name) for name in _GROUND})
 
 
 _GROUND = (
@@ -165,7 +132,9 @@ _GROUND = (
     "roughness",
     "level",
     "seed",
+    "image",
 )
+"""Fields that determine the height field."""
 
 
 @lru_cache(maxsize=16)

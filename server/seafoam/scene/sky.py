@@ -3,38 +3,26 @@
 import math
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
-from pydantic.config import JsonDict
+from pydantic import Field
 
-_RAD: JsonDict = {"unit": "rad"}
+from seafoam.scene.base import Angle, Elevation, Part
+
 TILT = math.radians(23.44)
 """Axial tilt of the earth, rad."""
 
 Direction = tuple[float, float, float]
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class Day(_Part):
+class Day(Part):
     """Time of day and place on earth, which determine the sun's position."""
 
     hour: float = Field(default=12.0, ge=0.0, le=24.0, description="Solar time, h; the sun is highest at 12")
     date: float = Field(default=172.0, ge=1.0, le=366.0, description="Day of the year; 172 is 21 June")
-    latitude: float = Field(
-        default=0.8, ge=-1.5708, le=1.5708, description="Latitude, rad; positive is north", json_schema_extra=_RAD
-    )
-    north: float = Field(
-        default=-1.5708,
-        ge=-6.2832,
-        le=6.2832,
-        description="Azimuth of north, rad from +x toward +z",
-        json_schema_extra=_RAD,
-    )
+    latitude: Elevation = Field(default=0.8, description="Latitude, rad; positive is north")
+    north: Angle = Field(default=-1.5708, description="Azimuth of north, rad from +x toward +z")
 
 
-class Clouds(_Part):
+class Clouds(Part):
     """A thin layer of clouds: gradient noise that drifts with the wind and changes shape."""
 
     cover: Annotated[float, Field(ge=0.0, le=1.0, description="Fraction of the sky covered by clouds")] = 0.4
@@ -53,34 +41,18 @@ class Clouds(_Part):
     size: float = Field(default=2500.0, ge=50.0, le=50000.0, description="Size of the largest clouds, m")
     height: float = Field(default=1800.0, ge=200.0, le=15000.0, description="Altitude of the cloud layer, m")
     wind: float = Field(default=8.0, ge=0.0, le=100.0, description="Drift speed of the clouds, m/s")
-    wind_direction: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Direction toward which the clouds drift, rad from +x toward +z",
-        json_schema_extra=_RAD,
+    wind_direction: Angle = Field(
+        default=0.0, description="Direction toward which the clouds drift, rad from +x toward +z"
     )
     change: float = Field(default=400.0, ge=10.0, le=1e6, description="Time scale on which a cloud changes shape, s")
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the clouds")
 
 
-class Moon(_Part):
+class Moon(Part):
     """A moon; its phase follows from the sun's position. It lights the water when the sun is well below the horizon."""
 
-    azimuth: float = Field(
-        default=-1.2,
-        ge=-6.2832,
-        le=6.2832,
-        description="Azimuth of the moon, rad from +x toward +z",
-        json_schema_extra=_RAD,
-    )
-    elevation: float = Field(
-        default=0.35,
-        ge=-1.5708,
-        le=1.5708,
-        description="Elevation of the moon above the horizon, rad",
-        json_schema_extra=_RAD,
-    )
+    azimuth: Angle = Field(default=-1.2, description="Azimuth of the moon, rad from +x toward +z")
+    elevation: Elevation = Field(default=0.35, description="Elevation of the moon above the horizon, rad")
     brightness: float = Field(
         default=1.0,
         ge=0.0,
@@ -92,7 +64,7 @@ class Moon(_Part):
     )
 
 
-class Sky(_Part):
+class Sky(Part):
     """A sky with longer light paths near the horizon; absent: a plain clear sky."""
 
     haze: float = Field(default=0.5, ge=0.0, le=20.0, description="Optical depth of the haze along the horizon")
@@ -101,7 +73,7 @@ class Sky(_Part):
     moon: Moon | None = Field(default=None, description="Moon; absent: none")
 
 
-class Gusts(_Part):
+class Gusts(Part):
     """Gusts: moving patches of rougher and smoother ripples."""
 
     strength: float = Field(

@@ -1,15 +1,15 @@
 """Spray: drops thrown up by waves, and rocks on which surf breaks. docs/formulae.md, section 13."""
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
+
+from seafoam.scene.base import Angle, Part
 
 DROPS = 16384
 """Number of drops; a quality that draws fewer draws each larger."""
 
 
-class Spray(BaseModel):
+class Spray(Part):
     """Drops thrown up where waves rise fast, or, with a shore, where surf breaks on rocks."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     threshold: float = Field(
         default=1.5,
@@ -40,12 +40,8 @@ class Spray(BaseModel):
     )
     life: float = Field(default=2.5, ge=0.2, le=8.0, description="Lifetime of a drop, s")
     wind: float = Field(default=3.0, ge=0.0, le=40.0, description="Speed of the wind that carries the drops, m/s")
-    wind_direction: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Direction toward which the wind blows, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
+    wind_direction: Angle = Field(
+        default=0.0, description="Direction toward which the wind blows, rad from +x toward +z"
     )
     reach: float = Field(
         default=60.0,

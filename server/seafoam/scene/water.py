@@ -4,19 +4,15 @@ from typing import Annotated
 
 from pydantic import Field
 
-from seafoam.scene.base import Part, Rgb
+from seafoam.scene.base import Angle, Part, Rgb
 from seafoam.scene.sky import Gusts
 
 
 class Chop(Part):
     """Wind ripples: they tilt the surface normal but do not change the surface height."""
 
-    wind_direction: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Direction toward which the wind blows, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
+    wind_direction: Angle = Field(
+        default=0.0, description="Direction toward which the wind blows, rad from +x toward +z"
     )
     slope: float = Field(default=0.12, ge=0.0, le=0.6, description="Root mean square slope of the ripples")
     spread: float = Field(

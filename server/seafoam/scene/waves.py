@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from seafoam.scene.base import Part, Share
+from seafoam.scene.base import Angle, Part, Share
 
 
 class ParametricWave(Part):
@@ -13,26 +13,14 @@ class ParametricWave(Part):
     model: Literal["parametric"] = "parametric"
     amplitude: float = Field(default=0.5, ge=0.0, le=50.0, description="A: height of the crest above the trough, m")
     wavelength: float = Field(default=12.0, ge=0.05, le=2000.0, description="λ: wavelength in deep water, m")
-    direction: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Direction of travel, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
-    )
+    direction: Angle = Field(default=0.0, description="Direction of travel, rad from +x toward +z")
     exponent: float = Field(
         default=2.0,
         ge=0.1,
         le=100.0,
         description="K: exponent of the profile; 1 is a sine, larger values sharpen the crests",
     )
-    phase: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Phase θ at the origin at time 0, rad",
-        json_schema_extra={"unit": "rad"},
-    )
+    phase: Angle = Field(default=0.0, description="Phase θ at the origin at time 0, rad")
     speed: float | None = Field(
         default=None, ge=0.0, le=200.0, description="s: phase speed, m/s; absent: √(gλ/2π), the speed in deep water"
     )
@@ -57,12 +45,8 @@ class Sea(Part):
         le=1e7,
         description="Fetch: distance over which the wind blows across the sea, m; longer gives higher and longer waves",
     )
-    wind_direction: float = Field(
-        default=0.0,
-        ge=-6.2832,
-        le=6.2832,
-        description="Direction toward which the wind blows, rad from +x toward +z",
-        json_schema_extra={"unit": "rad"},
+    wind_direction: Angle = Field(
+        default=0.0, description="Direction toward which the wind blows, rad from +x toward +z"
     )
     spread: float = Field(
         default=6.0,

@@ -1,25 +1,35 @@
-"""Texture data that plans refer to: the same bytes for every executor, generated from the name."""
+"""Textures that plans refer to: typed descriptions, and the same bytes for every executor."""
 
-from seafoam.textures.foam import foam_texture
-from seafoam.textures.front import FRONT_NODES, front_fading, front_full, front_integral_name
-from seafoam.textures.sea import sea_spectrum_name
-from seafoam.textures.shore import ROWS, shore_floor_name, shore_profiles, shore_profiles_name
-from seafoam.textures.spray import spray_rocks_name
-from seafoam.textures.store import TextureData, UnknownTextureError, texture
+from seafoam.textures.foam import FoamTexture, foam_texture
+from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
+from seafoam.textures.masks import MaskTable, MaskTexture
+from seafoam.textures.sea import FftTwiddles, SeaSpectrum
+from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, shore_profiles
+from seafoam.textures.spec import TextureSpec, UnknownTextureError
+from seafoam.textures.spray import SprayRocks
+from seafoam.textures.store import TextureData, spec_at, spec_of, texture, url_of
 
 __all__ = [
     "FRONT_NODES",
     "ROWS",
+    "FftTwiddles",
+    "FoamTexture",
+    "FrontIntegral",
+    "MaskTable",
+    "MaskTexture",
+    "SeaSpectrum",
+    "ShoreFloor",
+    "ShoreProfiles",
+    "SprayRocks",
     "TextureData",
+    "TextureSpec",
     "UnknownTextureError",
     "foam_texture",
     "front_fading",
     "front_full",
-    "front_integral_name",
-    "sea_spectrum_name",
-    "shore_floor_name",
     "shore_profiles",
-    "shore_profiles_name",
-    "spray_rocks_name",
+    "spec_at",
+    "spec_of",
     "texture",
+    "url_of",
 ]

@@ -1,10 +1,13 @@
-"""The foam texture: a froth of bubbles of several sizes, bright where walls meet. Ours, tileable, deterministic."""
+"""The foam texture: bubbles of several sizes with bright walls. Tileable and deterministic."""
 
 from functools import lru_cache
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
+
+from seafoam.textures.spec import Image, TextureSpec
 
 SIZE = 256
 """Texels along a side."""
@@ -12,6 +15,20 @@ _LAYERS = ((17, 0.55, 11), (41, 0.45, 12))
 """Cells along a side, weight and seed of each layer of bubbles."""
 _STEPS = 1024
 """Values are whole multiples of 1/1024, which half floats hold exactly."""
+
+
+class FoamTexture(TextureSpec):
+    """The foam texture, R8, all levels: means of 2 × 2 texels."""
+
+    kind: ClassVar[str] = "foam"
+
+    def image(self) -> Image:
+        """Return :func:`foam_texture` and its mip levels."""
+        levels = [foam_texture()]
+        while len(levels[-1]) > 1:
+            fine = levels[-1]
+            levels.append(0.25 * (fine[0::2, 0::2] + fine[1::2, 0::2] + fine[0::2, 1::2] + fine[1::2, 1::2]))
+        return Image("R8", tuple(np.round(255.0 * level).astype(np.uint8) for level in levels))
 
 
 @lru_cache(maxsize=1)

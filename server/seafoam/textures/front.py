@@ -2,23 +2,35 @@
 
 import math
 from functools import lru_cache
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
+
+from seafoam.textures.spec import Image, TextureSpec
 
 FRONT_NODES = 256
 """Nodes of the table."""
 _GAUSS = tuple(zip(*(part.tolist() for part in np.polynomial.legendre.leggauss(8)), strict=True))
 
 
+class FrontIntegral(TextureSpec):
+    """The integral of the front saturation, RGBA32F (1, 256), see :func:`front_integral`."""
+
+    kind: ClassVar[str] = "front-integral"
+
+    intensity: float = Field(ge=0.01, le=1e4, description="C")
+    log_base: float = Field(ge=0.1, le=10.0, description="ln E")
+
+    def image(self) -> Image:
+        """Return the table as a row."""
+        return Image("RGBA32F", (front_integral(self.intensity, self.log_base).astype("<f4")[None],))
+
+
 def front_full(intensity: float, log_base: float) -> float:
     """ψ₁ in (0, 2π): up to here min(f, 1) is 1, rad. ``intensity``: C; ``log_base``: ln E."""
     return 2.0 * math.atan2(log_base, math.log(intensity))
-
-
-def front_integral_name(intensity: float, log_base: float) -> str:
-    """Name in the texture store of the table for C and ln E."""
-    return f"front-integral/{intensity!r}/{log_base!r}"
 
 
 def front_fading(intensity: float, log_base: float) -> float:

@@ -1,56 +1,55 @@
 """The spectrum of an open sea as a texture, and the roots of unity of its transform."""
 
 import math
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ValidationError
+from pydantic import Field, field_validator
 
 from seafoam.ocean.cascades import cascades
-from seafoam.scene.water import Water
 from seafoam.scene.waves import Sea
+from seafoam.textures.spec import Image, TextureSpec
 
 ROOTS = 512
 
 
-class UnknownSeaError(KeyError):
-    """The words name no sea."""
+class SeaSpectrum(TextureSpec):
+    """Spectrum of an FFT sea, RG32F (4·BAND, 8·BAND): first (Re, Im) of h₀ in m, then (turns in a loop, 0)."""
+
+    kind: ClassVar[str] = "sea"
+
+    sea: Sea
+    depth: float | None = Field(default=None, ge=0.05, le=11000.0, description="m; absent: deep water")
+
+    @field_validator("sea")
+    @classmethod
+    def _spectrum_alone(cls, sea: Sea) -> Sea:
+        """Return the sea without what its spectrum does not depend on."""
+        plain = Sea()
+        return sea.model_copy(update={"model": plain.model, "choppiness": plain.choppiness})
+
+    def image(self) -> Image:
+        """Return the spectrum of all tiles, side by side."""
+        made = cascades(self.sea, self.depth)
+        amplitude = np.concatenate([of.h0 for of in made], axis=1)
+        turns = np.concatenate([of.turns for of in made], axis=1)
+        below = np.stack((amplitude.real, amplitude.imag), axis=-1)
+        above = np.stack((turns, np.zeros_like(turns)), axis=-1)
+        return Image("RG32F", (np.concatenate((below, above)).astype("<f4"),))
 
 
-def sea_spectrum_name(sea: Sea, depth: float | None) -> str:
-    """Name in the texture store of an FFT sea's spectrum over water of a depth, m."""
-    numbers = (sea.wind, sea.fetch, sea.wind_direction, sea.spread, sea.against)
-    words = [f"{value:.9g}" for value in numbers]
-    return "/".join(["sea", *words, str(sea.seed), "deep" if depth is None else f"{depth:.9g}"])
+class FftTwiddles(TextureSpec):
+    """Roots of unity, RG32F (1, 512)."""
 
+    kind: ClassVar[str] = "fft-twiddles"
 
-def sea_spectrum(words: list[str]) -> NDArray[np.float32]:
-    """(4·BAND, 8·BAND, 2) float32 of the words behind ``sea/``: first (Re, Im) of h₀ in m, then (turns in a loop, 0).
-
-    Raises :class:`UnknownSeaError`.
-    """
-    try:
-        wind, fetch, direction, spread, against, seed, depth = words
-        sea = Sea(
-            wind=float(wind),
-            fetch=float(fetch),
-            wind_direction=float(direction),
-            spread=float(spread),
-            against=float(against),
-            seed=int(seed),
-        )
-        water = Water(depth=None if depth == "deep" else float(depth))
-    except (ValueError, ValidationError) as error:
-        raise UnknownSeaError("/".join(words)) from error
-    made = cascades(sea, water.depth)
-    amplitude = np.concatenate([of.h0 for of in made], axis=1)
-    turns = np.concatenate([of.turns for of in made], axis=1)
-    below = np.stack((amplitude.real, amplitude.imag), axis=-1)
-    above = np.stack((turns, np.zeros_like(turns)), axis=-1)
-    return np.concatenate((below, above)).astype(np.float32)
+    def image(self) -> Image:
+        """Return :func:`fft_twiddles` as a row."""
+        return Image("RG32F", (fft_twiddles()[None].astype("<f4"),))
 
 
 def fft_twiddles() -> NDArray[np.float32]:
-    """(512, 2) float32: cos and sin of j/512 of a turn, by ``math`` alone."""
+    """(512, 2) float32: cos and sin of 2πj/512, computed by ``math`` alone."""
     angles = [2.0 * math.pi * j / ROOTS for j in range(ROOTS)]
     return np.array([(math.cos(angle), math.sin(angle)) for angle in angles], np.float32)

@@ -1,40 +1,57 @@
 """Textures of shores: the floor's heights, and the table of shore-wave profiles. docs/formulae.md, section 8."""
 
 from functools import lru_cache
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field, field_validator
 
 from seafoam.ocean.seabed import floor_grid
 from seafoam.scene.shore import Shore
+from seafoam.textures.spec import Image, TextureSpec
 
 ROWS = 16
 """Profiles: γ from 1 (row 0) to the skew of a breaking wave (last row)."""
 FRONT = 0.012
 """Standard deviation of the Gaussian that smooths profiles, in wavelengths: a height field cannot overhang."""
-_SIZES = (32, 64, 128, 256, 512, 1024)
+Side = Literal[32, 64, 128, 256, 512, 1024]
 
 
-def shore_floor_name(shore: Shore, texels: int) -> str:
-    """Name in the texture store of a shore's height field."""
-    return f"shore-floor/{texels}/{shore.ground}"
+class ShoreFloor(TextureSpec):
+    """A shore's height field, RG32F (texels, texels): height (m) and tint."""
+
+    kind: ClassVar[str] = "shore-floor"
+
+    shore: Shore
+    texels: Side
+
+    @field_validator("shore")
+    @classmethod
+    def _ground_alone(cls, shore: Shore) -> Shore:
+        return shore.ground
+
+    def image(self) -> Image:
+        """Return :func:`seafoam.ocean.seabed.floor_grid`."""
+        return Image("RG32F", (floor_grid(self.shore, self.texels).astype("<f4"),))
 
 
-def shore_floor(texels: str, ground: str) -> NDArray[np.float32]:
-    """(texels, texels, 2) float32: height (m) and tint. Raises ``ValueError`` for what no shore has."""
-    if texels not in map(str, _SIZES):
-        raise ValueError(texels)
-    shore = Shore.of_ground(ground)
-    return floor_grid(shore, int(texels)).astype(np.float32)
+class ShoreProfiles(TextureSpec):
+    """Profiles of shore waves, RG32F (ROWS, nodes): each height beside that of the next row."""
 
+    kind: ClassVar[str] = "shore-profiles"
 
-def shore_profiles_name(skew: float, sharpness: float, nodes: int) -> str:
-    """Name in the texture store of a table of profiles."""
-    return f"shore-profiles/{nodes}/{skew!r}/{sharpness!r}"
+    nodes: Side
+    skew: float = Field(ge=0.0, le=1.0)
+    sharpness: float = Field(ge=0.0, le=0.15)
+
+    def image(self) -> Image:
+        """Return :func:`shore_profiles` with the next row."""
+        return Image("RG32F", (with_next_row(shore_profiles(self.nodes, self.skew, self.sharpness)).astype("<f4"),))
 
 
 def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(rows, nodes, 2): each entry beside that of the next row, so that a fetch gets both; the last row has itself."""
+    """(rows, nodes, 2): each entry with that of the next row, for one fetch of both; the last row is repeated."""
     return np.stack([table, np.concatenate([table[1:], table[-1:]])], axis=-1)
 
 
@@ -42,10 +59,8 @@ def with_next_row(table: NDArray[np.float32]) -> NDArray[np.float32]:
 def shore_profiles(nodes: int, skew: float, sharpness: float) -> NDArray[np.float32]:
     """(ROWS, nodes) float32: height of a wave in [0, 1] at x = (i + ½)/nodes wavelengths, the front toward rising x.
 
-    Where the trochoid overhangs, the highest of its branches counts. Raises ``ValueError`` out of range.
+    Where the trochoid overhangs, the highest of its branches counts.
     """
-    if nodes not in _SIZES or not (0.0 <= skew <= 1.0 and 0.0 <= sharpness <= 0.15):
-        raise ValueError(nodes, skew, sharpness)
     fine = 2048
     u = np.arange(fine) / fine
     table = np.empty((ROWS, nodes), np.float32)
@@ -70,6 +85,6 @@ def shore_profiles(nodes: int, skew: float, sharpness: float) -> NDArray[np.floa
                 height = y[:-1][inside] + share * (y[1:] - y[:-1])[inside]
                 np.maximum.at(top, place[inside], height)
         smooth = np.fft.irfft(np.fft.rfft(top) * spread, fine)
-        found = np.interp(at, places, smooth, period=1.0)
-        table[row] = np.round(np.clip(found, 0.0, 1.0) * 65536.0) / 65536.0
+        profile = np.interp(at, places, smooth, period=1.0)
+        table[row] = np.round(np.clip(profile, 0.0, 1.0) * 65536.0) / 65536.0
     return table

@@ -1,25 +1,30 @@
 """Start positions of spray on a shore's rocks. docs/formulae.md, section 13."""
 
-import math
+from typing import ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
+from pydantic import Field, field_validator
 
 from seafoam.ocean.rocks import rocks
 from seafoam.scene.shore import Shore
+from seafoam.textures.spec import Image, TextureSpec
 
 
-def spray_rocks_name(shore: Shore, steep: float) -> str:
-    """Name in the texture store of the places on a shore's rocks."""
-    return f"spray-rocks/{steep!r}/{shore.ground}"
+class SprayRocks(TextureSpec):
+    """Places on a shore's rocks, RGBA32F (1, ROCKS), see :func:`seafoam.ocean.rocks.rocks`."""
 
+    kind: ClassVar[str] = "spray-rocks"
 
-def spray_rocks(steep: str, ground: str) -> NDArray[np.float32]:
-    """(1, ROCKS, 4) float32, see :func:`seafoam.ocean.rocks.rocks`. Raises ``ValueError`` where there are none."""
-    least = float(steep)
-    if not (math.isfinite(least) and 0.0 <= least <= 2.0):
-        raise ValueError(steep)
-    found = rocks(ground, least)
-    if len(found) == 0:
-        raise ValueError(ground)
-    return found.astype(np.float32)[None]
+    shore: Shore
+    steep: float = Field(ge=0.0, le=2.0)
+
+    @field_validator("shore")
+    @classmethod
+    def _ground_alone(cls, shore: Shore) -> Shore:
+        return shore.ground
+
+    def image(self) -> Image:
+        """Return the places as a row. Raises ``ValueError`` where there are none."""
+        places = rocks(self.shore, self.steep)
+        if len(places) == 0:
+            raise ValueError("shore: has no rocks as steep as that")
+        return Image("RGBA32F", (places.astype("<f4")[None],))

@@ -1,9 +1,6 @@
 // A boat under sun and sky, with its own shadow. docs/formulae.md, section 15.
-uniform vec3 u_boat_ambient;     // the sky's irradiance
-uniform float u_boat_visibility; // m
-
 vec3 boat_in_air(vec3 light, vec3 d, float distance_to_eye) {
-    return mix(horizon_light(d), light, exp(-3.912 / u_boat_visibility * distance_to_eye));
+    return hazed(light, horizon_light(d), distance_to_eye);
 }
 
 // d: unit vector toward the boat; o + t d is where it was met.
@@ -26,8 +23,8 @@ vec3 boat_light(int i, vec3 o, vec3 d, float t, BoatHit hit) {
         }
     }
     // From below comes what water mirrors of the light above.
-    vec3 bounced = 0.1 * (u_boat_ambient + u_sun_irradiance * max(u_sun_direction.y, 0.0)) * (0.5 - 0.5 * n.y);
-    vec3 light = albedo / PI * (u_sun_irradiance * lit + u_boat_ambient * (0.5 + 0.5 * n.y) + bounced);
+    vec3 bounced = 0.1 * (u_sky_irradiance + u_sun_irradiance * max(u_sun_direction.y, 0.0)) * (0.5 - 0.5 * n.y);
+    vec3 light = albedo / PI * (u_sun_irradiance * lit + u_sky_irradiance * (0.5 + 0.5 * n.y) + bounced);
     vec3 r = reflect(d, n);
     vec3 mirrored = sky_light(vec3(r.x, abs(r.y), r.z)) * mix(0.25, 1.0, smoothstep(-0.1, 0.1, r.y));
     return light + gloss * fresnel(clamp(-dot(n, d), 0.0, 1.0)) * (mirrored - light);

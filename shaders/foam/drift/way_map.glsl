@@ -11,7 +11,7 @@ void drift_ways(vec2 q, out vec4 way, out vec4 along_x, out vec4 along_z) {
     vec4 b = texelFetch(u_drift_way, low + ivec2(1, 0), 0);
     vec4 c = texelFetch(u_drift_way, low + ivec2(0, 1), 0);
     vec4 d = texelFetch(u_drift_way, low + ivec2(1, 1), 0);
-    way = mix(mix(a, b, t.x), mix(c, d, t.x), t.y);
+    way = bilinear(a, b, c, d, t);
     along_x = mix(b - a, d - c, t.y) * texels;
     along_z = mix(c - a, d - b, t.x) * texels;
 }

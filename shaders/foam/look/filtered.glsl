@@ -22,21 +22,6 @@ float quantile(float s, int row) {
     return mix(entry.x, entry.y, x - float(i));
 }
 
-vec4 spline_weights(float t) {
-    float u = 1.0 - t;
-    return vec4(u * u * u, (3.0 * t - 6.0) * t * t + 4.0, (3.0 * u - 6.0) * u * u + 4.0, t * t * t) / 6.0;
-}
-
-vec4 spline_slopes(float t) {
-    float u = 1.0 - t;
-    return 0.5 * vec4(-u * u, (3.0 * t - 4.0) * t, (4.0 - 3.0 * u) * u, t * t);
-}
-
-vec4 spline_bends(float t) {
-    float u = 1.0 - t;
-    return vec4(u, 3.0 * t - 2.0, 3.0 * u - 2.0, t);
-}
-
 // Integral of the ramp clamp(x / fade, 0, 1).
 vec4 ramp_integral(vec4 x, float fade) {
     vec4 rising = clamp(x, 0.0, fade);

@@ -2,14 +2,9 @@
 uniform sampler2D u_drift_map;
 uniform sampler2D u_drift_coarse;
 
-// Bilinear by hand: thresholds tell a sampler's 256 steps between texels apart. uv in [0, 1], held at the rim.
+// uv in [0, 1], held at the rim.
 vec4 drift_read(sampler2D map, vec2 uv, int size) {
-    vec2 at = clamp(uv * float(size) - 0.5, 0.0, float(size - 1));
-    ivec2 low = min(ivec2(at), size - 2);
-    vec2 t = at - vec2(low);
-    return mix(
-        mix(texelFetch(map, low, 0), texelFetch(map, low + ivec2(1, 0), 0), t.x),
-        mix(texelFetch(map, low + ivec2(0, 1), 0), texelFetch(map, low + ivec2(1, 1), 0), t.x), t.y);
+    return bilinear_held(map, size, uv * float(size) - 0.5);
 }
 
 // Sum of so many places from uv on. Counted, so that drivers without branches read no map that has no weight.

@@ -1,19 +1,9 @@
 // Water, foam and air under sun and sky. docs/formulae.md, section 6. d, n: unit vectors; lost: mean square slope that the footprint
 // took out, of waves (x) and of ripples (y); f: saturation of the foam over the water.
-uniform float u_roughness;           // root mean square slope
-uniform float u_visibility;          // m
+uniform float u_roughness; // root mean square slope
 
 // How much of the sun the foam beside leaves to the water and to the foam of a place (foam/relief.glsl).
 vec2 sun_past_foam = vec2(1.0);
-
-// `sun`: the share of it that comes through.
-vec3 irradiance_past(vec3 n, float sun) {
-    return u_sun_irradiance * (sun * max(dot(n, u_sun_direction), 0.0)) + u_sky_irradiance * (0.5 + 0.5 * n.y);
-}
-
-vec3 irradiance(vec3 n) {
-    return irradiance_past(n, 1.0);
-}
 
 vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height, float f) {
     float base2 = u_roughness * u_roughness;
@@ -50,8 +40,4 @@ vec3 water_light(vec3 place, vec3 d, vec3 n, vec2 lost, float height, float f) {
 
 vec3 foam_light(vec3 n) {
     return foam_albedo() / PI * irradiance_past(n, sun_past_foam.y);
-}
-
-vec3 in_air(vec3 light, vec3 d, float distance_to_eye) {
-    return mix(exposure() * horizon_light(d), light, exp(-3.912 / u_visibility * distance_to_eye));
 }

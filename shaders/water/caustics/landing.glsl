@@ -11,8 +11,7 @@ vec3 caustic_landing(ivec2 corner, int corners) {
     vec2 slope = texelFetch(u_caustic_slopes, corner % corners, 0).xy;
     vec3 n = normalize(vec3(-slope.x, 1.0, -slope.y));
     float c = max(dot(n, u_sun_direction), 0.0);
-    float turn = c / u_caustic_index - sqrt(1.0 - (1.0 - c * c) / (u_caustic_index * u_caustic_index));
-    vec3 ray = turn * n - u_sun_direction / u_caustic_index;
+    vec3 ray = refracted(-u_sun_direction, n, c, u_caustic_index);
     // No ripple may tilt the ray level, and a sun on the horizon lights none by itself.
     vec2 way = ray.xz * (u_caustic_depth / max(-ray.y, 0.25));
     return vec3(way - u_caustic_flat, c / (n.y * max(u_sun_direction.y, 0.05)));

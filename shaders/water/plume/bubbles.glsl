@@ -8,7 +8,7 @@ vec3 aerated(vec3 body, vec3 deep, vec3 below, vec3 extinction, float cv, float 
         return body;
     }
     // Down, and up along the refracted ray.
-    float way = layer * (1.0 + 1.0 / sqrt(1.0 - (1.0 - min(cv * cv, 1.0)) / (INDEX * INDEX)));
+    float way = layer * (1.0 + 1.0 / refracted_cosine(min(cv, 1.0), INDEX));
     vec3 milky = 0.4 * (u_scattering + u_aeration) / (extinction + u_aeration) * below;
     // What the water itself would have sent back from the layer makes room.
     vec3 clear = exp(-extinction * way);

@@ -1,7 +1,7 @@
 // The level floor along the ray refracted at the surface. Ripples that face away are taken edge-on; none may tilt it level.
 void look_through(vec2 p, float height, vec3 d, vec3 normal, float lost, Footprint fp) {
     float c = max(-dot(normal, d), 0.0);
-    vec3 down = d / INDEX + (c / INDEX - sqrt(1.0 - (1.0 - c * c) / (INDEX * INDEX))) * normal;
+    vec3 down = refracted(d, normal, c, INDEX);
     // A trough may reach the floor.
     bed_down = max(u_floor_depth + height, 0.0);
     bed_way = bed_down / max(-down.y, 0.25);

@@ -16,7 +16,7 @@ bool find_ceiling(vec3 ray, out float tau, out vec3 wave) {
     if (tau >= leave) {
         return false;
     }
-    float fine = MARCH_TOLERANCE * length(u_ray_y) * 2.0 / u_viewport.y;
+    float fine = march_tolerance();
     float fastest = max(surface_now().x * length(ray.xz) + ray.y, 1e-6 * size);
     float gap = 0.0;
     for (int i = 0; i < MARCH_STEPS; ++i) {
@@ -30,14 +30,6 @@ bool find_ceiling(vec3 ray, out float tau, out vec3 wave) {
     if (ray.y <= 0.0 && gap >= fine * tau) {
         return false;
     }
-    float limit = 4.0 * max(fine * tau, abs(gap)) / (1e-3 * size);
-    for (int i = 0; i < REFINE; ++i) {
-        float rate = dot(wave.yz, ray.xz) - ray.y;
-        if (rate < -1e-3 * size) {
-            tau = max(tau - clamp(gap / rate, -limit, limit), 0.0);
-            wave = waves(tau * ray.xz);
-            gap = wave.x - u_eye_height - tau * ray.y;
-        }
-    }
+    refine_water(vec2(0.0), u_eye_height, ray, -1.0, fine, 0.0, REFINE, false, tau, gap, wave);
     return true;
 }

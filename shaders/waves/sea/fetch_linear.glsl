@@ -17,13 +17,12 @@ vec4 sea_smooth(sampler2D tile, vec2 at) {
     vec2 place = fract(at) * size;
     vec2 base = floor(place);
     vec2 t = place - base;
-    vec2 u = 1.0 - t;
-    vec2 before = u * u * u / 6.0;
-    vec2 here = (3.0 * t - 6.0) * t * t / 6.0 + 2.0 / 3.0;
-    vec2 near = before + here;
+    vec4 across = spline_weights(t.x);
+    vec4 down = spline_weights(t.y);
+    vec2 near = vec2(across.x + across.y, down.x + down.y);
     vec2 far = 1.0 - near;
-    vec2 low = (base - 0.5 + here / near) / size;
-    vec2 high = (base + 1.5 + t * t * t / 6.0 / far) / size;
+    vec2 low = (base - 0.5 + vec2(across.y, down.y) / near) / size;
+    vec2 high = (base + 1.5 + vec2(across.w, down.w) / far) / size;
     return near.y * (near.x * textureLod(tile, low, 0.0) + far.x * textureLod(tile, vec2(high.x, low.y), 0.0))
         + far.y * (near.x * textureLod(tile, vec2(low.x, high.y), 0.0) + far.x * textureLod(tile, high, 0.0));
 }

@@ -14,23 +14,13 @@ struct Displaced {
     vec3 by_z;
 };
 
-vec4 basis(float t) {
-    float u = 1.0 - t;
-    return vec4(u * u * u, (3.0 * t - 6.0) * t * t + 4.0, (3.0 * u - 6.0) * u * u + 4.0, t * t * t) / 6.0;
-}
-
-vec4 basis_slope(float t) {
-    float u = 1.0 - t;
-    return 0.5 * vec4(-u * u, (3.0 * t - 4.0) * t, (4.0 - 3.0 * u) * u, t * t);
-}
-
 Displaced displaced(vec2 at) {
     vec2 base = floor(at);
     vec2 t = at - base;
-    vec4 wx = basis(t.x);
-    vec4 wz = basis(t.y);
-    vec4 sx = basis_slope(t.x);
-    vec4 sz = basis_slope(t.y);
+    vec4 wx = spline_weights(t.x);
+    vec4 wz = spline_weights(t.y);
+    vec4 sx = spline_slopes(t.x);
+    vec4 sz = spline_slopes(t.y);
     Displaced sum = Displaced(vec3(0.0), vec3(0.0), vec3(0.0));
     int left = int(u_sea_block) * SEA_SIZE;
     for (int j = 0; j < 4; ++j) {

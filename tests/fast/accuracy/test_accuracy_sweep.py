@@ -11,8 +11,8 @@ from seafoam.accuracy.budget import choose
 from seafoam.accuracy.cache import Store, cache_dir
 from seafoam.accuracy.fronts import beating, front
 from seafoam.accuracy.model import Running, Sweep
-from seafoam.accuracy.station import FailedError, Station
 from seafoam.accuracy.sweep import Settings, Subject, Watcher, make_sweep
+from seafoam.accuracy.sweep_service import FailedError, SweepService
 from seafoam.accuracy.truth import StoppedError, find_truth, make_truth
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -219,29 +219,29 @@ def eventually(ask, seconds=20.0):
     return found
 
 
-def test_a_station_measures_one_after_the_other(monkeypatch, tmp_path):
+def test_a_service_measures_one_after_the_other(monkeypatch, tmp_path):
     monkeypatch.setattr(sweep, "make_truth", grey_truth)
-    station = Station(Store(tmp_path), SETTINGS, noisy)
+    service = SweepService(Store(tmp_path), SETTINGS, noisy)
     first, second = (Subject(None, Scene(), at, (32, 18)) for at in (0.0, 1.0))
-    assert station.sweep(first).status in ("queued", "running")
-    assert station.sweep(second).status == "queued"
-    assert eventually(lambda: station.sweep(second)).time == 1.0
-    assert isinstance(station.sweep(first), Sweep)
-    station.stop()
+    assert service.sweep(first).status in ("queued", "running")
+    assert service.sweep(second).status == "queued"
+    assert eventually(lambda: service.sweep(second)).time == 1.0
+    assert isinstance(service.sweep(first), Sweep)
+    service.stop()
 
 
-def test_a_station_tells_a_failure_once_and_tries_again(monkeypatch, tmp_path):
+def test_a_service_tells_a_failure_once_and_tries_again(monkeypatch, tmp_path):
     def fail(*_, **__):
         raise OSError("disk on fire")
 
     monkeypatch.setattr(sweep, "make_truth", fail)
-    station = Station(Store(tmp_path), SETTINGS, noisy)
+    service = SweepService(Store(tmp_path), SETTINGS, noisy)
     subject = Subject(None, Scene(), 0.0, (32, 18))
     with pytest.raises(FailedError, match="disk on fire"):
-        eventually(lambda: station.sweep(subject))
+        eventually(lambda: service.sweep(subject))
     monkeypatch.setattr(sweep, "make_truth", grey_truth)
-    assert isinstance(eventually(lambda: station.sweep(subject)), Sweep)
-    station.stop()
+    assert isinstance(eventually(lambda: service.sweep(subject)), Sweep)
+    service.stop()
 
 
 def test_truth_is_computed_once(tmp_path):

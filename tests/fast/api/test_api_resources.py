@@ -12,7 +12,7 @@ import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
 from seafoam.api.routers.presets import _summary, warm
-from seafoam.api.workshop import Workshop
+from seafoam.api.threads import ThreadPool
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
 from seafoam.scene.models import Scene
@@ -147,12 +147,22 @@ def test_the_manual_loads_nothing_from_elsewhere(client):
         assert client.get(address).status_code == 200, address
 
 
+def test_what_needs_a_package_that_is_not_installed_says_so(client, monkeypatch):
+    monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None if name == "matplotlib" else object())
+    for url in ("/api/masks/custom/spectrum.png?family=vac&sigma=2&size=64&seed=9", "/api/accuracy/default"):
+        response = client.get(url)
+        assert response.status_code == 501
+        assert response.json()["type"] == "urn:seafoam:problem:not-installed"
+        assert response.json()["remedy"] == "pip install 'seafoam[reports]'"
+
+
 def test_the_page_is_revalidated_and_its_hashed_files_are_kept(serve, tmp_path, monkeypatch):
     monkeypatch.setattr("seafoam.api.pages.data_dir", lambda kind: tmp_path / kind)
     with serve() as client:
         text = client.get("/")
         assert text.status_code == 200
         assert "make webclient" in text.text
+        assert "make webclient" in client.get("/docs").text
         # Built while the server runs: the page is there at the next request.
         (tmp_path / "webclient" / "assets").mkdir(parents=True)
         (tmp_path / "webclient" / "index.html").write_text("<title>sea</title>")
@@ -232,7 +242,7 @@ def test_openapi_describes_every_operation_with_its_problems(client):
 def test_presets_are_planned_before_a_visitor_asks() -> None:
     asked: list[str] = []
 
-    class Noted(Workshop):
+    class Noted(ThreadPool):
         async def run(self, function: Any, *args: Any, **kwargs: Any) -> Any:
             asked.append(args[0])
             return function(*args, **kwargs)

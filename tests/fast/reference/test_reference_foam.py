@@ -21,8 +21,7 @@ from seafoam.reference.foam.front import (
     phase_width,
     seen_phases,
 )
-from seafoam.reference.foam.saturation import height_saturation, joined, saturation
-from seafoam.reference.renderer.relief import Relief
+from seafoam.reference.foam.saturation import front_source, height_saturation, joined
 from seafoam.reference.waves.parametric import wave_set
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
@@ -75,22 +74,8 @@ def test_flat_waves_weigh_the_same() -> None:
 
 def test_without_waves_there_is_no_front() -> None:
     x = np.zeros(3)
-    waves = dict.fromkeys(("text", "listing"), wave_set(Scene(), 2.0, (0.0, 0.0)))
-    slopes = Relief(()).gradient
-    f = saturation(
-        (FrontSaturation(),),
-        "max",
-        waves,
-        slopes,
-        x,
-        x,
-        x,
-        cap=4.0,
-        footprints=None,
-        eye_height=2.0,
-        level=0.0,
-        folds=[],
-    )
+    waves = wave_set(Scene(), 2.0, (0.0, 0.0))
+    f = front_source(FrontSaturation(), waves, x, x, None, np.full(3, 2.0), 4.0)
     np.testing.assert_array_equal(f, 0.0)
 
 

@@ -16,8 +16,7 @@ from seafoam.scene.foam import Foam, FoldSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from seafoam.scene.waves import Sea
-from seafoam.textures import texture
-from seafoam.textures.sea import sea_spectrum_name
+from seafoam.textures import SeaSpectrum, texture
 from support.report import Report
 from support.seas import SEAS
 
@@ -78,14 +77,14 @@ def test_no_wave_is_counted_twice() -> None:
 
 
 def test_a_seed_is_a_sea() -> None:
-    names = [sea_spectrum_name(SEAS["fft"].model_copy(update={"seed": seed}), None) for seed in (1, 1, 2)]
+    seas = [SeaSpectrum(sea=SEAS["fft"].model_copy(update={"seed": seed})) for seed in (1, 1, 2)]
     sea_tiles.cascades.cache_clear()
     texture.cache_clear()
-    first = texture(names[0]).sha256
+    first = texture(seas[0]).sha256
     sea_tiles.cascades.cache_clear()
     texture.cache_clear()
-    assert texture(names[1]).sha256 == first
-    assert texture(names[2]).sha256 != first
+    assert texture(seas[1]).sha256 == first
+    assert texture(seas[2]).sha256 != first
 
 
 def test_a_river_has_no_wave_against_its_wind() -> None:
@@ -108,7 +107,7 @@ def test_slopes_stay_under_the_marchs_bound(wind: float) -> None:
             tile = truth.tile(of, 40.0 * seed, 1.0, 256)
             step = of.size / 256
             across = [np.diff(tile.height, axis=axis, append=np.take(tile.height, [0], axis)) / step for axis in (0, 1)]
-            assert np.hypot(*across).max() <= of.steepest
+            assert np.hypot(*across).max() <= of.max_slope
             assert np.abs(tile.height).max() <= of.limit
 
 

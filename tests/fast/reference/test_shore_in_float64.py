@@ -12,7 +12,7 @@ from seafoam.reference.shore import shore as truth
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.textures import shore_floor_name, shore_profiles, texture
+from seafoam.textures import ShoreFloor, shore_profiles, texture
 from support.coasts import KINDS, SEA, SHORE, coast, png
 
 SURF = SurfSaturation(line=1.0)
@@ -91,7 +91,7 @@ def test_a_picture_is_a_shore() -> None:
     assert (grid[52:76, 44:56] > 0.0).all()
     assert (grid[:46] < 0.0).all()
     assert (grid[:, 64:] < 0.0).all()
-    stored = np.frombuffer(texture(shore_floor_name(shore, 128)).data, "<f4").reshape(128, 128, 2)
+    stored = np.frombuffer(texture(ShoreFloor(shore=shore, texels=128)).data, "<f4").reshape(128, 128, 2)
     assert (stored[..., 0] == grid).all()
 
 

@@ -12,9 +12,12 @@ from scipy.optimize import brentq
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency, wavenumber, wavevector
 from seafoam.ocean.ripples import TILES, WAVES_PER_TILE, ripples
+from seafoam.scene.base import non_defaults
+from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
-from seafoam.scene.water import Chop
+from seafoam.scene.water import Chop, Water
 from seafoam.scene.waves import ParametricWave
 
 
@@ -116,3 +119,17 @@ def test_ripples_measured_on_a_tile() -> None:
     opposite = {(-round(w.kx, 6), -round(w.kz, 6)) for w in waves} & {(round(w.kx, 6), round(w.kz, 6)) for w in waves}
     assert not opposite
     assert math.isclose(float(np.mean(sx**2 + sz**2)), 0.2**2 / 2, rel_tol=1e-6)
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_non_defaults_are_the_whole_scene(name: str) -> None:
+    scene = load_preset(name).scene
+    assert Scene.model_validate(non_defaults(scene)) == scene
+
+
+def test_non_defaults_include_the_discriminators_of_unions() -> None:
+    assert non_defaults(Scene()) == {}
+    assert non_defaults(Scene(light=None)) == {"light": None}
+    assert non_defaults(Scene(light=Light(), water=Water(depth=3.0))) == {"water": {"depth": 3.0}}
+    kinds = [non_defaults(Scene(foam=Foam(saturation=(kind(),)))) for kind in (HeightSaturation, SlopeSaturation)]
+    assert kinds == [{"foam": {"saturation": [{"source": source}]}} for source in ("height", "slope")]

@@ -10,7 +10,6 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.water import Water
 from seafoam.scene.waves import ParametricWave
-from seafoam.textures import UnknownTextureError, shore_floor_name, texture
 
 STANDARD = TIERS["standard"]
 
@@ -64,22 +63,3 @@ def test_surf_foam_needs_surf() -> None:
 def test_a_shore_has_a_floor_of_its_own() -> None:
     plan = make_plan(Scene(shore=Shore(), water=Water(depth=3.0)), STANDARD)
     assert "floor" not in {note.name for note in (*plan.effects, *plan.skipped)}
-
-
-def test_textures_that_no_shore_has_are_refused() -> None:
-    good = shore_floor_name(Shore(), 64)
-    assert texture(good).width == 64
-    ground = good.split("/")[2]
-    for name in (
-        f"shore-floor/65/{ground}",
-        f"shore-floor/64/{ground},",
-        f"shore-floor/64/{ground.replace('beach', 'moon')}",
-        f"shore-floor/64/{ground.replace('500.0', 'nan')}",
-        "shore-floor/64/",
-        "shore-profiles/128/1.5/0.05",
-        "shore-profiles/128/nan/0.05",
-        "shore-profiles/100/0.5/0.05",
-        "shore-profiles/many/0.5/0.05",
-    ):
-        with pytest.raises(UnknownTextureError):
-            texture(name)

@@ -11,7 +11,7 @@ from seafoam.framegraph.passes import Fullscreen
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.shader import Shader
 from seafoam.planner import make_plan
-from seafoam.planner.adaptive import GREATEST, PARTS, RATIO
+from seafoam.planner.adaptive import MAX_CONTRAST, PARTS, RATIO
 from seafoam.quality import TIERS, Quality, SurfaceQuality
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
@@ -21,7 +21,7 @@ from support.pictures import draw
 
 SIZE = (160, 90)
 STANDARD = TIERS["standard"]
-NEXT_LIMIT = (GREATEST / STANDARD.samples_threshold) ** (1.0 / 48.0)
+NEXT_LIMIT = (MAX_CONTRAST / STANDARD.samples_threshold) ** (1.0 / 48.0)
 """Ratio of neighbouring limits in the last of three rounds."""
 
 

@@ -11,7 +11,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
-from seafoam.textures import texture
+from seafoam.textures import MaskTexture, texture
 from support.pictures import draw
 
 CUSTOM = [f"blur:1:{size}:3" for size in SIZES if size < 512]
@@ -26,7 +26,7 @@ def test_the_drawn_atlas_is_the_made_one(mask: str, executor: Executor) -> None:
     plan = make_plan(scene(mask), TIERS["standard"])
     draw(executor, plan, Camera(pitch=-1.0), time=0.0, size=(16, 9))
     framebuffer, *_ = executor._static.get(plan.kept["mask_atlas"])
-    made = texture(f"mask/{mask}/atlas")
+    made = texture(MaskTexture(masks=(mask,), table="atlas"))
     drawn = np.frombuffer(framebuffer.read(components=2, dtype="u4", alignment=1), np.uint32)
     assert (framebuffer.width, framebuffer.height) == (made.width, made.height)
     assert np.array_equal(drawn, np.frombuffer(made.data, np.uint32))

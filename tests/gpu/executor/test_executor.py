@@ -58,7 +58,7 @@ def test_a_shader_that_does_not_compile_names_its_files(executor: Executor) -> N
 def test_another_thread_is_refused(executor: Executor) -> None:
     scene = load_preset("default").scene
     plan = make_plan(scene, TIERS["standard"])
-    with ThreadPoolExecutor(1) as pool, pytest.raises(RuntimeError, match="belongs to the thread"):
+    with ThreadPoolExecutor(1) as pool, pytest.raises(RuntimeError, match="only in the thread that created it"):
         pool.submit(executor.render, plan, time=0.0, camera=scene.camera, width=8, height=8).result()
 
 

@@ -103,14 +103,14 @@ def texels(size: int, side: float) -> tuple[Floats, Floats]:
     return x.ravel(), z.ravel()
 
 
-def broods(scene: Scene, time: float, x: Floats, z: Floats) -> Floats:
-    """The four broods at places from the square's middle by the reference, (r, 4)."""
+def generations(scene: Scene, time: float, x: Floats, z: Floats) -> Floats:
+    """The four generations at places from the square's middle by the reference, (r, 4)."""
     flow = truth.flow_of(scene)
-    brood = SOURCE.life / 4.0
-    number, youngest = math.floor(time / brood), time % brood
+    interval = SOURCE.life / 4.0
+    number, youngest = math.floor(time / interval), time % interval
     found = []
     for j in range(4):
-        x, z = flow.back(x, z, youngest if j == 0 else brood)
+        x, z = flow.back(x, z, youngest if j == 0 else interval)
         found.append(truth.patch(SOURCE, (number - j) % 1024, x, z))
     return np.stack(found, axis=-1)
 
@@ -172,16 +172,16 @@ def test_error_by_step_around_an_analytic_vortex(probe: Probe, report: Report, s
 
 def test_patches_equal_float64(probe: Probe) -> None:
     at = places(20_000, 60.0)
-    for brood in (0, 7, 1023):
-        got = shader(probe, SCENE, f"y.x = drift_patch({brood}u, x.xy);", at)[:, 0]
-        assert np.abs(got - truth.patch(SOURCE, brood, *at.T)).max() < 2e-4
+    for generation in (0, 7, 1023):
+        got = shader(probe, SCENE, f"y.x = drift_patch({generation}u, x.xy);", at)[:, 0]
+        assert np.abs(got - truth.patch(SOURCE, generation, *at.T)).max() < 2e-4
 
 
 @pytest.mark.parametrize("coverage", [0.05, 0.3, 0.6, 0.9])
 def test_patches_cover_about_what_is_asked(report: Report, coverage: float) -> None:
     source = SOURCE.model_copy(update={"coverage": coverage})
     at = places(40_000, 300.0)
-    mean = float(np.mean([truth.patch(source, brood, *at.T).mean() for brood in range(3)]))
+    mean = float(np.mean([truth.patch(source, generation, *at.T).mean() for generation in range(3)]))
     report.add("Share of the water that patches of one age cover", asked=f"{coverage:g}", found=f"{mean:.3f}")
     assert abs(mean - coverage) < 0.03
 
@@ -237,7 +237,7 @@ def test_the_map_by_its_size_its_step_and_its_window(executor: Executor, report:
         found = drawn(executor, SCENE, quality, time)
         x, z = texels(quality.drift_size, 40.0)
         kept = slice(None, None, 7)
-        want = broods(SCENE, time, x[kept], z[kept])
+        want = generations(SCENE, time, x[kept], z[kept])
         shares = np.sin(math.pi * (time % 5.0 + 5.0 * np.arange(4)) / 20.0) ** 2
         cut = min(math.ceil(quality.drift_window / 5.0), 4)
         got = found.reshape(-1, 4)[kept] * (np.arange(4) < cut)
@@ -271,7 +271,7 @@ def test_backward_is_one_everywhere_where_forward_gaps_and_piles(executor: Execu
         quality = STANDARD.model_copy(update={"drift": ways, "drift_size": 128})
         found[ways] = drawn(executor, scene, quality, 34.9)[inner, inner]
         if ways == "backward":
-            # A brood of so large patches is nearly everywhere or nearly nowhere.
+            # A generation of such large patches covers nearly everything or nearly nothing.
             full = np.flatnonzero(found[ways].mean(axis=(0, 1)) > 0.999)
             assert full.size > 0
         found[ways] = found[ways][..., full]
@@ -296,7 +296,7 @@ def test_forward_foam_sticks_below_half_a_cell_a_step(executor: Executor) -> Non
     assert (drawn(executor, slow, backward, 33.0) != drawn(executor, STILL, backward, 33.0)).any()
 
 
-def test_nothing_jumps_when_a_brood_comes_up(probe: Probe) -> None:
+def test_nothing_jumps_when_a_generation_appears(probe: Probe) -> None:
     """The oldest has gone and the youngest has not begun: sin² is 0 at both ends, and 2 together at any time."""
     at = places(2000, 15.0) + np.array([0.0, -30.0])
     body = f"y.x = drift_saturation(x.xy, 0.0, {FOOTPRINT}); y.y = dot(drift_shares(), vec4(1.0));"

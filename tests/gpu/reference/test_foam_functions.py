@@ -130,6 +130,7 @@ def test_filtered_coverage_equals_its_float64_form(probe: Probe, mask_name: str,
             NUMBERS,
             "foam/mask_coordinates.glsl",
             Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n"),
+            "lib/cubic_spline.glsl",
             "foam/look/filtered.glsl",
         ],
         "y.x = filtered_coverage(x.x, 1.0, x.yz, vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w));",
@@ -173,7 +174,7 @@ def test_octaves_equal_their_float64_form(probe: Probe, octaves: int, fade: floa
     )
     texture = Inline("float foam_texture(vec2 p, Footprint fp) {\n    return 1.0;\n}\n")
     got = probe(
-        [NUMBERS, stand_in, texture, "foam/look/filtered.glsl"],
+        [NUMBERS, stand_in, texture, "lib/cubic_spline.glsl", "foam/look/filtered.glsl"],
         "given = x; y.x = foam_amount(x.x, vec2(0.0), Footprint(vec2(x.w, 0.0), vec2(0.3 * x.w, 0.8 * x.w)));",
         inputs,
         consts=filtered_consts(mask, fade, octaves),

@@ -15,7 +15,7 @@ from seafoam.reference.waves import parametric as waves
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave
-from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
+from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 from support.probe import Probe, grid_of
 
 TOLERANCE = 1e-5
@@ -106,7 +106,7 @@ def test_filtered_front_equals_its_float64_form(probe: Probe, intensity: float) 
             "FRONT_FADING": front_fading(intensity, 1.0),
         },
         uniforms=front_uniforms(intensity, math.e),
-        textures={"u_front_integral": front_integral_name(intensity, 1.0)},
+        textures={"u_front_integral": FrontIntegral(intensity=intensity, log_base=1.0)},
     )[:, 0]
     wide = grid.astype(np.float64)
     want = saturation.front_saturation_filtered(wide[:, 0], wide[:, 1], intensity)

@@ -25,7 +25,7 @@ from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, SurfSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.textures import TextureData
+from seafoam.textures import ShoreFloor, TextureData
 from support.coasts import KINDS, SEA, SHORE, coast, png
 from support.exact import EXACT
 from support.pictures import draw, draw_target
@@ -119,9 +119,11 @@ def test_distances_are_scipys(executor: Executor, report: Report, monkeypatch: p
         grid = np.stack((sharpened(heights), np.zeros_like(heights)), axis=-1).astype("<f4")
         raw = grid.tobytes()
         sha = hashlib.sha256(raw).hexdigest()
-        data = TextureData("coast", raw, sha, "RG32F", size, size, 1)
-        monkeypatch.setattr(executors, "texture", lambda asked, d=data: d if asked == "coast" else genuine(asked))
-        texture = plan.textures["shore_floor"].model_copy(update={"url": "/api/textures/coast", "sha256": sha})
+        data = TextureData(raw, sha, "RG32F", size, size, 1)
+        monkeypatch.setattr(
+            executors, "texture", lambda asked, d=data: d if isinstance(asked, ShoreFloor) else genuine(asked)
+        )
+        texture = plan.textures["shore_floor"].model_copy(update={"sha256": sha})
         changed = plan.model_copy(update={"textures": {**plan.textures, "shore_floor": texture}})
         got = drawn(executor, changed, "shore_rough")[..., 0]
         want = maps.signed_distance(land)

@@ -86,7 +86,7 @@ def test_clouds_cover_their_share(report: Report, cover: float) -> None:
     clouds = Clouds(cover=cover, softness=1.0)
     rng = np.random.default_rng(6)
     drawn = noise.fractal(rng.uniform(0.0, 256.0, (60_000, 3)), np.zeros(60_000), 6, 64)
-    share = float((atmosphere.Heaven._density(clouds, drawn) > 0.156).mean())
+    share = float((atmosphere.Sky._density(clouds, drawn) > 0.156).mean())
     report.add("Share of the layer that clouds cover", asked=f"{cover:.2f}", measured=f"{share:.3f}")
     assert abs(share - cover) <= 0.03
 
@@ -155,10 +155,11 @@ def test_the_sun_goes_round() -> None:
         assert np.abs(one - other).max() <= 1e-7
 
 
-CUBE = ["lib/cube_face.glsl", "reflection/cube.glsl"]
+CUBE = ["lib/bilinear.glsl", "lib/cube_face.glsl", "reflection/cube.glsl"]
 SMOOTH = Inline(
-    "vec3 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
-    "    vec3 d = normalize(cube_direction(face, side));\n    return vec3(d.x * d.y, d.z, sin(3.0 * d.x + d.z));\n}\n"
+    "vec4 cube_texel(int face, ivec2 at) {\n    vec2 side = 2.0 * vec2(at) / float(CUBE_SIZE - 1) - 1.0;\n"
+    "    vec3 d = normalize(cube_direction(face, side));\n"
+    "    return vec4(d.x * d.y, d.z, sin(3.0 * d.x + d.z), 0.0);\n}\n"
 )
 
 

@@ -156,7 +156,7 @@ def test_the_lakes_highlight_equals_its_float64_form(probe: Probe, power: float,
         [
             "lib/numbers.glsl",
             Inline("uniform vec3 u_sun_direction;\n"),
-            "light/shade/sun.glsl",
+            "light/shade/irradiance.glsl",
             "light/glitter/blinn_phong.glsl",
         ],
         "vec3 d = vec3(x.x, -sqrt(max(1.0 - x.x * x.x - x.y * x.y, 0.0)), x.y);\n"

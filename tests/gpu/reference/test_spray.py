@@ -164,7 +164,7 @@ def test_waves_throw_drops_where_water_rises_fast() -> None:
 
 
 def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
-    found = rocks(ROCK.ground, 0.3)
+    found = rocks(ROCK, 0.3)
     assert found.shape == (ROCKS, 4)
     assert np.abs(np.hypot(found[:, 2], found[:, 3]) - 1.0).max() <= 2e-3
     coast = Coast(ROCK, 20.0, (0.0, 0.0), Relief(()))
@@ -182,7 +182,7 @@ def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
         assert (since <= drops.age + flying.DELAY).all()
         ages.append(drops.age.size)
     assert max(ages) > DROPS // 2
-    assert len(rocks(Shore(slope=0.05, roughness=0.0).ground, 0.5)) == 0
+    assert len(rocks(Shore(slope=0.05, roughness=0.0), 0.5)) == 0
 
 
 def test_drops_end_on_water_and_ground() -> None:

@@ -4204,6 +4204,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description A package that the answer needs is not installed */
+            501: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
@@ -4279,6 +4288,15 @@ export interface operations {
             };
             /** @description The frame could not be rendered; The measurement failed */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A package that the answer needs is not installed */
+            501: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -4406,6 +4424,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description A package that the answer needs is not installed */
+            501: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
@@ -4500,6 +4527,15 @@ export interface operations {
             };
             /** @description The frame could not be rendered; The measurement failed */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A package that the answer needs is not installed */
+            501: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -4602,6 +4638,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description A package that the answer needs is not installed */
+            501: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
@@ -4690,6 +4735,15 @@ export interface operations {
             };
             /** @description The frame could not be rendered; The measurement failed */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A package that the answer needs is not installed */
+            501: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -4792,6 +4846,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description A package that the answer needs is not installed */
+            501: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
@@ -4853,6 +4916,15 @@ export interface operations {
             };
             /** @description The frame could not be rendered; The measurement failed */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A package that the answer needs is not installed */
+            501: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -4939,6 +5011,15 @@ export interface operations {
             };
             /** @description The frame could not be rendered; The measurement failed */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A package that the answer needs is not installed */
+            501: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -5533,6 +5614,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description A package that the answer needs is not installed */
+            501: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description The server is busy; The cost of accuracy is still being measured; The render queue is full; No renderer is available */
             503: {
                 headers: {
@@ -6049,6 +6139,15 @@ export interface operations {
             };
             /** @description The frame could not be rendered; The measurement failed */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A package that the answer needs is not installed */
+            501: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -11,14 +11,15 @@ from starlette.responses import JSONResponse, Response
 
 from seafoam.accuracy.model import Points, Running, Sweep
 from seafoam.accuracy.points import points_of
-from seafoam.accuracy.station import StationFullError
 from seafoam.accuracy.sweep import Subject, truth_info
+from seafoam.accuracy.sweep_service import QueueFullError
 from seafoam.accuracy.truth import Truth
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import BusyError, problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.routers.presets import PresetName, find_preset
+from seafoam.extras import require_reports
 
 router = APIRouter(prefix="/api", tags=["accuracy"])
 
@@ -43,11 +44,15 @@ def _answers(description: str, media: str) -> dict[int | str, dict[str, Any]]:
 
 
 async def measured(context: Context, subject: Subject) -> Sweep | Running:
-    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available."""
+    """Return the sweep of a subject, or its progress. Raises the pool's errors if no renderer is available.
+
+    Raises :class:`seafoam.extras.MissingExtraError` without the packages of the extra ``reports``.
+    """
+    require_reports()
     await context.pool.wait_until_settled()
     try:
-        return await context.plans.run(context.station.sweep, subject)
-    except StationFullError as error:
+        return await context.plans.run(context.sweeps.sweep, subject)
+    except QueueFullError as error:
         raise BusyError(str(error), FULL_WAIT) from error
 
 
@@ -62,8 +67,8 @@ def _wait(running: Running) -> Response:
 
 
 def _subject(preset: str) -> Subject:
-    found = find_preset(preset)
-    return Subject(found.name, found.scene, found.time, found.size)
+    loaded = find_preset(preset)
+    return Subject(loaded.name, loaded.scene, loaded.time, loaded.size)
 
 
 def _kept(request: Request, content: bytes, media: str, *identity: Any) -> Response:
@@ -76,10 +81,10 @@ async def _shown(
     preset: str, request: Request, context: Context, render: Callable[[Sweep], bytes], media: str
 ) -> Response:
     """Return the sweep of a preset in one of its formats, or its progress."""
-    found = await measured(context, _subject(preset))
-    if isinstance(found, Running):
-        return _wait(found)
-    return _kept(request, await context.plans.run(render, found), media, found.model_dump(mode="json"))
+    sweep = await measured(context, _subject(preset))
+    if isinstance(sweep, Running):
+        return _wait(sweep)
+    return _kept(request, await context.plans.run(render, sweep), media, sweep.model_dump(mode="json"))
 
 
 def _npy(truth: Truth) -> bytes:
@@ -109,7 +114,7 @@ def _csv(sweep: Sweep) -> bytes:
     "/accuracy/{preset}.csv",
     responses=_answers("CSV with one row per point; times in milliseconds", "text/csv")
     | _RUNNING
-    | problem_responses(404, 422, 500, 503, 504),
+    | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_accuracy_csv(
@@ -123,7 +128,7 @@ async def get_accuracy_csv(
     "/accuracy/{preset}.png",
     responses=_answers("Plot of time against error, with the Pareto front", "image/png")
     | _RUNNING
-    | problem_responses(404, 422, 500, 503, 504),
+    | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_accuracy_plot(
@@ -137,7 +142,7 @@ async def get_accuracy_plot(
     "/accuracy/{preset}/truth.npy",
     responses=_answers("float32 (height, width, 4): linear RGB and foam coverage; top row first", "application/x-npy")
     | _RUNNING
-    | problem_responses(404, 422, 500, 503),
+    | problem_responses(404, 422, 500, 501, 503),
     response_class=Response,
 )
 async def get_truth(
@@ -146,17 +151,17 @@ async def get_truth(
     """Get the converged float64 picture against which errors are measured. Requires no renderer."""
     subject = _subject(preset)
     try:
-        found = await context.plans.run(context.station.truth, subject)
-    except StationFullError as error:
+        found = await context.plans.run(context.sweeps.truth, subject)
+    except QueueFullError as error:
         raise BusyError(str(error), FULL_WAIT) from error
     if isinstance(found, Running):
         return _wait(found)
     content = await context.plans.run(_npy, found)
-    info = truth_info(subject, context.station.settings)
+    info = truth_info(subject, context.sweeps.settings)
     return _kept(request, content, "application/x-npy", info.model_dump(), subject.scene.model_dump(mode="json"))
 
 
-@router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 503))
+@router.get("/accuracy/{preset}/points", responses=problem_responses(404, 422, 501, 503))
 async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> Points:
     """List the qualities that are measured for a preset: every tier, and tier standard with one setting changed.
 
@@ -164,14 +169,14 @@ async def get_points(preset: PresetName, _: Annotated[Parameters, Query()], cont
     """
     subject = _subject(preset)
     points = await context.plans.run(points_of, subject.scene)
-    return Points(preset=preset, truth=truth_info(subject, context.station.settings), points=points)
+    return Points(preset=preset, truth=truth_info(subject, context.sweeps.settings), points=points)
 
 
 @router.get(
     "/accuracy/{preset}",
     responses={200: {"model": Sweep, "description": "The measurement"}}
     | _RUNNING
-    | problem_responses(404, 422, 500, 503, 504),
+    | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_accuracy(

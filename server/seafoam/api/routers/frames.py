@@ -56,7 +56,7 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 
 @router.get(
     "/frames/{preset}.{format}",
-    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 500, 503, 504),
+    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 500, 501, 503, 504),
     response_class=Response,
 )
 async def get_frame(
@@ -67,12 +67,12 @@ async def get_frame(
     context: InContext,
 ) -> Response:
     """Render a frame of a preset. Parameters that are absent take the preset's values."""
-    found = find_preset(preset)
-    width = found.size[0] if asked.width is None else asked.width
-    height = found.size[1] if asked.height is None else asked.height
-    scene = asked.apply(found.scene)
-    time = found.time if asked.time is None else asked.time
-    subject = Subject(None if asked.changed else found.name, scene, found.time, found.size)
+    loaded = find_preset(preset)
+    width = loaded.size[0] if asked.width is None else asked.width
+    height = loaded.size[1] if asked.height is None else asked.height
+    scene = asked.apply(loaded.scene)
+    time = loaded.time if asked.time is None else asked.time
+    subject = Subject(None if asked.changed else loaded.name, scene, loaded.time, loaded.size)
     given = Asked(asked.quality, asked.budget_ms, width, height, parameter=True)
     if asked.quality == "auto":  # a scene that cannot be planned is refused before it is measured
         await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=asked.changed)
@@ -85,7 +85,9 @@ async def get_frame(
     return not_modified(request, tag, headers) or await _rendered(job, tag, headers, request, context)
 
 
-@router.post("/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 503, 504), response_class=Response)
+@router.post(
+    "/frames", responses=_RESPONSES | problem_responses(413, 415, 422, 500, 501, 503, 504), response_class=Response
+)
 async def render_frame(asked: strictly(FrameRequest), request: Request, context: InContext) -> Response:  # type: ignore[valid-type]
     """Render a frame of a scene sent as JSON."""
     body: FrameRequest = asked

@@ -14,6 +14,7 @@ from seafoam.api.caching import REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
+from seafoam.extras import require_reports
 from seafoam.masks.catalogue import (
     ON_REQUEST_SECONDS,
     Mask,
@@ -133,8 +134,8 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 
 def _answers(description: str, *media: str, custom: bool) -> dict[int | str, dict[str, Any]]:
     content = {kind: {} if kind == "application/json" else _BYTES for kind in media}
-    found: dict[int | str, dict[str, Any]] = {200: {"description": description, "content": content}}
-    return found | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
+    responses: dict[int | str, dict[str, Any]] = {200: {"description": description, "content": content}}
+    return responses | _NOT_MODIFIED | problem_responses(*((422, 503) if custom else (404, 422, 503)))
 
 
 _DATA = ("Mask data", *(media for media, _ in ENCODERS.values()))
@@ -220,6 +221,7 @@ def _shapes(mask: Mask) -> bytes:
 
 @lru_cache(maxsize=32)
 def _plot(mask: Mask) -> bytes:
+    require_reports()
     # Matplotlib takes a second to import, so only a server that is asked for a plot pays.
     from seafoam.masks.plots import plot_spectrum
 
@@ -296,7 +298,11 @@ async def get_custom_shapes(asked: Annotated[CustomMask, Query()], request: Requ
     return await _answer(lambda: _custom(asked), _shapes, "application/json", request, context)
 
 
-@router.get("/masks/custom/spectrum.png", responses=_answers(*_PLOT, custom=True), response_class=Response)
+@router.get(
+    "/masks/custom/spectrum.png",
+    responses=_answers(*_PLOT, custom=True) | problem_responses(501),
+    response_class=Response,
+)
 async def get_custom_plot(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
     """Get the measured spectrum of a custom mask as a plot."""
     return await _answer(lambda: _custom(asked), _plot, "image/png", request, context, "-spectrum.png")
@@ -355,7 +361,11 @@ async def get_shapes(
     return await _answer(lambda: _shipped(mask), _shapes, "application/json", request, context)
 
 
-@router.get("/masks/{mask}/spectrum.png", responses=_answers(*_PLOT, custom=False), response_class=Response)
+@router.get(
+    "/masks/{mask}/spectrum.png",
+    responses=_answers(*_PLOT, custom=False) | problem_responses(501),
+    response_class=Response,
+)
 async def get_plot(mask: MaskName, _: Annotated[Parameters, Query()], request: Request, context: InContext) -> Response:
     """Get the measured spectrum of a shipped mask as a plot."""
     return await _answer(lambda: _shipped(mask), _plot, "image/png", request, context, "-spectrum.png")

@@ -34,7 +34,7 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 
 @router.get(
     "/plans/{preset}",
-    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 503),
+    responses=_RESPONSES | _NOT_MODIFIED | problem_responses(404, 422, 501, 503),
     response_class=Response,
 )
 async def get_plan(
@@ -49,7 +49,7 @@ async def get_plan(
     return not_modified(request, f'"{compiled.sha256}"', headers) or _plan(compiled, headers)
 
 
-@router.post("/plans", responses=_RESPONSES | problem_responses(413, 415, 422, 503), response_class=Response)
+@router.post("/plans", responses=_RESPONSES | problem_responses(413, 415, 422, 501, 503), response_class=Response)
 async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Response:  # type: ignore[valid-type]
     """Compile a scene sent as JSON into a frame plan."""
     body: PlanRequest = asked

@@ -12,7 +12,7 @@ from seafoam.api.context import InContext
 from seafoam.api.errors import NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.planning import compile_scene
-from seafoam.api.workshop import Workshop
+from seafoam.api.threads import ThreadPool
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import Group, Preset, load_preset, preset_names
@@ -67,7 +67,7 @@ def _summary(name: str) -> PresetSummary:
     return PresetSummary(**preset.model_dump(include=set(PresetSummary.model_fields)), effects=effects)
 
 
-async def warm(plans: Workshop) -> None:
+async def warm(plans: ThreadPool) -> None:
     """Plan every preset once, so that the first list request is fast; one at a time, so as not to delay others."""
     for name in preset_names():
         await plans.run(_summary, name)
@@ -82,9 +82,9 @@ async def list_presets(_: Annotated[Parameters, Query()], context: InContext) ->
 @router.get("/presets/{preset}", responses=problem_responses(404, 422, 503))
 async def get_preset(preset: PresetName, _: Annotated[Parameters, Query()], context: InContext) -> PresetDetail:
     """Get a preset with its scene, which can be changed and posted to /api/frames and /api/plans."""
-    found = find_preset(preset)
+    loaded = find_preset(preset)
     summary = await context.plans.run(_summary, preset)
-    return PresetDetail(**summary.model_dump(), scene=found.scene)
+    return PresetDetail(**summary.model_dump(), scene=loaded.scene)
 
 
 @router.get("/quality", responses=problem_responses(422))

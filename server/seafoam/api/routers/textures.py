@@ -10,7 +10,7 @@ from seafoam.api.caching import IMMUTABLE, REVALIDATE, not_modified
 from seafoam.api.context import InContext
 from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
-from seafoam.textures import texture
+from seafoam.textures import spec_at, texture
 
 router = APIRouter(prefix="/api", tags=["textures"])
 
@@ -47,7 +47,7 @@ async def get_texture(
 ) -> Response:
     """Get the bytes of a texture. The plan gives its format and size."""
     try:
-        found = await context.masks.run(texture, name)
+        found = await context.masks.run(lambda: texture(spec_at(name)))
     except (KeyError, ValueError):
         raise NotFoundError(f"texture {name!r} was not found", "name") from None
     if asked.sha256 not in (None, found.sha256):

@@ -1,10 +1,12 @@
 """Boats that float on the drawn surface, traced in the fragment shader. docs/formulae.md, section 15."""
 
 import math
+from collections.abc import Sequence
 
-from seafoam.effects.bounds import surface_top, surface_trough
+from seafoam.effects.bounds import max_surface_height, min_surface_height
 from seafoam.effects.effect import (
     ABOVE,
+    Const,
     Contribution,
     Effect,
     Knob,
@@ -14,7 +16,8 @@ from seafoam.effects.effect import (
     Source,
     constant_function,
 )
-from seafoam.effects.light.light import sky_irradiance
+from seafoam.effects.light.light import ILLUMINATION
+from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.underside import WATER
 from seafoam.framegraph.passes import Ball
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
@@ -26,30 +29,65 @@ from seafoam.framegraph.rules import (
     Uniform,
     UniformType,
     array,
-    number,
     significant,
-    vector,
 )
 from seafoam.quality import Quality
 from seafoam.scene.boats import Boat
-from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
 BOW, QUARTER, BEAM = 0.36, 0.3, 0.1
-"""Hull points, in lengths: one so far ahead of the middle, two so far behind it and so far to each side."""
+"""Places of the hull points, in boat lengths: one ahead of the middle, two behind it and to each side."""
 STEM = 0.42
-"""The bow at the water line, ahead of the middle, in lengths."""
+"""Distance of the bow at the water line from the middle, in boat lengths."""
 DRAUGHT = 0.08
-"""Keel under the water line, in lengths."""
+"""Depth of the keel below the water line, in boat lengths."""
 FAR = 1e8
-"""Courses are held so far from the eye, m: no picture reaches there."""
+"""Limit of the distance from a course's centre to the camera, along each axis, m: beyond what any picture shows."""
 
 COURSE = "boats/hull/course.glsl"
 TRACE = (COURSE, "boats/hull/hull.glsl", "boats/hull/trace.glsl")
-LIGHT = ("light/shade/fresnel.glsl", "light/shade/sun.glsl", "boats/hull/light.glsl")
+LIGHT = ("lib/refraction.glsl", *ILLUMINATION, "boats/hull/light.glsl")
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the scene has boats."""
+    boats = scene.boats
+    if not boats:
+        return None
+    motors = sum(boat.kind == "motor" for boat in boats)
+    kinds = [f"{n} {name}" for n, name in ((len(boats) - motors, "under sail"), (motors, "under power")) if n]
+    return Contribution(
+        why=f"boats: {', '.join(kinds)}",
+        consts=_consts(boats, quality),
+        uniforms={"u_boat_course": _courses(boats), **_form_uniforms(boats)},
+        inputs={"u_boat_pose": TargetInput(target="boat_pose")},
+        targets={"boat_pose": Target(size=FixedSize(width=len(boats), height=1), format="RGBA32F")},
+        passes=(_pose_pass(scene), _picture_pass(scene)),
+    )
+
+
+def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
+    """Files that shade a boat, in a program without water."""
+    return (SlotRef("sky"), "boats/hull/dark.glsl") if scene.light is None else (SlotRef("sky"), *LIGHT)
+
+
+def _consts(boats: tuple[Boat, ...], quality: Quality) -> dict[str, Const]:
+    return {
+        "BOAT_COUNT": len(boats),
+        "BOAT_SAILS": any(boat.kind == "sail" for boat in boats),
+        "BOAT_MOTORS": any(boat.kind == "motor" for boat in boats),
+        "BOAT_SIDE": math.isqrt(quality.boat_samples),
+        "BOAT_READINGS": quality.boat_readings,
+        "BOAT_BOW": BOW,
+        "BOAT_QUARTER": QUARTER,
+        "BOAT_BEAM": BEAM,
+        "BOAT_STEM": STEM,
+        "BOAT_DRAUGHT": DRAUGHT,
+    }
 
 
 def _courses(boats: tuple[Boat, ...]) -> Uniform:
+    """Of each boat: vector from the centre of its course to the camera (m), bearing on it (rad), signed radius (m)."""
     rules: list[Rule] = []
     for boat in boats:
         turn = 1.0 if boat.turn == "starboard" else -1.0
@@ -62,55 +100,46 @@ def _courses(boats: tuple[Boat, ...]) -> Uniform:
     return array("vec4", rules, len(boats))
 
 
-def _each(values: list[tuple[float, ...]]) -> Uniform:
+def _form_uniforms(boats: tuple[Boat, ...]) -> dict[str, Uniform]:
+    """Sizes, angles (as cosine and sine) and colours of the boats."""
+    forms: list[tuple[float, ...]] = []
+    rigs: list[tuple[float, ...]] = []
+    for boat in boats:
+        forms.append((boat.length, boat.smoothing, *_direction(boat.heel)))
+        rigs.append((1.0 if boat.kind == "motor" else 0.0, *_direction(boat.boom)))
+    return {
+        "u_boat_form": _per_boat(forms),
+        "u_boat_rig": _per_boat(rigs),
+        "u_boat_hull": _per_boat([boat.hull for boat in boats]),
+        "u_boat_sails": _per_boat([boat.sails for boat in boats]),
+    }
+
+
+def _direction(angle: float) -> tuple[float, float]:
+    """Cosine and sine of an angle, rad."""
+    return significant(math.cos(angle)), significant(math.sin(angle))
+
+
+def _per_boat(values: Sequence[tuple[float, ...]]) -> Uniform:
     kind: UniformType = "vec3" if len(values[0]) == 3 else "vec4"
     return array(kind, [Constant(value=value) for value in values], len(values))
 
 
-def _reach(boat: Boat, swing: float) -> Ball:
-    """Where a boat can be: on its course, no further up or down than the water, which nothing of it is far from."""
-    x, z = boat.centre
-    course = boat.radius
-    if boat.speed == 0.0:
-        x, z = x + course * math.cos(boat.bearing), z + course * math.sin(boat.bearing)
-        course = 0.0
-    # Shaders look for it within 0.9 lengths of a place 0.4 over its middle.
-    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
-
-
-def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
-    """What gives a boat its light, in a program that has no water."""
-    return (SlotRef("sky"), "boats/hull/dark.glsl") if scene.light is None else (SlotRef("sky"), *LIGHT)
-
-
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by any boat."""
-    boats = scene.boats
-    if not boats:
-        return None
-    count = len(boats)
-    ashore = scene.shore is not None
-    motors = sum(boat.kind == "motor" for boat in boats)
-    kinds = [f"{n} {name}" for n, name in ((count - motors, "under sail"), (motors, "under power")) if n]
-    lit: dict[str, Uniform] = {}
-    if scene.light is not None:
-        lit = {
-            "u_boat_ambient": vector(sky_irradiance(scene.light)),
-            "u_boat_visibility": number(scene.light.visibility, "/light/visibility"),
-        }
-    pose = PassSpec(
+def _pose_pass(scene: Scene) -> PassSpec:
+    """Height and slope of each boat's water line, from the drawn surface around its hull points."""
+    support = "boats/hull/afloat.glsl" if scene.shore is None else "boats/hull/aground.glsl"
+    return PassSpec(
         name="how boats float",
         program="boat_pose",
-        fragment=(
-            "lib/numbers.glsl",
-            SlotRef("waves"),
-            COURSE,
-            "boats/hull/aground.glsl" if ashore else "boats/hull/afloat.glsl",
-            "boats/hull/pose_pass.glsl",
-        ),
+        fragment=("lib/numbers.glsl", SlotRef("waves"), COURSE, support, "boats/hull/pose_pass.glsl"),
         target="boat_pose",
     )
-    seen = (
+
+
+def _picture_pass(scene: Scene) -> PassSpec:
+    """The boats, traced per sample and blended over water, land and sky."""
+    no_land = constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false")
+    common: tuple[Piece | SlotRef, ...] = (
         "lib/numbers.glsl",
         "lib/camera.glsl",
         "lib/place.glsl",
@@ -118,90 +147,40 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         SlotRef("find"),
         *TRACE,
         *shade_files(scene),
-        *(
-            (
-                "shore/ground.glsl",
-                "surface/begin.glsl",
-                "shore/maxima.glsl",
-                "shore/find_land.glsl",
-                "boats/hull/land.glsl",
-            )
-            if ashore
-            else (constant_function("bool", "boat_behind_land", "vec3 ray, float farthest", "false"),)
-        ),
+        *((no_land,) if scene.shore is None else (*FIND_LAND, "boats/hull/land.glsl")),
     )
-    over = Source(
-        "boats/hull/over.glsl",
-        (
-            ("boat_hidden", "boat_hidden_over"),
-            ("boat_before", "boat_before_over"),
-        ),
-    )
+    # boats/hull/under.glsl defines functions of the same names, which call these when the camera is above water.
+    over = Source("boats/hull/over.glsl", (("boat_hidden", "boat_hidden_over"), ("boat_before", "boat_before_over")))
     under = (over, "light/shade/optics.glsl", SlotRef("ceiling"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
-    swing = max(surface_top(scene), -surface_trough(scene))
-    picture = PassSpec(
+    swing = max(max_surface_height(scene), -min_surface_height(scene))
+    return PassSpec(
         name="boats",
         program="boat",
-        fragment=(*seen, "boats/hull/over.glsl", "boats/hull/main.glsl"),
-        under=() if scene.light is None else (*seen, *under, "boats/hull/main.glsl"),
+        fragment=(*common, "boats/hull/over.glsl", "boats/hull/main.glsl"),
+        under=() if scene.light is None else (*common, *under, "boats/hull/main.glsl"),
         target=ABOVE,
         stage="after",
         blend="over",
-        # Land would carry it higher.
-        view="any" if ashore else tuple(_reach(boat, swing) for boat in boats),
-    )
-    return Contribution(
-        why=f"boats: {', '.join(kinds)}",
-        consts={
-            "BOAT_COUNT": count,
-            "BOAT_SAILS": any(boat.kind == "sail" for boat in boats),
-            "BOAT_MOTORS": any(boat.kind == "motor" for boat in boats),
-            "BOAT_SIDE": math.isqrt(quality.boat_samples),
-            "BOAT_READINGS": quality.boat_readings,
-            "BOAT_BOW": BOW,
-            "BOAT_QUARTER": QUARTER,
-            "BOAT_BEAM": BEAM,
-            "BOAT_STEM": STEM,
-            "BOAT_DRAUGHT": DRAUGHT,
-        },
-        uniforms={
-            "u_boat_course": _courses(boats),
-            "u_boat_form": _each(
-                [
-                    (
-                        boat.length,
-                        boat.smoothing,
-                        significant(math.cos(boat.heel)),
-                        significant(math.sin(boat.heel)),
-                    )
-                    for boat in boats
-                ]
-            ),
-            "u_boat_rig": _each(
-                [
-                    (
-                        1.0 if boat.kind == "motor" else 0.0,
-                        significant(math.cos(boat.boom)),
-                        significant(math.sin(boat.boom)),
-                    )
-                    for boat in boats
-                ]
-            ),
-            **lit,
-            "u_boat_hull": _each([boat.hull for boat in boats]),
-            "u_boat_sails": _each([boat.sails for boat in boats]),
-        },
-        inputs={"u_boat_pose": TargetInput(target="boat_pose")},
-        targets={"boat_pose": Target(size=FixedSize(width=count, height=1), format="RGBA32F")},
-        passes=(pose, picture),
+        # Boats on land stand higher than these spheres reach.
+        view="any" if scene.shore is not None else tuple(_bounding_sphere(boat, swing) for boat in scene.boats),
     )
 
 
-_VIEW = Camera(position=(0.0, 3.0, 12.0), pitch=-0.12)
+def _bounding_sphere(boat: Boat, swing: float) -> Ball:
+    """Sphere around a boat anywhere on its course. ``swing``: greatest distance of the water surface from 0, m."""
+    x, z = boat.centre
+    course = boat.radius
+    if boat.speed == 0.0:
+        x, z = x + course * math.cos(boat.bearing), z + course * math.sin(boat.bearing)
+        course = 0.0
+    # Shaders search within 0.9 lengths of a point 0.4 lengths above the middle of the hull.
+    return Ball(centre=(x, 0.0, z), radius=significant(1.001 * (course + 1.3 * boat.length + swing) + 0.1))
+
 
 EFFECT = Effect(
     "boats",
     contribute,
+    fields=("/boats",),
     knobs=(
         Knob("/boat_samples", "rays per sample at boats", (1, 4, 9), "filtering"),
         Knob("/boat_readings", "heights read around each hull point", (1, 7), "geometry"),

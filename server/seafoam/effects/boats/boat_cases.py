@@ -1,4 +1,4 @@
-"""Hard cases of boats.boat, and scenes that call for it and cannot show it."""
+"""Hard cases of boats.boat, and scenes that name it but in which it is invisible."""
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.boats import Boat
@@ -20,8 +20,8 @@ _HARD = (
             waves=(ParametricWave(amplitude=6.0, wavelength=12.0, exponent=6.0, direction=1.2),),
             boats=(_NEAR.model_copy(update={"smoothing": 0.0, "length": 4.0, "bearing": 1.45}),),
         ),
-        guard="no boat tilts over 45 degrees (boats/hull/pose_pass.glsl)",
-        without="2.5 levels off in the mean, the worst sample by 252: a boat on its side",
+        guard="a boat tilts by at most 45 degrees (boats/hull/pose_pass.glsl)",
+        without="mean error 2.5 levels, greatest 252: a boat lies on its side",
         times=(0.0, 0.7, 1.4),
         camera=Camera(position=(0.0, 9.0, 16.0), pitch=-0.2),
     ),
@@ -33,8 +33,8 @@ _HARD = (
             light=Light(sun_elevation=0.7, sun_azimuth=2.0, exposure=-2.0),
             water=Water(scattering=0.01),
         ),
-        guard="under its keel the ground carries it (boats/hull/aground.glsl)",
-        without="sunk into the hill: 1.7 % of samples off by more than 2 levels, the worst by 163",
+        guard="ground above the keel supports the boat (boats/hull/aground.glsl)",
+        without="the boat sinks into the hill: 1.7 % of samples off by more than 2 levels, the worst by 163",
         camera=Camera(position=(-30.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
     ),
     HardCase(
@@ -43,23 +43,24 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.3, wavelength=9.0),),
             boats=(_NEAR.model_copy(update={"centre": (-9999990.0, 9999980.0), "speed": 3.0}),),
         ),
-        guard="bearing and way from the centre of the course reduced in float64 (framegraph/evaluation.py)",
-        without="in float32 at 1e9 s bearings are 16 rad apart, and places 1 m: the boat is anywhere on its circle",
+        guard="bearing and vector from the centre of the course reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 at 1e9 s bearings have steps of 16 rad, and positions steps of 1 m: the boat is anywhere "
+        "on its circle",
         times=(-1e9, 1e9),
         camera=Camera(position=(-9999990.0, 9.0, 10000000.0), pitch=-0.2),
     ),
     HardCase(
         name="eye in a boat",
         scene=Scene(boats=(Boat(centre=(0.0, -50.0), radius=50.0, length=30.0, bearing=1.57, speed=0.0),)),
-        guard="what is behind the eye is cut away (boats/hull/hull.glsl)",
-        without="10 % of samples off by more than 2 levels: what is behind the eye stands before it",
+        guard="intersections behind the camera are discarded (boats/hull/hull.glsl)",
+        without="10 % of samples off by more than 2 levels: parts behind the camera are drawn in front of it",
         camera=Camera(position=(0.0, 1.0, 1.0), pitch=-0.2),
     ),
     HardCase(
         name="rays along a boat's own axes",
         scene=Scene(boats=(_NEAR.model_copy(update={"bearing": 0.0, "centre": (-15.0, -12.0)}),), light=Light()),
-        guard="squares of at least 1e-7, planes met at 1e-9 or more (boats/hull/hull.glsl)",
-        without="nothing on llvmpipe: no ray of the frame is along an axis to its last bit",
+        guard="quadratic coefficients of at least 1e-7, cosines to planes of at least 1e-9 (boats/hull/hull.glsl)",
+        without="no change on llvmpipe: no ray of the frame is exactly parallel to an axis",
         camera=Camera(position=(0.0, 0.7, 0.0), pitch=0.0, fov=0.6),
     ),
 )

@@ -1,74 +1,100 @@
-"""The waves that boats leave behind them: from a map drawn each frame, or worked out at each place.
+"""The waves of boats' wakes: from a map drawn each frame, or computed at each sample.
 
 docs/formulae.md, section 15.
 """
 
+from collections.abc import Sequence
+
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, Inline, Knob, PassSpec, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, Inline, Knob, PassSpec, SlotFile
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Constant, array, number, significant
-from seafoam.ocean.wakes import NEAR, wake_height, wake_slope, wakes
+from seafoam.framegraph.rules import Constant, Uniform, array, number, significant
+from seafoam.ocean.wakes import NEAR, Wake, wake_height, wake_slope, wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 ASIDE = 0.36
-"""A wake is so wide to each side, in its lengths: just more than Kelvin's tan 19.47 degrees."""
+"""Width of a wake to each side over its length: slightly more than Kelvin's tan 19.47 degrees."""
 AWAY = (0, 2, 4, 8)
-"""Lengths from a boat's middle from which on its wake's curvature is told: the window at the bow bends it most."""
+"""Distances from a boat's middle, in boat lengths, from which on a bound of the wake's curvature is given: the
+curvature is greatest at the bow, where the window fades the wake in."""
 WAY = (COURSE, "boats/wake/way.glsl")
 READ = {"map": "wake", "bounds": "wake_bounds"}
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by any boat."""
+    """Active if the scene has boats."""
     if not scene.boats:
         return None
-    height, steepest = wake_height(scene.boats), wake_slope(scene.boats)
-    count, size = len(scene.boats), quality.wake_size
-    forms = array(
-        "vec4",
-        [
-            Constant(
-                value=(
-                    significant(wake.k),
-                    wake.boat.wake if wake.shows else 0.0,
-                    significant(wake.length),
-                    significant(wake.shortest),
-                )
-            )
-            for wake in wakes(scene.boats)
-        ],
-        count,
-    )
     mapped = quality.wake == "map"
-    bounds = [(significant(wake.steepest), *map(significant, wake.curvature)) for wake in wakes(scene.boats)]
-    declared = {
-        "u_wake_highest": number(height),
-        "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], count),
+    height, patterns = wake_height(scene.boats), wakes(scene.boats)
+    targets, passes = _map_passes(len(scene.boats), quality.wake_size) if mapped else ({}, ())
+    return Contribution(
+        why=f"wakes up to {height:.2g} m high",
+        slots=_slots(mapped=mapped),
+        consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
+        uniforms={**_form_uniforms(patterns), **({} if mapped else _bound_uniforms(patterns, height))},
+        inputs={f"u_wake_{name}": TargetInput(target=target) for name, target in READ.items()} if mapped else {},
+        targets=targets,
+        passes=passes,
+        bound=Bound(0.0, "no boat moves, or none makes waves") if height == 0.0 else None,
+        max_height=height,
+        min_height=-height,
+        max_slope=wake_slope(scene.boats),
+        max_curvature=sum(significant(wake.curvature[0]) for wake in patterns),
+        map_error=significant(sum(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
+        if mapped
+        else 0.0,
+        march_factor=2,
+    )
+
+
+def _slots(*, mapped: bool) -> tuple[SlotFile, ...]:
+    pattern = ("boats/wake/map.glsl",) if mapped else ("boats/wake/pattern.glsl", "boats/wake/exact.glsl")
+    return (
+        SlotFile("waves", "boats/wake/waves.glsl", prefix="wakes", needs=(*WAY, *pattern)),
+        SlotFile("bounds", f"boats/wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
+    )
+
+
+def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
+    """Of each wake: wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and its boat."""
+    forms = [
+        (significant(of.k), of.boat.wake if of.shows else 0.0, significant(of.length), significant(of.shortest))
+        for of in patterns
+    ]
+    boats = [(of.boat.length, of.boat.radius) for of in patterns]
+    return {
+        "u_wake": array("vec4", [Constant(value=form) for form in forms], len(forms)),
+        "u_wake_boat": array("vec2", [Constant(value=boat) for boat in boats], len(boats)),
     }
-    consts: dict[str, Const] = {"WAKE_SIZE": size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY}
-    here = ("boats/wake/map.glsl",) if mapped else ("boats/wake/pattern.glsl", "boats/wake/exact.glsl")
-    passes = (
-        PassSpec(
-            name=f"wakes, {size} texels along",
-            program="wake",
-            fragment=(
-                "lib/numbers.glsl",
-                "boats/wake/form.glsl",
-                "boats/wake/pattern.glsl",
-                "boats/wake/map_pass.glsl",
-            ),
-            target="wake",
-        ),
+
+
+def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Uniform]:
+    """Bounds of the exact wakes, which no map is measured for."""
+    bounds = [(significant(of.max_slope), *map(significant, of.curvature)) for of in patterns]
+    return {
+        "u_wake_highest": number(height),
+        "u_wake_bounds": array("vec3", [Constant(value=of) for of in bounds], len(bounds)),
+    }
+
+
+def _map_passes(boats: int, size: int) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
+    """Targets and passes of the wakes' map, ``size`` texels long and half as wide per boat, and of its bounds."""
+    targets = {
+        "wake": Target(size=FixedSize(width=size, height=size // 2 * boats), format="RGBA16F", filter="linear"),
+        "wake_blocks": Target(size=FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * boats), format="RGBA16F"),
+        "wake_bounds": Target(size=FixedSize(width=len(AWAY), height=boats), format="RGBA16F"),
+    }
+    pattern = ("lib/numbers.glsl", "boats/wake/form.glsl", "boats/wake/pattern.glsl", "boats/wake/map_pass.glsl")
+    block = Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n")
+    return targets, (
+        PassSpec(name=f"wakes, {size} texels along", program="wake", fragment=pattern, target="wake"),
         PassSpec(
             name="wakes, greatest of blocks",
             program="wake_blocks",
-            fragment=(
-                Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"),
-                "boats/wake/form.glsl",
-                "boats/wake/bounds_blocks_pass.glsl",
-            ),
+            fragment=(block, "boats/wake/form.glsl", "boats/wake/bounds_blocks_pass.glsl"),
             target="wake_blocks",
             inputs={"u_wake_map": TargetInput(target="wake")},
         ),
@@ -80,39 +106,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             inputs={"u_wake_blocks": TargetInput(target="wake_blocks")},
         ),
     )
-    targets = {
-        "wake": Target(size=FixedSize(width=size, height=size // 2 * count), format="RGBA16F", filter="linear"),
-        "wake_blocks": Target(size=FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count), format="RGBA16F"),
-        "wake_bounds": Target(size=FixedSize(width=len(AWAY), height=count), format="RGBA16F"),
-    }
-    return Contribution(
-        why=f"wakes up to {height:.2g} m high",
-        slots=(
-            SlotFile("waves", "boats/wake/waves.glsl", prefix="wakes", needs=(*WAY, *here)),
-            SlotFile("bounds", f"boats/wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
-        ),
-        consts=consts,
-        uniforms={
-            "u_wake": forms,
-            "u_wake_boat": array("vec2", [Constant(value=(boat.length, boat.radius)) for boat in scene.boats], count),
-            **({} if mapped else declared),
-        },
-        inputs={f"u_wake_{name}": TargetInput(target=target) for name, target in READ.items()} if mapped else {},
-        targets=targets if mapped else {},
-        passes=passes if mapped else (),
-        bound=Bound(0.0, "no boat moves, or none raises a wave") if height == 0.0 else None,
-        top=height,
-        trough=-height,
-        steepest=steepest,
-        curvature=sum(near for _, near, _ in bounds),
-        grain=significant(sum(wake.grain(wake.length / size) for wake in wakes(scene.boats))) if mapped else 0.0,
-        march=2,
-    )
 
 
 EFFECT = Effect(
     "wakes",
     contribute,
+    fields=("/boats/wake",),
     knobs=(
         Knob("/wake", "wakes", ("map", "exact"), "geometry"),
         Knob("/wake_size", "texels of the wake map", (128, 256, 512, 1024), "geometry"),

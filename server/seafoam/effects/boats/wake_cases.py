@@ -1,4 +1,4 @@
-"""Hard cases of boats.wake, and scenes that call for it and cannot show it."""
+"""Hard cases of boats.wake, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -21,23 +21,23 @@ _HARD = (
     HardCase(
         name="the edge of a wake, where both systems meet",
         scene=Scene(boats=(_FAST,), foam=Foam(saturation=(SlopeSaturation(),), look="textured")),
-        guard="the wake opens where the root is no longer 0 (boats/wake/pattern.glsl)",
-        without="2.6 % of samples off by more than 2 levels, the worst by 213: a wall of water at the wake's edge",
+        guard="a wake has height only where the square root in its phase exceeds 0 (boats/wake/pattern.glsl)",
+        without="2.6 % of samples off by more than 2 levels, the worst by 213: a vertical step at the wake's edge",
         camera=_ABOVE,
     ),
     HardCase(
         name="the centre of a boat's circle, and straight behind it",
         scene=Scene(boats=(_FAST.model_copy(update={"radius": 13.5}),)),
-        guard="at least a tenth of the radius, a tangent of at most 5000 "
-        "(boats/wake/way.glsl, boats/wake/pattern.glsl)",
-        without="nothing on llvmpipe: no sample of the frame is there to its last bit",
+        guard="distance from the centre at least a tenth of the radius, tangent at most 5000 (boats/wake/way.glsl, "
+        "boats/wake/pattern.glsl)",
+        without="no change on llvmpipe: no sample of the frame is exactly there",
         camera=_ABOVE.model_copy(update={"position": (0.0, 20.0, -30.0)}),
     ),
     HardCase(
         name="a wake from thirty years ago",
         scene=Scene(boats=(_FAST,)),
         guard="the bearing on the course reduced in float64 (framegraph/evaluation.py)",
-        without="in float32 at 1e9 s bearings are 8 rad apart: the wake is anywhere on the circle",
+        without="in float32 at 1e9 s bearings have steps of 8 rad: the wake is anywhere on the circle",
         times=(-1e9, 1e9),
         camera=_ABOVE,
     ),

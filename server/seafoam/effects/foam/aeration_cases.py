@@ -1,4 +1,4 @@
-"""Hard cases of foam.aeration, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.aeration, and scenes that name it but in which it is invisible."""
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -27,8 +27,8 @@ _HARD = (
                 aeration=10.0, plume_depth=20.0, scattering=0.0, absorption_length=(0.01, 1000.0, 0.01), depth=0.05
             ),
         ),
-        guard="what comes back is at least none (water/plume/bubbles.glsl)",
-        without="nothing on llvmpipe: what clear water sends back from the layer is never more than all of it",
+        guard="reflected light at least 0 (water/plume/bubbles.glsl)",
+        without="no change on llvmpipe: clear water never reflects more from the layer than in all",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
 )

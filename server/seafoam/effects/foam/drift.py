@@ -1,6 +1,7 @@
-"""Foam that a flow carries: a current, the waves' own drift, vortices. docs/formulae.md, section 14."""
+"""Foam advected by a flow: a current, Stokes drift, vortices. docs/formulae.md, section 14."""
 
 import math
+from dataclasses import replace
 from statistics import NormalDist
 
 from seafoam.effects.bounds import SATURATION_CAP
@@ -13,10 +14,11 @@ from seafoam.effects.effect import (
     PassSpec,
     Piece,
     PlanError,
+    SaturationSource,
     SlotFile,
     Source,
 )
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.passes import Points
 from seafoam.framegraph.resources import FixedSize, Target, TargetFormat, TargetInput, TextureInput
 from seafoam.framegraph.rules import Constant, Held, Loop, Uniform, array, number, significant, vector
@@ -26,136 +28,118 @@ from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.foam import DriftSaturation, Foam
 from seafoam.scene.models import Scene
 
-BROODS = 4
-"""Broods of patches that are alive together."""
+GENERATIONS = 4
+"""Generations of patches that are alive together."""
 PARTS = 4
-"""Parts of a brood at which ways back are known beforehand: a frame follows the rest, an eighth in the mean."""
+"""Parts of a generation's interval at which displacements are stored: a frame integrates only the rest, on average
+an eighth of the interval."""
 COUNTED = 1024
-"""Broods after which the same patches come up again."""
+"""Number of generations after which the same patches appear again."""
 REACH = (3.0, 6.0)
-"""Radii from which a vortex fades, and where it ends."""
+"""Distances at which a vortex begins to fade and ends, in radii."""
 PEAK = 1.25643121
-"""y with e^y = 1 + 2y: (r/a)² of Lamb and Oseen's vortex where it turns fastest is y over this."""
+"""Solution y of e^y = 1 + 2y: with the exponent -y (r/R)², a Lamb-Oseen vortex is fastest at its radius R."""
 MOST_TURN = 200.0
-"""rad that a vortex may turn in the life of a patch: past thirty turns its foam is ground to nothing anyway."""
+"""Maximum rotation of a vortex in the lifetime of a patch, rad: after thirty turns its foam is mixed evenly."""
 STEP_TURN = 1.0
-"""rad that a vortex turns in a step of a second or more at most; in a shorter one, its share of it."""
+"""Maximum rotation of a vortex in a time step of a second or more, rad; proportionally less in a shorter step."""
 POINTS_SIDE = 512
-"""Cells along a side that points are moved from at most."""
+"""Maximum cells along a side from which points are moved."""
 MOVES = 64
-"""Steps of forward mapping at most; each is a pass."""
+"""Maximum steps of forward mapping; each is a pass."""
 APART = (3.37, 5.61)
-"""Between the two copies of a mask that is carried, in tiles: no two places have the same threshold."""
+"""Offset between the two copies of an advected mask, in tiles, so that they nowhere have the same threshold."""
 NOISE_DEVIATION = 0.138
 SOFTNESS = 0.1
-"""Of the noise that patches are cut from: its standard deviation, and half the width of the cut."""
+"""Of the noise whose threshold makes the patches: its standard deviation, and half the width of the soft threshold."""
 _FAR = 1e8
-"""Places are held so far from the eye, m: no picture reaches there."""
+"""Limit of the distance from a place to the camera, along each axis, m: beyond what any picture shows."""
 _NUMBERS = ("lib/numbers.glsl", "foam/drift/square.glsl")
+_FLOW_MAP = ("lib/bilinear.glsl", "foam/drift/flow_map.glsl")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``drift``."""
+    """Active if a saturation has source ``drift``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, DriftSaturation)]
-    if not found:
+    source = scene.foam.source(DriftSaturation)
+    if source is None:
         return None
-    index, source = found[0]
-    drift = scene.drift
-    if drift is None:
-        return Contribution(
-            why="no flow to carry foam",
-            bound=Bound(0.0, "there is no drift"),
-        )
-    brood = source.life / BROODS
-    broods = min(max(math.ceil(quality.drift_window / brood), 1), BROODS)
-    fastest = _fastest(drift, source)
-    longest = min(quality.drift_step, STEP_TURN * min(quality.drift_step, 1.0) / max(fastest, 1e-6))
-    steps = math.ceil(brood / longest)
-    bound = (
-        Bound(0.0, "its foam has no amount", (f"/foam/saturation/{index}/amount",)) if source.amount == 0.0 else None
-    )
-    given = _Given(scene, scene.foam, drift, source, quality, brood, broods, steps)
-    common: dict[str, Uniform] = {
-        **given.square,
-        **given.clock,
-        "u_drift_place": array("vec2", _to_eye(drift.place), 1),
-        "u_drift_foam": number(source.amount, f"/foam/saturation/{index}/amount"),
-    }
-    if quality.drift == "exact":
-        return Contribution(
-            why=f"patches of {source.life:g} s followed back in {broods * steps} steps, at each sample",
-            slots=(
-                SlotFile(
-                    "saturation",
-                    "foam/saturation/drift_exact.glsl",
-                    prefix="drift",
-                    needs=(
-                        "foam/drift/square.glsl",
-                        "foam/drift/clock.glsl",
-                        "foam/drift/flow.glsl",
-                        *VALUE_NOISE,
-                        "foam/drift/patches.glsl",
-                        "foam/drift/ago.glsl",
-                        "foam/drift/back.glsl",
-                        "foam/saturation/drift_rim.glsl",
-                    ),
-                ),
-            ),
-            consts=given.consts,
-            uniforms={**common, **given.flow, **given.patches},
-            bound=bound,
-        )
-    size = given.size
-    ways = "back" if quality.drift == "backward" else "forward"
-    return Contribution(
-        why=f"patches of {source.life:g} s followed {ways}, on a map of {size} texels a side",
-        slots=(
-            SlotFile(
-                "saturation",
-                "foam/saturation/drift.glsl",
-                prefix="drift",
-                needs=("foam/drift/square.glsl", "foam/drift/clock.glsl", "foam/saturation/drift_rim.glsl"),
-            ),
-        ),
-        consts=given.consts,
-        uniforms=common,
-        inputs={
-            "u_drift_map": TargetInput(target="drift"),
-            "u_drift_coarse": TargetInput(target="drift_coarse"),
-            **({} if given.forward else {"u_drift_way": TargetInput(target="drift_way")}),
+    if scene.drift is None:
+        return Contribution(why="no flow to carry foam", bound=Bound(0.0, "the scene has no drift"))
+    amount = f"{scene.foam.pointer(source)}/amount"
+    advection = _Advection(scene, scene.foam, scene.drift, source, quality)
+    common = Contribution(
+        why=advection.why,
+        consts=advection.consts,
+        uniforms={
+            **advection.square,
+            **advection.clock,
+            "u_drift_place": array("vec2", _to_camera(scene.drift.place), 1),
+            "u_drift_foam": number(source.amount, amount),
         },
-        targets=given.targets(),
-        passes=given.passes(),
-        bound=bound,
+        bound=Bound(0.0, "the foam's amount is 0", (amount,)) if source.amount == 0.0 else None,
+    )
+    return _per_sample(common, advection) if quality.drift == "exact" else _from_map(common, advection)
+
+
+def _per_sample(common: Contribution, advection: "_Advection") -> Contribution:
+    """Patches traced back along the flow at every sample."""
+    files = (
+        "foam/drift/square.glsl",
+        "foam/drift/clock.glsl",
+        "foam/drift/flow.glsl",
+        *VALUE_NOISE,
+        "foam/drift/patches.glsl",
+        "foam/drift/ago.glsl",
+        "foam/drift/back.glsl",
+        "foam/saturation/drift_rim.glsl",
+    )
+    return replace(
+        common,
+        slots=(SlotFile("saturation", "foam/saturation/drift_exact.glsl", prefix="drift", needs=files),),
+        uniforms={**common.uniforms, **advection.flow, **advection.patches},
     )
 
 
-class _Given:
-    """What the passes and the surface share."""
+def _from_map(common: Contribution, advection: "_Advection") -> Contribution:
+    """Patches read from a map that passes draw in every frame."""
+    files = ("lib/bilinear.glsl", "foam/drift/square.glsl", "foam/drift/clock.glsl", "foam/saturation/drift_rim.glsl")
+    maps = {"u_drift_map": "drift", "u_drift_coarse": "drift_coarse"}
+    if not advection.forward:
+        maps["u_drift_way"] = "drift_way"
+    return replace(
+        common,
+        slots=(SlotFile("saturation", "foam/saturation/drift.glsl", prefix="drift", needs=files),),
+        inputs={sampler: TargetInput(target=target) for sampler, target in maps.items()},
+        targets=advection.targets(),
+        passes=advection.passes(),
+    )
 
-    def __init__(
-        self,
-        scene: Scene,
-        foam: Foam,
-        drift: Drift,
-        source: DriftSaturation,
-        quality: Quality,
-        brood: float,
-        broods: int,
-        steps: int,
-    ) -> None:
+
+class _Advection:
+    """What passes and surface share. Raises ``PlanError`` for a vortex that turns too fast."""
+
+    def __init__(self, scene: Scene, foam: Foam, drift: Drift, source: DriftSaturation, quality: Quality) -> None:
+        interval = source.life / GENERATIONS
+        generations = min(max(math.ceil(quality.drift_window / interval), 1), GENERATIONS)
+        fastest = _fastest(drift, source)
+        longest = min(quality.drift_step, STEP_TURN * min(quality.drift_step, 1.0) / max(fastest, 1e-6))
+        steps = math.ceil(interval / longest)
         self.forward = quality.drift == "forward"
         self.size = min(quality.drift_size, POINTS_SIDE) if self.forward else quality.drift_size
-        self.moves = min(broods * steps, MOVES)
+        self.moves = min(generations * steps, MOVES)
+        direction = "forward" if self.forward else "back"
+        self.why = f"patches of {source.life:g} s followed {direction}, on a map of {self.size} texels a side"
+        if quality.drift == "exact":
+            self.why = f"patches of {source.life:g} s followed back in {generations * steps} steps, at each sample"
         vortices = drift.vortices or (Vortex(place=drift.place, speed=0.0),)
         self.consts: dict[str, Const] = {
             "DRIFT_VORTICES": len(vortices),
             "DRIFT_REACH_FROM": REACH[0],
             "DRIFT_REACH": REACH[1],
-            "DRIFT_BROOD": brood,
-            "DRIFT_BROODS": broods,
+            "DRIFT_BROOD": interval,
+            "DRIFT_BROODS": generations,
             "DRIFT_STEPS": steps,
             "DRIFT_MOVES": self.moves,
             "DRIFT_SIZE": self.size,
@@ -167,27 +151,9 @@ class _Given:
             "DRIFT_APART_Z": significant(APART[1] * foam.mask_tile),
             "DRIFT_CAP": 1.0 if foam.look == "filtered" else SATURATION_CAP,
         }
-        steady = steady_drift(scene)
         self.square = {"u_drift_half": number(0.5 * drift.size)}
-        self.clock = {"u_drift_clock": array("vec2", [Loop(period=COUNTED * brood), Loop(period=brood)], 1)}
-        self.flow = {
-            "u_drift_steady": vector((significant(steady[0]), significant(steady[1]))),
-            "u_drift_vortex": array(
-                "vec4",
-                [
-                    Constant(
-                        value=(
-                            significant(vortex.place[0] - drift.place[0]),
-                            significant(vortex.place[1] - drift.place[1]),
-                            vortex.radius,
-                            significant(turning(vortex)),
-                        )
-                    )
-                    for vortex in vortices
-                ],
-                len(vortices),
-            ),
-        }
+        self.clock = {"u_drift_clock": array("vec2", [Loop(period=COUNTED * interval), Loop(period=interval)], 1)}
+        self.flow = _flow_uniforms(scene, drift, vortices)
         middle = 0.5 + NOISE_DEVIATION * NormalDist().inv_cdf(1.0 - source.coverage)
         self.patches = {
             "u_drift_scale": number(significant(1.0 / source.patch)),
@@ -197,25 +163,27 @@ class _Given:
         self.coverage = {"u_drift_coverage": number(source.coverage)}
 
     def targets(self) -> dict[str, Target]:
-        # Every map is read texel by texel: samplers of some GPUs weigh texels in 256 steps.
+        """Targets of :meth:`passes`, without filtering: some GPUs interpolate texels in only 256 steps."""
+
         def square(side: int, kind: TargetFormat) -> Target:
             return Target(size=FixedSize(width=side, height=side), format=kind)
 
-        made = {
+        targets = {
             "drift_flow": square(self.size, "RGBA32F"),
             "drift": square(self.size, "RGBA16F"),
             "drift_coarse": square(self.size // 4, "RGBA16F"),
         }
         if self.forward:
-            made["drift_moved"] = square(self.size, "RGBA16F")
+            targets["drift_moved"] = square(self.size, "RGBA16F")
         else:
-            made["drift_way"] = square(self.size, "RGBA32F")
+            targets["drift_way"] = square(self.size, "RGBA32F")
             parts = FixedSize(width=self.size, height=PARTS * self.size)
             for name in ("drift_still", "drift_older"):
-                made[name] = Target(size=parts, format="RGBA32F")
-        return made
+                targets[name] = Target(size=parts, format="RGBA32F")
+        return targets
 
     def passes(self) -> tuple[PassSpec, ...]:
+        """The passes that draw the map, in order."""
         flow = PassSpec(
             name="flow of drift",
             program="drift_flow",
@@ -233,16 +201,17 @@ class _Given:
         return (flow, *(self._forward() if self.forward else self._backward()), coarse)
 
     def _backward(self) -> tuple[PassSpec, ...]:
+        """Every texel traced back along the flow to where its water was when each generation appeared."""
         flow: dict[str, TextureInput | TargetInput] = {"u_drift_flow": TargetInput(target="drift_flow")}
         back = (
             *_NUMBERS,
             "foam/drift/clock.glsl",
-            "foam/drift/flow_map.glsl",
+            *_FLOW_MAP,
             "foam/drift/ago.glsl",
             "foam/drift/back.glsl",
         )
-        # Without the clock, whose hands would have them drawn in every frame.
-        still = (*_NUMBERS, "foam/drift/flow_map.glsl", "foam/drift/ago.glsl")
+        # Without clock.glsl, whose time-dependent uniform would have these passes drawn in every frame.
+        still = (*_NUMBERS, *_FLOW_MAP, "foam/drift/ago.glsl")
         return (
             PassSpec(
                 name="drift, quarters of a brood back",
@@ -289,6 +258,7 @@ class _Given:
         )
 
     def _forward(self) -> tuple[PassSpec, ...]:
+        """Points moved along the flow from where the patches appeared."""
         # The last move ends in the map that the surface reads.
         order = ("drift", "drift_moved") if self.moves % 2 == 0 else ("drift_moved", "drift")
         start = PassSpec(
@@ -311,12 +281,12 @@ class _Given:
                 vertex=(
                     *_NUMBERS,
                     "foam/drift/clock.glsl",
-                    "foam/drift/flow_map.glsl",
+                    *_FLOW_MAP,
                     "foam/drift/forward_vertex.glsl",
                 ),
                 fragment=("foam/drift/forward_pass.glsl",),
                 target=order[(i + 1) % 2],
-                mesh=Points(count=BROODS * self.size * self.size),
+                mesh=Points(count=GENERATIONS * self.size * self.size),
                 inputs={
                     "u_drift_flow": TargetInput(target="drift_flow"),
                     "u_drift_from": TargetInput(target=order[i % 2]),
@@ -331,25 +301,27 @@ class _Given:
 
 
 def carries(scene: Scene, quality: Quality) -> bool:
-    """Whether the flow carries the mask too: with the filtered look, whose copies can be laid over one another."""
+    """Whether the flow advects the mask too: in the filtered look, which can blend two copies of it."""
     if scene.foam is None or scene.drift is None or scene.foam.look != "filtered" or quality.drift == "forward":
         return False
-    return any(isinstance(one, DriftSaturation) and one.amount > 0.0 for one in scene.foam.saturation)
+    source = scene.foam.source(DriftSaturation)
+    return source is not None and source.amount > 0.0
 
 
 def carried(look: str, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
-    """The file that stands in for a look's where its mask is carried, and what it needs."""
-    ways = "foam/drift/way_exact.glsl" if quality.drift == "exact" else "foam/drift/way_map.glsl"
-    return "foam/drift/carried.glsl", (ways, Source(look, (("foam_amount", "still_amount"),)))
+    """The file that replaces a look's file where the flow advects the mask, and the files that it needs."""
+    exact = quality.drift == "exact"
+    paths = ("foam/drift/way_exact.glsl",) if exact else ("lib/bilinear.glsl", "foam/drift/way_map.glsl")
+    return "foam/drift/carried.glsl", (*paths, Source(look, (("foam_amount", "still_amount"),)))
 
 
 def turning(vortex: Vortex) -> float:
-    """Angular velocity at a vortex' centre, rad/s."""
+    """Angular velocity at the centre of a vortex, rad/s."""
     return vortex.speed / vortex.radius * PEAK / -math.expm1(-PEAK)
 
 
 def _fastest(drift: Drift, source: DriftSaturation) -> float:
-    """Angular velocity of the fastest vortex, rad/s. Raises ``PlanError`` where one turns too often to be followed."""
+    """Angular velocity of the fastest vortex, rad/s. Raises ``PlanError`` if one turns by more than MOST_TURN."""
     for i, vortex in enumerate(drift.vortices):
         if abs(turning(vortex)) * source.life > MOST_TURN:
             raise PlanError(
@@ -361,17 +333,42 @@ def _fastest(drift: Drift, source: DriftSaturation) -> float:
     return max((abs(turning(vortex)) for vortex in drift.vortices), default=0.0)
 
 
-def _to_eye(place: tuple[float, float]) -> tuple[Held, Held]:
-    """From a place to the eye."""
+def _flow_uniforms(scene: Scene, drift: Drift, vortices: tuple[Vortex, ...]) -> dict[str, Uniform]:
+    """Steady drift, m/s; of each vortex: place relative to the square's and radius, m, and angular velocity, rad/s."""
+    steady = steady_drift(scene)
+    vortex_values = [
+        (
+            significant(vortex.place[0] - drift.place[0]),
+            significant(vortex.place[1] - drift.place[1]),
+            vortex.radius,
+            significant(turning(vortex)),
+        )
+        for vortex in vortices
+    ]
+    return {
+        "u_drift_steady": vector((significant(steady[0]), significant(steady[1]))),
+        "u_drift_vortex": array("vec4", [Constant(value=value) for value in vortex_values], len(vortices)),
+    }
+
+
+def _to_camera(place: tuple[float, float]) -> tuple[Held, Held]:
+    """Vector from a place to the camera, m."""
     return (
         Held(offset=-place[0], k=(1.0, 0.0), low=-_FAR, high=_FAR),
         Held(offset=-place[1], k=(0.0, 1.0), low=-_FAR, high=_FAR),
     )
 
 
+def drift_limit(source: DriftSaturation, scene: Scene) -> float:
+    """Return the greatest drift saturation: the weights of overlapping ages add up to 2."""
+    return min(2.0 * source.amount, SATURATION_CAP) if scene.drift is not None else 0.0
+
+
 EFFECT = Effect(
     "drifting foam",
     contribute,
+    fields=("/drift", "/drift/vortices"),
+    saturation=SaturationSource(DriftSaturation, drift_limit, ("amount",)),
     knobs=(
         Knob("/drift", "drift", ("forward", "backward", "exact"), "geometry"),
         Knob("/drift_size", "texels of the drift maps", (64, 128, 256, 512), "geometry"),

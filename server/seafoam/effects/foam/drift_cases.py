@@ -1,4 +1,4 @@
-"""Hard cases of foam.drift, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.drift, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -32,8 +32,8 @@ _HARD = (
     HardCase(
         name="the centre of a vortex in the middle of a pixel",
         scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
-        guard="a series where (1 - e^-y)/y is a difference over nothing (foam/drift/flow.glsl)",
-        without="NaN at the centre itself, and 147 000 m/s a hair beside it, where y is subnormal",
+        guard="a series for (1 - e^-y)/y at small y, where the difference cancels (foam/drift/flow.glsl)",
+        without="NaN at the centre, and 147 000 m/s close to it, where y is subnormal",
         times=(0.0, 17.0),
         camera=Camera(position=(0.0, 4.0, -10.0), pitch=-math.pi / 2),
         # SwiftShader's sine, good to 2e-4, moves threads of foam round a vortex, a pixel wide.
@@ -42,8 +42,9 @@ _HARD = (
     HardCase(
         name="a hundred texels a step",
         scene=Scene(light=_LIGHT, drift=_with(current=(17.0, -5.0)), foam=_FOAM),
-        guard="ways are followed back, so that every texel has one whatever the step (foam/drift/backward_pass.glsl)",
-        without="points that are moved forward instead have all left the map: no foam instead of 38 %",
+        guard="texels are traced back along the flow, so that each has a value for any step "
+        "(foam/drift/backward_pass.glsl)",
+        without="points that are moved forward have all left the map: no foam instead of 38 %",
         times=(3.0,),
         camera=_VIEW,
     ),
@@ -54,8 +55,8 @@ _HARD = (
             drift=_with(vortices=(Vortex(place=(0.0, -6.0), radius=0.28, speed=2.0),)),
             foam=Foam(saturation=(DriftSaturation(life=12.0),), mask="clump", mask_tile=4.0),
         ),
-        guard="steps no longer than a radian of the fastest vortex (effects/foam/drift.py)",
-        without="2.5 rad a step of 0.2 s: foam off by 0.06 root mean square",
+        guard="steps in which the fastest vortex turns by at most 1 rad (effects/foam/drift.py)",
+        without="2.5 rad per step of 0.2 s: root mean square error of the foam 0.06",
         times=(5.0,),
         camera=Camera(position=(0.0, 3.0, -6.0), pitch=-math.pi / 2),
     ),
@@ -66,16 +67,16 @@ _HARD = (
             drift=_with(current=(0.0, 0.0), vortices=(Vortex(place=(0.0, -6.0), radius=1.2, speed=2.0),)),
             foam=Foam(saturation=(DriftSaturation(life=60.0, patch=1.0),), mask="clump", mask_tile=4.0),
         ),
-        guard="patches led to their mean where a texel holds more than a patch (foam/drift/backward_pass.glsl)",
-        without="blobs a texel wide that boil: foam changes by 1.1 % in a sixtieth of a second instead of 0.2 %",
+        guard="patches blend to their mean where a texel is larger than a patch (foam/drift/backward_pass.glsl)",
+        without="flickering spots of one texel: foam changes by 1.1 % in 1/60 s instead of 0.2 %",
         times=(50.0,),
         camera=Camera(position=(0.0, 6.0, -6.0), pitch=-math.pi / 2),
     ),
     HardCase(
         name="drifting foam a thousand million seconds from now",
         scene=Scene(light=_LIGHT, drift=_EDDY, foam=_FOAM),
-        guard="ages and the count of broods reduced in float64 (framegraph/evaluation.py)",
-        without="in float32 the time is a multiple of 64 s: every age off by up to a life",
+        guard="ages and the number of the generation reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 the time is a multiple of 64 s: ages are off by up to a lifetime",
         times=(-1e9, 1e9 + 3.1),
         camera=_VIEW,
     ),
@@ -88,8 +89,8 @@ _HARD = (
             ),
             foam=_FOAM,
         ),
-        guard="the way from the square's middle to the eye reduced in float64 (framegraph/evaluation.py)",
-        without="in float32: off by up to 0.8 m",
+        guard="the vector from the square's centre to the camera reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: positions off by up to 0.8 m",
         times=(12.0,),
         camera=Camera(position=(9.99e6, 9.0, -9.99e6 + 18.0), pitch=-0.5),
     ),
@@ -109,7 +110,7 @@ _HARD = (
                 mask_tile=4.0,
             ),
         ),
-        guard="the filtered look clamps each at 1 first (foam/saturation/drift.glsl)",
+        guard="the filtered look clamps each saturation to 1 before the product (foam/saturation/drift.glsl)",
         without="foam on 76 % of the picture instead of 35 %",
         times=(12.0,),
         camera=_VIEW,
@@ -117,8 +118,8 @@ _HARD = (
     HardCase(
         name="no current and no vortex",
         scene=Scene(light=_LIGHT, drift=_with(current=(0.0, 0.0), vortices=()), foam=_FOAM),
-        guard="a vortex that does not turn stands in the shader's list (effects/foam/drift.py)",
-        without="an array of no vortices, which GLSL ES does not compile",
+        guard="without vortices the shader's array holds one of speed 0 (effects/foam/drift.py)",
+        without="an array of length 0, which GLSL ES does not compile",
         times=(12.0,),
         camera=_VIEW,
     ),

@@ -1,9 +1,10 @@
 """Foam saturation from the wave's front (Yingst, Alford and Parberry 2011). docs/formulae.md, section 4."""
 
 import math
+from dataclasses import dataclass, replace
 
-from seafoam.effects.bounds import front_limit, waves_top
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SlotFile, TextureUse
+from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile, TextureUse
 from seafoam.effects.foam.living import carries
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
@@ -13,109 +14,106 @@ from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
-from seafoam.textures import FRONT_NODES, front_fading, front_full, front_integral_name
+from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 
 LEAST_RATE = 1e-3
-"""Mean frequency of the waves, rad/s, where the foam drifts as fast as they run."""
-_CONSTANTS = {"text": (math.pi / 2.0, 2.0 * math.pi, 1.0), "listing": (1.07, 6.28, math.log(2.718))}
-"""δ (rad), the number that stands for 2π in the spatial phase, and ln E."""
+"""Least mean frequency of the waves as drifting water meets them, rad/s."""
+
+
+@dataclass(frozen=True)
+class _Constants:
+    """Constants of the published text or of its listing."""
+
+    delta: float
+    """Phase offset, rad."""
+    turn: float
+    """The number in place of 2π in the wavenumbers."""
+    log_base: float
+    """Natural logarithm of the base of the profile."""
+
+
+_CONSTANTS = {
+    "text": _Constants(math.pi / 2.0, 2.0 * math.pi, 1.0),
+    "listing": _Constants(1.07, 6.28, math.log(2.718)),
+}
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``front``."""
+    """Active if a saturation has source ``front``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, FrontSaturation)]
-    if not found:
+    front = scene.foam.source(FrontSaturation)
+    if front is None:
         return None
-    index, front = found[0]
     if not scene.waves:
         return Contribution(why="", bound=Bound(0.0, "no wave, so no front"))
     bound = None
     if front_limit(front, scene) == 0.0:
-        bound = Bound(0.0, "crests foam only above the greatest possible sum of the waves")
+        bound = Bound(0.0, "the group's threshold is above the greatest possible sum of the waves")
     filtered = scene.foam.look == "filtered"
     if front.decay is not None:
-        return _living(scene, front, front.decay, filtered, bound)
-    delta, turn, log_base = _CONSTANTS[front.constants]
-    consts: dict[str, Const] = {}
-    if shares_phase(scene):
-        waves_of, own = "foam/saturation/front_shared.glsl", _shared_waves(scene)
+        contribution = _decaying(scene, front, front.decay, filtered=filtered)
+    elif filtered:
+        contribution = _averaged(scene, front)
     else:
-        waves_of, own = "foam/saturation/front_own.glsl", _own_waves(scene, delta, turn)
-        consts["FRONT_COUNT"] = len(scene.waves)
-    gated = front.group != (0.0, 0.0)
-    pointer = f"/foam/saturation/{index}"
-    consts["FRONT_GATED"] = gated
-    uniforms: dict[str, Uniform] = {
-        **own,
-        # The filtered look reads C from a table as well, so there it is not free to move.
-        "u_front_intensity": number(front.intensity, None if filtered else f"{pointer}/intensity"),
-        "u_front_log_base": number(log_base),
-        "u_front_group": _group(front),
-    }
-    count = len(scene.waves)
-    why = f"front saturation of {count} wave{'s' if count > 1 else ''}, constants of the {front.constants}"
-    needs: tuple[str, ...] = (waves_of, "foam/saturation/front_gate.glsl", "foam/saturation/front_profile.glsl")
-    if filtered:
-        needs = (*needs, "foam/saturation/front_seen.glsl")
-    if not filtered:
-        return Contribution(
-            why=why,
-            slots=(SlotFile("saturation", "foam/saturation/front.glsl", prefix="front", needs=needs),),
-            consts=consts,
-            uniforms=uniforms,
-            bound=bound,
-        )
-    uniforms["u_front_relief"] = number(significant(_relief(scene, turn / (2.0 * math.pi))))
+        contribution = _at_samples(scene, front, f"{scene.foam.pointer(front)}/intensity")
+    return replace(contribution, bound=bound)
+
+
+def _at_samples(scene: Scene, front: FrontSaturation, intensity_field: str) -> Contribution:
+    """Foam of the present fronts at the samples' own places."""
     return Contribution(
-        why=f"{why}, averaged over footprints",
-        slots=(SlotFile("saturation", "foam/saturation/front_filtered.glsl", prefix="front", needs=needs),),
-        consts={
-            **consts,
-            "FRONT_CREST": 2.0 * delta - math.pi / 2.0,
-            "FRONT_NODES": FRONT_NODES,
-            "FRONT_FULL": front_full(front.intensity, log_base),
-            "FRONT_FADING": front_fading(front.intensity, log_base),
-        },
-        uniforms=uniforms,
-        inputs={"u_front_integral": TextureInput(texture="front_integral")},
-        textures={"front_integral": TextureUse(front_integral_name(front.intensity, log_base), wrap="clamp_to_edge")},
-        bound=bound,
+        why=_why(scene, front),
+        slots=(_present_slot(scene, "front"),),
+        consts=_present_consts(scene, front),
+        uniforms={**_present_uniforms(scene, front), "u_front_intensity": number(front.intensity, intensity_field)},
     )
 
 
-def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, bound: Bound | None) -> Contribution:
-    """Foam that stays where fronts have left it."""
-    shared = shares_phase(scene)
-    waves, mean = _drifting(scene, shared)
-    of_waves = _shared_waves(scene) if shared else _own_waves(scene, *_CONSTANTS["text"][:2])
-    way = "none"
-    if carries(scene):
-        way = "shared" if shared else "own"
-        if not shared:
-            of_waves["u_front_orbit"] = _orbits(scene)
-    life = significant(mean * decay)
-    born = significant(front_full(front.intensity, 1.0))
-    count = len(scene.waves)
+def _averaged(scene: Scene, front: FrontSaturation) -> Contribution:
+    """Foam of the present fronts, averaged over footprints by a table of its integral."""
+    constants = _CONSTANTS[front.constants]
+    integral = FrontIntegral(intensity=front.intensity, log_base=constants.log_base)
     return Contribution(
-        why=f"foam of {count} wave{'s' if count > 1 else ''} left by the last three fronts, {decay:g} s to 1/e",
-        slots=(
-            SlotFile(
-                "saturation",
-                "foam/saturation/front_living.glsl",
-                prefix="front",
-                needs=(
-                    f"foam/saturation/front_{'shared' if shared else 'own'}.glsl",
-                    "foam/saturation/front_gate.glsl",
-                    "foam/saturation/front_seen.glsl",
-                    f"foam/saturation/way_{way}.glsl",
-                ),
-            ),
-        ),
+        why=f"{_why(scene, front)}, averaged over footprints",
+        slots=(_present_slot(scene, "front_filtered", "front_seen"),),
+        consts={
+            **_present_consts(scene, front),
+            "FRONT_CREST": 2.0 * constants.delta - math.pi / 2.0,
+            "FRONT_NODES": FRONT_NODES,
+            "FRONT_FULL": front_full(front.intensity, constants.log_base),
+            "FRONT_FADING": front_fading(front.intensity, constants.log_base),
+        },
+        uniforms={
+            **_present_uniforms(scene, front),
+            # The table contains the intensity too, so the uniform cannot change alone.
+            "u_front_intensity": number(front.intensity),
+            "u_front_relief": number(significant(_relief(scene, constants.turn / (2.0 * math.pi)))),
+        },
+        inputs={"u_front_integral": TextureInput(texture="front_integral")},
+        textures={"front_integral": TextureUse(integral, wrap="clamp_to_edge")},
+    )
+
+
+def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: bool) -> Contribution:
+    """Foam that remains where fronts have left it, and decays to 1/e in ``decay`` s."""
+    shared = shares_phase(scene)
+    waves, mean_rate = _past_waves(scene, shared)
+    uniforms = _phase_uniforms(scene, _CONSTANTS["text"])
+    carry = "none"
+    if carries(scene):
+        carry = "shared" if shared else "own"
+        if not shared:
+            uniforms["u_front_orbit"] = _orbits(scene)
+    life = significant(mean_rate * decay)
+    born = significant(front_full(front.intensity, 1.0))
+    needs = (_phase_file(scene), *_saturation_files("front_gate", "front_seen", f"way_{carry}"))
+    return Contribution(
+        why=f"foam of {_waves(scene)} left by the last three fronts, {decay:g} s to 1/e",
+        slots=(SlotFile("saturation", "foam/saturation/front_living.glsl", prefix="front", needs=needs),),
         consts={
             "FRONT_COUNT": len(waves),
-            "FRONT_GATED": front.group != (0.0, 0.0),
+            "FRONT_GATED": _gated(front),
             "FRONT_FILTERED": filtered,
             "FRONT_CREST": math.pi / 2.0,
             "FRONT_BORN": born,
@@ -123,73 +121,113 @@ def _living(scene: Scene, front: FrontSaturation, decay: float, filtered: bool, 
             "FRONT_WHOLE": significant(born + life * -math.expm1((born - 2.0 * math.pi) / life)),
         },
         uniforms={
-            **of_waves,
+            **uniforms,
             "u_living": array("vec4", waves, len(waves)),
             "u_front_relief": number(significant(_relief(scene, 1.0))),
             "u_front_group": _group(front),
         },
-        bound=bound,
     )
 
 
-def _drifting(scene: Scene, shared: bool) -> tuple[list[Constant], float]:
-    """Of each wave what its past fronts need, as water that drifts meets them; and their mean frequency, rad/s.
-
-    ``shared``: of the waves that the surface has, which are those with height.
-    """
-    x, z = foam_drift(scene)
-    met = []
-    for wave, weight in zip(scene.waves, _weights(scene), strict=True):
-        kx, kz = wavevector(wave, scene.water.depth)
-        # Water that drifts along with a wave meets it less often.
-        met.append((wave, weight, angular_frequency(wave) - kx * x - kz * z))
-    mean = max(sum(weight * rate for _, weight, rate in met), LEAST_RATE)
-    made: list[Constant] = []
-    for wave, weight, rate in met:
-        if wave.amplitude > 0.0 or not shared:
-            turn = 2.0 * math.pi * rate / mean
-            past = (rate / mean, math.cos(turn), math.sin(turn))
-            made.append(Constant(value=(*(significant(value) for value in past), weight)))
-    return made, mean
+def _waves(scene: Scene) -> str:
+    count = len(scene.waves)
+    return f"{count} wave{'s' if count > 1 else ''}"
 
 
-def _orbits(scene: Scene) -> Uniform:
-    """How far each wave carries its water along its heading, (x, z) m."""
-    reaches = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
-    along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in reaches]
-    return array("vec2", along, len(along))
+def _why(scene: Scene, front: FrontSaturation) -> str:
+    return f"front saturation of {_waves(scene)}, constants of the {front.constants}"
 
 
-def _weights(scene: Scene) -> list[float]:
-    """Each wave's share of the sum of all amplitudes; of none, the same share each."""
-    total = waves_top(scene)
-    return [wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves) for wave in scene.waves]
+def _saturation_files(*names: str) -> tuple[str, ...]:
+    return tuple(f"foam/saturation/{name}.glsl" for name in names)
 
 
-def _shared_waves(scene: Scene) -> dict[str, Uniform]:
-    return {"u_front_share": number(significant(1.0 / waves_top(scene)))}
+def _phase_file(scene: Scene) -> str:
+    """The file that gives the phase of the waves' sum: shared with the surface, or evaluated for the front."""
+    return f"foam/saturation/front_{'shared' if shares_phase(scene) else 'own'}.glsl"
+
+
+def _present_slot(scene: Scene, file: str, *more: str) -> SlotFile:
+    needs = (_phase_file(scene), *_saturation_files("front_gate", "front_profile", *more))
+    return SlotFile("saturation", f"foam/saturation/{file}.glsl", prefix="front", needs=needs)
+
+
+def _present_consts(scene: Scene, front: FrontSaturation) -> dict[str, Const]:
+    own: dict[str, Const] = {} if shares_phase(scene) else {"FRONT_COUNT": len(scene.waves)}
+    return {**own, "FRONT_GATED": _gated(front)}
+
+
+def _present_uniforms(scene: Scene, front: FrontSaturation) -> dict[str, Uniform]:
+    constants = _CONSTANTS[front.constants]
+    return {
+        **_phase_uniforms(scene, constants),
+        "u_front_log_base": number(constants.log_base),
+        "u_front_group": _group(front),
+    }
+
+
+def _gated(front: FrontSaturation) -> bool:
+    return front.group != (0.0, 0.0)
 
 
 def _group(front: FrontSaturation) -> Uniform:
     return vector((front.group[0], max(front.group[1], front.group[0] + 1e-4)))
 
 
-def _own_waves(scene: Scene, delta: float, turn: float) -> dict[str, Uniform]:
-    """Wavenumbers, weights and phases of the front's own."""
-    data: list[Constant] = []
+def _phase_uniforms(scene: Scene, constants: _Constants) -> dict[str, Uniform]:
+    """What determines the phase of the waves' sum: all if the front has phases of its own, else one factor."""
+    if shares_phase(scene):
+        return {"u_front_share": number(significant(1.0 / parametric_wave_height(scene)))}
+    waves: list[Constant] = []
     phases: list[Phase] = []
     for wave, weight in zip(scene.waves, _weights(scene), strict=True):
-        kx, kz = (turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
-        data.append(Constant(value=(kx, kz, weight, 0.0)))
-        phases.append(Phase(offset=wave.phase + (2.0 * delta - math.pi), rate=angular_frequency(wave), k=(-kx, -kz)))
+        kx, kz = (constants.turn / (2.0 * math.pi) * k for k in wavevector(wave, scene.water.depth))
+        waves.append(Constant(value=(kx, kz, weight, 0.0)))
+        offset = wave.phase + (2.0 * constants.delta - math.pi)
+        phases.append(Phase(offset=offset, rate=angular_frequency(wave), k=(-kx, -kz)))
     return {
-        "u_front_wave": array("vec4", data, len(data)),
-        "u_front_phase": array("float", phases, len(data)),
+        "u_front_wave": array("vec4", waves, len(waves)),
+        "u_front_phase": array("float", phases, len(waves)),
     }
 
 
+def _past_waves(scene: Scene, shared: bool) -> tuple[list[Constant], float]:
+    """Of each wave: q = frequency over the mean, cos and sin of 2πq, and its weight; and the mean frequency, rad/s.
+
+    Frequencies are those that drifting water meets. ``shared``: only waves of the surface, whose amplitude is above 0.
+    """
+    drift_x, drift_z = foam_drift(scene)
+    rates = []
+    for wave in scene.waves:
+        kx, kz = wavevector(wave, scene.water.depth)
+        # Water that drifts along with a wave meets it less often.
+        rates.append(angular_frequency(wave) - kx * drift_x - kz * drift_z)
+    weights = _weights(scene)
+    mean = max(sum(weight * rate for weight, rate in zip(weights, rates, strict=True)), LEAST_RATE)
+    waves: list[Constant] = []
+    for wave, weight, rate in zip(scene.waves, weights, rates, strict=True):
+        if wave.amplitude > 0.0 or not shared:
+            turn = 2.0 * math.pi * rate / mean
+            past = (rate / mean, math.cos(turn), math.sin(turn))
+            waves.append(Constant(value=(*(significant(value) for value in past), weight)))
+    return waves, mean
+
+
+def _orbits(scene: Scene) -> Uniform:
+    """Horizontal amplitude of each wave's orbits, as a vector along its heading, (x, z) m."""
+    orbits = [(orbit(wave, scene.water.depth), wave.direction) for wave in scene.waves]
+    along = [Constant(value=(significant(r * math.cos(d)), significant(r * math.sin(d)))) for r, d in orbits]
+    return array("vec2", along, len(along))
+
+
+def _weights(scene: Scene) -> list[float]:
+    """Each wave's amplitude over the sum of all amplitudes; equal weights if that sum is 0."""
+    total = parametric_wave_height(scene)
+    return [wave.amplitude / total if total > 0.0 else 1.0 / len(scene.waves) for wave in scene.waves]
+
+
 def _relief(scene: Scene, spatial: float) -> float:
-    """Slope amplitude of the sinusoid whose mean square slope is that of all waves together, wavenumbers scaled."""
+    """Slope amplitude of a sinusoid with the mean square slope of all waves, their wavenumbers times ``spatial``."""
     total = 0.0
     for wave in scene.waves:
         square = profile_square(wave.exponent)
@@ -197,4 +235,9 @@ def _relief(scene: Scene, spatial: float) -> float:
     return math.sqrt(2.0 * total)
 
 
-EFFECT = Effect("front foam", contribute)
+def front_limit(front: FrontSaturation, scene: Scene) -> float:
+    """Return the greatest front saturation: the limit, which every front reaches, or 0 if the group threshold is 1."""
+    return SATURATION_CAP if scene.waves and front.group[0] < 1.0 else 0.0
+
+
+EFFECT = Effect("front foam", contribute, saturation=SaturationSource(FrontSaturation, front_limit))

@@ -1,4 +1,4 @@
-"""Hard cases of foam.front, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.front, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -20,9 +20,9 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
             foam=Foam(saturation=(FrontSaturation(intensity=0.25),), look="halftone"),
         ),
-        guard="the pole is the number 0, f = 4 on it, and the exponent is held in [-80, 80] "
+        guard="f = 4 where the phase is exactly 0, the pole; exponent clamped to [-80, 80] "
         "(foam/saturation/front_profile.glsl)",
-        without="nothing on llvmpipe; f = 0 instead of 4 where the signal is (1, -0)",
+        without="no change on llvmpipe; f = 0 instead of 4 where the signal is (1, -0)",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
     HardCase(
@@ -31,8 +31,8 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.0, wavelength=2.0),),
             foam=Foam(saturation=(FrontSaturation(intensity=100.0, constants="listing"),), look="listing"),
         ),
-        guard="the half angle's cotangent stands for the tangent (foam/saturation/front_profile.glsl)",
-        without="by the tangent: f infinite at 2 pi, and 0 instead of 4 at the pole",
+        guard="the cotangent of half the phase instead of the published tangent (foam/saturation/front_profile.glsl)",
+        without="with the tangent: f infinite at 2 pi, and 0 instead of 4 at the pole",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
     HardCase(
@@ -41,7 +41,7 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)),
             foam=Foam(look="textured"),
         ),
-        guard="0/0 taken as exponent 0 (foam/saturation/front_profile.glsl)",
+        guard="exponent 0 where it would be 0/0 (foam/saturation/front_profile.glsl)",
         without="6 % of samples off by more than 2 levels, by up to 133",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
         apart="the phase of a sum that is 0 is rounding",
@@ -50,9 +50,9 @@ _HARD = (
     HardCase(
         name="filtered, where the phase turns endlessly fast",
         scene=Scene(waves=(ParametricWave(amplitude=0.0), ParametricWave(amplitude=0.0, phase=math.pi)), foam=Foam()),
-        guard="rho^2 at least 1e-4 in the phase's gradient, its width at most 1e4 "
+        guard="rho² at least 1e-4 in the phase's gradient, phase width at most 1e4 rad "
         "(foam/saturation/front_filtered.glsl)",
-        without="4 % of samples flipped, off by up to 237 levels",
+        without="4 % of samples on the wrong side of the threshold, up to 237 levels off",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         apart="the phase of a sum that is 0 is rounding",
         coarse_apart="what is drawn is rounding",
@@ -67,8 +67,8 @@ _HARD = (
                 combine="max",
             ),
         ),
-        guard="the gate's end at least 1e-4 after its start (effects/foam/front.py)",
-        without="smoothstep(a, a): undefined in GLSL, a bare step on llvmpipe",
+        guard="upper group threshold at least 1e-4 above the lower one (effects/foam/front.py)",
+        without="smoothstep(a, a): undefined in GLSL, a step function on llvmpipe",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
@@ -80,8 +80,9 @@ _HARD = (
             ),
             foam=Foam(),
         ),
-        guard="whole periods first, Gauss on short spans (foam/saturation/front_filtered.glsl)",
-        without="differences of the table on short spans: off by up to 19 levels",
+        guard="whole periods counted separately, Gauss quadrature over short intervals "
+        "(foam/saturation/front_filtered.glsl)",
+        without="differences of table values over short intervals: up to 19 levels off",
         times=(0.0, 1e9),
         camera=Camera(position=(0.0, 0.8, 0.0), pitch=-0.2),
     ),
@@ -94,9 +95,9 @@ _HARD = (
             ),
             foam=Foam(),
         ),
-        guard="the fall of a ray over no relief: at least 1e-20 under it, arcs of at least 1e-5 rad "
+        guard="divisor of a ray's fall over the waves' slope at least 1e-20, phase intervals at least 1e-5 rad "
         "(foam/saturation/front_filtered.glsl)",
-        without="nothing on llvmpipe; where neither falls nor rises anything, 0/0",
+        without="no change on llvmpipe; 0/0 where neither the ray falls nor the waves have slope",
         times=(0.0, 1e9),
         camera=Camera(position=(0.37, 0.4375, -0.21), yaw=1.2, pitch=-0.05),
     ),

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from seafoam.effects.bounds import height_limit
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SlotFile
-from seafoam.effects.waves.parametric import steepest_profile
+from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile
+from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
 from seafoam.ocean.dispersion import wavevector
 from seafoam.ocean.levels import paper_level
@@ -15,29 +15,29 @@ from seafoam.scene.foam import HeightSaturation
 from seafoam.scene.models import Scene
 
 NODES = 17
-"""Entries of the table of seen heights."""
+"""Entries of the table of visible heights."""
 _LENGTHS, _PLACES = 61, 384
-"""Wavelengths of the highest wave over which that table is taken, and places in each."""
+"""Number of wavelengths of the highest wave over which the table is computed, and points in each."""
 
 
 def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]:
-    """Mean height of the parametric waves over their troughs (m), their greatest slope, and what falling rays see.
+    """Mean height of the parametric waves over their troughs (m), their greatest slope, and the visible heights.
 
-    Entry i: mean and deviation (m) of the heights that rays see which fall by (i / (NODES - 1))^2 of the greatest
-    slope, all waves running one way. A place is seen if it stands over every ray that came over the places before it:
-    if h + slope x is greater there than anywhere before; what it takes of the picture is by how much.
+    Entry i: mean and standard deviation (m) of the heights that are visible along rays that fall by (i / (NODES - 1))^2
+    of the greatest slope, all waves running in one direction. A point at x is visible if h + slope x is greater there
+    than at every point before it; its weight is the difference.
     """
     waves = [(wave, math.hypot(*wavevector(wave, scene.water.depth))) for wave in scene.waves if wave.amplitude > 0.0]
-    first = max(waves, key=lambda one: one[0].amplitude)[1]
+    first = max(waves, key=lambda item: item[0].amplitude)[1]
     x = np.arange(_LENGTHS * _PLACES) * (2.0 * math.pi / (first * _PLACES))
     h = np.zeros_like(x)
     for wave, k in waves:
         h += wave.amplitude * np.power(0.5 + 0.5 * np.cos(k * x), wave.exponent)
-    steepest = sum(k * wave.amplitude * steepest_profile(wave.exponent) for wave, k in waves)
+    steepest = sum(k * wave.amplitude * max_profile_slope(wave.exponent) for wave, k in waves)
     seen = [(float(h.mean()), float(h.std()))] * NODES
     for i in range(NODES - 1):
         over = h + steepest * (i / (NODES - 1)) ** 2 * x
-        # From the highest crest on: before it stands what the line does not begin with.
+        # From the highest crest on, since the line's beginning has nothing before it that could hide it.
         share = np.maximum(np.diff(np.maximum.accumulate(over)), 0.0)
         total = float(share.sum())
         if total > 1e-9 * float(h.max()):
@@ -49,19 +49,18 @@ def seen_heights(scene: Scene) -> tuple[float, float, list[tuple[float, float]]]
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``height``."""
+    """Active if a saturation has source ``height``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, HeightSaturation)]
-    if not found:
+    height = scene.foam.source(HeightSaturation)
+    if height is None:
         return None
-    index, height = found[0]
-    pointer = f"/foam/saturation/{index}"
+    pointer = scene.foam.pointer(height)
     name = "height_filtered" if scene.foam.look == "filtered" else "height"
     consts: dict[str, Const] = {}
     uniforms: dict[str, Uniform] = {}
     needs: tuple[str, ...] = ()
-    # Shores bend waves, and an open sea has its heights until its largest waves are smaller than a pixel.
+    # Shores refract waves, and an open sea resolves its heights until its largest waves are smaller than a pixel.
     if scene.foam.look == "filtered" and scene.sea is None and scene.shore is None:
         raised = [wave for wave in scene.waves if wave.amplitude > 0.0]
         if raised:
@@ -88,4 +87,12 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("height foam", contribute)
+def height_limit(height: HeightSaturation, scene: Scene) -> float:
+    """Return the greatest height saturation: that of the highest crest."""
+    fraction = (max_surface_height(scene) + paper_level(scene) - height.base) / (height.full - height.base)
+    return min(max(fraction, 0.0), SATURATION_CAP)
+
+
+EFFECT = Effect(
+    "height foam", contribute, saturation=SaturationSource(HeightSaturation, height_limit, ("base", "full"))
+)

@@ -1,4 +1,4 @@
-"""Hard cases of foam.height, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.height, and scenes that name it but in which it is invisible."""
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -24,8 +24,8 @@ _HARD = (
             ),
             foam=Foam(saturation=(HeightSaturation(base=100.0, full=100.001),), look="halftone"),
         ),
-        guard="the divisor at least 1e-3 m (foam/saturation/height.glsl)",
-        without="0/0 at H0 once a live edit puts full on base; llvmpipe's clamp makes it 0",
+        guard="divisor at least 1e-3 m (foam/saturation/height.glsl)",
+        without="0/0 at the base height once a live edit sets full equal to base; llvmpipe's clamp makes it 0",
         camera=Camera(position=(0.0, 140.0, 0.0), pitch=-0.4),
     ),
     HardCase(
@@ -34,15 +34,15 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.0),),
             foam=Foam(saturation=(HeightSaturation(base=-100.0, full=200.0),), look="fading"),
         ),
-        guard="f held in [0, 4] (foam/saturation/height.glsl)",
-        without="nothing: f is 1/3; the fading look clamps what follows",
+        guard="f clamped to [0, 4] (foam/saturation/height.glsl)",
+        without="no change: f is 1/3, and the fading look clamps its result",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
         name="saturation a thousandfold over the cap",
         scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-100.0, full=-99.999),), look="listing")),
-        guard="f held in [0, 4] (foam/saturation/height.glsl)",
-        without="nothing in the frame: the listing clamps f - m at 3; f itself is 100 000",
+        guard="f clamped to [0, 4] (foam/saturation/height.glsl)",
+        without="no change in the frame, since the listing clamps f - m to 3; f itself is 100 000",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
@@ -54,12 +54,12 @@ _HARD = (
             ),
             foam=Foam(saturation=(HeightSaturation(base=0.2, full=0.201),)),
         ),
-        guard="what stands over the eye is seen as from right above; lengths divided by at least 1e-6, heights "
-        "spread by at least a thousandth of the ramp "
-        "(foam/saturation/height_seen.glsl, foam/saturation/level.glsl)",
-        without="the root of a negative fall: in quality standard 44 % of samples off by more than 2 levels, not "
-        "9, and 60 in the mean, not 6.9; the rest: nothing on llvmpipe, 0/0 right under the eye and where nothing "
-        "is lost",
+        guard="water above the camera is averaged as if seen vertically; lengths divided by at least 1e-6, deviation "
+        "of heights at least a thousandth of the ramp (foam/saturation/height_seen.glsl, "
+        "foam/saturation/level.glsl)",
+        without="square root of a negative number: at quality standard 44 % of samples off by more than 2 levels "
+        "instead of 9 %, mean 60 instead of 6.9; the divisors: no change on llvmpipe, 0/0 straight below the "
+        "camera and where no height is filtered out",
         camera=Camera(position=(4.5, -0.1125, 0.0), yaw=1.5707963, pitch=-0.05),
     ),
 )

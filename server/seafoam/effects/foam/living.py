@@ -1,9 +1,12 @@
-"""Foam that lives: carried by its water, gathered in windrows, older masks. docs/formulae.md, section 5."""
+"""Foam with a history: it moves with the water, gathers in windrows, and has other masks with age.
+
+docs/formulae.md, section 5.
+"""
 
 import math
 
 from seafoam.effects.effect import Contribution, Effect, Piece, SlotFile, Source, constant_function
-from seafoam.effects.light.noise import PERLIN_2
+from seafoam.effects.noise import PERLIN_2
 from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
@@ -12,41 +15,41 @@ from seafoam.scene.living import FoamLife
 from seafoam.scene.models import Scene
 
 AGE = 0.8
-"""From mask to mask, in e-folds of the saturation."""
+"""Age between one mask and the next, in e-folds of the saturation."""
 WINDROW_LENGTH = 8.0
-"""Windrows are so many times as long as they are apart."""
+"""Length of windrows over their spacing."""
 WINDROW_RIDGE = 7.781
-"""1 - this |n|, at least -1, has the mean 0 over gradient noise n in the plane (2·10⁶ places)."""
+"""Factor c for which max(1 - c|n|, -1) has the mean 0 over gradient noise n in the plane (2·10⁶ samples)."""
 WINDROW_SEED = 1938
 CELLS = 256
-"""The noise repeats after so many cells."""
+"""Number of cells after which the noise repeats."""
 
 
 _NO_WINDROWS = constant_function("float", "windrow", "vec2 p, Footprint fp")
 _AT_REST = constant_function("vec2", "carry", "vec2 p")
-"""Off a coast too water lies where it rests."""
+"""No displacement by waves, near a coast as elsewhere."""
 
 
 def carries(scene: Scene) -> bool:
-    """Whether waves carry the foam to and fro."""
+    """Whether the waves' orbits move the foam."""
     life = foam_life(scene)
     return life is not None and life.carried
 
 
 def living(look: str, life: FoamLife) -> tuple[str, tuple[Piece, ...]]:
-    """The file that stands in for a look's where foam lives, and what it needs."""
+    """The file that replaces a look's file for foam with a history, and the files that it needs."""
     rows: tuple[Piece, ...] = (*PERLIN_2, "foam/windrows.glsl") if life.windrows > 0.0 else (_NO_WINDROWS,)
     return "foam/living.glsl", (*rows, Source(look, (("foam_amount", "young_amount"),)))
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``foam.life`` in the filtered look."""
+    """Active if the foam has ``life`` and the filtered look."""
     life = foam_life(scene)
     if life is None:
         return None
     slots = [SlotFile("carry", "foam/carry/still.glsl", prefix="still")]
     if scene.shore is not None:
-        surf = any(isinstance(one, SurfSaturation) for one in (scene.foam.saturation if scene.foam else ()))
+        surf = scene.foam is not None and scene.foam.source(SurfSaturation) is not None
         carry = f"foam/carry/{'surf' if surf else 'shore'}.glsl" if life.carried else _AT_REST
         slots.append(SlotFile("shore carry", carry))
     drift = foam_drift(scene)
@@ -71,13 +74,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         }
     return Contribution(
         why=f"foam drifts at {math.hypot(*drift):.2g} m/s"
-        + (", carried to and fro by the waves" if life.carried else "")
+        + (", moved by the waves' orbits" if life.carried else "")
         + (f", {len(life.masks)} masks for older foam" if life.masks else "")
-        + (f", in rows {life.windrow_spacing:g} m apart" if life.windrows > 0.0 else ""),
+        + (f", in windrows {life.windrow_spacing:g} m apart" if life.windrows > 0.0 else ""),
         slots=tuple(slots),
         consts={"WINDROW_RIDGE": WINDROW_RIDGE, "WINDROW_SEED": WINDROW_SEED},
         uniforms=uniforms,
     )
 
 
-EFFECT = Effect("foam that lives", contribute)
+EFFECT = Effect("foam that lives", contribute, fields=("/foam/life",))

@@ -1,4 +1,4 @@
-"""Hard cases of foam.living, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.living, and scenes that name it but in which it is invisible."""
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -16,16 +16,16 @@ _HARD = (
     HardCase(
         name="foam that has drifted for thirty years",
         scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
-        guard="the way of the drift reduced in float64, a phase of the mask (effects/foam/look.py)",
-        without="in float32 at 1e9 s: 29 % of samples off by more than 2 levels, 29 in the mean",
+        guard="displacement by the drift reduced in float64 to a phase of the mask (effects/foam/look.py)",
+        without="in float32 at 1e9 s: 29 % of samples off by more than 2 levels, mean 29",
         times=(-1e9, 1e9),
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
         name="foam of any age, ten thousand kilometres away",
         scene=Scene(waves=(ParametricWave(amplitude=0.2, wavelength=6.0),), foam=_FOAM),
-        guard="the eye's place in the windrows' noise reduced in float64 (effects/foam/living.py)",
-        without="in float32: 14 % of samples off by more than 2 levels, 4.2 in the mean: the rows stand elsewhere",
+        guard="camera position in the windrows' noise reduced in float64 (effects/foam/living.py)",
+        without="in float32: 14 % of samples off by more than 2 levels, mean 4.2: the windrows are in other places",
         camera=Camera(position=(9.99e6, 1.4, -9.99e6), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
@@ -34,10 +34,10 @@ _HARD = (
             waves=(ParametricWave(amplitude=1.0, wavelength=6.0, exponent=2.0),),
             foam=_FOAM.model_copy(update={"saturation": (HeightSaturation(base=0.0, full=1.0),)}),
         ),
-        guard="rows take no more than there is, their ridges held at -1 (foam/windrows.glsl); the saturation at "
-        "least 1e-6 in its logarithm (foam/living.glsl)",
-        without="ridges not held: 7 % of samples off by more than 2 levels, 1.3 in the mean; the logarithm of 0: "
-        "nothing on llvmpipe, where it is -infinity and there is no foam of that age",
+        guard="ridges of the windrows at least -1, so that they take no more foam than there is "
+        "(foam/windrows.glsl); saturation at least 1e-6 in its logarithm (foam/living.glsl)",
+        without="ridges not limited: 7 % of samples off by more than 2 levels, mean 1.3; logarithm of 0: no change "
+        "on llvmpipe, where it is -infinity and there is no foam of that age",
         camera=Camera(position=(0.37, 12.0, -0.21), yaw=1.0, pitch=-0.6),
     ),
     HardCase(
@@ -47,8 +47,8 @@ _HARD = (
             shore=Shore(size=160.0, depth=6.0, slope=0.1, smoothing=3.0),
             foam=_FOAM,
         ),
-        guard="the gradient of the waves' phase at least 1e-6 (foam/carry/shore.glsl)",
-        without="0/0 where the phase is level: 1.9 % of samples off by more than 2 levels, the worst by 162",
+        guard="gradient of the waves' phase divided by a length of at least 1e-6 (foam/carry/shore.glsl)",
+        without="0/0 where the phase has gradient 0: 1.9 % of samples off by more than 2 levels, the worst by 162",
         camera=Camera(position=(-42.0, 7.0, 9.0), yaw=1.4, pitch=-0.2),
     ),
 )

@@ -1,15 +1,17 @@
-"""How saturation becomes foam: the paper's looks and the filtered threshold. docs/formulae.md, section 5."""
+"""How saturation becomes a foam amount: the paper's looks and the filtered threshold. docs/formulae.md, section 5."""
 
 import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TypeVar
 
-from seafoam.effects.bounds import foam_limit, greatest_saturation, saturation_fields
+from seafoam.effects.bounds import foam_limit, greatest_saturation
 from seafoam.effects.effect import (
     Bound,
     Const,
     Contribution,
     Effect,
     Knob,
-    PassSpec,
     Piece,
     PlanError,
     SlotFile,
@@ -19,8 +21,9 @@ from seafoam.effects.effect import (
 )
 from seafoam.effects.foam import drift, mask_atlas
 from seafoam.effects.foam.living import AGE, living
-from seafoam.effects.light.noise import HASH
-from seafoam.framegraph.resources import Target, TargetInput, TextureInput
+from seafoam.effects.noise import HASH
+from seafoam.effects.registry import saturation_fields
+from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, number, vector
 from seafoam.masks.catalogue import Mask, mask_by_name
 from seafoam.masks.prefilter import OCTAVE_RAMP
@@ -28,47 +31,123 @@ from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam
 from seafoam.scene.models import Scene
-from seafoam.textures import foam_texture
+from seafoam.textures import FoamTexture, MaskTable, MaskTexture, foam_texture
 
 CELLS = 4096
-"""Cells along each side of their lattice before their turns come again."""
+"""Number of cells along each side of their lattice after which their rotations repeat."""
 
-_MASK_SOURCES = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
-_TEXTURE_FILE = "foam/texture.glsl"
-_TEXTURE_PAIR_FILE = "foam/texture_pair.glsl"
+_MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
+T = TypeVar("T")
+
+_NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
 
-def _mask(name: str, pointer: str) -> Mask:
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the scene has foam."""
+    foam = scene.foam
+    if foam is None:
+        return None
+    masks = _masks(foam)
+    parts: list[_Part] = []
+    if masks:
+        parts.append(_mask_place(scene, foam, masks[0].mask))
+    if masks and foam.look != "filtered":
+        parts.append(_exact_mask(foam, quality))
+    if _textured(foam):
+        parts.append(_texture(foam))
+    elif foam.look == "filtered":
+        parts.append(_Part(needs=(_NO_TEXTURE,)))
+    if foam.look == "filtered":
+        parts.append(_filtered_mask(scene, foam, masks, quality))
+    look, needs = _look_file(scene, foam, quality)
+    atlas = foam.look == "filtered"
+    ranks = [of.mask for of in masks]
+    return Contribution(
+        why=_why(scene, foam, quality),
+        slots=(
+            SlotFile("look", look, needs=(*(file for part in parts for file in part.needs), *needs)),
+            SlotFile("over", "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"),
+            SlotFile("albedo", "foam/albedo.glsl"),
+        ),
+        consts=_merged(part.consts for part in parts),
+        uniforms={"u_foam_albedo": number(foam.albedo, "/foam/albedo"), **_merged(part.uniforms for part in parts)},
+        inputs=_merged(part.inputs for part in parts),
+        textures=_merged(part.textures for part in parts),
+        targets=mask_atlas.targets(ranks) if atlas else {},
+        passes=mask_atlas.passes(ranks) if atlas else (),
+        bound=_bound(foam, scene),
+    )
+
+
+@dataclass(frozen=True)
+class _NamedMask:
+    name: str
+    mask: Mask
+
+
+@dataclass(frozen=True)
+class _Part:
+    """What one part of a look adds: files before the look's own, and what they read."""
+
+    needs: tuple[Piece, ...] = ()
+    consts: dict[str, Const] = field(default_factory=dict)
+    uniforms: dict[str, Uniform] = field(default_factory=dict)
+    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
+    textures: dict[str, TextureUse] = field(default_factory=dict)
+
+
+def _merged(parts: Iterable[dict[str, T]]) -> dict[str, T]:
+    """All entries of the dictionaries."""
+    return {name: value for part in parts for name, value in part.items()}
+
+
+def _mask(name: str, pointer: str) -> _NamedMask:
     try:
-        return mask_by_name(name)
+        return _NamedMask(name, mask_by_name(name))
     except KeyError:
         raise PlanError(pointer, f"mask {name!r} was not found; GET /api/masks lists the masks") from None
     except ValueError as error:
         raise PlanError(pointer, str(error)) from None
 
 
-def _masks(foam: Foam) -> list[tuple[str, Mask]]:
-    """The foam's masks, those of older foam last; without those that are of another size than the first."""
+def _masks(foam: Foam) -> list[_NamedMask]:
+    """The foam's masks, then those of older foam that have the size of the first; none in the textured look."""
+    if foam.look == "textured":
+        return []
     first = _mask(foam.mask, "/foam/mask")
     if foam.life is None or foam.look != "filtered":
-        return [(foam.mask, first)]
-    older = [(name, _mask(name, f"/foam/life/masks/{i}")) for i, name in enumerate(foam.life.masks)]
-    return [(foam.mask, first), *((name, mask) for name, mask in older if mask.ranks.shape == first.ranks.shape)]
+        return [first]
+    older = [_mask(name, f"/foam/life/masks/{i}") for i, name in enumerate(foam.life.masks)]
+    return [first, *(of for of in older if of.mask.ranks.shape == first.mask.ranks.shape)]
 
 
 def _turned(foam: Foam) -> tuple[float, float]:
-    """Cosine and sine of the mask's turn, over its tile's side (1/m)."""
+    """Cosine and sine of the mask's rotation, over the side of its tile (1/m)."""
     return math.cos(foam.mask_angle) / foam.mask_tile, math.sin(foam.mask_angle) / foam.mask_tile
 
 
-def _mask_uniforms(foam: Foam) -> dict[str, Uniform]:
-    """The eye's place on the mask."""
+def _cells(scene: Scene, foam: Foam) -> bool:
+    """Whether the mask is rotated in each cell of a lattice."""
+    return foam.look != "textured" and foam.cells and foam_life(scene) is None
+
+
+def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
+    """Coordinates on the mask: of water that drifts, of cells, or fixed in the world."""
     c, s = _turned(foam)
-    return {"u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1)}
+    needs: tuple[Piece, ...]
+    if foam_life(scene) is not None:
+        needs, uniforms = ("foam/mask_carried.glsl",), _drifting_mask(foam, foam_drift(scene))
+    elif foam.cells:
+        needs, uniforms = (HASH, "foam/cell.glsl"), _cell_uniforms(foam)
+    else:
+        needs = ("foam/mask_coordinates.glsl",)
+        uniforms = {"u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1)}
+    uniforms["u_mask_matrix"] = vector((c, s, -s, c))
+    return _Part(needs, {"MASK_SIZE": mask.ranks.shape[0]}, uniforms)
 
 
-def _carried_uniforms(foam: Foam, drift: tuple[float, float]) -> dict[str, Uniform]:
-    """The eye's place on a mask that drifts (x, z) m/s."""
+def _drifting_mask(foam: Foam, drift: tuple[float, float]) -> dict[str, Uniform]:
+    """The camera's place on a mask that drifts (x, z) m/s."""
     c, s = _turned(foam)
     turn = 2.0 * math.pi
     places = [
@@ -79,9 +158,9 @@ def _carried_uniforms(foam: Foam, drift: tuple[float, float]) -> dict[str, Unifo
 
 
 def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
-    """The eye's place on the lattice of cells: whole steps apart from the rest."""
+    """The camera's place on the lattice of cells: whole cells and the fraction separately."""
     c, s = _turned(foam)
-    # Tiles to steps along the two sides of the triangles.
+    # From tiles to steps along two sides of the lattice's triangles.
     first = (c + s / math.sqrt(3.0), s - c / math.sqrt(3.0))
     second = (-2.0 / math.sqrt(3.0) * s, 2.0 / math.sqrt(3.0) * c)
     return {
@@ -91,98 +170,77 @@ def _cell_uniforms(foam: Foam) -> dict[str, Uniform]:
     }
 
 
-def _texture_uniforms(foam: Foam) -> dict[str, Uniform]:
-    def place(name: str, tile: float) -> dict[str, Uniform]:
-        scale = 1.0 / tile
-        return {
-            f"u_foam{name}_tile": number(scale),
-            f"u_foam{name}_offset": array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1),
-        }
-
-    if foam.texture_second is None:
-        return place("", foam.texture_tile)
-    return place("", foam.texture_tile) | place("_second", foam.texture_second)
-
-
-_NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
-
-
-def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by foam."""
-    foam = scene.foam
-    if foam is None:
-        return None
-    masked = foam.look != "textured"
-    textured = foam.look in ("textured", "halftone_textured", "listing") or (
-        foam.look == "filtered" and foam.texture > 0
+def _exact_mask(foam: Foam, quality: Quality) -> _Part:
+    """The mask's threshold at a texel."""
+    return _Part(
+        needs=(f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl"),
+        inputs={"u_mask_ranks": TextureInput(texture="mask_ranks")},
+        textures={"mask_ranks": TextureUse(MaskTexture(masks=(foam.mask,), table=_MASK_TABLES[quality.mask]))},
     )
-    needs: tuple[Piece, ...] = ()
-    consts: dict[str, Const] = {}
-    uniforms: dict[str, Uniform] = {"u_foam_albedo": number(foam.albedo, "/foam/albedo")}
-    inputs: dict[str, TextureInput | TargetInput] = {}
-    textures: dict[str, TextureUse] = {}
-    targets: dict[str, Target] = {}
-    passes: tuple[PassSpec, ...] = ()
-    named = _masks(foam) if masked else []
-    masks = [mask for _, mask in named]
-    life = foam_life(scene)
-    lives = life is not None
-    cells = foam.cells and not lives
-    if masked:
-        mask = masks[0]
-        needs += (
-            (HASH, "foam/cell.glsl")
-            if cells
-            else ("foam/mask_carried.glsl" if lives else "foam/mask_coordinates.glsl",)
-        )
-        consts["MASK_SIZE"] = mask.ranks.shape[0]
-        c, s = _turned(foam)
-        uniforms["u_mask_matrix"] = vector((c, s, -s, c))
-        if lives:
-            uniforms |= _carried_uniforms(foam, foam_drift(scene))
-        else:
-            uniforms |= _cell_uniforms(foam) if cells else _mask_uniforms(foam)
-    if masked and foam.look != "filtered":
-        needs += (f"foam/mask_texel_{quality.mask}.glsl", "foam/mask_exact.glsl")
-        inputs["u_mask_ranks"] = TextureInput(texture="mask_ranks")
-        textures["mask_ranks"] = TextureUse(f"mask/{foam.mask}/{_MASK_SOURCES[quality.mask]}")
-    if textured:
-        needs += (_TEXTURE_FILE if foam.texture_second is None else _TEXTURE_PAIR_FILE,)
-        consts["FOAM_TEXTURE_SIZE"] = foam_texture().shape[0]
-        uniforms |= _texture_uniforms(foam)
-        inputs["u_foam_texture"] = TextureInput(texture="foam_texture")
-        textures["foam_texture"] = TextureUse("foam", filter="linear_mipmap_linear")
-    if foam.look == "filtered":
-        octaves = min(foam.octaves, quality.foam_octaves)
-        tables = "ramps" if octaves > 1 else "quantiles"
-        levels = mask.ranks.shape[0].bit_length()
-        rows = levels + (2 if octaves > 1 else 1)
-        if not textured:
-            needs += (_NO_TEXTURE,)
-        consts |= {
+
+
+def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Quality) -> _Part:
+    """The thresholds under a footprint, from the atlas of all masks."""
+    octaves = min(foam.octaves, quality.foam_octaves)
+    tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
+    mask = masks[0].mask
+    levels = mask.ranks.shape[0].bit_length()
+    return _Part(
+        consts={
             "QUANTILES": len(mask.quantile),
             "FOAM_FADES": foam.fade > 0.0,
-            "FOAM_LIVES": lives,
+            "FOAM_LIVES": foam_life(scene) is not None,
             "FOAM_MASKS": len(masks),
             "FOAM_AGE": AGE,
             "FOAM_OCTAVES": octaves,
             "OCTAVE_RAMP": OCTAVE_RAMP,
-            "FOAM_TEXTURED": textured,
+            "FOAM_TEXTURED": _textured(foam),
             "FOAM_SIDE": math.isqrt(quality.foam_taps),
             "MASK_LEVELS": levels,
-            "MASK_ROWS": rows,
-        }
-        uniforms["u_foam_fade"] = number(foam.fade)
-        uniforms["u_foam_texture_share"] = number(foam.texture)
-        inputs |= {
+            "MASK_ROWS": levels + (2 if octaves > 1 else 1),
+            **mask_atlas.consts(mask),
+        },
+        uniforms={"u_foam_fade": number(foam.fade), "u_foam_texture_share": number(foam.texture)},
+        needs=("lib/cubic_spline.glsl",),
+        inputs={
             "u_mask_atlas": TargetInput(target=mask_atlas.ATLAS),
             "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),
-        }
-        consts |= mask_atlas.consts(mask)
-        textures |= mask_atlas.textures([name for name, _ in named], tables)
-        targets, passes = mask_atlas.targets(masks), mask_atlas.passes(masks)
-    look = f"foam/look/{foam.look}.glsl"
-    if masked and cells:
+        },
+        textures=mask_atlas.textures([of.name for of in masks], tables),
+    )
+
+
+def _textured(foam: Foam) -> bool:
+    return foam.look in ("textured", "halftone_textured", "listing") or (foam.look == "filtered" and foam.texture > 0)
+
+
+def _texture(foam: Foam) -> _Part:
+    """The foam texture, laid once or twice at two scales."""
+    file, uniforms = "foam/texture.glsl", _texture_place("", foam.texture_tile)
+    if foam.texture_second is not None:
+        file, uniforms = "foam/texture_pair.glsl", uniforms | _texture_place("_second", foam.texture_second)
+    return _Part(
+        (file,),
+        {"FOAM_TEXTURE_SIZE": foam_texture().shape[0]},
+        uniforms,
+        {"u_foam_texture": TextureInput(texture="foam_texture")},
+        {"foam_texture": TextureUse(FoamTexture(), filter="linear_mipmap_linear")},
+    )
+
+
+def _texture_place(name: str, tile: float) -> dict[str, Uniform]:
+    scale = 1.0 / tile
+    return {
+        f"u_foam{name}_tile": number(scale),
+        f"u_foam{name}_offset": array("vec2", [Wrap(k=(scale, 0.0)), Wrap(k=(0.0, scale))], 1),
+    }
+
+
+def _look_file(scene: Scene, foam: Foam, quality: Quality) -> tuple[str, tuple[Piece, ...]]:
+    """The look's file, wrapped by those that rotate, advect or age its mask; and what they need."""
+    look, life = f"foam/look/{foam.look}.glsl", foam_life(scene)
+    needs: tuple[Piece, ...] = ()
+    if _cells(scene, foam):
         needs += (Source(look, (("foam_amount", "cell_amount"),)),)
         look = "foam/cells_blended.glsl" if foam.look == "filtered" else "foam/cells.glsl"
     if drift.carries(scene, quality):
@@ -191,44 +249,36 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if life is not None:
         look, own = living(look, life)
         needs += own
-    over = "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"
-    return Contribution(
-        why=f"look {foam.look}"
-        + (f", mask {foam.mask}" if masked else "")
-        + (", turned in each cell" if masked and cells else "")
-        + (", carried by the drift" if drift.carries(scene, quality) else "")
-        + (", carried and ageing" if lives else ""),
-        slots=(
-            SlotFile("look", look, needs=needs),
-            SlotFile("over", over),
-            SlotFile("albedo", "foam/albedo.glsl"),
-        ),
-        consts=consts,
-        uniforms=uniforms,
-        inputs=inputs,
-        textures=textures,
-        targets=targets,
-        passes=passes,
-        bound=_bound(foam, scene),
+    return look, needs
+
+
+def _why(scene: Scene, foam: Foam, quality: Quality) -> str:
+    return (
+        f"look {foam.look}"
+        + (f", mask {foam.mask}" if foam.look != "textured" else "")
+        + (", rotated in each cell" if _cells(scene, foam) else "")
+        + (", advected by the drift" if drift.carries(scene, quality) else "")
+        + (", drifting and ageing" if foam_life(scene) is not None else "")
     )
 
 
 def _bound(foam: Foam, scene: Scene) -> Bound | None:
-    """What foam can change at most: its amount, as white over black."""
+    """Upper bound of foam's change to a pixel: its amount, as white over black."""
     most = greatest_saturation(foam, scene)
-    fields = saturation_fields(foam)
+    fields = saturation_fields(scene)
     if most == 0.0:
         return Bound(0.0, "the saturation is 0 everywhere", fields)
     if foam.look == "textured":
         value = min(most, 1.0) * foam_limit(foam, scene)
         fields += ("/foam/albedo", "/light/exposure")
-        return Bound(value, f"the saturation is never above {most:.2g}", fields)
+        return Bound(value, f"the saturation is at most {most:.2g}", fields)
     return None
 
 
 EFFECT = Effect(
     "foam look",
     contribute,
+    fields=("/foam",),
     knobs=(
         Knob("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         Knob("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),

@@ -1,4 +1,4 @@
-"""Hard cases of foam.look, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.look, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -33,8 +33,8 @@ _HARD = (
         scene=Scene(
             foam=Foam(saturation=(HeightSaturation(base=-6.103515625e-05, full=0.99993896484375),), look="filtered")
         ),
-        guard="none at 0 and all at 1, by a step of 1/256 at either end (foam/look/filtered.glsl)",
-        without="3.3 levels too bright in the mean where there should be next to no foam",
+        guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look/filtered.glsl)",
+        without="3.3 levels too bright in the mean where there should be almost no foam",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
@@ -42,7 +42,7 @@ _HARD = (
         scene=Scene(
             foam=Foam(saturation=(HeightSaturation(base=-0.99993896484375, full=6.103515625e-05),), look="filtered")
         ),
-        guard="none at 0 and all at 1, by a step of 1/256 at either end (foam/look/filtered.glsl)",
+        guard="amount 0 at saturation 0 and 1 at 1, by a step of 1/256 at each end (foam/look/filtered.glsl)",
         without="holes by rounding: 0 levels on llvmpipe",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
@@ -51,22 +51,22 @@ _HARD = (
         scene=Scene(
             foam=Foam(saturation=(HeightSaturation(base=-1.52587890625e-05, full=0.9999847412109375),), look="halftone")
         ),
-        guard="thresholds stand in the middle of their ranks, (rank + 1/2)/N (foam/mask_texel_u16.glsl)",
-        without="threshold 0 of the lowest rank: foam at one texel of 262 144 however small f is",
+        guard="thresholds in the middle of their ranks, (rank + 1/2)/N (foam/mask_texel_u16.glsl)",
+        without="the lowest rank has threshold 0: foam at one texel of 262 144 for any f",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
         name="a mask at a thousandth of a texel a pixel",
         scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=1000.0)),
-        guard="the edge's half width at least 5e-4 of a threshold (foam/look/filtered.glsl)",
-        without="nothing on llvmpipe: 0/0 where the mask is level under a footprint, and here it is nowhere",
+        guard="half width of the edge at least 5e-4, in thresholds (foam/look/filtered.glsl)",
+        without="no change on llvmpipe: 0/0 where the mask is constant under a footprint, which is nowhere here",
         camera=Camera(position=(0.0, 0.1, 0.0), pitch=-math.pi / 2),
     ),
     HardCase(
         name="a mask at a thousand texels a pixel",
         scene=Scene(foam=Foam(saturation=(HeightSaturation(base=-0.5, full=0.5),), look="filtered", mask_tile=0.05)),
-        guard="no level past the last, one texel for all of the mask (foam/look/filtered.glsl)",
-        without="no such level: every sample off by 242 levels",
+        guard="level at most the last one, a single texel for the whole mask (foam/look/filtered.glsl)",
+        without="a level that does not exist: every sample off by 242 levels",
         camera=Camera(position=(0.0, 5.0, 0.0), pitch=-math.pi / 2),
     ),
     HardCase(
@@ -76,15 +76,15 @@ _HARD = (
                 saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", mask="vac-1.5", mask_tile=1.0
             )
         ),
-        guard="no level before the mask's own; the box at least a hundredth of a texel wide (foam/look/filtered.glsl)",
-        without="3.4 levels off in the mean, by up to 105: texels of levels that there are not",
+        guard="level at least 0; box at least 0.01 texel wide (foam/look/filtered.glsl)",
+        without="mean error 3.4 levels, greatest 105: texels of levels that do not exist",
         camera=Camera(position=(0.3, 0.02, 0.1), pitch=-0.01),
     ),
     HardCase(
         name="a fade too small for float32",
         scene=Scene(waves=(ParametricWave(),), foam=Foam(fade=1e-40), light=None),
-        guard="the ramp's divisor at least 1e-30 (foam/look/filtered.glsl)",
-        without="NaN in 67 % of samples: subnormals are flushed, 0/0",
+        guard="divisor of the ramp at least 1e-30 (foam/look/filtered.glsl)",
+        without="NaN in 67 % of samples: subnormal numbers are flushed to 0, so 0/0",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
@@ -97,8 +97,8 @@ _HARD = (
                 octaves=4,
             )
         ),
-        guard="no octave after one that left all or nothing (foam/look/filtered.glsl)",
-        without="nothing on llvmpipe: ramps end at all and at nothing exactly",
+        guard="no further octave where the amount is already 0 or 1 (foam/look/filtered.glsl)",
+        without="no change on llvmpipe: ramps end at exactly 0 and 1",
         camera=Camera(position=(0.37, 0.3, -0.21), yaw=1.0, pitch=-0.3),
     ),
     HardCase(
@@ -112,8 +112,9 @@ _HARD = (
                 mask_tile=0.7,
             )
         ),
-        guard="places modulo a tile before each octave, which integers map onto itself (foam/look/filtered.glsl)",
-        without="0.12 levels at the most: far places lose hundredths of a texel of the finest octave",
+        guard="coordinates reduced modulo a tile before each octave, whose frequency is an integer "
+        "(foam/look/filtered.glsl)",
+        without="at most 0.12 levels: far away, rounding is hundredths of a texel of the finest octave",
         camera=Camera(position=(9.99e6, 0.4, -9.99e6), yaw=1.0, pitch=-0.5),
     ),
     HardCase(
@@ -121,8 +122,8 @@ _HARD = (
         scene=Scene(
             foam=Foam(saturation=(HeightSaturation(base=-0.4, full=0.6),), look="filtered", cells=True, mask_tile=0.7)
         ),
-        guard="whole cells and the rest of the eye's place apart, both reduced in float64 (effects/foam/look.py)",
-        without="in float32 the place within a cell is lost: every turn of the mask is another",
+        guard="camera position as whole cells and a fraction, both reduced in float64 (effects/foam/look.py)",
+        without="in float32 the position within a cell is lost: the mask has other rotations",
         camera=Camera(position=(9.99e6, 2.4, -9.99e6), yaw=1.0, pitch=-0.5),
     ),
     HardCase(
@@ -132,8 +133,8 @@ _HARD = (
             foam=Foam(saturation=(HeightSaturation(base=-0.9995, full=0.0005),), cells=True, mask_tile=1.5),
             light=None,
         ),
-        guard="what is left free held at 1/256 under the power and led to 0 evenly (foam/cells_blended.glsl)",
-        without="the power's slope is endless at 0: foam off by 0.28 where s is 1 to rounding",
+        guard="base of the power at least 1/256, below that linear to 0 (foam/cells_blended.glsl)",
+        without="the power has infinite slope at 0: foam off by 0.28 where s rounds to 1",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
     HardCase(
@@ -148,8 +149,8 @@ _HARD = (
                 texture_second=3.14,
             )
         ),
-        guard="the nearest cell alone, its weight never 0 (foam/cells.glsl)",
-        without="blended, thresholds soften: 4 amounts instead of 2 where cells meet",
+        guard="only the nearest cell is used, whose weight is never 0 (foam/cells.glsl)",
+        without="blending softens thresholds: 4 amounts instead of 2 where cells meet",
         camera=Camera(position=(3.0, 1.6, -9.0), yaw=2.0, pitch=-0.5),
     ),
     HardCase(
@@ -159,8 +160,8 @@ _HARD = (
             water=Water(roughness=0.03),
             light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
         ),
-        guard="the share held in [0, 1] (foam/look/filtered.glsl)",
-        without="the share passes 1 by its rounding: light of -3.1 in 6 % of samples",
+        guard="foam amount clamped to [0, 1] (foam/look/filtered.glsl)",
+        without="rounding makes the amount exceed 1: light of -3.1 in 6 % of samples",
         camera=Camera(position=(3.0, 0.3, 0.0), yaw=math.pi / 2, pitch=-0.3, fov=0.3),
         # The share of foam is rounded where it is nearly 1, and the light under it is 65504.
         bounds=Bounds(mean=8.0, share=0.15),
@@ -170,8 +171,8 @@ _HARD = (
         scene=Scene(
             foam=Foam(saturation=(HeightSaturation(base=-1.0, full=1.0),), look="textured", texture_tile=1000.0)
         ),
-        guard="texels held at 1e-6 before the logarithm (foam/texture.glsl)",
-        without="nothing on llvmpipe: log2(0) is -infinity and the level is held at 0",
+        guard="footprint at least 1e-6 texels before the logarithm (foam/texture.glsl)",
+        without="no change on llvmpipe: log2(0) is -infinity and the level is clamped to 0",
         camera=Camera(position=(0.37, 1e-3, -0.21), pitch=-0.3),
     ),
 )

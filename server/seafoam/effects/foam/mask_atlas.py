@@ -1,7 +1,7 @@
-"""The atlas that the filtered look reads, made of its masks by passes that are drawn once. docs/masks.md.
+"""The atlas that the filtered look reads, drawn once from its masks. docs/masks.md.
 
-A mask travels as 16 bits a texel; its atlas, :func:`seafoam.masks.prefilter.atlas`, takes ten times as much and is the
-same to the last bit. Where foam lives it has several masks: their atlases and tables lie over one another.
+A mask is transferred as 16 bits per texel; its atlas, :func:`seafoam.masks.prefilter.atlas`, is ten times as large and
+bit-identical on all executors. Foam with a history has several masks: their atlases and tables are stacked.
 """
 
 from collections.abc import Sequence
@@ -10,60 +10,65 @@ from seafoam.effects.effect import PassSpec, TextureUse
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.framegraph.rules import number
 from seafoam.masks.catalogue import Mask
+from seafoam.textures import MaskTable, MaskTexture
 
 ATLAS = "mask_atlas"
 MOMENTS = "mask_moments"
 
 
 def consts(mask: Mask) -> dict[str, int]:
-    """``MASK_STEP``: thresholds stand half of so many 65536ths over what the texels hold."""
+    """``MASK_STEP``: thresholds are the texels' values plus half this number of 65536ths."""
     return {"MASK_STEP": max(65536 // mask.ranks.size, 1)}
 
 
 def tables(masks: int, kind: str) -> str:
-    """The texture whose tables the look reads: ``quantiles`` or ``ramps``, of all masks over one another."""
+    """The texture whose tables the look reads: ``quantiles`` or ``ramps`` of all masks, stacked."""
     return f"mask_{kind}" if masks == 1 else "mask_tables"
 
 
-def textures(names: Sequence[str], kind: str) -> dict[str, TextureUse]:
+def textures(names: Sequence[str], kind: MaskTable) -> dict[str, TextureUse]:
     """The textures that the passes and the look read."""
     used: dict[str, TextureUse] = {}
     for i, name in enumerate(names):
-        used[f"mask_ranks{_of(i)}"] = TextureUse(f"mask/{name}/ranks")
+        used[f"mask_ranks{_of(i)}"] = TextureUse(MaskTexture(masks=(name,), table="ranks"))
         # The atlas is made with the quantiles whatever the look itself reads.
-        used[f"mask_quantiles{_of(i)}"] = TextureUse(f"mask/{name}/quantiles", wrap="clamp_to_edge")
-    used[tables(len(names), kind)] = TextureUse(f"mask/{'+'.join(names)}/{kind}", wrap="clamp_to_edge")
+        used[f"mask_quantiles{_of(i)}"] = _table((name,), "quantiles")
+    used[tables(len(names), kind)] = _table(tuple(names), kind)
     return used
 
 
+def _table(names: tuple[str, ...], kind: MaskTable) -> TextureUse:
+    return TextureUse(MaskTexture(masks=names, table=kind), wrap="clamp_to_edge")
+
+
 def targets(masks: Sequence[Mask]) -> dict[str, Target]:
-    """The atlas, and what it is made by way of."""
+    """The atlas and its intermediate targets."""
 
     def whole(width: int, height: int) -> Target:
         return Target(size=FixedSize(width=width, height=height), format="RG32UI")
 
     size = masks[0].ranks.shape[0]
-    made: dict[str, Target] = {}
+    intermediate: dict[str, Target] = {}
     for index in range(len(masks)):
-        made[MOMENTS + _of(index)] = whole(size, size)
-        made |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
+        intermediate[MOMENTS + _of(index)] = whole(size, size)
+        intermediate |= {_levels(i) + _of(index): whole(size // 2, size) for i in range(2)}
     if len(masks) > 1:
-        made |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
-    return {ATLAS: whole(5 * size // 2, size * len(masks)), **made}
+        intermediate |= {f"{ATLAS}{_of(i)}_alone": whole(5 * size // 2, size) for i in range(len(masks))}
+    return {ATLAS: whole(5 * size // 2, size * len(masks)), **intermediate}
 
 
 def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
-    """Mean and variance of the thresholds in a texel, then level by level, then the atlas; mask by mask.
+    """For each mask: mean and variance of the thresholds per texel, then per level, then the atlas.
 
-    They read what :func:`textures` names.
+    They read the textures of :func:`textures`.
     """
     if len(masks) == 1:
         return _passes(masks[0], 0, ATLAS)
     alone = [f"{ATLAS}{_of(i)}_alone" for i in range(len(masks))]
-    # The last stands in for those that there are not.
+    # The shader reads three atlases; the last one is repeated where there are fewer.
     which = [min(i, len(masks) - 1) for i in range(3)]
     return (
-        *(one for i, mask in enumerate(masks) for one in _passes(mask, i, alone[i])),
+        *(spec for i, mask in enumerate(masks) for spec in _passes(mask, i, alone[i])),
         PassSpec(
             name="mask: atlases of all ages",
             program="mask_stack",
@@ -77,7 +82,7 @@ def passes(masks: Sequence[Mask]) -> tuple[PassSpec, ...]:
 def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     size, moments = mask.ranks.shape[0], MOMENTS + _of(index)
     ranks = {"u_mask_ranks": TextureInput(texture=f"mask_ranks{_of(index)}")}
-    made = [
+    specs = [
         PassSpec(
             name="mask: moments",
             program="mask_moments",
@@ -89,7 +94,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
     source, side, row, level = moments, size // 2, 0, 0
     while side >= 1:
         level += 1
-        made.append(
+        specs.append(
             PassSpec(
                 name=f"mask: moments, level {level}",
                 program="mask_halve",
@@ -100,7 +105,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
             )
         )
         source, row, side = _levels(level % 2) + _of(index), size - 2 * side, side // 2
-    made.append(
+    specs.append(
         PassSpec(
             name="mask: atlas",
             program="mask_atlas",
@@ -113,7 +118,7 @@ def _passes(mask: Mask, index: int, atlas: str) -> tuple[PassSpec, ...]:
             },
         )
     )
-    return tuple(made)
+    return tuple(specs)
 
 
 def _of(index: int) -> str:

@@ -1,18 +1,19 @@
-"""Foam's thickness: it shades the water beside it, edges toward the sun are brighter. docs/formulae.md, section 6."""
+"""Foam's thickness: it shadows water, and its edges toward the sun are brighter. docs/formulae.md, section 6."""
 
-from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation, saturation_fields
+from seafoam.effects.bounds import body_limit, foam_limit, greatest_saturation
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.registry import saturation_fields
 from seafoam.framegraph.rules import number
 from seafoam.ocean.stokes import foam_life
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 SHADE = 0.6
-"""Share of the sun that a hand's breadth of foam takes from what lies behind it; the rest comes through."""
+"""Share of the sun's light that foam blocks; the rest passes through it."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``foam.thickness`` where there is light, in the finer tiers."""
+    """Active if foam has a thickness and there is light, at qualities with ``foam_relief``."""
     foam = scene.foam
     if foam is None or scene.light is None or foam.thickness == 0.0 or not quality.foam_relief:
         return None
@@ -21,14 +22,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam.look == "filtered":
         beside = "foam/beside_lying.glsl" if foam_life(scene) is not None else "foam/beside_filtered.glsl"
     return Contribution(
-        why=f"foam {foam.thickness:g} m thick shades what lies beside it",
+        why=f"foam {foam.thickness:g} m thick casts shadows",
         slots=(SlotFile("relief", "foam/relief.glsl", needs=(beside,)),),
         consts={"FOAM_SHADE": SHADE},
         uniforms={"u_foam_thickness": number(foam.thickness, "/foam/thickness")},
         bound=Bound(
             0.0 if most == 0.0 else body_limit(scene) + foam_limit(foam, scene),
-            "no foam that could shade",
-            saturation_fields(foam),
+            "no foam that could cast a shadow",
+            saturation_fields(scene),
         ),
     )
 
@@ -36,5 +37,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 EFFECT = Effect(
     "foam relief",
     contribute,
+    fields=("/foam/thickness",),
     knobs=(Knob("/foam_relief", "shading by foam thickness", (False, True), "geometry"),),
 )

@@ -1,31 +1,30 @@
 """Foam saturation from the surface's slope (GPU ocean, 2007). docs/formulae.md, section 4."""
 
-from seafoam.effects.bounds import slope_limit
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.bounds import SATURATION_CAP, max_surface_height
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, Knob, SaturationSource, SlotFile
 from seafoam.framegraph.rules import Uniform, number
 from seafoam.quality import Quality
 from seafoam.scene.foam import SlopeSaturation
 from seafoam.scene.models import Scene
 
 WIDENED = 1.5
-"""Side of the box that stands for the five places of a blur, in blurs: nearest to them on choppy lakes."""
+"""Side of the box that approximates the five points of a blur, in units of the blur: the best fit on choppy lakes."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``slope``."""
+    """Active if a saturation has source ``slope``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, SlopeSaturation)]
-    if not found:
+    slope = scene.foam.source(SlopeSaturation)
+    if slope is None:
         return None
-    index, slope = found[0]
-    # Where nothing is filtered nothing is left of a wider footprint.
+    # Without slope filtering a wider footprint has no effect.
     blurred = "slope_widened" if quality.slope_places == 1 and quality.surface.filter else "slope_blurred"
     name = blurred if slope.blur > 0.0 else "slope"
     consts: dict[str, Const] = {"SLOPE_MOST": 1.0 if scene.foam.look == "filtered" else 4.0}
     if name == "slope_widened":
         consts["SLOPE_WIDENED"] = WIDENED
-    pointer = f"/foam/saturation/{index}"
+    pointer = scene.foam.pointer(slope)
     uniforms: dict[str, Uniform] = {
         "u_slope_gain": number(slope.gain, f"{pointer}/gain"),
         "u_slope_base": number(slope.base, f"{pointer}/base"),
@@ -33,7 +32,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if slope.blur > 0.0:
         uniforms["u_slope_blur"] = number(slope.blur)
     return Contribution(
-        why=f"slope saturation, {slope.gain:g} times what the normal lacks of upright",
+        why=f"slope saturation, {slope.gain:g} times 1 - n.y of the normal",
         slots=(
             SlotFile(
                 "saturation", f"foam/saturation/{name}.glsl", prefix="slope", needs=("foam/saturation/slope_lack.glsl",)
@@ -41,14 +40,18 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts=consts,
         uniforms=uniforms,
-        bound=Bound(0.0, "nothing raises the surface, so nothing is steep")
-        if slope_limit(slope, scene) == 0.0
-        else None,
+        bound=Bound(0.0, "the surface has no waves, so no slope") if slope_limit(slope, scene) == 0.0 else None,
     )
+
+
+def slope_limit(slope: SlopeSaturation, scene: Scene) -> float:
+    """Return the greatest slope saturation: that of a vertical surface; 0 if the surface is level."""
+    return min(slope.gain * (1.0 - slope.base), SATURATION_CAP) if max_surface_height(scene) > 0.0 else 0.0
 
 
 EFFECT = Effect(
     "slope foam",
     contribute,
+    saturation=SaturationSource(SlopeSaturation, slope_limit, ("base", "gain")),
     knobs=(Knob("/slope_places", "points of the blurred slope", (1, 5), "filtering"),),
 )

@@ -1,4 +1,4 @@
-"""Hard cases of foam.slope, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.slope, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -24,8 +24,8 @@ _HARD = (
             waves=(ParametricWave(amplitude=3.0, wavelength=4.0, exponent=6.0),),
             foam=Foam(saturation=(SlopeSaturation(gain=1000.0),), look="fading"),
         ),
-        guard="f held in [0, 4] (foam/saturation/slope_lack.glsl)",
-        without="f = 806 on a slope of 5.1; the fading look clamps what follows",
+        guard="f clamped to [0, 4] (foam/saturation/slope_lack.glsl)",
+        without="f = 806 on a slope of 5.1; the fading look clamps its result",
         camera=Camera(position=(0.0, 6.0, 0.0), pitch=-0.5),
     ),
     HardCase(
@@ -34,8 +34,8 @@ _HARD = (
             waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.3),),
             foam=Foam(saturation=(SlopeSaturation(blur=0.3), HeightSaturation()), look="textured"),
         ),
-        guard="1 - n.y from 1 + slope squared, never from a quotient of slopes (foam/saturation/slope_lack.glsl)",
-        without="nothing here: slopes are held at the trough (waves/parametric.glsl)",
+        guard="1 - n.y computed from 1 + slope², not from a quotient of slopes (foam/saturation/slope_lack.glsl)",
+        without="no change here: slopes are limited at the trough (waves/parametric.glsl)",
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
     HardCase(
@@ -47,8 +47,8 @@ _HARD = (
             ),
             foam=Foam(saturation=(SlopeSaturation(gain=12.0, base=0.02),), look="filtered"),
         ),
-        guard="what the footprint takes out of the slope still counts (foam/saturation/slope_lack.glsl)",
-        without="from 60 m up: foam on 4e-6 of the picture instead of 7.5e-4 (64 samples a pixel: 2.0e-3)",
+        guard="the slope variance that the footprint filters out is added (foam/saturation/slope_lack.glsl)",
+        without="from 60 m above: foam on 4e-6 of the picture instead of 7.5e-4 (64 samples per pixel: 2.0e-3)",
         times=(2.0, 4.0),
         camera=Camera(position=(0.0, 4.0, 0.0), pitch=-0.4),
     ),

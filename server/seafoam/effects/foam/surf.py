@@ -1,7 +1,7 @@
 """Foam of the surf. docs/formulae.md, section 8."""
 
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
+from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
 from seafoam.scene.foam import SurfSaturation
@@ -9,14 +9,13 @@ from seafoam.scene.models import Scene
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``surf``."""
+    """Active if a saturation has source ``surf``."""
     if scene.foam is None:
         return None
-    found = [(i, s) for i, s in enumerate(scene.foam.saturation) if isinstance(s, SurfSaturation)]
-    if not found:
+    surf = scene.foam.source(SurfSaturation)
+    if surf is None:
         return None
-    index, surf = found[0]
-    pointer = f"/foam/saturation/{index}"
+    pointer = scene.foam.pointer(surf)
     if scene.shore is None:
         return Contribution(
             why="no shore to break on",
@@ -49,4 +48,11 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("surf foam", contribute)
+def surf_limit(surf: SurfSaturation, scene: Scene) -> float:
+    """Return the greatest surf saturation: 2.4 times ``amount`` on thin water and twice ``veil``; 0 without surf."""
+    if scene.shore is None or scene.shore.surf.height == 0.0:
+        return 0.0
+    return min(2.4 * surf.amount + 2.0 * surf.veil, SATURATION_CAP)
+
+
+EFFECT = Effect("surf foam", contribute, saturation=SaturationSource(SurfSaturation, surf_limit))

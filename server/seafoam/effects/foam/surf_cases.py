@@ -1,4 +1,4 @@
-"""Hard cases of foam.surf, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.surf, and scenes that name it but in which it is invisible."""
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -28,8 +28,8 @@ _HARD = (
             shore=_BEACH,
             foam=Foam(saturation=(SurfSaturation(amount=4.0, life=0.02, veil=1.0),), look="halftone"),
         ),
-        guard="f held at 4 (foam/saturation/surf.glsl)",
-        without="nothing in the frame: thresholds end at 1; f itself reaches 11.6",
+        guard="f at most 4 (foam/saturation/surf.glsl)",
+        without="no change in the frame, since thresholds end at 1; f itself reaches 11.6",
         times=(0.0, 2.3),
         camera=_VIEW,
     ),
@@ -44,8 +44,8 @@ _HARD = (
                 mask="clump",
             ),
         ),
-        guard="the filtered look clamps each at 1 first (foam/saturation/surf.glsl)",
-        without="nothing here: the product is under 1 wherever the surf is over it",
+        guard="the filtered look clamps each saturation to 1 before the product (foam/saturation/surf.glsl)",
+        without="no change here: the product is below 1 wherever the surf's saturation is above 1",
         camera=_VIEW,
     ),
     HardCase(
@@ -55,8 +55,8 @@ _HARD = (
             shore=_BEACH.model_copy(update={"slope": 0.01, "surf": Surf(height=0.05)}),
             foam=_FOAM,
         ),
-        guard="what the depth changes by over a footprint held at 1 mm (foam/saturation/surf_front_filtered.glsl)",
-        without="nothing on llvmpipe: no footprint lies as level to the last digit",
+        guard="change of depth over a footprint at least 1 mm (foam/saturation/surf_front_filtered.glsl)",
+        without="no change on llvmpipe: no footprint is exactly horizontal",
         times=(0.0, 2.3),
         camera=_VIEW,
     ),
@@ -67,8 +67,8 @@ _HARD = (
             shore=_BEACH.model_copy(update={"kind": "islands", "radius": 12.0, "smoothing": 0.0}),
             foam=_FOAM,
         ),
-        guard="the way to the shore divided by at least 1e-6 (foam/saturation/surf.glsl)",
-        without="nothing on llvmpipe: no point has a way of 0 to the last digit",
+        guard="the gradient toward the shore divided by a length of at least 1e-6 (foam/saturation/surf.glsl)",
+        without="no change on llvmpipe: the gradient is nowhere exactly 0",
         camera=_VIEW,
     ),
 )

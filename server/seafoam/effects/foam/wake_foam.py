@@ -3,9 +3,9 @@
 import math
 
 from seafoam.effects.boats.wake import WAY
-from seafoam.effects.bounds import SATURATION_CAP, wake_limit
-from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.bounds import SATURATION_CAP
+from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, SlotFile
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.rules import Constant, array, significant
 from seafoam.ocean.wakes import LEAST_SPEED
 from seafoam.quality import Quality
@@ -13,17 +13,16 @@ from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
 
 HULL_SPEED = 1.25
-"""Speed over the root of the length, √m/s, at which the bow's foam is full."""
+"""Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a saturation with source ``wake``."""
+    """Active if a saturation has source ``wake``."""
     if scene.foam is None:
         return None
-    found = [s for s in scene.foam.saturation if isinstance(s, WakeSaturation)]
-    if not found:
+    wake = scene.foam.source(WakeSaturation)
+    if wake is None:
         return None
-    wake = found[0]
     if wake_limit(wake, scene) == 0.0:
         return Contribution(
             why="no boat moves",
@@ -47,8 +46,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         why=f"foam behind boats, {wake.life:g} s to 1/e",
         slots=(SlotFile("saturation", "foam/saturation/wake.glsl", prefix="wake", needs=(*VALUE_NOISE, torn, *WAY)),),
         consts={"WAKE_CAP": 1.0 if filtered else SATURATION_CAP},
-        uniforms={"u_wake_foam": array("vec4", [Constant(value=one) for one in amounts], len(amounts))},
+        uniforms={"u_wake_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts))},
     )
 
 
-EFFECT = Effect("wake foam", contribute)
+def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
+    """Return the greatest wake saturation: 0 if no boat moves."""
+    if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):
+        return 0.0
+    return min(len(scene.boats) * (1.2 * wake.amount + 1.7 * wake.bow), SATURATION_CAP)
+
+
+EFFECT = Effect("wake foam", contribute, saturation=SaturationSource(WakeSaturation, wake_limit))

@@ -1,4 +1,4 @@
-"""Hard cases of foam.wake_foam, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.wake_foam, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -21,9 +21,9 @@ _HARD = (
             boats=(_BOAT.model_copy(update={"radius": 13.5, "speed": 20.0}),),
             foam=Foam(saturation=(WakeSaturation(amount=4.0, life=60.0, bow=4.0),), look="halftone"),
         ),
-        guard="at least a tenth of the radius, exponents of at most 80 "
-        "(boats/wake/way.glsl, foam/saturation/wake.glsl)",
-        without="nothing on llvmpipe: exponentials end at 0, and no sample is at the centre",
+        guard="distance from the centre at least a tenth of the radius, exponents at most 80 (boats/wake/way.glsl, "
+        "foam/saturation/wake.glsl)",
+        without="no change on llvmpipe: exponentials underflow to 0, and no sample is at the centre",
         camera=Camera(position=(0.0, 20.0, -30.0), pitch=-math.pi / 2),
         # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
         bounds=Bounds(mean=1.0, share=0.01),

@@ -1,4 +1,4 @@
-"""Sun, sky, clouds, moon and stars, and what glitters.
+"""Effects of light: sun, sky, clouds, moon and stars, glitter.
 
-What the water mirrors is in :mod:`seafoam.effects.reflection`.
+Reflections in the water are in :mod:`seafoam.effects.reflection`.
 """

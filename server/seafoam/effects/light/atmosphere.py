@@ -1,30 +1,35 @@
-"""The numbers of a layered sky: sun, moon, clouds, and the light that comes down. docs/formulae.md, section 9."""
+"""Irradiances and optical depths of sun, moon, clouds and sky. docs/formulae.md, sections 6 and 9."""
 
 import math
 from functools import lru_cache
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seafoam.ocean.arrays import Floats
 from seafoam.scene.light import Light
 from seafoam.scene.sky import Clouds, Direction, direction
 
 Rgb = tuple[float, float, float]
-Floats = NDArray[np.float64]
 
 RAYLEIGH: Rgb = (0.055, 0.108, 0.215)
+"""Optical depth of molecules at the zenith: red, green, blue."""
 SUN_POWER = 20.0
+"""Irradiance of the sun above the atmosphere."""
 MOON_POWER = 0.2
-"""Irradiance of a full moon over the air: 1 % of the sun's, for an eye that is used to the dark."""
+"""Irradiance of a full moon above the atmosphere: 1 % of the sun's, for a dark-adapted observer."""
 MOON_TINT: Rgb = (0.75, 0.9, 1.2)
-"""An eye that is used to the dark sees moonlight blue."""
+"""Colour of moonlight, which looks blue to a dark-adapted observer."""
 MOON_RADIUS = 0.0045
+"""Angular radius of the moon, rad."""
 MOON_FACE = 2.5
-"""Radiance of a full moon's face over its irradiance: not the 15 000 of its solid angle, so that the face shows."""
+"""Radiance of a full moon's disc over its irradiance, 1/sr: far below the physical 15 000, so that details show."""
 NIGHT = 0.002
-_FORWARD = 0.76
+"""Irradiance of the air's light at night."""
+ASYMMETRY = 0.76
+"""Asymmetry parameter g of the haze's Henyey-Greenstein phase function."""
 _NODES = 96
+"""Steps of the sky's integral in elevation and azimuth."""
 
 
 def smooth(low: float, high: float, x: float) -> float:
@@ -38,9 +43,14 @@ def mie_depth(light: Light) -> float:
     return 0.01 + 0.04 * (light.turbidity - 1.0)
 
 
+def air_mass(height: float) -> float:
+    """Air mass on the way down from a lamp at this sine of elevation; the zenith has about 1."""
+    return 1.0 / (max(height, 0.0) + 0.03)
+
+
 def path(light: Light, height: float) -> Rgb:
-    """Optical depth of the air that light of a lamp at this sine of elevation passes down to the sea."""
-    mass = 1.0 / (max(height, 0.0) + 0.03)
+    """Optical depth of the air between sea level and a lamp at this sine of elevation."""
+    mass = air_mass(height)
     red, green, blue = ((tau + mie_depth(light)) * mass for tau in RAYLEIGH)
     return red, green, blue
 
@@ -51,7 +61,7 @@ def sun(light: Light) -> Direction:
 
 
 def sun_power(light: Light) -> float:
-    """Irradiance of the sunlight that the air still gets; fades after sunset."""
+    """Irradiance of the sunlight that the air scatters; fades after sunset."""
     return SUN_POWER * math.exp(12.0 * min(sun(light)[1], 0.0))
 
 
@@ -63,7 +73,7 @@ def moon(light: Light) -> Direction | None:
 
 
 def moon_phase(light: Light) -> float:
-    """Share of a full moon's light: the square of the lit share of its disc."""
+    """Light relative to a full moon: the square of the illuminated fraction of the disc."""
     toward = moon(light)
     if toward is None:
         return 0.0
@@ -72,7 +82,7 @@ def moon_phase(light: Light) -> float:
 
 
 def moon_power(light: Light) -> Rgb:
-    """Irradiance of moonlight over the air; none before the sun is well down, and none from under the horizon."""
+    """Irradiance of moonlight above the atmosphere; 0 until the sine of the sun's elevation is -0.06."""
     toward = moon(light)
     if toward is None or light.sky is None or light.sky.moon is None:
         return 0.0, 0.0, 0.0
@@ -83,12 +93,12 @@ def moon_power(light: Light) -> Rgb:
 
 
 def moon_is_lamp(light: Light) -> bool:
-    """Whether water, foam and clouds are lit by the moon: where the sun is so far down that nothing of it is left."""
+    """Whether the moon lights water, foam and clouds: if the sun is so low that it lights nothing."""
     return moon(light) is not None and sun(light)[1] < -0.06
 
 
 def direct(light: Light) -> Rgb:
-    """Irradiance of the lamp on what faces it, under a clear sky."""
+    """Irradiance of the lamp, sun or moon, on a surface that faces it, under a clear sky."""
     if moon_is_lamp(light):
         toward = moon(light)
         assert toward is not None
@@ -103,18 +113,18 @@ def direct(light: Light) -> Rgb:
 
 
 def cloud_mean(clouds: Clouds | None) -> float:
-    """Share of the light from above that clouds take in the mean."""
+    """Mean fraction of the light from above that clouds absorb."""
     return 0.0 if clouds is None else clouds.cover * (1.0 - math.exp(-0.5 * clouds.thickness))
 
 
 def cloud_start(clouds: Clouds) -> float:
-    """Noise at which clouds begin, so that they cover their share: a normal law's quantile, halfway up the edge."""
+    """Noise value above which there is cloud: the normal quantile of the cover, at mid-edge."""
     cover = min(max(clouds.cover, 1e-4), 1.0 - 1e-4)
     return -NormalDist().inv_cdf(cover) - 0.25 * clouds.softness
 
 
 def cloud_light(light: Light) -> Rgb:
-    """Irradiance of the lamp where clouds are: through half the air, and a little longer after sunset."""
+    """Irradiance of the lamp at the height of the clouds: through half the air, and until later after sunset."""
     if moon_is_lamp(light):
         toward = moon(light)
         assert toward is not None
@@ -129,7 +139,7 @@ def cloud_light(light: Light) -> Rgb:
 
 
 def _glow(light: Light, toward: Direction, power: Rgb | float, least: float, d: Floats) -> Floats:
-    """Light of one lamp scattered toward directions (..., 3); (..., 3)."""
+    """Radiance (..., 3) that a clear sky scatters from one lamp, in directions ``d`` (..., 3)."""
     sky = light.sky
     assert sky is not None
     height = np.maximum(d[..., 1], 0.0)[..., None]
@@ -137,7 +147,7 @@ def _glow(light: Light, toward: Direction, power: Rgb | float, least: float, d: 
     rayleigh, mie, haze = np.array(RAYLEIGH), mie_depth(light), sky.haze * 0.02 / (height + 0.02)
     mass = 1.0 / (height + 0.09)
     depth = (rayleigh + mie) * mass + haze
-    forward = (1.0 - _FORWARD**2) / (4.0 * math.pi * (1.0 + _FORWARD**2 - 2.0 * _FORWARD * gamma) ** 1.5)
+    forward = (1.0 - ASYMMETRY**2) / (4.0 * math.pi * (1.0 + ASYMMETRY**2 - 2.0 * ASYMMETRY * gamma) ** 1.5)
     once = (rayleigh * mass * 3.0 / (16.0 * math.pi) * (1.0 + gamma**2) + (mie * mass + haze) * forward) / depth
     passed = np.array(path(light, toward[1]))
     full = np.asarray(power)
@@ -164,7 +174,7 @@ def clear_irradiance(light: Light) -> Rgb:
 
 
 def cloud_sky(light: Light) -> Rgb:
-    """Radiance of the light that clouds get from all sides."""
+    """Radiance of the skylight on clouds, mean over all directions."""
     red, green, blue = (0.6 / math.pi * value for value in clear_irradiance(light))
     return red, green, blue
 
@@ -175,10 +185,10 @@ def irradiance(light: Light) -> Rgb:
     clouds = light.sky.clouds if light.sky is not None else None
     if clouds is None:
         return clear
-    taken = cloud_mean(clouds)
+    cover = cloud_mean(clouds)
     lit = 0.3 * (0.15 + 0.85 * math.exp(-0.25 * clouds.thickness))
     red, green, blue = (
-        (1.0 - taken) * blue_sky + taken * math.pi * (lit * sunny + 0.8 * grey)
+        (1.0 - cover) * blue_sky + cover * math.pi * (lit * sunny + 0.8 * grey)
         for blue_sky, sunny, grey in zip(clear, cloud_light(light), cloud_sky(light), strict=True)
     )
     return red, green, blue

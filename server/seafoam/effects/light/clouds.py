@@ -1,31 +1,20 @@
 """Clouds: a layer of gradient noise over a round earth. docs/formulae.md, section 9."""
 
-import math
-
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.noise import PERLIN_3
-from seafoam.framegraph.rules import Phase, array, number, significant, vector
+from seafoam.effects.noise import PERLIN_3, drifting_noise
+from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import Clouds
 
-CELLS = 256
-"""The noise repeats after so many cells."""
-
-
-def _rounded(values: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(significant(value) for value in values)
-
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.sky.clouds``."""
+    """Active if the sky has clouds."""
     light = scene.light
     if light is None or light.sky is None or light.sky.clouds is None:
         return None
     clouds = light.sky.clouds
-    turn = 2.0 * math.pi / (CELLS * clouds.size)
-    drift = (clouds.wind * math.cos(clouds.wind_direction), clouds.wind * math.sin(clouds.wind_direction))
     lamp = atmosphere.moon(light) if atmosphere.moon_is_lamp(light) else atmosphere.sun(light)
     assert lamp is not None
     return Contribution(
@@ -39,23 +28,15 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         ),
         consts={"CLOUD_OCTAVES": quality.cloud_octaves, "CLOUD_SEED": 64 * clouds.seed},
         uniforms={
-            "u_cloud_phase": array(
-                "float",
-                [
-                    Phase(offset=0.0, rate=-turn * drift[0], k=(turn, 0.0)),
-                    Phase(offset=0.0, rate=-turn * drift[1], k=(0.0, turn)),
-                    Phase(offset=0.0, rate=2.0 * math.pi / (CELLS * clouds.change), k=(0.0, 0.0)),
-                ],
-                3,
-            ),
+            "u_cloud_phase": drifting_noise(clouds.size, clouds.wind, clouds.wind_direction, clouds.change),
             "u_cloud_shape": vector(
-                _rounded((clouds.height, clouds.size, atmosphere.cloud_start(clouds), clouds.thickness))
+                rounded((clouds.height, clouds.size, atmosphere.cloud_start(clouds), clouds.thickness))
             ),
             "u_cloud_softness": number(clouds.softness),
             "u_cloud_mean": number(significant(atmosphere.cloud_mean(clouds))),
-            "u_cloud_toward": vector(_rounded(lamp)),
-            "u_cloud_light": vector(_rounded(atmosphere.cloud_light(light))),
-            "u_cloud_sky": vector(_rounded(atmosphere.cloud_sky(light))),
+            "u_cloud_toward": vector(rounded(lamp)),
+            "u_cloud_light": vector(rounded(atmosphere.cloud_light(light))),
+            "u_cloud_sky": vector(rounded(atmosphere.cloud_sky(light))),
         },
         bound=_bound(clouds),
     )
@@ -63,12 +44,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _bound(clouds: Clouds) -> Bound | None:
     if clouds.cover == 0.0:
-        return Bound(0.0, "no share of the sky is covered")
-    return Bound(0.0, "clouds without thickness") if clouds.thickness == 0.0 else None
+        return Bound(0.0, "clouds cover no part of the sky")
+    return Bound(0.0, "clouds have no thickness") if clouds.thickness == 0.0 else None
 
 
 EFFECT = Effect(
     "clouds",
     contribute,
+    fields=("/light/sky/clouds",),
     knobs=(Knob("/cloud_octaves", "octaves of the cloud noise", (2, 3, 4, 5, 6), "geometry"),),
 )

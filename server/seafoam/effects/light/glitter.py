@@ -12,40 +12,41 @@ from seafoam.scene.models import Scene
 
 
 def smooth_glint(light: Light) -> tuple[str, tuple[str, ...], dict[str, Uniform]]:
-    """The file of ``light.specular``, those it needs, and its uniforms."""
+    """Return the file of the light's highlight model, the files that it calls, and its uniforms."""
     if light.specular == "glint":
-        return "light/glitter/beckmann.glsl", ("light/shade/fresnel.glsl", "light/shade/sun.glsl"), {}
+        return "light/glitter/beckmann.glsl", ("lib/refraction.glsl", "light/shade/irradiance.glsl"), {}
     uniforms = {
         "u_specular_power": number(light.specular_power, "/light/specular_power"),
         "u_specular_perturb": number(light.specular_perturb, "/light/specular_perturb"),
     }
-    return "light/glitter/blinn_phong.glsl", ("light/shade/sun.glsl",), uniforms
+    return "light/glitter/blinn_phong.glsl", ("light/shade/irradiance.glsl",), uniforms
 
 
 def brightest_glint(scene: Scene) -> float:
-    """Most that the sun adds to a pixel, on the water or in the sky, display white = 1; 0 without a light."""
+    """Return the greatest radiance of the sun, reflected or in the sky, display white = 1; 0 without a light."""
     if scene.light is None:
         return 0.0
-    # The peak of the mirror's lobe: all facets alike, seen at grazing, where cv is the roughness itself; the factor 4
-    # covers the lobe of a surface made rough by its filtered waves.
+    # The peak of the specular lobe for a level surface at grazing angle, where cv equals the roughness; the factor 4
+    # covers surfaces whose roughness includes unresolved waves.
     sigma = scene.water.roughness
     brightest: float = max(sun_irradiance(scene.light)) * math.exp2(scene.light.exposure)
     return brightest * max(1.0 / (math.pi * sigma**3), 1.0 / 6.8e-5)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light``; where there are sparkles, they bring the glint that they are made of."""
+    """Active if the scene has a light."""
     light = scene.light
     if light is None:
         return None
     path, needs, uniforms = smooth_glint(light)
-    own = (SlotFile("glitter", path, needs=needs),) if light.sparkles is None else ()
     return Contribution(
-        why="the moon is up" if atmosphere.moon_is_lamp(light) else "the sun is up",
-        slots=(*own, SlotFile("disc", "light/sky/sun_disc.glsl")),
-        uniforms={"u_sun_disc": vector(sun_disc(light)), **(uniforms if own else {})},
-        bound=Bound(brightest_glint(scene), "the sun is down", ("/light/exposure", "/water/roughness")),
+        why="glitter of the moon" if atmosphere.moon_is_lamp(light) else "glitter of the sun",
+        slots=(SlotFile("glitter", path, needs=needs), SlotFile("disc", "light/sky/sun_disc.glsl")),
+        uniforms={"u_sun_disc": vector(sun_disc(light)), **uniforms},
+        bound=Bound(brightest_glint(scene), "the lamp is below the horizon", ("/light/exposure", "/water/roughness")),
     )
 
 
-EFFECT = Effect("sun glitter", contribute)
+EFFECT = Effect(
+    "sun glitter", contribute, fields=("/light/specular", "/light/specular_power", "/light/specular_perturb")
+)

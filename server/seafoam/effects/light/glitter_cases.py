@@ -17,8 +17,8 @@ _HARD = (
     HardCase(
         name="into the sun on the horizon",
         scene=Scene(light=Light(sun_elevation=0.0, exposure=10.0), water=Water(roughness=0.03)),
-        guard="h divided by at least 1e-6 (light/glitter/beckmann.glsl)",
-        without="nothing on llvmpipe, whose max(0/0, x) is x: NaN in h alone",
+        guard="the half vector h is divided by at least 1e-6 (light/glitter/beckmann.glsl)",
+        without="no difference on llvmpipe, whose max(0/0, x) is x: only h is NaN",
         camera=Camera(position=(0.0, 1.0, 0.0), yaw=math.pi / 2, pitch=0.0, fov=0.01),
     ),
     HardCase(
@@ -28,15 +28,15 @@ _HARD = (
             light=Light(sun_elevation=0.02, sun_azimuth=math.pi),
             water=Water(roughness=0.03),
         ),
-        guard="n.h at least 1e-3 (light/glitter/beckmann.glsl)",
-        without="facets that face away mirror the sun: 10 000, the cap, instead of 0 at n.h = -1",
+        guard="n·h is at least 1e-3 (light/glitter/beckmann.glsl)",
+        without="facets that face away reflect the sun: 10 000, the limit, instead of 0 at n·h = -1",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 2, pitch=-0.3),
     ),
     HardCase(
         name="the brightest path of the sun",
         scene=Scene(light=Light(sun_elevation=0.05, exposure=10.0), water=Water(roughness=0.03, chop=Chop(slope=0.05))),
-        guard="glitter held at 1e4 (light/glitter/beckmann.glsl), the frame at 65504 (surface/main.glsl)",
-        without="5.9e6, ninety times what half floats hold",
+        guard="glitter is at most 1e4 (light/glitter/beckmann.glsl), the frame at most 65504 (surface/main.glsl)",
+        without="5.9e6, ninety times the greatest half float",
         camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.05, fov=0.3),
     ),
     HardCase(
@@ -51,8 +51,8 @@ _HARD = (
             ),
             water=Water(chop=Chop(slope=0.6)),
         ),
-        guard="n.h held in [0, 1] before the power (light/glitter/blinn_phong.glsl)",
-        without="powers of negative numbers: 65504 in a fifth of the samples, off by 28 levels in the mean",
+        guard="n·h is clamped to [0, 1] before the power (light/glitter/blinn_phong.glsl)",
+        without="powers of negative numbers: 65504 in a fifth of the samples, a mean error of 28 levels",
         camera=Camera(position=(0.0, 2.0, 0.0), yaw=math.pi / 2, pitch=-0.1),
     ),
 )

@@ -1,34 +1,29 @@
 """Sun, sky and haze. docs/formulae.md, section 6."""
 
 import math
+from collections.abc import Iterable
 from functools import lru_cache
 
 from seafoam.effects.effect import Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
+from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, Rgb, air_mass, mie_depth
 from seafoam.framegraph.rules import number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import direction
 
-Rgb = tuple[float, float, float]
+ILLUMINATION = ("light/shade/irradiance.glsl", "light/shade/haze.glsl")
+"""Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
+_DISC_SOLID_ANGLE = 6.8e-5
+"""Solid angle of the sun's disc, sr."""
+_MAX_DISC = 3000.0
+"""Radiance at which the disc is clamped, well within the range of half floats."""
 
-_RAYLEIGH: Rgb = (0.055, 0.108, 0.215)
-_E0 = 20.0
-_G = 0.76
 
-
-def _rgb(values: list[float]) -> Rgb:
-    red, green, blue = (significant(value) for value in values)
+def _rgb(values: Iterable[float]) -> Rgb:
+    red, green, blue = map(significant, values)
     return red, green, blue
-
-
-def _mie(light: Light) -> float:
-    return 0.01 + 0.04 * (light.turbidity - 1.0)
-
-
-def _air_mass(y: float) -> float:
-    return 1.0 / (max(y, 0.0) + 0.03)
 
 
 def _view_air_mass(y: float) -> float:
@@ -36,56 +31,50 @@ def _view_air_mass(y: float) -> float:
 
 
 def lamp_angles(light: Light) -> tuple[float, float]:
-    """Azimuth and elevation of what lights the water, rad: the sun, or a moon once the sun is well down."""
+    """Return azimuth and elevation of the lamp, rad: the sun, or the moon if the sun is well below the horizon."""
     if light.sky is not None and light.sky.moon is not None and atmosphere.moon_is_lamp(light):
         return light.sky.moon.azimuth, light.sky.moon.elevation
     return light.sun
 
 
 def sun_direction(light: Light) -> Rgb:
-    """Unit vector toward the lamp, the sun or the moon."""
+    """Return the unit vector toward the lamp, sun or moon."""
     return direction(*lamp_angles(light))
 
 
 def sun_irradiance(light: Light) -> Rgb:
-    """E_s: the lamp's irradiance on a surface that faces it, less what clouds take in the mean."""
-    if light.sky is not None:
-        left = 1.0 - atmosphere.cloud_mean(light.sky.clouds)
-        return _rgb([left * value for value in atmosphere.direct(light)])
-    y = math.sin(light.sun[1])
-    t = min(max((y + 0.02) / 0.04, 0.0), 1.0)
-    up = t * t * (3.0 - 2.0 * t)
-    return _rgb([_E0 * math.exp(-(tau + _mie(light)) * _air_mass(y)) * up for tau in _RAYLEIGH])
+    """Return E_s, the lamp's irradiance on a surface that faces it, less the mean absorption of clouds."""
+    clear = 1.0 if light.sky is None else 1.0 - atmosphere.cloud_mean(light.sky.clouds)
+    return _rgb(clear * value for value in atmosphere.direct(light))
 
 
 def sun_disc(light: Light) -> Rgb:
-    """Radiance of the sun's disc, held at 3000, well inside half floats."""
-    if light.sky is not None:
-        # Clouds hide the disc where they are; the moon has a face of its own.
-        bright = (0.0, 0.0, 0.0) if atmosphere.moon_is_lamp(light) else atmosphere.direct(light)
-        return _rgb([min(value / 6.8e-5, 3000.0) for value in bright])
-    return _rgb([min(value / 6.8e-5, 3000.0) for value in sun_irradiance(light)])
+    """Return the radiance of the sun's disc, at most :data:`_MAX_DISC`."""
+    if light.sky is None:
+        irradiance = sun_irradiance(light)
+    else:
+        # The shader applies the clouds where they cover the disc; the moon's disc is drawn separately.
+        irradiance = (0.0, 0.0, 0.0) if atmosphere.moon_is_lamp(light) else atmosphere.direct(light)
+    return _rgb(min(value / _DISC_SOLID_ANGLE, _MAX_DISC) for value in irradiance)
 
 
 def air_light(light: Light) -> Rgb:
-    """E_a: irradiance of the light that the air scatters."""
+    """Return E_a, the irradiance of the light that the air scatters."""
     y = math.sin(light.sun[1])
+    mass, twilight = air_mass(y), math.exp(12.0 * min(y, 0.0))
     return _rgb(
-        [
-            _E0 * math.exp(-0.5 * (tau + _mie(light)) * _air_mass(y)) * math.exp(12.0 * min(y, 0.0)) + 0.002
-            for tau in _RAYLEIGH
-        ]
+        SUN_POWER * math.exp(-0.5 * (tau + mie_depth(light)) * mass) * twilight + atmosphere.NIGHT for tau in RAYLEIGH
     )
 
 
 def air_parts(light: Light) -> dict[str, list[float]]:
-    """Terms of the sky's radiance that hang on no direction, for ``light/sky/analytic.glsl``."""
-    mie, air = _mie(light), air_light(light)
-    depth = [tau + mie for tau in _RAYLEIGH]
+    """Return the terms of the sky's radiance that do not depend on direction, for ``light/sky/analytic.glsl``."""
+    mie, air = mie_depth(light), air_light(light)
+    depth = [tau + mie for tau in RAYLEIGH]
     whole = [e / tau for e, tau in zip(air, depth, strict=True)]
     return {
-        "rayleigh": [3.0 / (16.0 * math.pi) * tau * e for e, tau in zip(whole, _RAYLEIGH, strict=True)],
-        "mie": [(1.0 - _G * _G) / (4.0 * math.pi) * mie * e for e in whole],
+        "rayleigh": [3.0 / (16.0 * math.pi) * tau * e for e, tau in zip(whole, RAYLEIGH, strict=True)],
+        "mie": [(1.0 - ASYMMETRY * ASYMMETRY) / (4.0 * math.pi) * mie * e for e in whole],
         "even": [0.04 * e for e in air],
         "depth": depth,
         "horizon": [1.0 - math.exp(-tau * _view_air_mass(0.0)) for tau in depth],
@@ -94,15 +83,15 @@ def air_parts(light: Light) -> dict[str, list[float]]:
 
 @lru_cache(maxsize=64)
 def sky_irradiance(light: Light) -> Rgb:
-    """E_sky: irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
+    """Return E_sky, the irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
     if light.sky is not None:
-        return _rgb(list(atmosphere.irradiance(light)))
+        return _rgb(atmosphere.irradiance(light))
     sun = sun_direction(light)
     parts = air_parts(light)
     count = 96
     total = [0.0, 0.0, 0.0]
     for i in range(count):
-        # Even steps in sin² of the elevation angle weigh by the cosine of incidence: dΩ cos = ½ d(y²) dφ.
+        # Equal steps in sin² of the elevation contain the cosine of incidence: cos dΩ = ½ d(y²) dφ.
         y = math.sqrt((i + 0.5) / count)
         level = math.sqrt(1.0 - y * y)
         mass = _view_air_mass(y)
@@ -111,18 +100,18 @@ def sky_irradiance(light: Light) -> Rgb:
             phi = (j + 0.5) * math.pi / count
             gamma = level * math.hypot(sun[0], sun[2]) * math.cos(phi) + y * sun[1]
             rayleigh = 1.0 + gamma * gamma
-            mie = max(1.0 + _G * _G - 2.0 * _G * gamma, (1.0 - _G) ** 2) ** -1.5
+            mie = max(1.0 + ASYMMETRY * ASYMMETRY - 2.0 * ASYMMETRY * gamma, (1.0 - ASYMMETRY) ** 2) ** -1.5
             for channel in range(3):
                 ring[channel] += (
                     parts["even"][channel] + rayleigh * parts["rayleigh"][channel] + mie * parts["mie"][channel]
                 )
         for channel, depth in enumerate(parts["depth"]):
             total[channel] += ring[channel] / count * (1.0 - math.exp(-depth * mass))
-    return _rgb([math.pi * value / count for value in total])
+    return _rgb(math.pi * value / count for value in total)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light``."""
+    """Active if the scene has a light."""
     light = scene.light
     if light is None:
         return None
@@ -138,25 +127,25 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         )
         air = {
             "u_haze_depth": number(light.sky.haze),
-            "u_rayleigh_depth": vector(_RAYLEIGH),
-            "u_mie_depth": number(significant(_mie(light))),
+            "u_rayleigh_depth": vector(RAYLEIGH),
+            "u_mie_depth": number(significant(mie_depth(light))),
             "u_sky_sun": vector(_rgb(list(toward))),
             "u_sky_sun_path": vector(_rgb(list(atmosphere.path(light, toward[1])))),
             "u_sky_sun_power": number(significant(atmosphere.sun_power(light))),
         }
     return Contribution(
-        why=f"sun {math.degrees(light.sun[1]):.0f}° over the horizon, sky, haze",
+        why=f"sun {math.degrees(light.sun[1]):.0f}° above the horizon, sky, haze",
         slots=(
             *sky,
             SlotFile(
                 "shade",
                 "light/shade/lit.glsl",
-                needs=("light/shade/fresnel.glsl", "light/shade/sun.glsl", "light/shade/optics.glsl"),
+                needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade/optics.glsl"),
             ),
             SlotFile("tone", "output/tone/filmic.glsl"),
         ),
         uniforms={
-            "u_sun_direction": vector(_rgb(list(sun_direction(light)))),
+            "u_sun_direction": vector(_rgb(sun_direction(light))),
             "u_sun_irradiance": vector(sun_irradiance(light)),
             "u_sky_irradiance": vector(sky_irradiance(light)),
             **air,
@@ -166,4 +155,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("sun and sky", contribute)
+EFFECT = Effect("sun and sky", contribute, fields=("/light", "/light/day", "/light/sky"))

@@ -4,51 +4,48 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.noise import HASH, PERLIN_2
-from seafoam.framegraph.rules import number, significant, vector
+from seafoam.effects.noise import HASH, PERLIN_2
+from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
 STAR_POWER = 1.0
-
-
-def _rounded(values: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(significant(value) for value in values)
+"""Brightness of the brightest stars at night."""
 
 
 def moon(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.sky.moon``."""
+    """Active if the sky has a moon."""
     light = scene.light
     if light is None or light.sky is None or light.sky.moon is None:
         return None
-    of = light.sky.moon
+    model = light.sky.moon
     toward = atmosphere.moon(light)
     assert toward is not None
     sun = atmosphere.sun(light)
-    right = (-math.sin(of.azimuth), 0.0, math.cos(of.azimuth))
+    right = (-math.sin(model.azimuth), 0.0, math.cos(model.azimuth))
     up = (
-        -math.sin(of.elevation) * math.cos(of.azimuth),
-        math.cos(of.elevation),
-        -math.sin(of.elevation) * math.sin(of.azimuth),
+        -math.sin(model.elevation) * math.cos(model.azimuth),
+        math.cos(model.elevation),
+        -math.sin(model.elevation) * math.sin(model.azimuth),
     )
-    radius = atmosphere.MOON_RADIUS * of.size
-    face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * of.brightness
+    radius = atmosphere.MOON_RADIUS * model.size
+    face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * model.brightness
     lit = 100.0 * math.sqrt(atmosphere.moon_phase(light))
     return Contribution(
-        why=f"moon {math.degrees(of.elevation):.0f}° over the horizon, {lit:.0f} % lit",
+        why=f"moon {math.degrees(model.elevation):.0f}° above the horizon, {lit:.0f} % illuminated",
         slots=(
             SlotFile("moon", "light/sky/moon_glow.glsl"),
             SlotFile("moon disc", "light/sky/moon_disc.glsl", needs=PERLIN_2),
         ),
         uniforms={
-            "u_moon_direction": vector(_rounded(toward)),
-            "u_moon_path": vector(_rounded(atmosphere.path(light, toward[1]))),
-            "u_moon_power": vector(_rounded(atmosphere.moon_power(light))),
-            "u_moon_right": vector(_rounded(right)),
-            "u_moon_up": vector(_rounded(up)),
+            "u_moon_direction": vector(rounded(toward)),
+            "u_moon_path": vector(rounded(atmosphere.path(light, toward[1]))),
+            "u_moon_power": vector(rounded(atmosphere.moon_power(light))),
+            "u_moon_right": vector(rounded(right)),
+            "u_moon_up": vector(rounded(up)),
             "u_moon_radius": number(significant(radius)),
             "u_moon_sun": vector(
-                _rounded(
+                rounded(
                     tuple(
                         sum(a * b for a, b in zip(sun, axis, strict=True))
                         for axis in (right, up, tuple(-value for value in toward))
@@ -56,7 +53,7 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
                 )
             ),
             "u_moon_radiance": vector(
-                _rounded(
+                rounded(
                     tuple(
                         face * tint * math.exp(-0.5 * tau)
                         for tint, tau in zip(atmosphere.MOON_TINT, atmosphere.path(light, toward[1]), strict=True)
@@ -64,12 +61,12 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
                 )
             ),
         },
-        bound=Bound(0.0, "the moon is down") if toward[1] < -max(0.02, 2.0 * radius) else None,
+        bound=Bound(0.0, "the moon is below the horizon") if toward[1] < -max(0.02, 2.0 * radius) else None,
     )
 
 
 def stars(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.sky.stars``."""
+    """Active if the sky has stars."""
     light = scene.light
     if light is None or light.sky is None or light.sky.stars == 0.0:
         return None
@@ -78,12 +75,12 @@ def stars(scene: Scene, quality: Quality) -> Contribution | None:
         why="stars",
         slots=(SlotFile("stars", "light/sky/stars.glsl", needs=("lib/cube_face.glsl", HASH)),),
         uniforms={
-            "u_star_path": vector(_rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
+            "u_star_path": vector(rounded(tuple(tau + atmosphere.mie_depth(light) for tau in atmosphere.RAYLEIGH))),
             "u_star_brightness": number(significant(STAR_POWER * light.sky.stars * dark)),
         },
-        bound=Bound(0.0, "the sun is up") if dark == 0.0 else None,
+        bound=Bound(0.0, "the sun is above the horizon") if dark == 0.0 else None,
     )
 
 
-MOON = Effect("moon", moon)
-STARS = Effect("stars", stars)
+MOON = Effect("moon", moon, fields=("/light/sky/moon",))
+STARS = Effect("stars", stars, fields=("/light/sky/stars",))

@@ -22,8 +22,8 @@ _MOON_HARD = (
             light=Light(sun_azimuth=0.3, sun_elevation=-0.4, exposure=1.0, sky=Sky(moon=_OPPOSITE)),
             water=Water(chop=Chop()),
         ),
-        guard="the ball's height at its rim is the root of at least 0 (light/sky/moon_disc.glsl)",
-        without="nothing on llvmpipe, whose max(NaN, 0) is 0: NaN in a ring of a twentieth of the disc",
+        guard="the depth of the sphere at its rim is the root of at least 0 (light/sky/moon_disc.glsl)",
+        without="no difference on llvmpipe, whose max(NaN, 0) is 0: NaN in a ring of a twentieth of the disc",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 - math.pi / 2, pitch=0.35, fov=0.2),
     ),
     HardCase(
@@ -31,8 +31,8 @@ _MOON_HARD = (
         scene=Scene(
             light=Light(sun_azimuth=0.3, sun_elevation=0.4, exposure=-6.0, sky=Sky(moon=_BEFORE)),
         ),
-        guard="a face that is turned from the sun gets at least no light (light/sky/moon_disc.glsl)",
-        without="the root of a negative number: the face blows up to 65504, 229 levels off",
+        guard="the irradiance of points that face away from the sun is at least 0 (light/sky/moon_disc.glsl)",
+        without="the root of a negative number: the disc is 65504, an error of 229 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.3 + math.pi / 2, pitch=0.4, fov=0.3),
     ),
 )
@@ -43,15 +43,15 @@ _STARS_HARD = (
     HardCase(
         name="stars at the corner of the cube",
         scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
-        guard="cells counted up to the last of a face (light/sky/stars.glsl)",
-        without="nothing seen: only a sample exactly on a face's rim asks for a cell beyond it",
+        guard="cell indices are limited to the last of a face (light/sky/stars.glsl)",
+        without="no visible difference: only a sample exactly on the edge of a face needs a cell beyond it",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=0.6154797, fov=0.6),
     ),
     HardCase(
         name="stars in the widest view",
         scene=Scene(light=Light(sun_elevation=-1.0, exposure=6.0, sky=Sky(stars=10.0))),
-        guard="a star is 3e-3 rad wide at most (light/sky/stars.glsl)",
-        without="stars cut off at the sides of their cells: 7 % of samples off by more than 2 levels",
+        guard="a star is at most 3e-3 rad wide (light/sky/stars.glsl)",
+        without="stars are cut off at the edges of their cells: 7 % of samples are off by more than 2 levels",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=0.5, pitch=0.8, fov=2.6),
     ),
 )

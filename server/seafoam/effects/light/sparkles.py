@@ -4,40 +4,41 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, SlotFile, Source
 from seafoam.effects.light.glitter import brightest_glint, smooth_glint
-from seafoam.effects.light.noise import HASH
+from seafoam.effects.noise import HASH
 from seafoam.framegraph.rules import Loop, array, number, significant
 from seafoam.quality import Quality
 from seafoam.scene.light import Sparkles
 from seafoam.scene.models import Scene
 
 EPOCHS = 65536
-"""After so many lives the sparkles repeat: five hours at the default."""
+"""Period of the sparkles, in lifetimes: five hours at the default."""
 _SQUARE_DEGREES = (180.0 / math.pi) ** 2
 
 
 def density(sparkles: Sparkles) -> float:
-    """Sparkles alight at once in a steradian where the glint's radiance is the sun's irradiance a steradian."""
+    """Return simultaneous sparkles per steradian where the glint's radiance is the sun's irradiance / sr."""
     return math.pi * sparkles.rate * _SQUARE_DEGREES * sparkles.life
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.sparkles``."""
+    """Active if the light has sparkles."""
     light = scene.light
     if light is None or light.sparkles is None:
         return None
     sparkles = light.sparkles
     radius = 0.5 * sparkles.size
-    # Four may lie over one another, each in the middle of its life at 1.9 times its mean.
+    # Up to four sparkles overlap, each with up to 1.9 times its mean brightness in the middle of its life.
     peak = 4.0 * 1.9 / (math.pi / 3.0 * radius * radius * density(sparkles))
     path, needs, uniforms = smooth_glint(light)
     smooth = Source(path, (("glitter_light", "smooth_glitter"),))
     return Contribution(
-        why=f"sparks of {1e3 * sparkles.size:g} mrad for {sparkles.life:g} s",
+        why=f"sparkles of {1e3 * sparkles.size:g} mrad that last {sparkles.life:g} s",
         slots=(
             SlotFile(
                 "glitter",
                 "light/glitter/sparkles.glsl",
                 needs=(*needs, HASH, smooth),
+                instead=True,
             ),
         ),
         consts={"SPARKLE_CELLS": quality.sparkle_cells},
@@ -50,7 +51,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_sparkle_time": array("float", [Loop(period=sparkles.life), Loop(period=sparkles.life * EPOCHS)], 2),
         },
         bound=Bound(
-            brightest_glint(scene) * max(peak, 1.0), "the sun is down", ("/light/exposure", "/water/roughness")
+            brightest_glint(scene) * max(peak, 1.0),
+            "the lamp is below the horizon",
+            ("/light/exposure", "/water/roughness"),
         ),
     )
 
@@ -58,5 +61,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 EFFECT = Effect(
     "sparkles",
     contribute,
+    fields=("/light/sparkles",),
     knobs=(Knob("/sparkle_cells", "sparkle cells per sample", (1, 4), "geometry"),),
 )

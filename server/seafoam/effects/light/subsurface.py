@@ -1,6 +1,6 @@
-"""Sunlight through thin crests. docs/formulae.md, section 6."""
+"""Sunlight transmitted by thin crests. docs/formulae.md, section 6."""
 
-from seafoam.effects.bounds import crest_limit, surface_top, surface_trough
+from seafoam.effects.bounds import crest_limit, max_surface_height, min_surface_height
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.framegraph.rules import number, significant
 from seafoam.quality import Quality
@@ -10,24 +10,24 @@ from seafoam.scene.models import (
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light`` on translucent water."""
+    """Active if the scene has a light."""
     if scene.light is None:
         return None
-    top, trough = surface_top(scene), surface_trough(scene)
+    highest, lowest = max_surface_height(scene), min_surface_height(scene)
     return Contribution(
-        why=f"crests up to {top:g} m against the sun",
-        slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/sun.glsl",)),),
+        why=f"crests of up to {highest:g} m transmit sunlight",
+        slots=(SlotFile("crest", "light/subsurface/translucent.glsl", needs=("light/shade/irradiance.glsl",)),),
         uniforms={
             "u_translucency": number(scene.water.translucency, "/water/translucency"),
-            "u_crest_trough": number(significant(trough)),
-            "u_crest_height": number(1.0 / (top - trough) if top - trough > 1e-37 else 0.0),
+            "u_crest_trough": number(significant(lowest)),
+            "u_crest_height": number(1.0 / (highest - lowest) if highest - lowest > 1e-37 else 0.0),
         },
         bound=Bound(
             crest_limit(scene),
-            "no crest, no sun on it, or water too dark to let it through",
+            "no crests, no sunlight, or water that absorbs all of it",
             ("/light/exposure", "/water/absorption_length", "/water/translucency"),
         ),
     )
 
 
-EFFECT = Effect("crest light", contribute)
+EFFECT = Effect("crest light", contribute, fields=("/water/translucency",))

@@ -24,8 +24,8 @@ _HARD = (
             light=Light(sun_elevation=0.1),
             water=Water(chop=Chop()),
         ),
-        guard="the share of the greatest height, 1/height in float64 (effects/light/subsurface.py)",
-        without="nothing here; 0/0 where nothing is high is NaN",
+        guard="the height relative to the greatest height, with 1/height in float64 (effects/light/subsurface.py)",
+        without="no difference here; 0/0 is NaN where the water is level",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
@@ -35,9 +35,9 @@ _HARD = (
             light=Light(sun_elevation=0.05),
             water=Water(translucency=2.0, absorption_length=(1000.0, 1000.0, 0.01)),
         ),
-        guard="lengths of absorption at least 0.01 m (scene/water.py), the height's share squared at "
+        guard="absorption lengths are at least 0.01 m (scene/water.py); the square of the relative height is at "
         "most 1 (light/subsurface/translucent.glsl)",
-        without="nothing: light of 9 at most, which half floats hold",
+        without="no difference: the light is at most 9, well within half floats",
         camera=Camera(position=(0.0, 210.0, 0.0), yaw=math.pi / 2, pitch=-0.2),
     ),
     HardCase(
@@ -45,7 +45,7 @@ _HARD = (
         scene=Scene(
             waves=(ParametricWave(amplitude=0.0),), water=Water(translucency=2.0), light=Light(sun_elevation=0.1)
         ),
-        guard="1/height taken as 0 where it is flat (effects/light/subsurface.py)",
+        guard="1/height counts as 0 if the water is level (effects/light/subsurface.py)",
         without="0 times 1/0: NaN in every sample toward the sun",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),

@@ -1,1 +1,1 @@
-"""What the water mirrors beside the sky: cubemaps, boats and land."""
+"""Reflections in the water other than the plain sky: cube maps, boats and land."""

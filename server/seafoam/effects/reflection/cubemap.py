@@ -1,10 +1,10 @@
-"""Reflection of sky and land from a cube map around the place under the eye. docs/formulae.md, section 10."""
+"""Reflection of sky and land from a cube map around the point below the camera. docs/formulae.md, section 10."""
 
 import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, Knob, PassSpec, SlotFile, SlotRef
-from seafoam.effects.light.light import air_light, sky_irradiance, sun_irradiance
-from seafoam.effects.light.noise import VALUE_NOISE
+from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
+from seafoam.effects.noise import VALUE_NOISE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
@@ -17,47 +17,40 @@ SHORE = (
     "shore/floor.glsl",
     *VALUE_NOISE,
     "shore/ground.glsl",
+    "shore/march.glsl",
     "shore/maxima.glsl",
 )
-"""Where land is, and what colour."""
-LIT_LAND = ("shore/land_lit.glsl", "reflection/land.glsl")
-"""Land under sun and sky, along any ray."""
+"""Files that give the land's height and colour."""
+LIT_LAND = (*ILLUMINATION, "lib/refraction.glsl", "shore/land_lit.glsl", "reflection/land.glsl")
+"""Files that light the land along any ray."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``light.reflection`` "cubemap"."""
+    """Active if the light's ``reflection`` is "cubemap"."""
     light = scene.light
     if light is None or light.reflection != "cubemap":
         return None
     shore = scene.shore is not None
     if quality.cube == "exact":
-        around: tuple[str, ...] = ("reflection/open.glsl",)
+        scenery: tuple[str, ...] = ("reflection/open.glsl",)
         if shore:
-            lit = ("light/shade/sun.glsl", "light/shade/fresnel.glsl", "reflection/prototypes.glsl", *LIT_LAND)
-            around = (*SHORE, *lit, "reflection/land_around.glsl")
+            scenery = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
         return Contribution(
-            why="mirrors what stands around, found for each sample",
-            slots=(SlotFile("reflection", "reflection/exact.glsl", needs=around),),
+            why="reflects sky and land, traced for each sample",
+            slots=(SlotFile("reflection", "reflection/exact.glsl", needs=scenery),),
             bound=_bound(scene, light),
         )
-    land = (
-        *SHORE,
-        "light/shade/sun.glsl",
-        "light/shade/fresnel.glsl",
-        "reflection/around_shade.glsl",
-        *LIT_LAND,
-        "reflection/land_around.glsl",
-    )
+    land = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
     inputs: dict[str, TextureInput | TargetInput] = {}
     if shore:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(
-        why=f"mirrors sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
+        why=f"reflects sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
         slots=(
             SlotFile(
                 "reflection",
                 "reflection/cubemap.glsl",
-                needs=("lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
+                needs=("lib/bilinear.glsl", "lib/cube_face.glsl", "reflection/cube.glsl", "reflection/cube_texel.glsl"),
             ),
         ),
         consts={"CUBE_SIZE": quality.cube_size},
@@ -87,19 +80,20 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 
 def _bound(scene: Scene, light: Light) -> Bound | None:
-    """What is mirrored is no brighter than land in full light or the brightest sky."""
+    """Reflected light is no brighter than fully lit white land or the brightest sky."""
     factor = 2.0**light.exposure
     if light.sky is not None:
         return None
     land = max(sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True)) / math.pi
-    # The sky's brightest place: all of it scattered forward.
+    # The brightest point of the sky, where all light is scattered forward.
     brightest = max(air_light(light)) * 2.6
-    return Bound(factor * max(land, brightest), "there is no light to mirror", ("/light/exposure",))
+    return Bound(factor * max(land, brightest), "there is no light to reflect", ("/light/exposure",))
 
 
 EFFECT = Effect(
     "cube map",
     contribute,
+    fields=("/light/reflection",),
     knobs=(
         Knob("/cube", "reflected surroundings", ("map", "exact"), "geometry"),
         Knob("/cube_size", "texels of a face of the cube map", (32, 64, 128, 256, 512), "geometry"),

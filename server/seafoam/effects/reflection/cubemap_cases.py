@@ -16,8 +16,8 @@ _HARD = (
     HardCase(
         name="a mirror with nothing to mirror",
         scene=Scene(light=Light(sun_elevation=-math.pi / 2, exposure=8.0, reflection="cubemap")),
-        guard="without a shore no land is looked for (reflection/open.glsl)",
-        without="no plan: the pass asks for a floor that the scene does not have",
+        guard="the search for land is left out of scenes without a shore (reflection/open.glsl)",
+        without="no plan can be made: the pass reads a floor that the scene does not have",
         camera=Camera(position=(0.0, 2.0, 0.0), pitch=-0.2),
     ),
     HardCase(
@@ -26,8 +26,9 @@ _HARD = (
             waves=(ParametricWave(amplitude=1.0, wavelength=3.0, exponent=3.0),),
             light=Light(exposure=-2.0, sun_elevation=0.3, reflection="cubemap", sky=Sky(clouds=Clouds(cover=0.5))),
         ),
-        guard="the last texel of a face is read with the one before (reflection/cubemap.glsl)",
-        without="nothing seen: the texel beyond has no weight, and out of the picture it is undefined",
+        guard="interpolation at the edge of a face uses its last two texels (reflection/cubemap.glsl)",
+        without="no visible difference: the weight of the next texel is 0, but reading outside the texture is "
+        "undefined",
         camera=Camera(position=(0.0, 3.0, 0.0), yaw=math.pi / 4, pitch=-0.6),
     ),
     HardCase(
@@ -36,8 +37,8 @@ _HARD = (
             shore=Shore(kind="island", size=240.0, radius=40.0, height=30.0, slope=0.4, smoothing=3.0),
             light=Light(exposure=-2.0, reflection="cubemap"),
         ),
-        guard="it stands a metre over the ground at least (reflection/land_around.glsl)",
-        without="57 % of samples off by more than 2 levels: water mirrors the inside of the hill",
+        guard="the centre of the cube map is at least a metre above the ground (reflection/land_around.glsl)",
+        without="57 % of samples are off by more than 2 levels: water reflects the inside of the hill",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.5),
     ),
 )

@@ -1,4 +1,4 @@
-"""Planar reflection: a mirrored camera draws boats into a map that the water reads. docs/formulae.md, section 10b."""
+"""Planar reflection: a mirrored camera draws boats and land into a map. docs/formulae.md, section 10b."""
 
 from seafoam.effects.boats.boat import COURSE, LIGHT, TRACE
 from seafoam.effects.effect import (
@@ -16,16 +16,15 @@ from seafoam.effects.effect import (
 from seafoam.effects.reflection.cubemap import LIT_LAND, SHORE
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
-from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
 MARGIN = 1.25
-"""The map is so much wider than the picture: ripples mirror what lies beside it."""
+"""Width of the map relative to the picture: ripples reflect objects beside it."""
 STEPS = 3
-"""How often the reflected ray asks the map how far its light has come."""
+"""Number of reads of the map's distance with which a reflected ray is traced."""
 
 LOOKS = 8
-"""At how many places along the reflected ray land is looked for, each twice as far as the one before."""
+"""Number of points along the reflected ray at which land is searched for, each twice as far as the last."""
 
 
 _NO_BOATS = Inline(
@@ -36,19 +35,19 @@ _NO_GUESS = constant_function("float", "mirror_guess", "vec3 place, vec3 r", "-1
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by a light whose ``reflection`` is planar."""
+    """Active if the light's ``reflection`` is "planar"."""
     if scene.light is None or scene.light.reflection != "planar":
         return None
     if not scene.boats and scene.shore is None:
         return Contribution(
-            why="nothing stands over the water",
-            bound=Bound(0.0, "nothing stands over the water"),
+            why="no boat or land is above the water",
+            bound=Bound(0.0, "no boat or land is above the water"),
         )
     boats: tuple[Piece, ...] = (*TRACE, *LIGHT, "reflection/boats_met.glsl") if scene.boats else (_NO_BOATS,)
     if quality.reflection == "traced":
-        met = (*boats, *_land(scene, "reflection/prototypes.glsl"), "reflection/met.glsl")
+        met = (*boats, *_land(scene), "reflection/met.glsl")
         return Contribution(
-            why=f"rays from the water to {_things(scene)}",
+            why=f"reflected rays are traced to {_objects(scene)}",
             slots=(SlotFile("reflection", "reflection/traced.glsl", needs=met),),
         )
     size = quality.reflection_size
@@ -57,7 +56,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.shore is not None:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(
-        why=f"a mirrored camera sees {_things(scene)}, {size} texels a side",
+        why=f"a mirrored camera draws {_objects(scene)}, {size} texels a side",
         slots=(SlotFile("reflection", "reflection/planar.glsl", needs=guess),),
         consts={
             "MIRROR_SIZE": size,
@@ -67,7 +66,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "MIRROR_FAR": 0.0 if scene.shore is None else scene.shore.size,
         },
         inputs={"u_mirror": TargetInput(target="mirror")},
-        targets={"mirror": Target(size=FixedSize(width=size, height=size), format="RGBA16F")},
+        targets={"mirror": Target(size=FixedSize.square(size), format="RGBA16F")},
         passes=(
             PassSpec(
                 name=f"planar mirror, {size} texels",
@@ -77,7 +76,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "lib/camera.glsl",
                     SlotRef("sky"),
                     *boats,
-                    *_land(scene, "reflection/around_shade.glsl"),
+                    *_land(scene),
                     "reflection/met.glsl",
                     "reflection/map_pass.glsl",
                 ),
@@ -88,22 +87,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _land(scene: Scene, shade: str) -> tuple[Piece, ...]:
-    """What finds and lights land; ``shade``: where ``irradiance`` and ``in_air`` come from."""
-    if scene.shore is None:
-        return (_NO_LAND,)
-    return (*SHORE, "light/shade/sun.glsl", "light/shade/fresnel.glsl", shade, *LIT_LAND, "reflection/land_met.glsl")
+def _land(scene: Scene) -> tuple[Piece, ...]:
+    """Files that intersect and light land."""
+    return (_NO_LAND,) if scene.shore is None else (*SHORE, *LIT_LAND, "reflection/land_met.glsl")
 
 
-def _things(scene: Scene) -> str:
+def _objects(scene: Scene) -> str:
     return " and ".join(name for name, there in (("boats", scene.boats), ("land", scene.shore)) if there)
 
-
-_VIEW = Camera(position=(0.0, 3.0, 12.0), pitch=-0.2)
 
 EFFECT = Effect(
     "planar reflection",
     contribute,
+    fields=("/light/reflection",),
     knobs=(
         Knob("/reflection", "planar mirror", ("map", "traced"), "filtering"),
         Knob("/reflection_size", "texels of the planar mirror", (128, 256, 512, 1024), "filtering"),

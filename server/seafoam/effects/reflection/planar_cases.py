@@ -18,8 +18,8 @@ _HARD = (
     HardCase(
         name="a mirror under the eye and straight down",
         scene=Scene(light=_MIRROR, boats=(_BOAT,), water=Water(chop=Chop())),
-        guard="mirrored places before the eye alone (reflection/planar.glsl)",
-        without="nothing on llvmpipe: boats that are looked for are before the eye",
+        guard="only points in front of the mirrored camera are read (reflection/planar.glsl)",
+        without="no difference on llvmpipe: the boats that are searched for are in front of the camera",
         camera=Camera(position=(0.0, 4.0, -2.0), pitch=-1.5708),
     ),
     HardCase(
@@ -29,8 +29,9 @@ _HARD = (
             boats=(_BOAT,),
             waves=(ParametricWave(amplitude=0.8, wavelength=7.0, direction=1.2),),
         ),
-        guard="water mirrors where the eye's ray met it, not where still water would be (surface/main.glsl)",
-        without="4 % of samples off by more than 2 levels, the worst by 113",
+        guard="reflected rays start where the camera's ray meets the water, not at the still-water level "
+        "(surface/main.glsl)",
+        without="4 % of samples are off by more than 2 levels, the worst by 113",
         camera=Camera(position=(0.0, 0.4, 12.0), pitch=0.0),
     ),
     HardCase(
@@ -40,8 +41,8 @@ _HARD = (
             boats=(_BOAT,),
             waves=(ParametricWave(amplitude=0.8, wavelength=40.0, phase=-1.5708),),
         ),
-        guard="a mirrored ray begins out of the water, never before its eye (reflection/map_pass.glsl)",
-        without="nothing here: no boat lies between the mirrored eye and the water over it",
+        guard="a mirrored ray starts above the water and in front of the mirrored camera (reflection/map_pass.glsl)",
+        without="no difference here: no boat is between the mirrored camera and the water above it",
         camera=Camera(position=(0.0, -0.1, 12.0), pitch=-0.05),
     ),
 )

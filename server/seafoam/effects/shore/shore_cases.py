@@ -1,4 +1,4 @@
-"""Hard cases of shore.shore, and scenes that call for it and cannot show it."""
+"""Hard cases of shore.shore, and scenes that name it but in which it is invisible."""
 
 import math
 from dataclasses import replace
@@ -41,21 +41,21 @@ _INVISIBLE = (Scene(shore=Shore(depth=50.0, level=-900.0)), Scene(shore=Shore(le
 _HARD = (
     _case(
         "distances without any smoothing",
-        "a deviation of at least a hundredth of a texel (shore/blur_pass.glsl)",
-        "nothing on llvmpipe, whose 0/0 is no NaN here; the language leaves it open",
+        "standard deviation of the blur at least 0.01 texel (shore/blur_pass.glsl)",
+        "no change on llvmpipe, where 0/0 is not NaN here; GLSL leaves it undefined",
         smoothing=0.0,
     ),
     _case(
         "all land",
-        "gradients divided by at least 1e-6; no coast is as far as the square is wide (shore/map_pass.glsl, "
-        "distance_pass.glsl)",
-        "nothing on llvmpipe: a slope of 0 over a length of 0 there meets no wave",
+        "gradients divided by at least 1e-6; distance to the coast at most the side of the square "
+        "(shore/map_pass.glsl, distance_pass.glsl)",
+        "no change on llvmpipe: where a slope of 0 is divided by a length of 0 there is no wave",
         level=90.0,
         camera=Camera(position=(-42.0, 107.0, 9.0), yaw=1.4, pitch=-0.3),
     ),
     _case(
         "all water, a bank two metres down",
-        "no coast is as far as the square is wide (shore/distance_pass.glsl)",
+        "distance to the coast at most the side of the square (shore/distance_pass.glsl)",
         "a coast at texel (-1, -1): 33 % of samples off by more than 2 levels, the worst by 61",
         kind="island",
         height=0.0,
@@ -63,8 +63,8 @@ _HARD = (
     ),
     _case(
         "an island of one texel",
-        "ridges of the distance map carry no waves (shore/map_pass.glsl)",
-        "waves that run together on the island's ridges: up to 80 levels off",
+        "wave height 0 on ridges of the distance map (shore/map_pass.glsl)",
+        "waves meet at a kink on the island's ridges: up to 80 levels off",
         kind="island",
         radius=1.0,
         smoothing=0.5,
@@ -73,8 +73,8 @@ _HARD = (
     ),
     _case(
         "water a hand deep and a beach as level",
-        "depths and speeds held at 5 cm of wave (shore/map_pass.glsl)",
-        "nothing on llvmpipe: no wave is 0 m high wherever its phase is 0/0",
+        "depths and speeds as for waves of at least 5 cm (shore/map_pass.glsl)",
+        "no change on llvmpipe: the waves are 0 m high where their phase is 0/0",
         depth=0.5,
         slope=0.01,
         height=0.1,
@@ -82,16 +82,16 @@ _HARD = (
     ),
     _case(
         "waves of no skew and of all of it",
-        "profiles from a table, the highest branch where they overhang, smoothed (textures/shore.py)",
-        "a front 2.7 times as steep, which the march cannot take in its steps",
+        "profiles from a table, smoothed, with the highest branch where they overhang (textures/shore.py)",
+        "a front 2.7 times as steep, which the ray march can step over",
         surf=Surf(height=2.0, skew=0.0, sharpness=0.15),
         times=(0.0, 2.3),
         camera=Camera(position=(-42.0, 9.0, 9.0), yaw=1.4, pitch=-0.25),
     ),
     _case(
         "black water a millimetre deep",
-        "none needed: the way is 0 at the water's edge, and so is what it takes (shore/body.glsl)",
-        "nothing to leave out",
+        "none needed: at the water's edge the path length is 0, and so is the absorption (shore/body.glsl)",
+        "there is no guard to remove",
         water=Water(absorption_length=(0.01, 0.01, 0.01), scattering=0.5),
     ),
     _case(
@@ -102,20 +102,20 @@ _HARD = (
     ),
     _case(
         "ripples that face away",
-        "the refracted ray falls by at least a quarter (shore/ground.glsl)",
-        "light off by up to 0.5 levels where ripples tilt the ray almost level",
+        "the refracted ray's direction has y of at most -0.25 (shore/through.glsl)",
+        "up to 0.5 levels off where ripples make the ray almost horizontal",
         water=Water(chop=Chop(slope=0.6), scattering=0.01),
         camera=Camera(position=(-42.0, 2.2, 9.0), yaw=1.4, pitch=-0.05),
     ),
     _case(
         "straight down on the water's edge",
-        "a way across of at least 1e-9 (shore/ground.glsl)",
-        "nothing on llvmpipe: the quotient is infinite there, and its minimum the other side's",
+        "horizontal part of the ray at least 1e-9 (shore/march.glsl)",
+        "no change on llvmpipe: the quotient is infinite, and the minimum takes the other side's",
         camera=Camera(position=(-1.0, 30.0, 0.0), pitch=-math.pi / 2, fov=0.5),
     ),
     _case(
         "a shore ten thousand kilometres away, after thirty years",
-        "place and time reduced in float64 (framegraph/evaluation.py)",
+        "position and time reduced in float64 (framegraph/evaluation.py)",
         "in float32 at 1e9 s: 25 % of samples off by more than 2 levels, 3.0 in the mean",
         place=(-9999900.0, 9999900.0),
         camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
@@ -124,8 +124,8 @@ _HARD = (
     replace(
         _case(
             "eye inside a hill",
-            "the way to land is never negative (shore/ground.glsl)",
-            "36 levels off in the mean: land from behind the eye",
+            "the distance to land is at least 0 (shore/march.glsl)",
+            "mean error 36 levels: land behind the camera is drawn",
             camera=Camera(position=(40.0, 0.5, 0.0), yaw=1.4, pitch=0.1),
         ),
         apart="the reference looks for the hill from its inside, the march takes the eye's own place",
@@ -133,8 +133,8 @@ _HARD = (
     replace(
         _case(
             "eye under water",
-            "a search that ends before it begins finds nothing (shore/ground.glsl)",
-            "nothing on llvmpipe: the loop ends at its first step, and what it found is not taken",
+            "a search interval with its end before its start has no intersection (shore/find_land.glsl)",
+            "no change on llvmpipe: the loop ends at its first step, and its result is not used",
             camera=Camera(position=(-30.0, -1.0, 0.0), yaw=1.4, pitch=0.1),
         ),
         apart="the reference looks for the surface from below, the march takes the eye's own place",

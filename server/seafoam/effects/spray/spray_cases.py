@@ -1,4 +1,4 @@
-"""Hard cases of spray.spray, and scenes that call for it and cannot show it."""
+"""Hard cases of spray.spray, and scenes that name it but in which it is invisible."""
 
 import math
 
@@ -41,16 +41,16 @@ _HARD = (
     HardCase(
         name="spray under the camera",
         scene=Scene(shore=_ROCK, spray=Spray(size=0.1, mist=0.5), light=_LIGHT),
-        guard="drops fade out from 1 m to 0.3 m before the eye (spray/vertex.glsl)",
-        without="discs over the whole picture: off by 13 levels in the mean",
+        guard="drops fade out from 1 m to 0.3 m from the camera (spray/vertex.glsl)",
+        without="discs cover the whole picture: mean error 13 levels",
         times=(0.9, 1.6),
         camera=Camera(position=(-13.3, 2.5, 2.1), pitch=-math.pi / 2, fov=2.0),
     ),
     HardCase(
         name="spray of waves ten thousand kilometres away, after thirty years",
         scene=Scene(waves=_WAVES, spray=Spray(threshold=0.5), light=_LIGHT),
-        guard="lives and the eye's place reduced in float64 (framegraph/evaluation.py)",
-        without="in float32: drops born in steps of 64 s and of a metre",
+        guard="drop ages and the camera position reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: drops start in time steps of 64 s and at positions in steps of 1 m",
         times=(-1e9, 1e9),
         camera=Camera(position=(1e7, 5.0, -1e7), pitch=-0.15),
     ),
@@ -59,39 +59,39 @@ _HARD = (
         scene=Scene(
             shore=_ROCK.model_copy(update={"place": (-9999900.0, 9999900.0)}), spray=Spray(life=6.0), light=_LIGHT
         ),
-        guard="periods and the eye's place reduced in float64 (framegraph/evaluation.py)",
-        without="in float32: bursts in steps of 64 s, eight of the surf's periods",
+        guard="periods and the camera position reduced in float64 (framegraph/evaluation.py)",
+        without="in float32: bursts in time steps of 64 s, eight periods of the surf",
         times=(-1e9, 1e9),
         camera=_VIEW.model_copy(update={"position": (-9999933.0, 4.6, 9999915.0)}),
     ),
     HardCase(
         name="spray from crests and troughs, where waves have no slope",
         scene=Scene(waves=_WAVES, spray=Spray(threshold=0.0, life=0.2, size=0.1), light=_LIGHT),
-        guard="the square of the slope at least 0.02 (spray/waves.glsl)",
-        without="drops shot off without end from crests: up to 3.9 levels off",
+        guard="squared slope of at least 0.02 (spray/waves.glsl)",
+        without="drops leave crests at unlimited speed: up to 3.9 levels off",
         camera=Camera(position=(0.0, 5.0, 0.0), pitch=-0.15),
     ),
     HardCase(
         name="spray against the strongest drag and wind",
         scene=Scene(shore=_ROCK, spray=Spray(drag=0.05, wind=40.0, speed=10.0, life=8.0), light=_LIGHT),
         guard="none needed: exp(-267) is 0 (spray/flight.glsl)",
-        without="nothing to leave out",
+        without="there is no guard to remove",
         times=(1.2,),
         camera=_VIEW,
     ),
     HardCase(
         name="drops of a thousandth of a sample",
         scene=Scene(shore=_ROCK, spray=Spray(size=0.002, mist=0.0), light=_LIGHT),
-        guard="a disc is at least a sample and a half wide, and thinner by as much (spray/vertex.glsl)",
-        without="drops seen or not by where samples fall: up to 0.9 levels off",
+        guard="a disc is at least 1.5 samples wide, with opacity reduced by the same factor (spray/vertex.glsl)",
+        without="drops are visible only where a sample hits them: up to 0.9 levels off",
         times=(1.2,),
         camera=_VIEW,
     ),
     HardCase(
         name="spray before the brightest sun, ten stops up",
         scene=Scene(shore=_ROCK, spray=Spray(), light=_LIGHT.model_copy(update={"exposure": 10.0})),
-        guard="none needed: scattered sun and sky are 12 000 at most (spray/lit.glsl)",
-        without="nothing to leave out; 2139 here",
+        guard="none needed: scattered light of sun and sky is at most 12 000 (spray/lit.glsl)",
+        without="there is no guard to remove; the value is 2139 here",
         times=(1.2,),
         camera=_VIEW,
     ),

@@ -1,1 +1,1 @@
-"""The water's body, its floor, caustics on that, and the view from under the surface."""
+"""Effects of the water's body: absorption, floor, caustics, and the view from below the surface."""

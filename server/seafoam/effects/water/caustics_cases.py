@@ -1,6 +1,7 @@
 """Hard cases of water.caustics, and scenes that call for it and cannot show it."""
 
 from dataclasses import replace
+from itertools import product
 
 from seafoam.effects.effect import Bounds, Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -37,8 +38,8 @@ _HARD = (
     replace(
         _case(
             "the floor in the focus",
-            "a triangle at most 12 times as bright (water/caustics/grid_vertex.glsl)",
-            "single texels of 71 instead of 24 times the light: 9.7 % of samples off by more than 2 levels",
+            "a triangle is at most 12 times as bright as under level water (water/caustics/grid_vertex.glsl)",
+            "single texels have 71 instead of 24 times the light: 9.7 % of samples are off by more than 2 levels",
             Water(depth=4.0, scattering=0.0, chop=Chop(slope=0.08)),
         ),
         # Half floats add up a hundred photons a texel, each sum rounded.
@@ -48,28 +49,28 @@ _HARD = (
     ),
     _case(
         "a floor at the surface",
-        "none needed: the light has no way to part in (water/caustics/landing.glsl)",
-        "nothing to leave out",
+        "none is needed: light does not converge over so short a distance (water/caustics/landing.glsl)",
+        "no guard to remove",
         Water(depth=0.05, floor_tile=0.1, chop=Chop(slope=0.3)),
     ),
     _case(
         "caustics of a sun on the horizon",
-        "the sun's height held at 0.05 (water/caustics/landing.glsl)",
-        "light divided by 0: every sample 65504 after the frame's cap",
+        "the sine of the sun's elevation is at least 0.05 (water/caustics/landing.glsl)",
+        "light is divided by 0: every sample is 65504, the frame's limit",
         Water(depth=1.0, chop=Chop(slope=0.1)),
         Light(sun_elevation=0.0, caustics=_PLAIN),
     ),
     _case(
         "caustics of the steepest ripples",
-        "a ray falls by at least a quarter (water/caustics/landing.glsl)",
-        "off by up to 24 levels, 2 % of samples by more than 2",
+        "the cosine between a refracted ray and the vertical is at least 0.25 (water/caustics/landing.glsl)",
+        "errors of up to 24 levels; 2 % of samples are off by more than 2",
         Water(depth=3.0, chop=Chop(slope=0.6)),
         Light(sun_elevation=0.1, exposure=-1.0, caustics=_PLAIN),
     ),
     _case(
         "caustics after thirty years, ten thousand kilometres away",
-        "phases and the eye's place in the tile reduced in float64 (framegraph/evaluation.py)",
-        "in float32: 98 % of samples off by more than 2 levels, 57 in the mean",
+        "phases and the camera's position in the tile are reduced in float64 (framegraph/evaluation.py)",
+        "in float32 98 % of samples are off by more than 2 levels, the mean error is 57",
         Water(depth=2.0, floor_tile=0.3, chop=Chop(slope=0.06)),
         camera=Camera(position=(-1e7, 2.0, 1e7), pitch=-1.2),
         times=(1e9,),
@@ -77,8 +78,8 @@ _HARD = (
     replace(
         _case(
             "colours as far apart as they go",
-            "the grid reaches past the tile as far as any colour lands (effects/water/caustics.py)",
-            "a grid that ends with the tile leaves its rim dark: 18 % of samples off by more than 2 levels",
+            "the grid extends beyond the tile as far as light of any colour is displaced (effects/water/caustics.py)",
+            "with a grid as large as the tile, its edges are dark: 18 % of samples are off by more than 2 levels",
             Water(depth=6.0, absorption_length=(50.0, 50.0, 50.0), chop=Chop(slope=0.06)),
             Light(sun_elevation=0.3, exposure=-1.0, caustics=Caustics(dispersion=10.0)),
         ),
@@ -87,4 +88,12 @@ _HARD = (
     ),
 )
 
-CASES = {"caustics": Cases(invisible=_INVISIBLE, hard=_HARD)}
+_VARIANTS = tuple(
+    Scene(
+        water=Water(depth=2.0, floor_tile=tile, view_below=below, chop=Chop()),
+        light=Light(caustics=Caustics(dispersion=dispersion)),
+    )
+    for dispersion, tile, below in product((0.0, 1.0), (None, 0.3), (False, True))
+)
+
+CASES = {"caustics": Cases(invisible=_INVISIBLE, hard=_HARD, variants=_VARIANTS)}

@@ -1,4 +1,4 @@
-"""What an eye under the surface sees: Snell's window, total reflection, the floor. docs/formulae.md, section 11."""
+"""The view from below the surface: Snell's window, total reflection, the floor. docs/formulae.md, section 11."""
 
 from seafoam.effects.effect import Contribution, Effect, SlotFile
 from seafoam.quality import Quality
@@ -7,22 +7,22 @@ from seafoam.scene.models import (
 )
 
 WATER = "water/underside/water.glsl"
-"""The water between an eye under the surface and what it sees."""
+"""Absorption and scattering between a camera below the surface and what it sees."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``water.view_below``, where there is light or foam to see."""
+    """Active if the scene allows views from below (``water.view_below``) and has light or foam."""
     if not scene.water.view_below or (scene.light is None and scene.foam is None):
         return None
     if scene.light is None:
         return Contribution(
-            why="an eye under the surface sees its foam",
+            why="from below, the surface shows its foam",
             slots=(SlotFile("below", "water/underside/flat.glsl"),),
         )
     return Contribution(
-        why="an eye under the surface sees through it, and what it mirrors",
+        why="from below, the surface transmits the sky and reflects the floor",
         slots=(SlotFile("below", "water/underside/main.glsl", needs=(WATER,)),),
     )
 
 
-EFFECT = Effect("view from below", contribute)
+EFFECT = Effect("view from below", contribute, fields=("/water/view_below",))

@@ -9,7 +9,7 @@ from seafoam.scene.models import (
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for wherever there is light."""
+    """Active if the scene has a light."""
     if scene.light is None:
         return None
     water = scene.water
@@ -18,7 +18,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "u_scattering": number(water.scattering, "/water/scattering"),
         "u_roughness": number(water.roughness, "/water/roughness"),
     }
-    return Contribution(why="absorbs and scatters", uniforms=uniforms)
+    return Contribution(why="the water absorbs and scatters light", uniforms=uniforms)
 
 
-EFFECT = Effect("water body", contribute)
+EFFECT = Effect("water body", contribute, fields=("/water",))

@@ -1,4 +1,4 @@
-"""What raises or tilts the surface: parametric waves, seas, rings, ripples.
+"""Effects that displace or tilt the surface: parametric waves, seas, rings, ripples.
 
-No foam and no light.
+Foam and light are in other packages.
 """

@@ -1,29 +1,27 @@
-"""Bounds of waves that a map holds, measured in each frame: passes that find its greatest height, slope and curvature.
+"""Bounds of waves in a map, measured in each frame: passes that find its greatest height, slope and curvature.
 
 docs/formulae.md, section 3.
 """
 
-from seafoam.effects.effect import Inline, PassSpec
+from seafoam.effects.effect import Inline, Part, PassSpec
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import number
 
 BLOCK = 16
-"""Texels along a side of the blocks whose greatest values are found first."""
+"""Side of the blocks whose maxima are found first, texels."""
 
 
-def measured_bounds(
-    source: str, size: int, texel: float, stride: int = 1
-) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
-    """Targets and passes; the last one fills ``SOURCE_bounds``: height (m), slope, second derivative (1/m).
+def measured_bounds(source: str, size: int, texel: float, stride: int = 1) -> Part:
+    """Targets and passes of a map's bounds. ``SOURCE_bounds`` holds height (m), slope and second derivative (1/m).
 
-    ``source``: a target of ``size``² texels of ``texel`` m: height, slopes along x and z. ``stride``: every so many
-    texels are looked at, of waves that have at least four times as many to their length. ``size``: a multiple of
-    :data:`BLOCK`.
+    ``source``: a target of ``size``² texels of ``texel`` m that holds height and the slopes along x and z; ``size`` is
+    a multiple of :data:`BLOCK`. ``stride``: only every so many texels along each side are read; the shortest wave must
+    be at least four times as long.
     """
     blocks, bounds = f"{source}_blocks", f"{source}_bounds"
     targets = {
-        blocks: Target(size=FixedSize(width=-(-size // BLOCK), height=-(-size // BLOCK)), format="RGBA16F"),
-        bounds: Target(size=FixedSize(width=1, height=1), format="RGBA16F"),
+        blocks: Target(size=FixedSize.square(-(-size // BLOCK)), format="RGBA16F"),
+        bounds: Target(size=FixedSize.square(1), format="RGBA16F"),
     }
     passes = (
         PassSpec(
@@ -45,4 +43,4 @@ def measured_bounds(
             inputs={"u_blocks": TargetInput(target=blocks)},
         ),
     )
-    return targets, passes
+    return Part(targets=targets, passes=passes)

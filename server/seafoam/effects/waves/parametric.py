@@ -2,10 +2,10 @@
 
 import math
 
-from seafoam.effects.bounds import crest_limit, slope_sensitivity, waves_top
-from seafoam.effects.effect import UNBOUNDED, Bound, Contribution, Effect, Knob, SlotFile
+from seafoam.effects.bounds import parametric_wave_height, waves_bound
+from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, Knob, SlotFile
 from seafoam.effects.foam.living import carries
-from seafoam.framegraph.rules import Constant, Phase, array, number, significant
+from seafoam.framegraph.rules import Constant, Phase, array, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.levels import paper_level, wave_level
 from seafoam.ocean.stokes import orbit
@@ -13,33 +13,33 @@ from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation, SlopeSaturation
 from seafoam.scene.models import Scene
 
-_HELD = 1e-4
-"""|sin(θ/2 + π/4)| is held here in the derivative where K < 1/2, as the shader does."""
+_MIN_SINE = 1e-4
+"""Minimum of |sin(θ/2 + π/4)| in the derivative for K < 1/2, as in the shader."""
 
 
-_LEAST_SHARED = 1e-30
-"""Fronts of lower waves, m, have phases of their own: 1 over their height would overflow."""
+_MIN_SHARED_HEIGHT = 1e-30
+"""Height of the waves, m, below which fronts compute their own phases: 1/height would overflow."""
 
-_MOST_TWICE = 33
-"""Greatest 2K whose power the shader multiplies out."""
+_MAX_DOUBLED_EXPONENT = 33
+"""Greatest 2K for which the shader computes the power as a product."""
 
 
 def _profile_slope(exponent: float, s: float, c: float) -> float:
     """d(u^K)/dθ with u = s², s = sin(θ/2 + π/4), c its cosine."""
-    held = max(s, _HELD) if exponent < 0.5 else s
-    return exponent * math.pow(held, 2.0 * exponent - 1.0) * c
+    sine = max(s, _MIN_SINE) if exponent < 0.5 else s
+    return exponent * math.pow(sine, 2.0 * exponent - 1.0) * c
 
 
-def steepest_profile(exponent: float) -> float:
-    """Greatest |d(u^K)/dθ|: at u = (K − ½)/K for K > ½, else at the trough, where it is held."""
+def max_profile_slope(exponent: float) -> float:
+    """Return the greatest |d(u^K)/dθ|: at u = (K − ½)/K for K > ½, otherwise in the trough, where s is limited."""
     if exponent <= 0.5:
-        return _profile_slope(exponent, _HELD, 1.0)
+        return _profile_slope(exponent, _MIN_SINE, 1.0)
     u = (exponent - 0.5) / exponent
     return exponent * math.pow(u, exponent - 0.5) * math.sqrt(1.0 - u)
 
 
-def sharpest_profile(exponent: float) -> float:
-    """Greatest d²(u^K)/dθ² = K u^(K−1) (K − ½ − K u), at u = (K − 1)(K − ½)/K² for K ≥ 1; below 1 there is none."""
+def max_profile_curvature(exponent: float) -> float:
+    """Return the maximum of d²(u^K)/dθ² = K u^(K−1) (K − ½ − K u), at u = (K − 1)(K − ½)/K²; unbounded for K < 1."""
     if exponent < 1.0:
         return UNBOUNDED
     u = (exponent - 1.0) * (exponent - 0.5) / exponent**2
@@ -47,35 +47,36 @@ def sharpest_profile(exponent: float) -> float:
 
 
 def profile_square(exponent: float) -> float:
-    """Mean of (d(u^K)/dθ)² over a period, by the midpoint rule, spectrally exact for a smooth wave."""
+    """Return the mean of (d(u^K)/dθ)² over a period, by the midpoint rule (spectrally accurate)."""
     count = 256
     angles = [(i + 0.5) * math.pi / (2 * count) for i in range(count)]
     return sum(_profile_slope(exponent, math.sin(a), math.cos(a)) ** 2 for a in angles) / count
 
 
 def _kind(exponent: float) -> int:
-    """How the shader raises u to K: 2K where that is a product, else 0."""
-    twice = 2.0 * exponent
-    return int(twice) if twice <= _MOST_TWICE and twice == int(twice) else 0
+    """2K if the shader computes u^K as a product, otherwise 0."""
+    doubled = 2.0 * exponent
+    return int(doubled) if doubled <= _MAX_DOUBLED_EXPONENT and doubled == int(doubled) else 0
 
 
 def shares_phase(scene: Scene) -> bool:
-    """Whether fronts read the waves' own phases, left where the surface was last shaded.
+    """Whether fronts reuse the phases that the waves computed when the surface was last shaded.
 
-    Where δ is π/2 they are the same. Foam by slope shades other places in between, and a shore other waves.
+    With δ = π/2 these are the fronts' phases. Slope saturation shades other points in between, and a shore changes
+    the waves.
     """
-    fronts = () if scene.foam is None else (one for one in scene.foam.saturation if isinstance(one, FrontSaturation))
-    like = any(one.constants == "text" for one in fronts) and waves_top(scene) >= _LEAST_SHARED
-    return like and scene.shore is None and shares_place(scene)
+    front = None if scene.foam is None else scene.foam.source(FrontSaturation)
+    same = front is not None and front.constants == "text" and parametric_wave_height(scene) >= _MIN_SHARED_HEIGHT
+    return same and scene.shore is None and shares_place(scene)
 
 
 def shares_place(scene: Scene) -> bool:
-    """Whether the place that was shaded last is still the sample's own when its foam is asked for."""
-    return scene.foam is None or not any(isinstance(one, SlopeSaturation) for one in scene.foam.saturation)
+    """Whether the point that was shaded last is still the sample's own when its foam is computed."""
+    return scene.foam is None or scene.foam.source(SlopeSaturation) is None
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by any parametric wave with height."""
+    """Active if any parametric wave has height."""
     waves = [wave for wave in scene.waves if wave.amplitude > 0.0]
     if not waves:
         return None
@@ -83,18 +84,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     data: list[Constant] = []
     phases: list[Phase] = []
     means: list[Constant] = []
-    steepest = curvature = 0.0
+    max_slope = max_curvature = 0.0
     for wave in waves:
         kx, kz = wavevector(wave, scene.water.depth)
         k = math.hypot(kx, kz)
         data.append(Constant(value=(kx, kz, wave.amplitude, wave.exponent)))
         phases.append(Phase(offset=wave.phase, rate=angular_frequency(wave), k=(-kx, -kz)))
-        square = profile_square(wave.exponent)
-        reach = orbit(wave, scene.water.depth) / k if carries(scene) else 0.0
-        values = ((k * wave.amplitude) ** 2 * square, wave_level(wave), reach)
-        means.append(Constant(value=tuple(significant(value) for value in values)))
-        steepest += k * wave.amplitude * steepest_profile(wave.exponent)
-        curvature += k * k * wave.amplitude * sharpest_profile(wave.exponent)
+        orbit_factor = orbit(wave, scene.water.depth) / k if carries(scene) else 0.0
+        values = ((k * wave.amplitude) ** 2 * profile_square(wave.exponent), wave_level(wave), orbit_factor)
+        means.append(Constant(value=rounded(values)))
+        max_slope += k * wave.amplitude * max_profile_slope(wave.exponent)
+        max_curvature += k * k * wave.amplitude * max_profile_curvature(wave.exponent)
     level = paper_level(scene)
     shared = shares_place(scene)
     carry: tuple[SlotFile, ...] = ()
@@ -117,32 +117,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_mean": array("vec3", means, len(waves)),
             "u_parametric_level": number(significant(level)),
         },
-        bound=_bound(scene, steepest),
-        top=waves_top(scene) - level,
-        trough=-level,
-        steepest=steepest,
-        curvature=min(significant(curvature), UNBOUNDED),
-    )
-
-
-def _bound(scene: Scene, steepest: float) -> Bound | None:
-    """Waves that nothing lies on (foam, ripples) show by their slopes and, over a floor, by their height alone."""
-    ripples = scene.water.chop is not None and scene.light is not None
-    lying = scene.foam is not None or ripples or scene.spray is not None or scene.boats
-    if lying or scene.water.depth is not None or scene.shore is not None:
-        return None
-    # A crest also moves the haze before it, by its share of the eye's height: a tenth for any camera above 10 m/m.
-    if scene.light is None:
-        return Bound(0.0, "nothing lies on them, and there is no light")
-    return Bound(
-        slope_sensitivity(scene) * steepest + 0.1 * waves_top(scene) + crest_limit(scene),
-        f"slopes are never above {steepest:.1g}",
-        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
+        bound=waves_bound(scene, max_slope, parametric_wave_height(scene)),
+        max_height=parametric_wave_height(scene) - level,
+        min_height=-level,
+        max_slope=max_slope,
+        max_curvature=min(significant(max_curvature), UNBOUNDED),
     )
 
 
 EFFECT = Effect(
     "parametric waves",
     contribute,
+    fields=("/waves",),
     knobs=(Knob("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
 )

@@ -18,9 +18,9 @@ _HARD = (
     HardCase(
         name="a cusp in every trough, K 0.1",
         scene=Scene(waves=(ParametricWave(amplitude=0.4, wavelength=3.0, exponent=0.1),), foam=Foam(look="halftone")),
-        guard="|p| held at 1e-4 in the derivative (waves/parametric.glsl)",
-        without="slope 60 225 instead of 158 next to a trough, infinite on it where pow(0, -0.8) is; the "
-        "frame moved by 0.001 levels",
+        guard="|p| is at least 1e-4 in the derivative (waves/parametric.glsl)",
+        without="slope of 60 225 instead of 158 next to a trough, infinite in the trough, where pow(0, -0.8) is; "
+        "the frame changes by 0.001 levels",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
         # A cusp's slope bound is 158 A k: rays run out of steps before they reach the surface.
         bounds=Bounds(mean=12.0, share=0.08),
@@ -34,8 +34,9 @@ _HARD = (
             ),
             foam=Foam(look="textured"),
         ),
-        guard="powers of |p| = sqrt(u) held at 1e-30, height and slope from one power (waves/parametric.glsl)",
-        without="nothing on llvmpipe, whose pow(0, x) is 0; GLSL leaves it undefined",
+        guard="powers are taken of |p| = sqrt(u), which is at least 1e-30; height and slope come from one power "
+        "(waves/parametric.glsl)",
+        without="no difference on llvmpipe, whose pow(0, x) is 0; GLSL leaves it undefined",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
@@ -43,8 +44,8 @@ _HARD = (
         scene=Scene(
             waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")
         ),
-        guard="phases reduced in float64 (framegraph/evaluation.py)",
-        without="in float32: 63 % of samples flipped, 158 levels off in the mean",
+        guard="phases are reduced in float64 (framegraph/evaluation.py)",
+        without="with float32 phases 63 % of samples flip, the mean error is 158 levels",
         times=(-1e9, 0.0, 1e9, 1e9 + 1e-6),
         camera=Camera(position=(0.37, 3.0, -0.21), pitch=-math.pi / 2),
     ),
@@ -53,8 +54,9 @@ _HARD = (
         scene=Scene(
             waves=(ParametricWave(amplitude=0.005, wavelength=0.05), ParametricWave()), foam=Foam(look="halftone")
         ),
-        guard="the eye is the origin: places reduced in float64 (framegraph/evaluation.py)",
-        without="in float32: 25 % of samples flipped, 87 levels off in the mean",
+        guard="positions are relative to the camera, whose own position is reduced in float64 "
+        "(framegraph/evaluation.py)",
+        without="with float32 positions 25 % of samples flip, the mean error is 87 levels",
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=-math.pi / 2),
     ),
     HardCase(
@@ -63,25 +65,27 @@ _HARD = (
             waves=(ParametricWave(), ParametricWave(direction=math.pi), ParametricWave(phase=math.pi)),
             foam=Foam(saturation=(FrontSaturation(group=(0.1, 0.4)),), look="halftone"),
         ),
-        guard="sums of float32 phases alone: nothing divides by the sum; the gate closes where it is "
-        "noise (foam/saturation/front_gate.glsl)",
-        without="foam from the rounding of sums that are 0: 1.2 % of samples flipped",
+        guard="nothing is divided by the sum of the waves, and the group threshold suppresses foam where the sum "
+        "is rounding noise (foam/saturation/front_gate.glsl)",
+        without="rounding errors of a zero sum appear as foam: 1.2 % of samples flip",
         times=(0.0, 1.3863),
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
         name="sixteen equal waves",
         scene=Scene(waves=(ParametricWave(amplitude=0.06, wavelength=9.0),) * 16, foam=Foam(look="fading")),
-        guard="the march's slope bound is the sum of all waves' (effects/waves/parametric.py, surface/march.glsl)",
-        without="bound of one wave alone: the march passes crests, 21 % of samples off by more than 2 levels",
+        guard="the slope bound of ray marching is the sum over all waves (effects/waves/parametric.py, "
+        "surface/march.glsl)",
+        without="with the bound of a single wave, ray marching steps through crests: 21 % of samples are off by "
+        "more than 2 levels",
         times=(0.0, 1e9),
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
         name="a wall of water, 50 m high and 5 cm long",
         scene=Scene(waves=(ParametricWave(amplitude=50.0, wavelength=0.05, exponent=4.0),), foam=Foam()),
-        guard="N.D held at -1e-3 |N||D| in the footprint (lib/camera.glsl)",
-        without="footprint NaN and infinite where N.D = 0; in the frame one sample in 500 off by up to 215 levels",
+        guard="N·D is at most -1e-3 |N||D| in the footprint (lib/camera.glsl)",
+        without="the footprint is NaN or infinite where N·D = 0; one sample in 500 is off by up to 215 levels",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.6),
         coarse_apart="slopes of 6000 magnify the error of SwiftShader's sine, 2e-4",
     ),
@@ -92,8 +96,9 @@ _HARD = (
             foam=Foam(look="halftone"),
             water=Water(chop=Chop()),
         ),
-        guard="steps divided by at least 1e-6 |D| (surface/march.glsl)",
-        without="nothing on llvmpipe: the march ends by its tolerance; a ray along flat water would divide 0 by 0",
+        guard="steps are divided by at least 1e-6 |D| (surface/march.glsl)",
+        without="no difference on llvmpipe, where ray marching ends by its tolerance; a ray along flat water would "
+        "divide 0 by 0",
         camera=Camera(position=(0.37, 1.2, -0.21), yaw=1.0, pitch=-0.12),
     ),
     HardCase(
@@ -106,8 +111,9 @@ _HARD = (
             foam=Foam(look="textured"),
             water=Water(depth=0.05),
         ),
-        guard="dispersion by Newton from Eckart's estimate, in float64 (ocean/dispersion.py)",
-        without="from the deep-water wavenumber: the same root after 12 steps instead of 3",
+        guard="the dispersion relation is solved by Newton's method from Eckart's estimate, in float64 "
+        "(ocean/dispersion.py)",
+        without="starting from the deep-water wavenumber, the same root takes 12 steps instead of 3",
         camera=Camera(position=(0.0, 60.0, 0.0), pitch=-0.3),
     ),
     HardCase(
@@ -119,32 +125,33 @@ _HARD = (
             ),
             foam=Foam(look="halftone"),
         ),
-        guard="a Newton step only where the gap closes by more than 1e-3, and no longer than the "
-        "march's last gap allows (surface/march.glsl, newton.glsl)",
-        without="one sample in 5000 off by 46 levels",
+        guard="a Newton step is taken only where the gap shrinks at a rate above 1e-3, and its length is limited "
+        "by the last gap of ray marching (surface/march.glsl, newton.glsl)",
+        without="one sample in 5000 is off by 46 levels",
         times=(0.0, 2.7),
         camera=Camera(position=(0.0, 1.29, 0.0), yaw=1.571, pitch=0.0),
     ),
     HardCase(
         name="rays that double back on the mesh",
         scene=Scene(waves=(ParametricWave(amplitude=3.0, wavelength=8.0, exponent=8.0),), foam=Foam()),
-        guard="Newton steps of a twentieth of the way at most, and only downhill (surface/newton.glsl)",
-        without="1.8 % of samples off by more than 2 levels, the worst by 221",
+        guard="Newton steps are at most a twentieth of the distance, and only where the ray approaches the "
+        "surface (surface/newton.glsl)",
+        without="1.8 % of samples are off by more than 2 levels, the worst by 221",
         camera=Camera(position=(0.0, 4.0, 0.0), yaw=1.571, pitch=-0.2),
     ),
     HardCase(
         name="eye inside a crest",
         scene=Scene(waves=(ParametricWave(amplitude=1.0, wavelength=6.0, phase=math.pi / 2),), foam=Foam()),
-        guard="the way never turns negative (surface/march.glsl)",
-        without="26 % of samples off by more than 2 levels: places behind the eye",
+        guard="the distance along the ray is never negative (surface/march.glsl)",
+        without="26 % of samples are off by more than 2 levels: hits behind the camera",
         camera=Camera(position=(0.0, 0.025, 0.0), pitch=-0.2),
         apart="the reference looks for the surface from below, the march takes the eye's own place",
     ),
     HardCase(
         name="eye far below the water",
         scene=Scene(waves=(ParametricWave(),), foam=Foam(), water=Water(chop=Chop())),
-        guard="the exit never lies behind the eye (surface/march.glsl)",
-        without="infinite in 0.14 % of samples, negative in 0.29 %",
+        guard="the distance at which the ray leaves the slab of the waves is never negative (surface/march.glsl)",
+        without="that distance is infinite in 0.14 % of samples and negative in 0.29 %",
         camera=Camera(position=(0.0, -1000.0, 0.0), pitch=0.4),
         apart="the reference looks for the surface from below, the march takes the eye's own place",
     ),

@@ -1,13 +1,14 @@
-"""Rings of stones, drops and blasts: summed at each place, or drawn into a map first (dynamic displacement mapping).
+"""Rings of stones, drops and blasts: summed at each sample, or drawn into a map first (dynamic displacement mapping).
 
 docs/formulae.md, section 2.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
-from seafoam.effects.bounds import crest_limit, slope_sensitivity
-from seafoam.effects.effect import HALF_FLOAT, Bound, Const, Contribution, Effect, Knob, PassSpec, SlotFile
+from seafoam.effects.bounds import waves_bound
+from seafoam.effects.effect import HALF_FLOAT, Bound, Const, Contribution, Effect, Knob, Part, PassSpec, SlotFile
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Held, Loop, Rule, Uniform, array, number, significant
@@ -17,65 +18,90 @@ from seafoam.scene.models import Scene
 from seafoam.scene.rings import DEAD, DEAD_SHARE, Ring
 
 _FAR = 1e8
-"""Places are held so far from the eye, m: no picture reaches there."""
-_FEWEST_TEXELS = 4.0
-"""A map with fewer texels to its shortest wave would not hold it; the rings are summed then."""
+"""Limit of vectors to the camera, m: rings farther away are never visible."""
+_MIN_TEXELS = 4.0
+"""Texels to the shortest wave below which a map does not resolve it, so that the rings are summed instead."""
 
 
 def _age(ring: Ring) -> Rule:
     if ring.every is not None:
         return Loop(period=ring.every, offset=-ring.birth)
-    # At its life its amplitude is 0; a second more is as good as any age.
+    # The amplitude is 0 from the end of the ring's life on, so the age can be clamped a second later.
     return Held(offset=-ring.birth, rate=1.0, low=0.0, high=significant(ring.life + 1.0))
 
 
-def _shapes(shown: tuple[Train, ...]) -> Uniform:
-    return array(
-        "vec4",
-        [Constant(value=(t.ring.amplitude, significant(t.k), significant(t.omega), t.ring.decay)) for t in shown],
-        len(shown),
-    )
-
-
-def _now(shown: tuple[Train, ...], ways: Iterable[tuple[Rule, Rule]]) -> Uniform:
-    """Way, age and tail of each ring."""
-    rules: list[Rule] = []
-    for train, way in zip(shown, ways, strict=True):
-        rules += [*way, _age(train.ring), Constant(value=(significant(train.tail),))]
-    return array("vec4", rules, len(shown))
-
-
-def _to_eye(x: float, z: float) -> tuple[Held, Held]:
-    """From a place to the eye."""
+def _from_camera(x: float, z: float) -> tuple[Held, Held]:
+    """Vector from the point (x, z) to the camera, m."""
     return (
         Held(offset=-x, k=(1.0, 0.0), low=-_FAR, high=_FAR),
         Held(offset=-z, k=(0.0, 1.0), low=-_FAR, high=_FAR),
     )
 
 
-def _square(shown: tuple[Train, ...]) -> tuple[float, float, float]:
-    """Corner (x, z) and side of the square that all rings stay in, m."""
+def _ring_uniforms(shown: Sequence[Train], origins: Iterable[tuple[Rule, Rule]]) -> dict[str, Uniform]:
+    """State and shape of each ring. ``origins``: vectors from each ring's centre to the origin of the shader's p, m."""
+    state: list[Rule] = []
+    for train, origin in zip(shown, origins, strict=True):
+        state += [*origin, _age(train.ring), Constant(value=(significant(train.tail),))]
+    shapes = [
+        Constant(value=(train.ring.amplitude, significant(train.k), significant(train.omega), train.ring.decay))
+        for train in shown
+    ]
+    return {
+        "u_ring_now": array("vec4", state, len(shown)),
+        "u_ring_shape": array("vec4", shapes, len(shown)),
+    }
+
+
+@dataclass(frozen=True)
+class _Square:
+    """A level square: its corner of least x and z, and its side, m."""
+
+    x: float
+    z: float
+    side: float
+
+
+def _square_around(shown: Sequence[Train]) -> _Square:
+    """The square that all rings stay in."""
     low, high = (
         tuple(pick(t.ring.place[i] + sign * t.reach for t in shown) for i in (0, 1))
         for pick, sign in ((min, -1.0), (max, 1.0))
     )
-    # A texel's breadth of still water lies around it, whatever the size: the rim reads as still.
+    # The 2 % leave a margin of a texel of still water at any size, so that clamped reads beyond the map are still.
     side = math.ceil(1.02 * max(high[0] - low[0], high[1] - low[1], 1.0))
-    return math.floor(0.5 * (low[0] + high[0] - side)), math.floor(0.5 * (low[1] + high[1] - side)), side
+    return _Square(math.floor(0.5 * (low[0] + high[0] - side)), math.floor(0.5 * (low[1] + high[1] - side)), side)
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by any ring."""
+    """Active if the scene has rings."""
     if not scene.rings:
         return None
     every = trains(scene)
     shown = tuple(train for train in every if train.ring.life > 0.0) or every
-    height, steepest, curvature = ring_height(scene), ring_slope(scene), ring_curvature(scene)
-    # Both slopes count in every step through both slabs: with a sea a ray near the horizon takes eight times as many.
-    march = 1 if scene.sea is None else 8
-    bound = _bound(scene, height, steepest)
-    count = len(shown)
-    consts: dict[str, Const] = {
+    square = _square_around(shown)
+    texel = square.side / quality.rings_size
+    summed = quality.rings == "exact" or texel * _MIN_TEXELS > min(train.length for train in shown)
+    height, max_slope = ring_height(scene), ring_slope(scene)
+    how = "summed at each sample" if summed else f"drawn into a map of {square.side:g} m in each frame"
+    contribution = Contribution(
+        why=f"{len(shown)} ring{'s' if len(shown) > 1 else ''}, {how}",
+        consts=_consts(len(shown)),
+        bound=_bound(scene, height, max_slope),
+        max_height=height,
+        min_height=-height,
+        max_slope=max_slope,
+        max_curvature=ring_curvature(scene),
+        map_error=0.0 if summed else height * HALF_FLOAT,
+        # Steps are bounded by the slopes of rings and sea together: with a sea, rays near the horizon take eight times
+        # as many.
+        march_factor=1 if scene.sea is None else 8,
+    )
+    return contribution.joined(_sum(shown) if summed else _map(shown, square, quality.rings_size))
+
+
+def _consts(count: int) -> dict[str, Const]:
+    return {
         "RING_COUNT": count,
         "RING_BLOCK": min(count, 32),
         "RING_DEAD": DEAD,
@@ -83,101 +109,72 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         "RING_SOFT": SOFT,
         "RING_FRONT": FRONT,
     }
-    what = f"{count} ring{'s' if count > 1 else ''}"
-    corner_x, corner_z, side = _square(shown)
-    texel = side / quality.rings_size
-    if quality.rings == "exact" or texel * _FEWEST_TEXELS > min(train.length for train in shown):
-        return Contribution(
-            why=f"{what}, summed at each place",
-            slots=(SlotFile("waves", "waves/rings/exact.glsl", prefix="rings", needs=("waves/rings/ring.glsl",)),),
-            consts=consts,
-            uniforms={
-                "u_ring_now": _now(shown, (_to_eye(*train.ring.place) for train in shown)),
-                "u_ring_shape": _shapes(shown),
-            },
-            bound=bound,
-            top=height,
-            trough=-height,
-            steepest=steepest,
-            curvature=curvature,
-            march=march,
-        )
-    corners = [
-        (Constant(value=(corner_x - t.ring.place[0],)), Constant(value=(corner_z - t.ring.place[1],))) for t in shown
-    ]
 
-    def drawn(target: str, shader: str, size: int) -> PassSpec:
-        return PassSpec(
-            name=f"{target.replace('_', ', ')}, {side:g} m map",
-            program=target,
-            fragment=("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/reaching.glsl", shader),
-            target=target,
-            uniforms={
-                "u_ring_now": _now(shown, corners),
-                "u_ring_shape": _shapes(shown),
-                "u_ring_texel": number(side / size),
-            },
-        )
 
-    # The grain changes from wave to wave, not within one: half as fine is enough.
-    sizes = {"rings": quality.rings_size, "rings_grain": quality.rings_size // 2}
-    # The shortest wave is four texels long.
-    targets, measured = measured_bounds("rings", sizes["rings"], side / sizes["rings"], stride=2)
-    return Contribution(
-        why=f"{what}, drawn into a map of {side:g} m each frame",
+def _sum(shown: Sequence[Train]) -> Part:
+    """Rings that are summed at each sample."""
+    return Part(
+        slots=(SlotFile("waves", "waves/rings/exact.glsl", prefix="rings", needs=("waves/rings/ring.glsl",)),),
+        uniforms=_ring_uniforms(shown, (_from_camera(*train.ring.place) for train in shown)),
+    )
+
+
+def _map(shown: Sequence[Train], square: _Square, size: int) -> Part:
+    """A map of the rings, ``size`` texels along each side of the square, and its measured bounds."""
+    # The map's error varies from wave to wave, not within one, so half the resolution is enough for it.
+    sizes = {"rings": size, "rings_grain": size // 2}
+    shaders = {"rings": "waves/rings/map_pass.glsl", "rings_grain": "waves/rings/grain_pass.glsl"}
+    part = Part(
         slots=(
             SlotFile("waves", "waves/rings/map.glsl", prefix="rings"),
             SlotFile("bounds", "waves/rings/bounds.glsl", prefix="rings"),
         ),
-        consts=consts,
         uniforms={
-            "u_ring_corner": array("vec2", _to_eye(corner_x, corner_z), 1),
-            "u_ring_side": number(side),
+            "u_ring_corner": array("vec2", _from_camera(square.x, square.z), 1),
+            "u_ring_side": number(square.side),
         },
         inputs={
             "u_ring_map": TargetInput(target="rings"),
             "u_ring_grain": TargetInput(target="rings_grain"),
             "u_ring_bounds": TargetInput(target="rings_bounds"),
         },
-        targets=targets
-        | {
-            name: Target(size=FixedSize(width=size, height=size), format="RGBA16F", filter="linear")
-            for name, size in sizes.items()
+        targets={
+            name: Target(size=FixedSize.square(texels), format="RGBA16F", filter="linear")
+            for name, texels in sizes.items()
         },
-        passes=(
-            drawn("rings", "waves/rings/map_pass.glsl", sizes["rings"]),
-            drawn("rings_grain", "waves/rings/grain_pass.glsl", sizes["rings_grain"]),
-            *measured,
-        ),
-        bound=bound,
-        top=height,
-        trough=-height,
-        steepest=steepest,
-        curvature=curvature,
-        grain=height * HALF_FLOAT,
-        march=march,
+        passes=tuple(_map_pass(shown, square, name, shaders[name], texels) for name, texels in sizes.items()),
+    )
+    # A stride of 2 is enough: the shortest wave is four texels long.
+    return part.joined(measured_bounds("rings", size, square.side / size, stride=2))
+
+
+def _map_pass(shown: Sequence[Train], square: _Square, target: str, shader: str, size: int) -> PassSpec:
+    corner = [
+        (
+            Constant(value=(square.x - train.ring.place[0],)),
+            Constant(value=(square.z - train.ring.place[1],)),
+        )
+        for train in shown
+    ]
+    return PassSpec(
+        name=f"{target.replace('_', ', ')}, {square.side:g} m map",
+        program=target,
+        fragment=("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/rings/reaching.glsl", shader),
+        target=target,
+        uniforms={**_ring_uniforms(shown, corner), "u_ring_texel": number(square.side / size)},
     )
 
 
-def _bound(scene: Scene, height: float, steepest: float) -> Bound | None:
-    """As for waves: their slopes under a light, and their height where foam or a floor shows it."""
+def _bound(scene: Scene, height: float, max_slope: float) -> Bound | None:
     if height == 0.0:
-        return Bound(0.0, f"no ring is ever higher than {DEAD:g} m")
-    ripples = scene.water.chop is not None and scene.light is not None
-    if scene.foam is not None or ripples or scene.water.depth is not None or scene.boats:
-        return None
-    if scene.light is None:
-        return Bound(0.0, "nothing lies on them, and there is no light")
-    return Bound(
-        slope_sensitivity(scene) * steepest + 0.2 * height + crest_limit(scene),
-        f"slopes are never above {steepest:.1g}",
-        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
-    )
+        return Bound(0.0, f"no ring is higher than {DEAD:g} m at any time")
+    return waves_bound(scene, max_slope, 2.0 * height)
 
 
 EFFECT = Effect(
     "rings",
     contribute,
+    fields=("/rings",),
     knobs=(
         Knob("/rings", "rings", ("map", "exact"), "geometry"),
         Knob("/rings_size", "texels of the ring map", (256, 512, 1024, 2048), "geometry"),

@@ -4,13 +4,15 @@ import cmath
 import math
 from collections.abc import Sequence
 
-from seafoam.effects.bounds import crest_limit, slope_sensitivity, surface_top, surface_trough
+from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
 from seafoam.effects.effect import (
     HALF_FLOAT,
     Bound,
+    Const,
     Contribution,
     Effect,
     Knob,
+    Part,
     PassSpec,
     SlotFile,
     TextureUse,
@@ -18,28 +20,33 @@ from seafoam.effects.effect import (
 from seafoam.effects.foam.living import carries
 from seafoam.effects.waves.measured import measured_bounds
 from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput
-from seafoam.framegraph.rules import Constant, Loop, Phase, Uniform, Wrap, array, number, significant, vector
+from seafoam.framegraph.rules import Constant, Loop, Phase, Uniform, array, in_tile, number, significant, vector
 from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import Sea
-from seafoam.textures import sea_spectrum_name
+from seafoam.textures import FftTwiddles, SeaSpectrum
 
-FOLDING_WIND = 7.0
-"""Under this wind, m/s, hardly a wave folds (whitecaps cover less than 0.3 %, Monahan and O'Muircheartaigh 1980)."""
+WHITECAP_WIND = 7.0
+"""Wind, m/s, below which whitecaps cover less than 0.3 % (Monahan and O'Muircheartaigh 1980)."""
 CALM_SIZE = 256
-"""Texels that a tile of such a sea has at most where footprints take short waves out: with 512 it was no nearer to the
-truth (swell 4.78 for 4.56 levels, explosion 24.3 for 23.0) and took up to twice the time."""
+"""Maximum number of texels along a tile below that wind, if footprints filter short waves: with 512, the error against
+the reference was no smaller (swell 4.78 instead of 4.56 levels, explosion 24.3 instead of 23.0) and the time up to
+twice as long."""
 NEWTON = 2
-"""Newton steps from a corner of the tile to the water that rests under it."""
-TWIDDLES = {"fft_twiddles": TextureUse("fft-twiddles", wrap="clamp_to_edge")}
+"""Newton steps that invert the horizontal displacement at a texel."""
+RESAMPLED = ("lib/cubic_spline.glsl", "waves/sea/resample_pass.glsl")
+"""Files that find the rest position of the water at a place, and what moves with it."""
 
 
 def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[PassSpec, ...], str]:
-    """Passes that transform the blocks of ``first``, between it and ``second``; and the target they end in."""
+    """Return passes that transform the blocks of ``first``, alternating with ``second``, and the target of the result.
+
+    ``size``: side of a block, texels. ``name``: in the passes' names.
+    """
     radices = {64: (8, 8), 32: (8, 4), 128: (8, 4, 4), 256: (8, 8, 4), 512: (8, 8, 8)}[size]
     passes = []
-    source, other = first, second
+    source, destination = first, second
     for axis in (0, 1):
         span = 1
         for radix in radices:
@@ -48,7 +55,7 @@ def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[Pass
                     name=f"{name}: {'columns' if axis else 'rows'}, {span} to {span * radix}",
                     program=f"fft_{radix}",
                     fragment=(f"waves/sea/radix_{radix}.glsl", "waves/sea/fft_pass.glsl"),
-                    target=other,
+                    target=destination,
                     inputs={
                         "u_fft_from": TargetInput(target=source),
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
@@ -56,13 +63,13 @@ def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[Pass
                     uniforms={"u_fft": vector((float(size), float(span), float(axis)))},
                 )
             )
-            source, other = other, source
+            source, destination = destination, source
             span *= radix
     return tuple(passes), source
 
 
 def loop_uniforms() -> dict[str, Uniform]:
-    """The moment's place in the loop, whole and within its 1024th part."""
+    """Time in the loop, s, modulo the loop and modulo its 1024th part."""
     return {
         "u_sea_loop": Uniform(type="float", rules=(Loop(period=LOOP),)),
         "u_sea_fine": Uniform(type="float", rules=(Loop(period=LOOP / 1024.0),)),
@@ -70,17 +77,17 @@ def loop_uniforms() -> dict[str, Uniform]:
 
 
 def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]:
-    """The waves of tiles that are summed wave by wave. ``size``: texels of the splines that are drawn; 0: none."""
+    """Waves of tiles that are summed wave by wave. ``size``: texels along a tile read by B-spline; 0: not so read."""
     data, phases = [], []
-    for of, (row, column) in ((tile, place) for tile in tiles for place in tile.waves):
+    for tile, row, column in ((cascade, *indices) for cascade in tiles for indices in cascade.waves):
         iz, ix = row - BAND, column - BAND
-        h0 = complex(of.h0[row, column])
-        omega = 2.0 * math.pi / LOOP * int(of.turns[row, column])
+        h0 = complex(tile.h0[row, column])
+        omega = 2.0 * math.pi / LOOP * int(tile.turns[row, column])
         response = math.prod((2.0 + math.cos(2.0 * math.pi * i / size)) / 3.0 for i in (ix, iz)) if size else 1.0
         data.append(Constant(value=(ix, iz, significant(2.0 * abs(h0) / response), significant(omega))))
         phases.append(Phase(offset=significant(cmath.phase(h0)), rate=-omega, k=(0.0, 0.0)))
     if not data:
-        # GLSL has no array of none: a wave of no height stands in it.
+        # GLSL has no empty arrays, so the array contains a wave of height 0.
         data, phases = [Constant(value=(1.0, 0.0, 0.0, 0.0))], [Phase(offset=0.0, rate=0.0, k=(0.0, 0.0))]
     return {
         "u_gerstner": array("vec4", data, len(data)),
@@ -88,129 +95,112 @@ def gerstner_uniforms(tiles: Sequence[Cascade], size: int) -> dict[str, Uniform]
     }
 
 
-def tile_uniforms(of: Cascade, number_of: int, wanted: float, size: int) -> dict[str, Uniform]:
-    """What turns displaced water into a height field."""
+def tile_uniforms(tile: Cascade, index: int, choppiness: float, size: int) -> dict[str, Uniform]:
+    """Uniforms of passes that turn displaced water into a height field. ``index``: of the tile's block."""
     return {
-        "u_sea_block": number(float(number_of)),
-        "u_sea_texel": number(significant(of.size / size)),
-        "u_sea_choppiness": number(significant(of.choppiness(wanted))),
-        "u_sea_limit": vector((significant(of.limit), significant(of.steepest))),
+        "u_sea_block": number(float(index)),
+        "u_sea_texel": number(significant(tile.size / size)),
+        "u_sea_choppiness": number(significant(tile.choppiness(choppiness))),
+        "u_sea_limit": vector((significant(tile.limit), significant(tile.max_slope))),
     }
 
 
 def fitted(sea: Sea, quality: Quality) -> Quality:
-    """The quality with no more texels a tile than show in this sea."""
-    if sea.wind >= FOLDING_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
+    """Return the quality with no more texels along a tile than make a visible difference in this sea."""
+    if sea.wind >= WHITECAP_WIND or not quality.surface.filter or quality.sea_size <= CALM_SIZE:
         return quality
     return quality.model_copy(update={"sea_size": CALM_SIZE})
 
 
 def displaced_target(scene: Scene, quality: Quality) -> str:
-    """Name of the target that holds the displaced water."""
+    """Return the name of the target with the displacements of the water."""
     if scene.sea is None or scene.sea.model == "gerstner":
         return "sea_a"
     return transform("sea", "sea_a", "sea_b", fitted(scene.sea, quality).sea_size)[1]
 
 
 def tile_target(quality: Quality, size: int) -> Target:
-    """A tile that the surface reads between its texels."""
-    fine = quality.sea_digits == "float"
+    """Return the target of a tile that the surface reads by interpolation."""
+    full = quality.sea_digits == "float"
     return Target(
-        size=FixedSize(width=size, height=size),
-        format="RGBA32F" if fine else "RGBA16F",
-        filter="nearest" if fine else "linear",
+        size=FixedSize.square(size),
+        format="RGBA32F" if full else "RGBA16F",
+        filter="nearest" if full else "linear",
         wrap="repeat",
     )
 
 
 def drawn(scene: Scene, quality: Quality) -> tuple[Cascade, ...]:
-    """The tiles that a quality draws of the scene's sea."""
+    """Return the tiles of the scene's sea that are drawn at a quality."""
     if scene.sea is None or scene.sea.wind <= 0.0:
         return ()
     return cascades(scene.sea, scene.water.depth)[: quality.sea_tiles]
 
 
-def _offset(of: Cascade) -> Uniform:
-    return array("vec2", [Wrap(k=(1.0 / of.size, 0.0)), Wrap(k=(0.0, 1.0 / of.size))], 1)
-
-
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
-    """Called for by ``sea``."""
+    """Active if the scene has a sea."""
     sea = scene.sea
     if sea is None:
         return None
     tiles = drawn(scene, quality)
     if not tiles:
         return Contribution(why="", bound=Bound(0.0, "no wind, so no waves"))
-    gerstner = sea.model == "gerstner"
-    size = fitted(sea, quality).sea_size
+    quality = fitted(sea, quality)
     raised = tiles[:RAISED]
+    max_height = sum(tile.limit for tile in raised)
+    contribution = Contribution(
+        why=_why(sea, tiles, quality.sea_size),
+        slots=_slots(scene, quality, len(tiles)),
+        consts=_consts(sea, tiles, quality.sea_size),
+        bound=waves_bound(
+            scene, sum(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
+        ),
+        max_height=max_height,
+        min_height=-max_height,
+        max_slope=sum(tile.max_slope for tile in raised),
+        map_error=sum(tile.map_error(quality.sea_size) + tile.limit * HALF_FLOAT for tile in raised),
+        march_factor=2,
+    )
     displaced = displaced_target(scene, quality)
-    float_target = Target(size=FixedSize(width=size * len(tiles), height=size), format="RGBA32F")
-    targets = {"sea_a": float_target}
-    passes: tuple[PassSpec, ...]
-    textures: dict[str, TextureUse] = {}
-    if gerstner:
-        passes = (
-            PassSpec(
-                name="waves of the sea",
-                program="gerstner",
-                fragment=("lib/numbers.glsl", "waves/sea/gerstner.glsl", "waves/sea/gerstner_pass.glsl"),
-                target="sea_a",
-                uniforms=gerstner_uniforms(tiles, size),
-            ),
-        )
-    else:
-        targets["sea_b"] = float_target
-        textures = {
-            "sea_spectrum": TextureUse(sea_spectrum_name(sea, scene.water.depth), wrap="clamp_to_edge"),
-            **TWIDDLES,
-        }
-        first = PassSpec(
-            name="spectrum of the sea",
-            program="sea_spectrum",
-            fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", "waves/sea/displaced_pass.glsl"),
-            target="sea_a",
-            inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
-            uniforms=loop_uniforms(),
-        )
-        passes = (first, *transform("sea", "sea_a", "sea_b", size)[0])
-    for i, of in enumerate(tiles):
-        targets[f"sea_tile_{i}"] = tile_target(quality, size)
-        passes += (
-            PassSpec(
-                name=f"sea, {of.size:g} m tile",
-                program="sea_tile",
-                fragment=("waves/sea/resample_pass.glsl", "waves/sea/tile_pass.glsl"),
-                target=f"sea_tile_{i}",
-                inputs={"u_sea_displaced": TargetInput(target=displaced)},
-                uniforms=tile_uniforms(of, i, sea.choppiness, size),
-            ),
-        )
-        if i < RAISED:
-            found, measured = measured_bounds(f"sea_tile_{i}", size, of.size / size)
-            targets |= found
-            passes += measured
-    fetch = f"waves/sea/fetch_{'exact' if quality.sea_digits == 'float' else 'linear'}.glsl"
-    seen = "sea_seen" if quality.surface.filter else "sea_tile"
-    if quality.surface.filter:
-        for i, of in enumerate(tiles):
-            targets[f"sea_seen_{i}"] = Target(
-                size=FixedSize(width=2 * size, height=2 * size),
-                format="RGBA16F",
-                filter=MIPMAPPED,
-                wrap="repeat",
-            )
-            passes += (
-                PassSpec(
-                    name=f"sea, {of.size:g} m tile as seen",
-                    program="sea_seen",
-                    fragment=(fetch, "waves/sea/seen_pass.glsl"),
-                    target=f"sea_seen_{i}",
-                    inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
-                ),
-            )
-    needs = (fetch, "waves/sea/level.glsl", f"waves/sea/seen{'' if quality.surface.filter else '_exact'}.glsl")
+    return contribution.joined(
+        _displaced_water(sea, scene.water.depth, tiles, quality.sea_size),
+        *(_height_map(sea, i, tile, displaced, quality) for i, tile in enumerate(tiles)),
+        _mip_maps(tiles, quality),
+        _orbits(sea, raised, displaced, quality) if carries(scene) else Part(),
+    )
+
+
+def _why(sea: Sea, tiles: Sequence[Cascade], size: int) -> str:
+    height = 4.0 * math.sqrt(sum(tile.variance for tile in tiles))
+    waves = sum(len(tile.waves) for tile in tiles)
+    how = f"{waves} waves on {len(tiles)} tiles" if sea.model == "gerstner" else f"{len(tiles)} tiles by FFT, {size}²"
+    return f"sea of {sea.wind:g} m/s wind, significant height {height:.3g} m: {how}"
+
+
+def _consts(sea: Sea, tiles: Sequence[Cascade], size: int) -> dict[str, Const]:
+    gerstner = sea.model == "gerstner"
+    return {
+        "SEA_SIZE": size,
+        "SEA_BAND": BAND,
+        "SEA_LOOP": LOOP,
+        "SEA_NEWTON": NEWTON if sea.choppiness > 0.0 else 0,
+        "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
+        "SEA_LEVELS": size.bit_length() - 4,
+        "GERSTNER_WAVES": max(sum(len(tile.waves) for tile in tiles), 1) if gerstner else 2,
+        "GERSTNER_FIRST": len(tiles[0].waves) if gerstner else 1,
+    }
+
+
+def _fetch(quality: Quality) -> tuple[str, ...]:
+    """The files that read a tile bilinearly: filtered by the sampler, or by the shader from full floats."""
+    if quality.sea_digits == "float":
+        return ("lib/bilinear.glsl", "lib/cubic_spline.glsl", "waves/sea/fetch_exact.glsl")
+    return ("lib/cubic_spline.glsl", "waves/sea/fetch_linear.glsl")
+
+
+def _slots(scene: Scene, quality: Quality, tiles: int) -> tuple[SlotFile, ...]:
+    filtered = f"waves/sea/seen{'' if quality.surface.filter else '_exact'}.glsl"
+    needs = (*_fetch(quality), "waves/sea/level.glsl", filtered)
     slots = [
         SlotFile("waves", "waves/sea.glsl", prefix="sea", needs=needs),
         SlotFile("bounds", "waves/sea/bounds.glsl", prefix="sea"),
@@ -218,84 +208,121 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if scene.shore is None:
         slots.append(SlotFile("short", "waves/sea/short.glsl"))
         slots.append(SlotFile("short bounds", "waves/sea/short_bounds.glsl", needs=("waves/sea/bounds.glsl",)))
-    if len(tiles) > RAISED:
-        name = "detail_two" if len(tiles) == 4 else "detail_one"
+    if tiles > RAISED:
+        name = "detail_two" if tiles == 4 else "detail_one"
         slots.append(SlotFile("detail", f"waves/sea/{name}.glsl", prefix="sea", needs=needs))
-    orbits: dict[str, TextureInput | TargetInput] = {}
-    if carries(scene):
-        slots.append(SlotFile("carry", "foam/carry/sea.glsl", prefix="sea"))
-        side = size // 2
-        over = FixedSize(width=side, height=RAISED * (side + 1))
-        targets["sea_orbits"] = tile_target(quality, side).model_copy(update={"size": over})
-        orbits["u_sea_orbits"] = TargetInput(target="sea_orbits")
-        passes += tuple(
-            PassSpec(
-                name=f"orbits, {of.size:g} m tile",
-                program="sea_orbit",
-                fragment=("waves/sea/resample_pass.glsl", "foam/carry/sea_orbit_pass.glsl"),
-                target="sea_orbits",
-                inputs={"u_sea_displaced": TargetInput(target=displaced)},
-                uniforms=tile_uniforms(of, i, sea.choppiness, size),
-            )
-            for i, of in enumerate(raised)
+    return tuple(slots)
+
+
+def _displaced_water(sea: Sea, depth: float | None, tiles: Sequence[Cascade], size: int) -> Part:
+    """Displacement of the water at rest positions, a block of ``size``² texels for each tile."""
+    target = Target(size=FixedSize(width=size * len(tiles), height=size), format="RGBA32F")
+    if sea.model == "gerstner":
+        gerstner = PassSpec(
+            name="waves of the sea",
+            program="gerstner",
+            fragment=("lib/numbers.glsl", "waves/sea/gerstner.glsl", "waves/sea/gerstner_pass.glsl"),
+            target="sea_a",
+            uniforms=gerstner_uniforms(tiles, size),
         )
-    top = sum(of.limit for of in raised)
-    steepest = sum(of.steepest for of in raised)
-    height = 4.0 * math.sqrt(sum(of.variance for of in tiles))
-    waves = sum(len(of.waves) for of in tiles)
-    how = f"{waves} waves on {len(tiles)} tiles" if gerstner else f"{len(tiles)} tiles by FFT, {size}²"
-    return Contribution(
-        why=f"sea of {sea.wind:g} m/s wind, significant height {height:.3g} m: {how}",
-        slots=tuple(slots),
-        consts={
-            "SEA_SIZE": size,
-            "SEA_BAND": BAND,
-            "SEA_LOOP": LOOP,
-            "SEA_NEWTON": NEWTON if sea.choppiness > 0.0 else 0,
-            "SEA_LEAST_JACOBIAN": LEAST_JACOBIAN,
-            "SEA_LEVELS": size.bit_length() - 4,
-            "GERSTNER_WAVES": max(waves, 1) if gerstner else 2,
-            "GERSTNER_FIRST": len(tiles[0].waves) if gerstner else 1,
+        return Part(targets={"sea_a": target}, passes=(gerstner,))
+    spectrum = PassSpec(
+        name="spectrum of the sea",
+        program="sea_spectrum",
+        fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", "waves/sea/displaced_pass.glsl"),
+        target="sea_a",
+        inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
+        uniforms=loop_uniforms(),
+    )
+    return Part(
+        textures={
+            "sea_spectrum": TextureUse(SeaSpectrum(sea=sea, depth=depth), wrap="clamp_to_edge"),
+            "fft_twiddles": TextureUse(FftTwiddles(), wrap="clamp_to_edge"),
         },
-        uniforms={
-            **{f"u_sea_offset_{i}": _offset(of) for i, of in enumerate(tiles)},
-            **{f"u_sea_size_{i}": number(of.size) for i, of in enumerate(tiles)},
-        },
-        inputs={
-            **{f"u_sea_bounds_{i}": TargetInput(target=f"sea_tile_{i}_bounds") for i in range(RAISED)},
-            **{f"u_sea_tile_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(RAISED)},
-            **{f"u_sea_seen_{i}": TargetInput(target=f"{seen}_{i}") for i in range(len(tiles))},
-            **orbits,
-        },
-        textures=textures,
-        targets=targets,
-        passes=passes,
-        bound=_bound(scene, sum(of.steepest for of in tiles)),
-        top=top,
-        trough=-top,
-        steepest=steepest,
-        grain=sum(of.grain(size) + of.limit * HALF_FLOAT for of in raised),
-        march=2,
+        targets={"sea_a": target, "sea_b": target},
+        passes=(spectrum, *transform("sea", "sea_a", "sea_b", size)[0]),
     )
 
 
-def _bound(scene: Scene, steepest: float) -> Bound | None:
-    """As of parametric waves: without foam, ripples and floor only slopes show."""
-    ripples = scene.water.chop is not None and scene.light is not None
-    if scene.foam is not None or ripples or scene.water.depth is not None or scene.boats:
-        return None
-    if scene.light is None:
-        return Bound(0.0, "nothing lies on it, and there is no light")
-    return Bound(
-        slope_sensitivity(scene) * steepest + 0.1 * (surface_top(scene) - surface_trough(scene)) + crest_limit(scene),
-        f"slopes are never above {steepest:.1g}",
-        ("/light/exposure", "/water/roughness", "/water/translucency", "/water/absorption_length"),
+def _height_map(sea: Sea, index: int, tile: Cascade, displaced: str, quality: Quality) -> Part:
+    """Height and slopes of a tile over the level plane, and its measured bounds if it displaces the surface."""
+    name, size = f"sea_tile_{index}", quality.sea_size
+    part = Part(
+        uniforms={
+            f"u_sea_offset_{index}": array("vec2", in_tile(tile.size), 1),
+            f"u_sea_size_{index}": number(tile.size),
+        },
+        targets={name: tile_target(quality, size)},
+        passes=(
+            PassSpec(
+                name=f"sea, {tile.size:g} m tile",
+                program="sea_tile",
+                fragment=(*RESAMPLED, "waves/sea/tile_pass.glsl"),
+                target=name,
+                inputs={"u_sea_displaced": TargetInput(target=displaced)},
+                uniforms=tile_uniforms(tile, index, sea.choppiness, size),
+            ),
+        ),
+    )
+    if index >= RAISED:
+        return part
+    inputs: dict[str, TextureInput | TargetInput] = {
+        f"u_sea_tile_{index}": TargetInput(target=name),
+        f"u_sea_bounds_{index}": TargetInput(target=f"{name}_bounds"),
+    }
+    return part.joined(Part(inputs=inputs), measured_bounds(name, size, tile.size / size))
+
+
+def _mip_maps(tiles: Sequence[Cascade], quality: Quality) -> Part:
+    """The tiles' slopes as shading reads them: prefiltered maps, or the tiles themselves if nothing is filtered."""
+    if not quality.surface.filter:
+        return Part(inputs={f"u_sea_seen_{i}": TargetInput(target=f"sea_tile_{i}") for i in range(len(tiles))})
+    size = FixedSize.square(2 * quality.sea_size)
+    return Part(
+        inputs={f"u_sea_seen_{i}": TargetInput(target=f"sea_seen_{i}") for i in range(len(tiles))},
+        targets={
+            f"sea_seen_{i}": Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
+            for i in range(len(tiles))
+        },
+        passes=tuple(
+            PassSpec(
+                name=f"sea, {tile.size:g} m tile as seen",
+                program="sea_seen",
+                fragment=(*_fetch(quality), "waves/sea/seen_pass.glsl"),
+                target=f"sea_seen_{i}",
+                inputs={"u_sea_full": TargetInput(target=f"sea_tile_{i}")},
+            )
+            for i, tile in enumerate(tiles)
+        ),
+    )
+
+
+def _orbits(sea: Sea, raised: Sequence[Cascade], displaced: str, quality: Quality) -> Part:
+    """Horizontal displacement of the water, which carries foam: the tiles on top of each other in one map."""
+    side = quality.sea_size // 2
+    size = FixedSize(width=side, height=RAISED * (side + 1))
+    return Part(
+        slots=(SlotFile("carry", "foam/carry/sea.glsl", prefix="sea"),),
+        inputs={"u_sea_orbits": TargetInput(target="sea_orbits")},
+        targets={"sea_orbits": tile_target(quality, side).model_copy(update={"size": size})},
+        passes=tuple(
+            PassSpec(
+                name=f"orbits, {tile.size:g} m tile",
+                program="sea_orbit",
+                fragment=(*RESAMPLED, "foam/carry/sea_orbit_pass.glsl"),
+                target="sea_orbits",
+                inputs={"u_sea_displaced": TargetInput(target=displaced)},
+                uniforms=tile_uniforms(tile, i, sea.choppiness, quality.sea_size),
+            )
+            for i, tile in enumerate(raised)
+        ),
     )
 
 
 EFFECT = Effect(
     "sea",
     contribute,
+    fields=("/sea",),
     knobs=(
         Knob("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
         Knob("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),

@@ -1,7 +1,7 @@
-"""Section 15: boats in float64: how they float, where rays meet them, their light, their wakes and their foam.
+"""Section 15: boats in float64: how they float, their intersections with rays, and their light.
 
-A solid is what several inequalities q(x) = xᵀMx + 2l·x + c ≤ 0 leave of space, each of them convex; a hull is such a
-solid less another one, which stands over its sheer. A ray is in a convex solid for one interval of its length.
+A solid is the set that satisfies several convex inequalities q(x) = xᵀMx + 2l·x + c ≤ 0; a hull is such a solid minus
+another above its sheer. A ray is inside a convex solid on one interval of its length.
 """
 
 import math
@@ -27,7 +27,7 @@ HULL, DECK, HOUSE, SPAR, SAIL = range(5)
 
 @dataclass
 class Hit:
-    """Nearest hits of r rays so far: distance, normal and place in the boat's lengths and axes, part, and boat."""
+    """Nearest hits of r rays: distance, normal and position (in the boat's axes and lengths), part, and boat."""
 
     t: Floats
     normal: Floats
@@ -38,7 +38,7 @@ class Hit:
 
 @dataclass(frozen=True)
 class Fleet:
-    """Every boat of a scene at one time, and the air it is seen in."""
+    """All boats of a scene at one time."""
 
     poses: tuple[Pose, ...]
 
@@ -58,14 +58,14 @@ class Fleet:
             start = (np.broadcast_to(o, d.shape)[close] - pose.at) + along[close, None] * d[close]
             local, way = pose.inward(start) / size, pose.inward(d[close])
             shift = along[close]
-            found = _Boat(local, way, (least - shift) / size, pose.boat)
-            t = found.t * size + shift
+            traced = _Boat(local, way, (least - shift) / size, pose.boat)
+            t = traced.t * size + shift
             better = t < nearest.t[close]
             rows = close[better]
             nearest.t[rows] = t[better]
-            nearest.normal[rows] = pose.outward(found.normal[better])
-            nearest.place[rows] = local[better] + found.t[better, None] * way[better]
-            nearest.part[rows] = found.part[better]
+            nearest.normal[rows] = pose.outward(traced.normal[better])
+            nearest.place[rows] = local[better] + traced.t[better, None] * way[better]
+            nearest.part[rows] = traced.part[better]
             nearest.boat[rows] = number
         return nearest
 
@@ -158,7 +158,7 @@ class _Boat:
         cut, uncut, _ = self._interval((form.above(),))
         none = ~(cut < uncut)
         cut, uncut = np.where(none, np.inf, cut), np.where(none, np.inf, uncut)
-        # What is left is before the cut and after it.
+        # Outside the removed interval two parts remain: before it and after it.
         self._take(enter, np.minimum(leave, cut), gradient, HULL)
         inside = enter >= uncut
         self._take(np.where(inside, enter, np.inf), leave, gradient, HULL)
@@ -207,7 +207,7 @@ class _Boat:
 
 
 def _roots(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
-    """Between which t at² + 2bt + c ≤ 0, a ≥ 0; an empty interval (∞, −∞) where nowhere."""
+    """The interval of t in which at² + 2bt + c ≤ 0, a ≥ 0; (∞, −∞) if it is empty."""
     first, last = np.full(a.shape, np.inf), np.full(a.shape, -np.inf)
     straight = a < 1e-14
     rate = np.where(b == 0.0, 1.0, b)
@@ -219,15 +219,15 @@ def _roots(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
     square = b * b - a * c
     bent = ~straight & (square > 0.0)
     q = -(b + np.where(b < 0.0, -1.0, 1.0) * np.sqrt(np.maximum(square, 0.0)))
-    one = q / np.where(straight, 1.0, a)
+    root = q / np.where(straight, 1.0, a)
     two = c / np.where(q == 0.0, 1.0, q)
-    first = np.where(bent, np.minimum(one, two), first)
-    last = np.where(bent, np.maximum(one, two), last)
+    first = np.where(bent, np.minimum(root, two), first)
+    last = np.where(bent, np.maximum(root, two), last)
     return first, last
 
 
 def fleet(scene: Scene, time: float, origin: tuple[float, float], height: Height, ground: Height | None) -> Fleet:
-    """The boats of a scene as they float on a surface, and where that is too shallow on the ground under it."""
+    """The boats of a scene, floating on a surface or, where that is too shallow, resting on the ground."""
 
     def carried(boat: Boat) -> Height:
         if ground is None:

@@ -12,14 +12,14 @@ from seafoam.reference.types import Floats
 from seafoam.scene.boats import Boat
 
 Height = Callable[[Floats, Floats], Floats]
-"""Heights at places x, z from the origin."""
+"""Heights at (x, z), m from the origin."""
 
 HULL_SPEED = 1.25
 
 
 @dataclass(frozen=True)
 class Course:
-    """Where a boat is: from the centre of its course to the origin, m, bearing, rad, and turn."""
+    """Position on a course: vector from its centre to the origin (m), bearing (rad), and sense of rotation."""
 
     centre: tuple[float, float]
     bearing: float
@@ -39,7 +39,7 @@ class Course:
 
 
 def course(boat: Boat, time: float, origin: tuple[float, float]) -> Course:
-    """Exact reduction: the bearing's rate is the number that float64 holds."""
+    """The course at a time, with the bearing reduced exactly, its rate taken as a float64 number."""
     turn = 1.0 if boat.turn == "starboard" else -1.0
     angle = Fraction(boat.bearing) + Fraction(turn * boat.speed / boat.radius) * Fraction(time)
     around = Fraction(2.0 * math.pi)
@@ -75,7 +75,7 @@ def felt(height: Height, place: tuple[float, float], reach: float) -> float:
 
 
 def float_on(boat: Boat, at: Course, height: Height) -> Pose:
-    """The boat on a surface: its water line's plane goes through the heights felt at the hull points."""
+    """The boat on a surface: the plane of its water line passes through the mean heights at the hull points."""
     size = boat.length
     bow, port, starboard = (felt(height, place, boat.smoothing) for place in hull_points(boat, at))
     stern = 0.5 * (port + starboard)

@@ -1,4 +1,4 @@
-"""Section 15: what boats are made of, as inequalities and tables of colours."""
+"""Section 15: shapes of boats as inequalities, and their colours."""
 
 import math
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ UP = np.array([0.0, 1.0, 0.0])
 
 @dataclass(frozen=True)
 class Inequality:
-    """xᵀMx + 2l·x + c ≤ 0, M diagonal and not negative."""
+    """xᵀMx + 2l·x + c ≤ 0, M diagonal with entries of at least 0."""
 
     m: Floats
     linear: Floats
@@ -45,7 +45,8 @@ class Form:
 
     @property
     def fine(self) -> float:
-        """The sides meet 0.62 ahead of the middle at the height of the greatest breadth."""
+        """Coefficient with which the sides meet 0.62 lengths ahead of the middle, at the height of the greatest
+        breadth."""
         return self.beam / 0.62**2
 
     def sheer_at(self, x: Floats) -> Floats:

@@ -18,7 +18,7 @@ from seafoam.scene.models import Scene
 
 @dataclass(frozen=True)
 class WakeSet:
-    """The wakes of a scene's boats as a part of its surface."""
+    """The wakes of a scene's boats, as a part of its surface."""
 
     wakes: tuple[Wake, ...]
     courses: tuple[Course, ...]
@@ -99,7 +99,7 @@ class WakeSet:
 def along(
     boat: Boat, at: Course, x: Floats, z: Floats
 ) -> tuple[Floats, Floats, tuple[Floats, Floats], tuple[Floats, Floats]]:
-    """How far places are behind the bow along the course and outside it, m, and the gradients of both."""
+    """Distance of places behind the bow along the course and outward from it (m), and the gradients of both."""
     from_x, from_z = x + at.centre[0], z + at.centre[1]
     out = np.hypot(from_x, from_z)
     far = np.maximum(out, 0.1 * at.radius)
@@ -144,7 +144,7 @@ def pattern(wake: Wake, behind: Floats, aside: Floats) -> tuple[Floats, Floats, 
     )
     for t, t_q, share, power in systems:
         secant = np.sqrt(1.0 + t * t)
-        # a = share A window(q, x, z) fall(x)^power cut(q), and its change with each.
+        # a = share A window(q, x, z) fall(x)^power cut(q), and its partial derivatives.
         a = share * boat.wake * fall**power
         a_x, a_z, a_q = a * window_x, a * window_z, a * window_q
         a_x = a_x + share * boat.wake * power * np.where(fall > 0.0, fall, 1.0) ** (power - 1.0) * fall_x * window
@@ -169,6 +169,6 @@ def _step(low: float, high: float, x: Floats) -> tuple[Floats, Floats]:
 
 def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
-    found = wakes(scene.boats)
+    patterns = wakes(scene.boats)
     courses = tuple(course(boat, time, origin) for boat in scene.boats)
-    return WakeSet(found, courses, wake_height(scene.boats), wake_slope(scene.boats))
+    return WakeSet(patterns, courses, wake_height(scene.boats), wake_slope(scene.boats))

@@ -1,4 +1,4 @@
-"""Section 5: the mask turned and shifted anew in each cell of a lattice of triangles."""
+"""Section 5: the mask with another rotation and offset in each cell of a triangular lattice."""
 
 import math
 from dataclasses import dataclass
@@ -11,9 +11,9 @@ from seafoam.scene.foam import Foam
 
 COUNT = 4096
 LEAST = 0.25
-"""Cells with a smaller share of a place do not count there."""
+"""Barycentric weight below which a cell has no influence."""
 LAST = 1.0 / 256.0
-"""Below this share left free, what is left is led to 0 evenly."""
+"""Uncovered share below which the power is replaced by a ramp to 0."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,25 +21,25 @@ class Corner:
     """One of the three cells around each of r places."""
 
     weight: Floats
-    """(r,), the weights of the three add up to 1."""
+    """(r,); the weights of the three cells sum to 1."""
     u: Floats
     v: Floats
-    """Mask coordinates, 1 a tile; (r,) each."""
+    """Mask coordinates, in tiles; (r,) each."""
     cosine: Floats
     sine: Floats
-    """The cell's turn; (r,) each."""
+    """Cosine and sine of the cell's rotation; (r,) each."""
 
     def turned(self, foot: Floats) -> Floats:
-        """Footprints (r, 2) in tiles, turned with the cell; (r, 2)."""
+        """Footprints (r, 2) in tiles, rotated with the cell; (r, 2)."""
         x, y = foot[:, 0], foot[:, 1]
         result: Floats = np.stack((self.cosine * x + self.sine * y, self.cosine * y - self.sine * x), axis=-1)
         return result
 
 
 def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
-    """The cells around places (u, v) in tiles, turned as the mask is, counted from the world's origin; three.
+    """The three cells around (u, v), in tiles from the world's origin, rotated as the mask is.
 
-    Not ``blended``: the nearest has all the weight.
+    Not ``blended``: the nearest cell has the whole weight.
     """
     a, b = u - v / math.sqrt(3.0), 2.0 / math.sqrt(3.0) * v
     i, j = np.floor(a), np.floor(b)
@@ -66,16 +66,16 @@ def corners(u: Floats, v: Floats, blended: bool) -> list[Corner]:
 
 
 def part(s: Floats, weight: Floats) -> Floats:
-    """What a cell of this weight covers where the saturation is s in [0, 1]: 1 − (1 − s)^w, led to 1 at s = 1; (r,)."""
+    """Coverage of a cell of weight w for a saturation s in [0, 1]: 1 − (1 − s)^w, with a ramp to 1 at s = 1; (r,)."""
     left = 1.0 - np.clip(s, 0.0, 1.0)
     result: Floats = 1.0 - np.maximum(left, LAST) ** weight * smoothstep(0.0, LAST, left)
     return result
 
 
 def counted(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:
-    """Places x, z (m from the origin) in tiles of the mask from the world's, turned; (r,) each.
+    """Rotated coordinates of (x, z), m from the origin, in tiles from the world's origin; (r,) each.
 
-    Whole periods of the lattice of cells are taken off the origin: 4096 steps along either side.
+    Whole periods of the lattice, 4096 cells along each side, are subtracted.
     """
     cosine, sine = math.cos(foam.mask_angle), math.sin(foam.mask_angle)
     far_u = (origin[0] * cosine + origin[1] * sine) / foam.mask_tile

@@ -1,4 +1,4 @@
-"""Section 5: what the filtered look covers, under footprints and in the limit; where a mask lies."""
+"""Section 5: coverage of the filtered look, over footprints and in the limit; coordinates of a mask."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ def coverage(
     shares: bool = False,
     octaves: int = OCTAVES_MOST,
 ) -> Floats:
-    """The share that the filtered look covers at places (u, v) of its mask, 1 a tile, saturation s in [0, 1]; (r,).
+    """Coverage of the filtered look at mask coordinates (u, v), in tiles, for a saturation s in [0, 1]; (r,).
 
-    With ``filtering`` under footprints (r, 2), else in the limit of infinitely many samples. ``shares``: s is what is
-    covered in the mean already, not the saturation that the fade makes it of. ``octaves``: no more of the foam's.
+    With ``filtering`` over footprints (r, 2), else in the limit of infinitely many samples. ``shares``: s is already
+    the mean coverage, not the saturation before the fade. ``octaves``: maximum number of octaves.
     """
     if foam.octaves == 1:
         if filtering:
@@ -57,8 +57,8 @@ def coverage(
 def covered(
     assets: Assets, s: Floats, u: Floats, v: Floats, foot_u: Floats, foot_v: Floats, fade: float | None
 ) -> Floats:
-    """A(s) of the mask at places (u, v), 1 a tile, under footprints (r, 2); (r,). ``fade`` None: an octave's ramp."""
-    # The sides of the box that has the footprint's variance along the mask's axes.
+    """A(s) of the mask at (u, v), in tiles, over footprints (r, 2); (r,). ``fade`` None: with an octave's ramp."""
+    # Sides of the box with the footprint's variance along the mask's axes.
     size = np.hypot(foot_u, foot_v) * assets.thresholds.shape[0]
     minified, magnified = np.zeros_like(s), np.zeros_like(s)
     w = looks.minification(size)
@@ -78,12 +78,12 @@ def covered(
 
 
 def tiles(position: float, tile: float) -> float:
-    """Place of a position in its tile, in (−1, 1) tiles, exact before the division."""
+    """Position within its tile, in (−1, 1) tiles, exact before the division."""
     return math.fmod(position, tile) / tile
 
 
 def mask_place(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) -> tuple[Floats, Floats]:
-    """Mask coordinates (u, v) of places x, z from the origin; (r,) each, 1 a tile."""
+    """Mask coordinates (u, v) of (x, z), m from the origin; (r,) each, in tiles."""
     cosine, sine = math.cos(foam.mask_angle), math.sin(foam.mask_angle)
     tile = foam.mask_tile
     u = (x * cosine + z * sine) / tile + tiles(origin[0] * cosine + origin[1] * sine, tile)
@@ -92,7 +92,7 @@ def mask_place(x: Floats, z: Floats, foam: Foam, origin: tuple[float, float]) ->
 
 
 def turned_footprint(foot: Floats, foam: Foam) -> Floats:
-    """A footprint (r, 2) m in mask coordinates; (r, 2), 1 a tile."""
+    """A footprint (r, 2) m in mask coordinates; (r, 2), in tiles."""
     cosine, sine = math.cos(foam.mask_angle), math.sin(foam.mask_angle)
     x, z = foot[:, 0], foot[:, 1]
     result: Floats = np.stack((x * cosine + z * sine, z * cosine - x * sine), axis=-1) / foam.mask_tile

@@ -1,6 +1,6 @@
-"""Section 14: foam that a steady flow carries over a square, followed back in float64.
+"""Section 14: foam advected by a steady flow over a square, traced back in float64.
 
-The flow's steady part (``ocean/stokes.py``) is the scene's own, as rings' level is; a test holds it to orbits of water.
+The flow's uniform part comes from ``ocean/stokes.py``, which shaders use too; a test compares it with water orbits.
 """
 
 from __future__ import annotations
@@ -19,26 +19,26 @@ from seafoam.scene.drift import Vortex
 from seafoam.scene.foam import DriftSaturation
 from seafoam.scene.models import Scene
 
-BROODS = 4
+GENERATIONS = 4
 COUNTED = 1024
 PEAK = 1.2564312086261697
-"""y with e^y = 1 + 2y."""
+"""Solution y of e^y = 1 + 2y."""
 LONGEST = 0.125
-"""Longest step, s."""
+"""Longest time step, s."""
 TURN = 0.2
-"""Longest step, rad of the fastest vortex."""
+"""Longest time step, as a rotation of the fastest vortex, rad."""
 FADE, REACH = 3.0, 6.0
-"""Radii from which a vortex fades, and where it ends."""
+"""Distances at which a vortex begins to fade and ends, in radii."""
 OCTAVES = ((0.55, 1.0, False), (0.3, 2.3, True), (0.15, 5.1, False))
-"""Weight, frequency and whether turned, of each octave of a patch."""
+"""Weight, frequency and rotation (or none) of each octave of a patch."""
 DEVIATION = 0.138
 HALF_CUT = 0.1
 APART = (3.37, 5.61)
-"""Between the two copies of a mask, in tiles."""
+"""Offset between the two copies of a mask, in tiles."""
 BESIDE = 1e-3
-"""Ways are compared so far apart, m."""
+"""Step of the finite differences of displacements, m."""
 RIM = 0.8
-"""Share of the half side from which foam fades out."""
+"""Distance from the middle at which foam begins to fade, over half the side."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Flow:
         return max((abs(float(angular_velocity(zero, a, v)[0])) for _, _, a, v in self.vortices), default=0.0)
 
     def back(self, x: Floats, z: Floats, seconds: float, longest: float = LONGEST) -> tuple[Floats, Floats]:
-        """Where the water at (x, z) was ``seconds`` ago, by Runge and Kutta's steps no longer than ``longest`` s."""
+        """Where the water at (x, z) was ``seconds`` ago, by Runge-Kutta steps of at most ``longest`` s; (r,) m each."""
         count = max(math.ceil(seconds / min(longest, TURN / max(self.fastest, 1e-9))), 1)
         h = seconds / count
         for _ in range(count):
@@ -99,11 +99,12 @@ def flow_of(scene: Scene) -> Flow:
     """The flow of a scene that has a drift."""
     drift = scene.drift
     assert drift is not None
-    return Flow(steady_drift(scene), 0.5 * drift.size, tuple(_vortex(one, drift.place) for one in drift.vortices))
+    return Flow(steady_drift(scene), 0.5 * drift.size, tuple(_vortex(vortex, drift.place) for vortex in drift.vortices))
 
 
-def _vortex(one: Vortex, place: tuple[float, float]) -> tuple[float, float, float, float]:
-    return (*(float(Fraction(a) - Fraction(b)) for a, b in zip(one.place, place, strict=True)), one.radius, one.speed)  # type: ignore[return-value]
+def _vortex(vortex: Vortex, place: tuple[float, float]) -> tuple[float, float, float, float]:
+    x, z = (float(Fraction(a) - Fraction(b)) for a, b in zip(vortex.place, place, strict=True))
+    return x, z, vortex.radius, vortex.speed
 
 
 def drift_saturation(
@@ -119,13 +120,13 @@ def drift_saturation(
     rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
     result = np.zeros_like(x)
     inside = np.flatnonzero(rim > 0.0)
-    brood = Fraction(source.life) / BROODS
-    number = math.floor(Fraction(time) / brood)
-    youngest = float(Fraction(time) - number * brood)
+    interval = Fraction(source.life) / GENERATIONS
+    number = math.floor(Fraction(time) / interval)
+    youngest = float(Fraction(time) - number * interval)
     at_x, at_z = q_x[inside], q_z[inside]
-    for j in range(BROODS):
-        at_x, at_z = flow.back(at_x, at_z, youngest if j == 0 else float(brood))
-        age = youngest + j * float(brood)
+    for j in range(GENERATIONS):
+        at_x, at_z = flow.back(at_x, at_z, youngest if j == 0 else float(interval))
+        age = youngest + j * float(interval)
         share = math.sin(math.pi * age / source.life) ** 2
         result[inside] += share * patch(source, (number - j) % COUNTED, at_x, at_z)
     return source.amount * rim * result
@@ -133,18 +134,18 @@ def drift_saturation(
 
 @dataclass(frozen=True, eq=False)
 class Copy:
-    """One of the two copies of a mask that the flow carries, at r places."""
+    """One of the two copies of a mask that the flow advects, at r places."""
 
     weight: Floats
-    """(r,), the weights of the two add up to 1."""
+    """(r,); the weights of the two copies sum to 1."""
     x: Floats
     z: Floats
-    """Where it is looked at, m from the origin; (r,) each."""
+    """Where the mask is read, m from the origin; (r,) each."""
     turn: Floats
-    """(r, 2, 2): what becomes of a way (x, z) there."""
+    """(r, 2, 2): Jacobian of the displacement, applied to vectors (x, z)."""
 
     def turned(self, foot: Floats) -> Floats:
-        """Footprints (r, 2) m as the copy sees them; (r, 2)."""
+        """Footprints (r, 2) m, mapped to the copy; (r, 2)."""
         result: Floats = np.einsum("rij,rj->ri", self.turn, foot)
         return result
 
@@ -159,15 +160,15 @@ def copies(
     q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
     q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
     rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
-    brood = Fraction(source.life) / BROODS
-    number = math.floor(Fraction(time) / brood)
-    youngest = float(Fraction(time) - number * brood)
+    interval = Fraction(source.life) / GENERATIONS
+    number = math.floor(Fraction(time) / interval)
+    youngest = float(Fraction(time) - number * interval)
     inside = np.flatnonzero(rim > 0.0)
-    grown = math.sin(0.5 * math.pi * youngest / float(brood)) ** 2
-    # Of the copy of the odd brood; beyond the square the other is left alone.
+    grown = math.sin(0.5 * math.pi * youngest / float(interval)) ** 2
+    # Weight of the copy of odd generations; outside the square only the other copy is visible.
     share = rim * (grown if number % 2 == 1 else 1.0 - grown)
-    made = []
-    for i, seconds in enumerate((youngest, youngest + float(brood))):
+    pair = []
+    for i, seconds in enumerate((youngest, youngest + float(interval))):
         odd = (number - i) % 2 == 1
         apart = tuple(share * tile if odd else 0.0 for share in APART)
         away, turn = np.zeros((x.size, 2)), np.tile(np.eye(2), (x.size, 1, 1))
@@ -178,12 +179,12 @@ def copies(
             for axis, (d_x, d_z) in enumerate(((BESIDE, 0.0), (0.0, BESIDE))):
                 change = (_way(flow, at[0] + d_x, at[1] + d_z, seconds) - here) / BESIDE
                 turn[inside, :, axis] += rim[inside, None] * change
-        made.append(Copy(share if odd else 1.0 - share, x + away[:, 0] + apart[0], z + away[:, 1] + apart[1], turn))
-    return made
+        pair.append(Copy(share if odd else 1.0 - share, x + away[:, 0] + apart[0], z + away[:, 1] + apart[1], turn))
+    return pair
 
 
 def _way(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
-    """From places to where their water was, (r, 2) m."""
+    """Vectors from places to where their water was, (r, 2) m."""
     back = flow.back(x, z, seconds)
     return np.column_stack((back[0] - x, back[1] - z))
 
@@ -192,9 +193,9 @@ def _rim(share: Floats) -> Floats:
     return 1.0 - smoothstep(RIM, 1.0, np.abs(share))
 
 
-def patch(source: DriftSaturation, brood: int, x: Floats, z: Floats) -> Floats:
-    """What came up of a brood at (x, z), m from the square's middle; (r,) in [0, 1]."""
-    key = int(pcg(np.uint64(source.seed) ^ pcg(np.array([brood], np.uint64)))[0])
+def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Floats:
+    """The patches of a generation at (x, z), m from the square's middle; (r,) in [0, 1]."""
+    key = int(pcg(np.uint64(source.seed) ^ pcg(np.array([generation], np.uint64)))[0])
     total = np.zeros_like(x)
     for i, (weight, frequency, turned) in enumerate(OCTAVES):
         u, v = x / source.patch, z / source.patch

@@ -1,4 +1,4 @@
-"""Section 4: foam of fronts, at a point, under a footprint, and of fronts that passed."""
+"""Section 4: foam of fronts, at a point, averaged over a footprint, and left behind by past fronts."""
 
 import math
 from dataclasses import dataclass
@@ -11,15 +11,17 @@ from seafoam.reference.types import Floats, smoothstep
 from seafoam.reference.waves.parametric import WaveSet
 from seafoam.scene.foam import FrontSaturation
 
+TURN = 2.0 * math.pi
+
 CAP = 4.0
 
 EXPONENT = 80.0
 
 CELLS = 16384
-"""Cells of the tabulated integral; cubic between them, off by less than 10⁻¹²."""
+"""Cells of the tabulated integral, interpolated by cubics: error below 10⁻¹²."""
 
 LISTING_SPATIAL = 6.28 / (2.0 * math.pi)
-"""What the published code makes of a wavenumber."""
+"""Factor of the wavenumbers in the published code."""
 
 GATE_LEAST = 1e-4
 
@@ -32,12 +34,12 @@ GROUP_LEAST = 1e-4
 
 @dataclass(frozen=True)
 class History:
-    """How foam moves on the water after it is born."""
+    """How the water moves foam after it has appeared."""
 
     drift: tuple[float, float]
     """(x, z) m/s."""
     carried: bool
-    """Whether waves carry it to and fro."""
+    """Whether the waves' orbits move it to and fro."""
 
 
 STILL = History((0.0, 0.0), False)
@@ -73,13 +75,18 @@ class Group:
         return np.hypot(self.X, self.Y)
 
 
+def group_weights(waves: WaveSet) -> Floats:
+    """Each wave's amplitude over the sum of all amplitudes, equal weights if that sum is 0; (waves,)."""
+    total, count = float(waves.amplitude.sum()), waves.amplitude.size
+    weights: Floats = waves.amplitude / total if total > 0.0 else np.full(count, 1.0 / max(count, 1))
+    return weights
+
+
 def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
     """The analytic signal of the waves at (x, z), its phase moved by 2δ − π; without waves it is zero."""
     X, Y = np.zeros_like(x), np.zeros_like(x)
     slope_of_x, slope_of_y = np.zeros((*x.shape, 2)), np.zeros((*x.shape, 2))
-    count = waves.amplitude.size
-    all_crests = float(waves.amplitude.sum())
-    weights = waves.amplitude / all_crests if all_crests > 0.0 else np.full(count, 1.0 / max(count, 1))
+    weights = group_weights(waves)
     for i, theta in enumerate(waves.theta(x, z)):
         psi = theta + (2.0 * delta - math.pi)
         cosine, sine = weights[i] * np.cos(psi), weights[i] * np.sin(psi)
@@ -91,7 +98,7 @@ def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
 
 
 def gate(rho: Floats, thresholds: tuple[float, float]) -> Floats:
-    """Share of f that a group of length ρ lets through, in [0, 1]; (0, 0) is no gate."""
+    """Factor on f for a sum of waves of length ρ, in [0, 1]; thresholds (0, 0): 1."""
     low, high = thresholds
     if low == 0.0 and high == 0.0:
         return np.ones_like(rho)
@@ -119,7 +126,7 @@ class FrontIntegral:
 
     def __init__(self, intensity: float, base: float) -> None:
         self.full = 2.0 * math.atan2(1.0, math.log(intensity) / math.log(base))
-        """ψ₁: f is 1 or more from 0 to here."""
+        """ψ₁: f is at least 1 from 0 to this phase."""
         self.cell = (2.0 * math.pi - self.full) / CELLS
         edges = np.linspace(self.full, 2.0 * math.pi, CELLS + 1)
         nodes, weights = np.polynomial.legendre.leggauss(8)
@@ -157,7 +164,7 @@ def front_integral(intensity: float, base: float = math.e) -> FrontIntegral:
 
 def front_saturation_filtered(psi: Floats, width: Floats, intensity: float, base: float = math.e) -> Floats:
     """Mean of min(f, 1) over ψ ± Δ/2, ψ in [−π, π] and Δ = ``width``; in [0, 1], without the gate."""
-    # Narrower than this, the difference of two integrals has lost more digits than the filter changes.
+    # For narrower footprints, cancellation in the difference of two integrals exceeds the filter's effect.
     sharp = width < 1e-6
     mean = front_integral(intensity, base).mean(psi, np.where(sharp, 1.0, width))
     crosses = sharp & (np.abs(psi) < 0.5 * width)
@@ -186,11 +193,11 @@ def phase_width(gradient: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
 def seen_phases(
     psi: Floats, width: Floats, along: Floats, across: Floats, over: Floats, away: Floats, relief: float, crest: float
 ) -> tuple[Floats, Floats]:
-    """ψ and Δ of the phases under a footprint that the eye sees, waves hiding their backs; (r,) each.
+    """ψ and Δ of the phases under a footprint that are visible, where crests hide what lies behind them; (r,) each.
 
-    ``along``: how fast ψ grows along the view, ``across``: at most, in any direction (rad/m); ``over``: how far the
-    eye is above the place, ``away``: how far off along the level (m); ``relief``: slope amplitude of the sinusoid that
-    is as steep as the waves; ``crest``: ψ on a crest.
+    ``along``: derivative of ψ along the view, ``across``: its greatest derivative in any direction (rad/m); ``over``:
+    height of the camera above the place, ``away``: its horizontal distance (m); ``relief``: slope amplitude of a
+    sinusoid with the waves' mean square slope; ``crest``: ψ at a crest.
     """
     q = np.minimum(np.abs(over) * across / np.maximum(relief * np.abs(along) * away, 1e-20), 1.0)
     before = np.sqrt(4.0 * math.pi * q)
@@ -199,6 +206,57 @@ def seen_phases(
     middle = top + np.where(along < 0.0, 0.5, -0.5) * (before - q)
     moved = psi + smoothstep(1.0, 2.0, width / arc) * _wrapped(middle - psi)
     return _wrapped(moved), np.minimum(width, arc)
+
+
+@dataclass(frozen=True)
+class _Decay:
+    """Foam at a place between two fronts: 1 up to the phase ``born``, then exp(−(phase − born)/``life``), rad."""
+
+    born: float
+    life: float
+
+    def left(self, phase: Floats) -> Floats:
+        """What is left at a phase since the front, in [0, 2π]; of the shape of ``phase``."""
+        left: Floats = np.exp(np.minimum(self.born - phase, 0.0) / self.life)
+        return left
+
+    def integral(self, phase: Floats) -> Floats:
+        """∫₀ of :meth:`left` over the whole fronts in ``phase`` and the rest of it; of the shape of ``phase``."""
+        turns = np.floor(phase / TURN)
+        rest = phase - TURN * turns
+        whole = self.born + self.life * -math.expm1((self.born - TURN) / self.life)
+        decayed = self.life * -np.expm1(np.minimum(self.born - rest, 0.0) / self.life)
+        integral: Floats = turns * whole + np.minimum(rest, self.born) + decayed
+        return integral
+
+
+class _Fronts:
+    """The gates of past fronts, in water that rests at (x, z) and drifts.
+
+    ``since``: phase since the last front, rad in [0, 2π].
+    """
+
+    def __init__(
+        self, waves: WaveSet, x: Floats, z: Floats, drift: tuple[float, float], group: tuple[float, float]
+    ) -> None:
+        self.thetas = waves.theta(x, z)
+        self.rates = waves.omega - waves.kx * drift[0] - waves.kz * drift[1]
+        self.weights = group_weights(waves)
+        self.mean_rate = max(float(self.weights @ self.rates), LEAST_RATE)
+        self.group = group
+
+    def strength(self, ago: Floats) -> Floats:
+        """The gate as it was ``ago`` rad of the mean phase before; of the shape of ``ago``."""
+        seconds = ago / self.mean_rate
+        phases = zip(self.weights, self.rates, self.thetas, strict=True)
+        signal = sum(weight * np.exp(1j * (theta - rate * seconds)) for weight, rate, theta in phases)
+        return gate(np.abs(signal), self.group)
+
+    def last(self, since: Floats, left: float) -> tuple[Floats, Floats]:
+        """Strength of the foam of the last front and of the one before. ``left``: of foam after a turn."""
+        third = self.strength(since + 2.0 * TURN) * (1.0 - smoothstep(0.5, 1.0, since / TURN))
+        before = np.maximum(self.strength(since + TURN), left * third)
+        return np.maximum(self.strength(since), left * before), before
 
 
 def living_front(
@@ -211,68 +269,46 @@ def living_front(
     over: Floats,
     history: History,
 ) -> Floats:
-    """Foam that the last three fronts left on the water now at (x, z), the gate of each in it; (r,) in [0, 1].
+    """Foam that the last three fronts left on the water now at (x, z), each gated as it was; (r,) in [0, 1].
 
-    With footprints averaged over what an eye ``over`` (r,) m higher sees, else at the place.
+    With footprints averaged over what a camera ``over`` (r,) m higher sees, else at the place.
     """
     sum_of = group(waves, x, z, 0.5 * math.pi)
     gradient = phase_gradient(sum_of)
-    way_x, way_z = waves.carry(x, z) if history.carried else (np.zeros_like(x), np.zeros_like(x))
-    rates = waves.omega - waves.kx * history.drift[0] - waves.kz * history.drift[1]
-    all_crests, count = float(waves.amplitude.sum()), waves.amplitude.size
-    weights = waves.amplitude / all_crests if all_crests > 0.0 else np.full(count, 1.0 / count)
-    mean_rate = max(float(weights @ rates), LEAST_RATE)
-    turn = 2.0 * math.pi
-    life, born = mean_rate * decay, 2.0 * math.atan2(1.0, math.log(source.intensity))
+    carried_x, carried_z = waves.carry(x, z) if history.carried else (np.zeros_like(x), np.zeros_like(x))
+    fronts = _Fronts(waves, x + carried_x, z + carried_z, history.drift, source.group)
+    life = fronts.mean_rate * decay
+    decaying = _Decay(2.0 * math.atan2(1.0, math.log(source.intensity)), life)
     # The phase where the water rests, to first order.
     psi = np.where(sum_of.rho > 0.0, np.arctan2(sum_of.Y, sum_of.X), 0.0)
-    psi = _wrapped(psi + gradient[:, 0] * way_x + gradient[:, 1] * way_z)
-    since = np.mod(psi, turn)
-    thetas = waves.theta(x + way_x, z + way_z)
-
-    def strength(phase: Floats) -> Floats:
-        """The gate so much of the mean phase ago."""
-        ago = phase / mean_rate
-        signal = sum(w * np.exp(1j * (theta - r * ago)) for w, r, theta in zip(weights, rates, thetas, strict=True))
-        return gate(np.abs(signal), source.group)
-
-    left = math.exp(-turn / life)
-    third = strength(since + 2.0 * turn) * (1.0 - smoothstep(0.5, 1.0, since / turn))
-    before = np.maximum(strength(since + turn), left * third)
-    here = np.maximum(strength(since), left * before)
-
-    def kept(phase: Floats) -> Floats:
-        """What is left of foam of strength 1; of the shape of ``phase``, in [0, 2π]."""
-        result: Floats = np.exp(np.minimum(born - phase, 0.0) / life)
-        return result
-
+    psi = _wrapped(psi + gradient[:, 0] * carried_x + gradient[:, 1] * carried_z)
+    since = np.mod(psi, TURN)
+    here, before = fronts.last(since, math.exp(-TURN / life))
     if footprints is None:
-        return here * kept(since)
+        return here * decaying.left(since)
     away = np.hypot(x, z)
     along = (gradient[:, 0] * x + gradient[:, 1] * z) / np.maximum(away, 1e-6)
     across = np.hypot(gradient[:, 0], gradient[:, 1])
     width = phase_width(gradient, *footprints)
     psi, width = seen_phases(psi, width, along, across, over, away, waves.relief, 0.5 * math.pi)
-    since = np.mod(psi, turn)
-    width = np.maximum(width, 1e-5)
+    following = np.maximum(gate(sum_of.rho, source.group), math.exp(-TURN / life) * here)
+    return _mean_over_fronts(decaying, np.mod(psi, TURN), np.maximum(width, 1e-5), (before, here, following))
+
+
+def _mean_over_fronts(
+    decaying: _Decay, since: Floats, width: Floats, strengths: tuple[Floats, Floats, Floats]
+) -> Floats:
+    """Mean of the foam over ``since`` ± ``width``/2; ``strengths``: of the front before, this one and the next."""
+    before, here, following = strengths
     low, high = since - 0.5 * width, since + 0.5 * width
-
-    def integral(phase: Floats) -> Floats:
-        """∫₀ of what is left, over whole fronts and the rest."""
-        turns = np.floor(phase / turn)
-        rest = phase - turn * turns
-        one = born + life * -math.expm1((born - turn) / life)
-        result: Floats = turns * one + np.minimum(rest, born) + life * -np.expm1(np.minimum(born - rest, 0.0) / life)
-        return result
-
-    following = np.maximum(gate(sum_of.rho, source.group), left * here)
-    whole = integral(np.full(1, turn))[0]
-    within = np.where(high < turn, integral(np.minimum(high, turn)), whole) - integral(np.maximum(low, 0.0))
+    integral = decaying.integral
+    whole = integral(np.full(1, TURN))[0]
+    within = np.where(high < TURN, integral(np.minimum(high, TURN)), whole) - integral(np.maximum(low, 0.0))
     covered = here * within - before * integral(np.minimum(low, 0.0))
-    covered = covered + following * np.where(high > turn, integral(high) - whole, 0.0)
-    narrow = (low > 0.0) & (high < turn) & (width < 1e-6)
-    result: Floats = np.where(narrow, here * kept(since), np.clip(covered / width, 0.0, 1.0))
-    return result
+    covered = covered + following * np.where(high > TURN, integral(high) - whole, 0.0)
+    narrow = (low > 0.0) & (high < TURN) & (width < 1e-6)
+    mean: Floats = np.where(narrow, here * decaying.left(since), np.clip(covered / width, 0.0, 1.0))
+    return mean
 
 
 def _wrapped(angle: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""Section 5: foam that lives, in float64. Where it lies, how it gathers, and of which masks it is."""
+"""Section 5: foam with a history, in float64: its drift, its windrows, and its masks by age."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.models import Scene
 
 AGE = 0.8
-"""e-folds of the saturation from mask to mask."""
+"""Age between one mask and the next, in e-folds of the saturation."""
 ROW_LENGTH = 8.0
 RIDGE = 7.781
 ROW_SEED = 1938
@@ -23,18 +23,18 @@ ROW_SEED = 1938
 
 @dataclass(frozen=True, eq=False)
 class Share:
-    """What one mask covers."""
+    """Coverage by one mask."""
 
     mask: int
-    """Which; 0 is the foam's own."""
+    """Index of the mask; 0 is the foam's own."""
     weight: Floats
-    """(r,), 0 where this mask has none."""
+    """(r,); 0 where this mask has no foam."""
     s: Floats
-    """Share of the plane, (r,)."""
+    """Share of the plane; (r,)."""
 
 
 def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, x: Floats, z: Floats) -> Floats:
-    """The share s (r,) at (x, z), m from the origin, gathered in rows along the wind; (r,)."""
+    """The coverage s (r,) at (x, z), m from the origin, concentrated in windrows; (r,)."""
     life = foam_life(scene)
     if life is None or life.windrows == 0.0:
         return s
@@ -52,7 +52,7 @@ def gathered(scene: Scene, time: float, origin: tuple[float, float], s: Floats, 
 
 
 def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
-    """How the share s (r,) of foam of saturation f (r,) in [0, 1] is given to so many masks by its age."""
+    """How the coverage s (r,) of foam of saturation f (r,) in [0, 1] is divided among masks by its age."""
     if masks == 1:
         return [Share(0, np.ones_like(s), s)]
     age = np.clip(-np.log(np.maximum(f, 1e-6)) / AGE, 0.0, masks - 1.0)
@@ -66,7 +66,7 @@ def shares(masks: int, s: Floats, f: Floats) -> list[Share]:
 
 
 def drifted(scene: Scene, time: float, origin: tuple[float, float]) -> tuple[float, float]:
-    """The mask's place (u, v) under the origin, tiles: moved back along the drift; in [0, 1)."""
+    """Mask coordinates (u, v) of the origin, moved back along the drift; tiles in [0, 1)."""
     foam = scene.foam
     assert foam is not None
     drift, turn = foam_drift(scene), 2.0 * math.pi

@@ -1,4 +1,4 @@
-"""Section 5: the foam amount a that each look makes of a saturation.
+"""Section 5: the foam amount a of each look.
 
 f is a saturation in [0, 4], m a mask's threshold in (0, 1), t the foam texture in [0, 1], s a saturation in [0, 1];
 arrays of one shape.
@@ -11,9 +11,9 @@ from seafoam.reference.types import Floats, smoothstep
 
 LEAST_HALF = 5e-4
 OCTAVE_RAMP = 0.6
-"""Width of the ramp that an octave leaves to the next, in shares of the plane."""
+"""Width of an octave's ramp that the next octave resolves, as a share of the plane."""
 OCTAVE_SHOWN = (32.0, 64.0)
-"""Texels of an octave in a footprint between which it fades out."""
+"""Footprint in texels of an octave at which it begins to fade and is gone."""
 END = 1.0 / 256.0
 
 
@@ -58,21 +58,22 @@ def minification(size: Floats) -> Floats:
 
 
 def spline_over_footprint(spline: Spline, foot_u: Floats, foot_v: Floats) -> tuple[Floats, Floats]:
-    """b and e: mean of the B-spline mask over a footprint (r, 2), (r, 2), and half the width of its box; (r,) each."""
+    """b and e: mean of the B-spline mask over footprints (r, 2), and half the range of its values; (r,) each."""
     mean = spline.value + (spline.bend(foot_u) + spline.bend(foot_v)) / 24.0
     half: Floats = 0.5 * np.hypot(spline.along(foot_u), spline.along(foot_v))
     return mean, half
 
 
 def spline_fade(table: Floats, s: Floats, fade: float) -> Floats:
-    """The ramp's width in values of the B-spline mask, where ``fade`` of the plane lies under Q(s); (r,)."""
+    """Width of the ramp in values of the B-spline mask, so that the share ``fade`` of the plane is in it below Q(s);
+    (r,)."""
     part = np.minimum(s, fade)
     result: Floats = (quantile(table, s) - quantile(table, s - part)) * fade / np.maximum(part, 1e-30)
     return result
 
 
 def magnified_coverage(b: Floats, e: Floats, threshold: Floats, width: Floats) -> Floats:
-    """Share of a footprint where a threshold exceeds the B-spline mask, which lies evenly in b ± e there; (r,).
+    """Share of a footprint where a threshold exceeds the B-spline mask, taken as uniform in b ± e; (r,).
 
     b and e come from :func:`spline_over_footprint`. ``threshold`` is Q(s) and ``width`` its :func:`spline_fade`, or for
     an octave both are read from the tables of its ramp.
@@ -84,61 +85,63 @@ def magnified_coverage(b: Floats, e: Floats, threshold: Floats, width: Floats) -
 def minified_coverage(
     s: Floats, u: Floats, v: Floats, size: Floats, spans: list[Floats], tables: Floats, fade: float
 ) -> Floats:
-    """Share of a box of sides ``size`` (r, 2) texels round (u, v) that a threshold of the mask covers; (r,).
+    """Coverage of a box of sides ``size`` (r, 2) texels around (u, v) by the thresholded mask; (r,).
 
-    ``spans``: a level's texels hold (low, width) of their thresholds; ``tables`` (levels, 65) says where to threshold
-    them. From the finest level in which the box is at most three texels wide, led over to the next near that.
+    ``spans``: (low, width) of the thresholds in each texel of a level; ``tables`` (levels, 65): thresholds of each
+    level. Reads the finest level in which the box is at most three texels wide, blended with the next one near that
+    limit.
     """
-    held = np.clip(size.max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
-    level = np.floor(np.log2(held))
-    following = smoothstep(1.75, 2.0, held / 2.0**level)
+    limited = np.clip(size.max(axis=1) / 1.5, 1.0, 2.0 ** (len(spans) - 1))
+    level = np.floor(np.log2(limited))
+    following = smoothstep(1.75, 2.0, limited / 2.0**level)
     covered = np.zeros_like(s)
     for index, image in enumerate(spans):
         weight = np.where(level == index, 1.0 - following, np.where(level + 1.0 == index, following, 0.0))
         here = np.flatnonzero(weight > 0.0)
-        found = _level_coverage(s[here], u[here], v[here], size[here] / 2.0**index, image, tables[index], fade)
-        covered[here] += weight[here] * found
+        coverage = _level_coverage(s[here], u[here], v[here], size[here] / 2.0**index, image, tables[index], fade)
+        covered[here] += weight[here] * coverage
     return covered
 
 
 def filtered_coverage(s: Floats, minified: Floats, magnified: Floats, size: Floats, whole: bool) -> Floats:
-    """A(s): the share of a footprint that a threshold of the mask covers, from its two forms; in [0, 1].
+    """A(s): coverage of a footprint by the thresholded mask, blended from its two forms; in [0, 1].
 
-    ``whole``: all is covered where s is 1, as it is without a fade and in every octave.
+    ``whole``: coverage 1 at s = 1, as without a fade and in every octave.
     """
     w = minification(size)
     A = w * minified + (1.0 - w) * magnified
     A = A * smoothstep(0.0, END, s)
     if whole:
         A = 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
-    # Rounding of the quotient.
+    # The quotient can exceed 1 by rounding.
     return np.clip(A, 0.0, 1.0)
 
 
 def faded(s: Floats, fade: float) -> Floats:
-    """R(s): what the look with a fade covers in the mean where the saturation is s; octaves share out as much."""
+    """R(s): mean coverage of the look with a fade for saturation s; octaves have the same mean."""
     return _ramp(s, fade)
 
 
 def octave(u: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Places or footprints in the next octave: times the Gaussian integer 4 + 3i, five times finer, turned by 37°."""
+    """Coordinates or footprints in the next octave: times the Gaussian integer 4 + 3i, five times finer, rotated by
+    37°."""
     return 4.0 * u - 3.0 * v, 3.0 * u + 4.0 * v
 
 
 def octave_shown(size: Floats) -> Floats:
-    """How far an octave shows under footprints of sides (r, 2) in its texels: 1 to 32 of them, 0 from 64 on."""
+    """Weight of an octave for footprints of sides (r, 2) in its texels: 1 up to 32 of them, 0 from 64 on."""
     return 1.0 - smoothstep(*OCTAVE_SHOWN, size.max(axis=1))
 
 
 def converged_octave(s: Floats, b: Floats, threshold: Floats, width: Floats) -> Floats:
-    """The limit of an octave with infinitely many samples: its ramp over the B-spline mask b, ended as the filtered."""
+    """The limit of an octave for infinitely many samples: its ramp over the B-spline mask b, with the filtered ends."""
     A = np.clip((threshold - b) / width, 0.0, 1.0) * smoothstep(0.0, END, s)
     result: Floats = 1.0 - (1.0 - A) * smoothstep(0.0, END, 1.0 - s)
     return result
 
 
 def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floats:
-    """The limit of :func:`filtered_coverage` with infinitely many samples: Q(s) > b, or the ramp of ``fade``."""
+    """The limit of :func:`filtered_coverage` for infinitely many samples: Q(s) > b, or the ramp of ``fade``."""
     gap = quantile(table, s) - b
     if fade == 0.0:
         return np.where(gap > 0.0, 1.0, 0.0)
@@ -147,7 +150,7 @@ def converged_coverage(s: Floats, b: Floats, table: Floats, fade: float) -> Floa
 
 
 def _level_coverage(s: Floats, u: Floats, v: Floats, size: Floats, image: Floats, table: Floats, fade: float) -> Floats:
-    """Share of a box of sides ``size`` (r, 2) texels of one level; four by four of them, (low, width) each."""
+    """Coverage of a box of sides ``size`` (r, 2) texels, from 4 × 4 texels of one level, (low, width) each."""
     side = image.shape[0]
     threshold = quantile(table, s)
     x, y = u * side - 0.5, v * side - 0.5
@@ -163,7 +166,7 @@ def _level_coverage(s: Floats, u: Floats, v: Floats, size: Floats, image: Floats
 
 
 def _box_shares(t: Floats, width: Floats) -> list[Floats]:
-    """Shares of a box about t, its width in texels, in the texels about −1, 0, 1 and 2; (r,) each."""
+    """Shares of a box around t, its width in texels, that lie in texels −1, 0, 1 and 2; (r,) each."""
     low, high = t - 0.5 * width, t + 0.5 * width
     return [
         (np.clip(high - texel + 0.5, 0.0, 1.0) - np.clip(low - texel + 0.5, 0.0, 1.0)) / width
@@ -172,13 +175,13 @@ def _box_shares(t: Floats, width: Floats) -> list[Floats]:
 
 
 def _ramp_mean(threshold: Floats, low: Floats, width: Floats, fade: float | Floats) -> Floats:
-    """Mean of the ramp where thresholds lie evenly in [low, low + width]; (r,)."""
+    """Mean of the ramp for thresholds uniform in [low, low + width]; (r,)."""
     result: Floats = (_ramp(threshold - low, fade) - _ramp(threshold - low - width, fade)) / width
     return result
 
 
 def _ramp(x: Floats, fade: float | Floats) -> Floats:
     """R(x), the integral of the threshold's ramp of width ``fade``."""
-    held = np.clip(x, 0.0, fade)
-    result: Floats = held * held / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)
+    limited = np.clip(x, 0.0, fade)
+    result: Floats = limited * limited / np.maximum(2.0 * fade, 1e-30) + np.maximum(x - fade, 0.0)
     return result

@@ -22,15 +22,7 @@ from seafoam.reference.foam.front import (
 )
 from seafoam.reference.types import Floats
 from seafoam.reference.waves.parametric import WaveSet
-from seafoam.scene.foam import (
-    DriftSaturation,
-    FoldSaturation,
-    HeightSaturation,
-    Saturation,
-    SlopeSaturation,
-    SurfSaturation,
-    WakeSaturation,
-)
+from seafoam.scene.foam import FrontSaturation
 
 
 def height_saturation(H: Floats, base: float, full: float) -> Floats:
@@ -63,81 +55,43 @@ def joined(parts: list[Floats], combine: Literal["max", "product"], cap: float) 
     return np.minimum(result, cap)
 
 
-def saturation(
-    sources: tuple[Saturation, ...],
-    combine: Literal["max", "product"],
-    waves: dict[str, WaveSet],
-    slopes: Slopes,
+def front_source(
+    source: FrontSaturation,
+    waves: WaveSet,
     x: Floats,
     z: Floats,
-    H: Floats,
-    *,
-    cap: float,
     footprints: tuple[Floats, Floats] | None,
-    eye_height: float,
-    level: float,
-    folds: list[Floats],
-    surf: Callable[[SurfSaturation, Floats, Floats, Floats], Floats] | None = None,
-    drift: Callable[[DriftSaturation, Floats, Floats], Floats] | None = None,
-    wake: Callable[[WakeSaturation, Floats, Floats, float], Floats] | None = None,
+    over: Floats,
+    cap: float,
     history: History = STILL,
 ) -> Floats:
-    """f at (x, z), m from the origin, where the surface is at height H; (r,) in [0, cap].
+    """f of fronts at (x, z), m from the origin; (r,).
 
-    ``waves`` holds the waves for each kind of front constants, ``slopes`` is the gradient that light sees. With
-    footprints (each (r, 2) m) fronts are averaged over what an eye at this height (m) over (0, 0) sees of them.
-    ``level``: still water over the waves' troughs, m. ``folds``: f of the fold sources, in their order. ``surf``
-    gives the foam of a shore's surf, ``drift`` that a flow carries, ``wake`` that behind boats; without them there is
-    none. ``history``: how foam that fronts leave moves with the water.
+    ``waves``: those of the source's constants. With footprints (each (r, 2) m) fronts are averaged over what an eye
+    ``over`` metres (r,) over each place, and over (0, 0), sees of them. ``history``: how foam that fronts leave moves
+    with the water.
     """
-    parts = []
-    given = iter(folds)
-    for source in sources:
-        if isinstance(source, HeightSaturation):
-            parts.append(height_saturation(H + level, source.base, source.full))
-            continue
-        if isinstance(source, SlopeSaturation):
-            parts.append(slope_saturation(slopes, x, z, source.gain, source.base, source.blur))
-            continue
-        if isinstance(source, FoldSaturation):
-            parts.append(next(given))
-            continue
-        if isinstance(source, SurfSaturation):
-            parts.append(np.zeros_like(x) if surf is None else surf(source, x, z, H))
-            continue
-        if isinstance(source, DriftSaturation):
-            parts.append(np.zeros_like(x) if drift is None else drift(source, x, z))
-            continue
-        if isinstance(source, WakeSaturation):
-            parts.append(np.zeros_like(x) if wake is None else wake(source, x, z, cap))
-            continue
-        if waves[source.constants].amplitude.size == 0:
-            parts.append(np.zeros_like(x))
-            continue
-        constants = FRONT_CONSTANTS[source.constants]
-        if source.decay is not None:
-            parts.append(
-                living_front(source, source.decay, waves[source.constants], x, z, footprints, eye_height - H, history)
-            )
-            continue
-        sum_of = group(waves[source.constants], x, z, constants.delta)
-        if footprints is None:
-            f = np.minimum(front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), cap)
-        else:
-            here = waves[source.constants]
-            away = np.hypot(x, z)
-            gradient = phase_gradient(sum_of)
-            along = (gradient[:, 0] * x + gradient[:, 1] * z) / np.maximum(away, 1e-6)
-            psi, width = seen_phases(
-                np.arctan2(sum_of.Y, sum_of.X),
-                phase_width(gradient, *footprints),
-                along,
-                np.hypot(gradient[:, 0], gradient[:, 1]),
-                eye_height - H,
-                away,
-                here.relief,
-                2.0 * constants.delta - 0.5 * math.pi,
-            )
-            f = front_saturation_filtered(psi, width, source.intensity, constants.base)
-        parts.append(f * gate(sum_of.rho, source.group))
-    return joined(parts, combine, cap)
+    if waves.amplitude.size == 0:
+        return np.zeros_like(x)
+    constants = FRONT_CONSTANTS[source.constants]
+    if source.decay is not None:
+        return living_front(source, source.decay, waves, x, z, footprints, over, history)
+    sum_of = group(waves, x, z, constants.delta)
+    if footprints is None:
+        f = np.minimum(front_saturation(sum_of.X, sum_of.Y, source.intensity, constants.base), cap)
+    else:
+        away = np.hypot(x, z)
+        gradient = phase_gradient(sum_of)
+        along = (gradient[:, 0] * x + gradient[:, 1] * z) / np.maximum(away, 1e-6)
+        psi, width = seen_phases(
+            np.arctan2(sum_of.Y, sum_of.X),
+            phase_width(gradient, *footprints),
+            along,
+            np.hypot(gradient[:, 0], gradient[:, 1]),
+            over,
+            away,
+            waves.relief,
+            2.0 * constants.delta - 0.5 * math.pi,
+        )
+        f = front_saturation_filtered(psi, width, source.intensity, constants.base)
+    return f * gate(sum_of.rho, source.group)

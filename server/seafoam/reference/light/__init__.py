@@ -1,1 +1,1 @@
-"""Sections 6, 9 and 12: light, sky, sparkles."""
+"""Sections 6, 9 and 12: light and sky."""

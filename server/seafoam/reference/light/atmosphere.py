@@ -31,7 +31,7 @@ EARTH = 6.371e6
 CELLS = 256
 OCTAVES = 6
 EYE, MIRROR = 1e-3, 0.012
-"""Blur with which an eye and the water see clouds, rad."""
+"""Blur of clouds seen directly and reflected by water, rad."""
 SUN_SOLID_ANGLE = 6.8e-5
 DISC_MOST = 3000.0
 STAR_CELLS = 64
@@ -39,10 +39,10 @@ NODES, TURNS = 192, 384
 
 
 def sun_angles(day: Day) -> tuple[float, float]:
-    """Azimuth and elevation of the sun, rad: its place on the celestial sphere, turned by hour and by latitude."""
+    """Azimuth and elevation of the sun, rad: its position on the celestial sphere, rotated by hour and latitude."""
     declination = math.radians(23.44) * math.sin(2.0 * math.pi * (284.0 + day.date) / 365.0)
     hour = 2.0 * math.pi * (day.hour - 12.0) / 24.0
-    # In the equator's frame: toward the meridian, west, and the pole.
+    # In equatorial axes: toward the meridian, west, and the pole.
     meridian, west, pole = (
         math.cos(declination) * math.cos(hour),
         math.cos(declination) * math.sin(hour),
@@ -65,33 +65,33 @@ def _step(low: float, high: float, x: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Lamp:
-    """Sun or moon, as the air sees it."""
+    """Sun or moon, as a light source for the air."""
 
     direction: Floats
-    """(3,) toward it."""
+    """(3,) unit vector toward it."""
     path: Floats
-    """(3,) optical depth of the air that its light passes down to the sea."""
+    """(3,) optical depth of the air along its light's path to the sea."""
     power: Floats
-    """(3,) irradiance over the air."""
+    """(3,) irradiance above the air."""
     least: float
 
 
 @dataclass(frozen=True, eq=False)
-class Heaven:
-    """A layered sky at one time over one eye."""
+class Sky:
+    """A layered sky at one time over one camera position."""
 
     light: Light
     mie: float
     haze: float
     lamps: tuple[Lamp, ...]
     lit_by: Floats
-    """(3,) toward what lights water and clouds."""
+    """(3,) unit vector toward the lamp that lights water and clouds."""
     clear_direct: Floats
-    """(3,) its irradiance down here under a clear sky."""
+    """(3,) its irradiance at the sea under a clear sky."""
     cloud_light: Floats
-    """(3,) its irradiance where clouds are."""
+    """(3,) its irradiance at the height of clouds."""
     place: tuple[float, float, float]
-    """The eye's place in the clouds' noise, cells."""
+    """The camera's position in the clouds' noise, cells."""
     eye_y: float
 
     @property
@@ -100,7 +100,7 @@ class Heaven:
 
     @property
     def taken(self) -> float:
-        """Share of the light from above that clouds take in the mean."""
+        """Mean share of the light from above that clouds block."""
         clouds = self.clouds
         return 0.0 if clouds is None else clouds.cover * (1.0 - math.exp(-0.5 * clouds.thickness))
 
@@ -110,13 +110,13 @@ class Heaven:
         return (1.0 - self.taken) * self.clear_direct
 
     def depth(self, y: Floats) -> Floats:
-        """Optical depth of a look of height y (...,); (..., 3)."""
+        """Optical depth along unit directions of height y (...,); (..., 3)."""
         up = np.maximum(y, 0.0)[..., None]
         result: Floats = (RAYLEIGH + self.mie) / (up + 0.09) + self.haze * 0.02 / (up + 0.02)
         return result
 
     def clear(self, d: Floats) -> Floats:
-        """Light of the air without clouds toward d; (..., 3)."""
+        """Radiance of the cloudless air toward d; (..., 3)."""
         up = np.maximum(d[..., 1], 0.0)[..., None]
         depth = self.depth(d[..., 1])
         grey = self.mie / (up + 0.09) + self.haze * 0.02 / (up + 0.02)
@@ -134,7 +134,7 @@ class Heaven:
         return result
 
     def layer(self, d: Floats, blur: float) -> tuple[Floats, Floats, Floats]:
-        """The clouds toward d (r, 3): their light (r, 3), and what share of the sky they cover and hide (r,)."""
+        """The clouds toward d (r, 3): their radiance (r, 3), and the share of the sky that they cover and hide (r,)."""
         clouds = self.clouds
         count = d.shape[0]
         light, cover, hidden = np.zeros((count, 3)), np.zeros(count), np.zeros(count)
@@ -155,9 +155,9 @@ class Heaven:
         level = 0.18 / max(math.hypot(self.lit_by[0], self.lit_by[2]), 1e-6)
         shift = np.array([level * self.lit_by[0], level * self.lit_by[2], 0.0])
         before = self._density(clouds, fractal(place + shift, width, OCTAVES - 2, 64 * clouds.seed))
-        lost = smoothstep(0.15, 0.6, width)
+        unresolved = smoothstep(0.15, 0.6, width)
         through = np.exp(-clouds.thickness * density)
-        hides = seen[at] * ((1.0 - through) * (1.0 - lost) + self.taken * lost)
+        hides = seen[at] * ((1.0 - through) * (1.0 - unresolved) + self.taken * unresolved)
         gamma = dot(look, self.lit_by)
         edge = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
         lit = 0.3 * (0.15 + 0.85 * np.exp(-0.5 * clouds.thickness * before)) + 0.3 * edge * through
@@ -173,13 +173,13 @@ class Heaven:
         return smoothstep(start, start + clouds.softness, noise)
 
     def seen(self, d: Floats, blur: float) -> Floats:
-        """Light of air and clouds toward d (r, 3); (r, 3)."""
+        """Radiance of air and clouds toward d (r, 3); (r, 3)."""
         light, cover, _ = self.layer(d, blur)
         result: Floats = self.clear(d) * (1.0 - cover)[:, None] + light
         return result
 
     def whole(self, d: Floats, pixel: Floats) -> Floats:
-        """All that an eye sees toward d (r, 3), samples ``pixel`` (r,) rad wide: sun, moon and stars too; (r, 3)."""
+        """Radiance toward d (r, 3) with sun, moon and stars, for samples ``pixel`` (r,) rad wide; (r, 3)."""
         light, cover, hidden = self.layer(d, EYE)
         face, inside = self.moon_disc(d)
         beyond = self.sun_disc(d) + face + self.stars(d, pixel) * (1.0 - inside)[:, None]
@@ -187,7 +187,7 @@ class Heaven:
         return result
 
     def sun_disc(self, d: Floats) -> Floats:
-        """Radiance of the sun's disc; (r, 3). None once the moon lights the water."""
+        """Radiance of the sun's disc; (r, 3); 0 once the moon lights the water."""
         if len(self.lamps) > 1 and self.lit_by is self.lamps[1].direction:
             return np.zeros(d.shape)
         away = d - self.lamps[0].direction
@@ -196,7 +196,7 @@ class Heaven:
         return result
 
     def moon_disc(self, d: Floats) -> tuple[Floats, Floats]:
-        """Radiance of the moon's face (r, 3), and how much it hides (r,)."""
+        """Radiance of the moon's face (r, 3), and its coverage (r,)."""
         moon = None if self.light.sky is None else self.light.sky.moon
         colour, hides = np.zeros(d.shape), np.zeros(d.shape[0])
         if moon is None:
@@ -238,29 +238,29 @@ class Heaven:
         word = np.full(rows.shape, 0x5EA57A25, np.uint64) ^ face.astype(np.uint64)
         word = pcg(pcg(pcg(word) ^ cell[:, 0].astype(np.uint64)) ^ cell[:, 1].astype(np.uint64))
         middle = (cell + 0.5) / STAR_CELLS * 2.0 - 1.0
-        held = np.flatnonzero(share(word) < 0.5 * (1.0 + dot(middle, middle)) ** -1.5)
-        if held.size == 0:
+        kept = np.flatnonzero(share(word) < 0.5 * (1.0 + dot(middle, middle)) ** -1.5)
+        if kept.size == 0:
             return result
-        other = [share(pcg((word[held] + np.uint64(i)) & np.uint64(0xFFFFFFFF))) for i in range(1, 5)]
-        star = (cell[held] + 0.25 + 0.5 * np.stack(other[:2], axis=-1)) / STAR_CELLS * 2.0 - 1.0
-        chord = turned[held] - unit(np.column_stack((star, np.ones(held.size))))
-        radius = np.clip(1.5 * pixel[held], 7e-4, 3e-3)
+        other = [share(pcg((word[kept] + np.uint64(i)) & np.uint64(0xFFFFFFFF))) for i in range(1, 5)]
+        star = (cell[kept] + 0.25 + 0.5 * np.stack(other[:2], axis=-1)) / STAR_CELLS * 2.0 - 1.0
+        chord = turned[kept] - unit(np.column_stack((star, np.ones(kept.size))))
+        radius = np.clip(1.5 * pixel[kept], 7e-4, 3e-3)
         inside = np.maximum(1.0 - dot(chord, chord) / radius**2, 0.0)
         flux = 3e-8 / (other[2] ** 2 + 0.004)
         tint = np.array([1.0, 0.82, 0.62]) + other[3][:, None] * np.array([-0.28, 0.03, 0.38])
         shown = bright * flux * 3.0 / (math.pi * radius**2) * inside**2
-        through = np.exp(-(RAYLEIGH + self.mie) / (np.maximum(d[held, 1], 0.0) + 0.03)[:, None])
-        result[held] = tint * shown[:, None] * through
+        through = np.exp(-(RAYLEIGH + self.mie) / (np.maximum(d[kept, 1], 0.0) + 0.03)[:, None])
+        result[kept] = tint * shown[:, None] * through
         return result
 
     @property
     def cloud_sky(self) -> Floats:
-        """Radiance of the light that clouds get from all sides; (3,)."""
+        """Radiance of the ambient light of clouds; (3,)."""
         return 0.6 / math.pi * self.clear_irradiance
 
     @property
     def clear_irradiance(self) -> Floats:
-        """Irradiance of the clear sky on level water; (3,)."""
+        """Irradiance of a clear sky on level water; (3,)."""
         return _integrated(self)
 
     @property
@@ -276,8 +276,8 @@ class Heaven:
 
 
 @lru_cache(maxsize=8)
-def _integrated(of: Heaven) -> Floats:
-    """∫ clear cos over the upper half: Gauss–Legendre in the root of the height, even steps around."""
+def _integrated(of: Sky) -> Floats:
+    """∫ clear cos over the upper hemisphere: Gauss–Legendre in the root of the height, equal steps in azimuth."""
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     root, weights = 0.5 * (nodes + 1.0), 0.5 * weights
     y = root * root
@@ -292,13 +292,13 @@ def _integrated(of: Heaven) -> Floats:
 
 
 def _axes(moon: Moon) -> tuple[Floats, Floats, Floats]:
-    """Toward the moon, and its own right and up; (3,) unit vectors."""
+    """Direction toward the moon, and its right and up; (3,) unit vectors."""
     to_moon = toward(moon.azimuth, moon.elevation)
     return to_moon, toward(moon.azimuth + 0.5 * math.pi, 0.0), toward(moon.azimuth, moon.elevation + 0.5 * math.pi)
 
 
-def heaven(light: Light, time: float, eye: tuple[float, float, float]) -> Heaven | None:
-    """The sky of a light at a time (s) over an eye (m); None where it is plain."""
+def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> Sky | None:
+    """The layered sky of a light at a time (s) over a camera position (m); None if the scene has the plain sky."""
     sky = light.sky
     if sky is None:
         return None
@@ -338,4 +338,4 @@ def heaven(light: Light, time: float, eye: tuple[float, float, float]) -> Heaven
             cells * reduced((turn, eye[2]), (-turn * drift[1], time)),
             cells * reduced((2.0 * math.pi / (CELLS * of.change), time)),
         )
-    return Heaven(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, place, eye[1])
+    return Sky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, place, eye[1])

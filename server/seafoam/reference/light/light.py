@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 
 import numpy as np
 
-from seafoam.reference.light.atmosphere import EYE, MIRROR, Heaven, heaven, sun_angles
+from seafoam.reference.light.atmosphere import EYE, MIRROR, Sky, layered_sky, sun_angles
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
@@ -32,7 +32,7 @@ DISC_INNER = 0.0045
 DISC_OUTER = 0.0055
 INDEX = 1.34
 ENTERS = 0.95
-"""Share of the light from above that gets into the water."""
+"""Share of the light from above that enters the water."""
 BACKSCATTER = 0.4
 CREST_PATH = 6.0
 LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
@@ -46,7 +46,7 @@ SKY_TURNS = 384
 
 @dataclass(frozen=True)
 class Air:
-    """A light, worked out for its sun: everything that no ray changes."""
+    """A light, evaluated for its sun: all that is independent of rays."""
 
     sun: Floats
     """S, (3,) unit vector to the sun."""
@@ -57,15 +57,15 @@ class Air:
     """E_s, (3,)."""
     air_light: Floats
     """E_a, (3,)."""
-    above: Heaven | None = None
-    """The sky of section 9, where the scene has one."""
+    above: Sky | None = None
+    """The layered sky of section 9, if the scene has one."""
 
     def sky(self, d: Floats) -> Floats:
-        """sky(d) without the disc; (..., 3). Directions below the horizon get its air mass."""
+        """sky(d) without the disc; (..., 3). Directions below the horizon have the horizon's air mass."""
         return sky(self, d) if self.above is None else self.above.seen(d, EYE)
 
     def mirrored(self, d: Floats) -> Floats:
-        """The sky as water mirrors it; (r, 3)."""
+        """The sky reflected by water; (r, 3)."""
         return sky(self, d) if self.above is None else self.above.seen(d, MIRROR)
 
     @property
@@ -83,13 +83,13 @@ def air_mass(y: Floats) -> Floats:
 
 
 def view_air_mass(y: Floats) -> Floats:
-    """M_v(y) = 1/(max(y, 0) + 0.09): the air that a look passes, thinner at the horizon than the sun's light meets."""
+    """M_v(y) = 1/(max(y, 0) + 0.09): air mass along view rays, less at the horizon than for the sun's light."""
     result: Floats = 1.0 / (np.maximum(y, 0.0) + VIEW_AIR_MASS_OFFSET)
     return result
 
 
 def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Air:
-    """The air under a light at a time (s) round an eye (m)."""
+    """The air under a light at a time (s) around a camera position (m)."""
     if light.day is None:
         azimuth, elevation = light.sun_azimuth, light.sun_elevation
     else:
@@ -102,7 +102,7 @@ def air(light: Light, time: float = 0.0, eye: tuple[float, float, float] = (0.0,
         ]
     )
     plain = _air(sun, MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0))
-    above = heaven(light, time, eye)
+    above = layered_sky(light, time, eye)
     if above is None:
         return plain
     return replace(plain, sun=above.lit_by, sun_irradiance=above.direct, above=above)
@@ -128,7 +128,7 @@ def sun_disc(of: Air, d: Floats) -> Floats:
 
 
 def fresnel(c: Floats) -> Floats:
-    """Unpolarised reflectance of water, index 1.34, of the cosine c in [0, 1]; in [0, 1]."""
+    """Unpolarised Fresnel reflectance of water, index 1.34, at the cosine c in [0, 1]; in [0, 1]."""
     q = np.sqrt(INDEX**2 - 1.0 + c * c)
     first = (q - c) / (q + c)
     second = (c * (q + c) - 1.0) / (c * (q - c) + 1.0)
@@ -137,13 +137,13 @@ def fresnel(c: Floats) -> Floats:
 
 
 def sky_light(of: Air, up: Floats) -> Floats:
-    """E_sky(½ + ½ n.y) on ground whose unit normal rises by ``up`` (...,); (..., 3)."""
+    """E_sky(½ + ½ n.y) on ground whose unit normal has the vertical component ``up`` (...,); (..., 3)."""
     result: Floats = of.sky_irradiance * (0.5 + 0.5 * up)[..., None]
     return result
 
 
 Glint = Callable[[Floats, Floats, Floats, float], Floats]
-"""The sun on the water (r, 3) from d, n, cv and σ² as :func:`glint` takes them."""
+"""Reflection of the sun (r, 3) from d, n, cv and σ², the arguments of :func:`glint`."""
 
 
 def water(
@@ -160,14 +160,14 @@ def water(
     saturation: Floats | None = None,
     past: Floats | None = None,
 ) -> Floats:
-    """Radiance of the water toward the eye, before haze; (r, 3).
+    """Radiance of the water toward the camera, before haze; (r, 3).
 
-    d (r, 3) looks from the eye, n (r, 3) is the unit normal with ripples, H (r,) the height, ``span`` the least
-    and the greatest height of the surface, m. ``bed``: way through the water to a shore's floor and back (r,) m, and
-    the floor's reflectance (r, 3). ``mirrored``: light that comes from directions (r, 3) over the water; absent: the
-    sky's. ``sun``: in place of the smooth glint. ``lit``: a level floor that is lit by itself: its radiance (r, 3),
-    the way from it up, and straight down to it, (r,) m. ``saturation`` (r,): of the foam over the water, whose bubbles
-    make it milky. ``past`` (r,): the share of the sun that the foam beside leaves to it; absent: all.
+    d (r, 3) points away from the camera, n (r, 3) is the unit normal with ripples, H (r,) the height, ``span`` the
+    least and the greatest height of the surface, m. ``bed``: length of the path through the water to a shore's floor
+    and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light from directions (r, 3) above the water;
+    default: the sky's. ``sun``: replaces the smooth glint. ``lit``: a level floor with its own lighting: its radiance
+    (r, 3), the length of the path up from it, and its depth, (r,) m. ``saturation`` (r,): of the foam, whose bubbles
+    make the water milky. ``past`` (r,): the share of sunlight that foam beside the place does not block; default: 1.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
@@ -184,7 +184,7 @@ def water(
 
 
 def foam(of: Air, albedo: float, N: Floats, past: Floats | None = None) -> Floats:
-    """Radiance of foam of unit normals N (r, 3), before haze; (r, 3). ``past`` (r,): times the sun; absent: once."""
+    """Radiance of foam of unit normals N (r, 3), before haze; (r, 3). ``past`` (r,): factor on the sun; default: 1."""
     direct = of.sun_irradiance * np.maximum(dot(N, of.sun), 0.0)[:, None]
     if past is not None:
         direct = direct * past[:, None]
@@ -202,9 +202,9 @@ def land(of: Air, albedo: Floats, wet: Floats, d: Floats, n: Floats) -> Floats:
 
 
 def haze(of: Air, visibility: float, L: Floats, d: Floats, distance: Floats) -> Floats:
-    """L (r, 3) seen through so much air (r,) m along d (r, 3): blended into the sky at the horizon; (r, 3).
+    """L (r, 3) seen through (r,) m of air along d (r, 3): blended toward the sky at the horizon; (r, 3).
 
-    Straight down there is no horizon ahead; the zero vector stands in for it.
+    For vertical rays, which have no horizon ahead, the horizon's direction is the zero vector.
     """
     level = unit(d * np.array([1.0, 0.0, 1.0]))
     through = np.exp(-CONTRAST * distance / visibility)[:, None]
@@ -239,9 +239,9 @@ def _air(sun: Floats, mie: float) -> Air:
 
 @lru_cache(maxsize=64)
 def _sky_irradiance(sun: tuple[float, ...], mie: float) -> Floats:
-    """∫ sky cos over the upper half: Gauss–Legendre in the height, even steps around, where it is periodic."""
+    """∫ sky cos over the upper hemisphere: Gauss–Legendre in height, equal steps in azimuth, where it is periodic."""
     nodes, weights = np.polynomial.legendre.leggauss(SKY_NODES)
-    # Heights as squares: the sky changes fastest at the horizon.
+    # Nodes are squares of heights, because the sky varies fastest at the horizon.
     root, weights = 0.5 * (nodes + 1.0), 0.5 * weights
     y = root * root
     around = np.arange(SKY_TURNS) * (2.0 * math.pi / SKY_TURNS)
@@ -268,7 +268,7 @@ def _body(
     bed: tuple[Floats, Floats] | None,
     lit: tuple[Floats, Floats, Floats] | None,
 ) -> Floats:
-    """L_body: light scattered back by the water, and by its floor, of the irradiance ``down`` (r, 3); (r, 3)."""
+    """L_body: light scattered back by the water and its floor from the irradiance ``down`` (r, 3); (r, 3)."""
     extinction = 1.0 / np.array(body.absorption_length) + body.scattering
     deep = BACKSCATTER * body.scattering / extinction * down / math.pi
     if lit is not None:
@@ -290,7 +290,7 @@ def _body(
 
 
 def _entering(of: Air, n: Floats, past: Floats | None = None) -> Floats:
-    """Irradiance that enters the water of unit normals n (r, 3), ``past`` (r,) the share of the sun; (r, 3)."""
+    """Irradiance that enters water of unit normals n (r, 3), ``past`` (r,) the unblocked share of the sun; (r, 3)."""
     direct = of.sun_irradiance * np.maximum(dot(n, of.sun), 0.0)[:, None]
     if past is not None:
         direct = direct * past[:, None]
@@ -299,13 +299,13 @@ def _entering(of: Air, n: Floats, past: Floats | None = None) -> Floats:
 
 
 def _aerated(body: Water, entering: Floats, cv: Floats, clear: Floats, saturation: Floats) -> Floats:
-    """L_body under foam of a saturation (r,): a layer of bubbles before what the ``clear`` water sends back; (r, 3)."""
+    """L_body under foam of a saturation (r,): a layer of bubbles in front of the light of ``clear`` water; (r, 3)."""
     absorption = 1.0 / np.array(body.absorption_length)
     way = body.plume_depth * np.clip(saturation, 0.0, 1.0) * (1.0 + 1.0 / np.sqrt(1.0 - (1.0 - cv * cv) / INDEX**2))
     down = entering / math.pi
 
     def layer(scattering: float) -> Floats:
-        """What a layer of water that scatters so much sends back; (r, 3)."""
+        """Light scattered back by a layer of water of this scattering coefficient; (r, 3)."""
         extinction = absorption + scattering
         sent: Floats = BACKSCATTER * scattering / extinction * down * (1.0 - np.exp(-extinction * way[:, None]))
         return sent
@@ -316,7 +316,7 @@ def _aerated(body: Water, entering: Floats, cv: Floats, clear: Floats, saturatio
 
 
 def _crest(of: Air, body: Water, span: tuple[float, float], d: Floats, H: Floats) -> Floats:
-    """L_t: the sun through thin crests; (r, 3)."""
+    """L_t: sunlight transmitted by thin crests; (r, 3)."""
     trough, top = span
     if top <= trough:
         return np.zeros_like(d)
@@ -327,26 +327,26 @@ def _crest(of: Air, body: Water, span: tuple[float, float], d: Floats, H: Floats
 
 
 def _reflected(d: Floats, n: Floats, sigma2: float) -> Floats:
-    """Where the water mirrors, lifted by the roughness; (r, 3) unit vectors."""
+    """Directions of reflection, raised by the roughness; (r, 3) unit vectors."""
     r = d - 2.0 * dot(d, n)[:, None] * n
     r[:, 1] = np.sqrt(np.maximum(r[:, 1], 0.0) ** 2 + sigma2)
     return unit(r)
 
 
 def glint(of: Air, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
-    """L_s: the sun mirrored by what is rougher than a ripple (Beckmann slopes); (r, 3)."""
+    """L_s: reflection of the sun by roughness below the scale of ripples (Beckmann slopes); (r, 3)."""
     h = unit(of.sun - d)
     nh2 = np.maximum(dot(n, h), 1e-3) ** 2
     slopes = np.exp(-(1.0 - nh2) / (nh2 * sigma2)) / (math.pi * sigma2 * nh2 * nh2 * 4.0 * cv)
     mirrored = fresnel(np.maximum(dot(h, of.sun), 0.0)) * slopes
-    # S = d leaves h zero: no facet mirrors the sun straight on.
+    # S = d gives h = 0: no facet reflects the sun straight ahead.
     mirrored = np.where((h == 0.0).all(axis=-1), 0.0, mirrored)
     result: Floats = np.minimum(of.sun_irradiance * mirrored[:, None], GLITTER_MOST)
     return result
 
 
 def blinn_phong(of: Air, power: float, perturb: float, d: Floats, n: Floats, cv: Floats, sigma2: float) -> Floats:
-    """The lake's highlight: about a half vector moved by the normal's tilt; (r, 3). Roughness counts for nothing."""
+    """The lake's highlight: around a half vector moved by the normal's tilt; (r, 3), independent of roughness."""
     h = unit(of.sun - d + perturb * n * np.array([1.0, 0.0, 1.0]))
     nh = np.clip(dot(n, h), 0.0, 1.0)
     result: Floats = of.sun_irradiance / math.pi * LAKE_STRENGTH * LAKE_COLOUR * np.power(nh, power)[:, None]

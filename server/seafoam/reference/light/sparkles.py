@@ -1,4 +1,4 @@
-"""Section 12: the sun's reflection broken up into sparkles, at one time; its mean is the smooth reflection."""
+"""Section 12: the sun's reflection divided into sparkles, at one time; its mean is the smooth reflection."""
 
 import math
 from dataclasses import dataclass
@@ -17,11 +17,11 @@ EPOCHS = 65536
 MOST = 0.25
 """Greatest radius, rad."""
 PIXELS = 0.75
-"""Least radius, in steps from sample to sample in the middle of the picture."""
+"""Least radius, in sample spacings at the centre of the picture."""
 LIGHT_LEAST = 1e-20
 SOFT = 0.25
 SOFT_LEAST = 1e-3
-"""Half the width of the ramp about a chance, over the chance."""
+"""Half the width of the ramp around a probability, over the probability."""
 _Words = NDArray[np.uint64]
 _LOW = np.uint64(0xFFFFFFFF)
 
@@ -33,28 +33,28 @@ class Field:
     of: Sparkles
     epoch: int
     turn: float
-    """Whole lives since time 0, modulo EPOCHS, and what is left of the last, in lives."""
+    """Number of whole lives since time 0, modulo EPOCHS, and the fraction of the current one."""
     radius: float
     side: float
-    """Of a sparkle (rad) and of a cell on the octahedron."""
+    """Radius of a sparkle (rad) and size of a cell on the octahedron."""
 
     @staticmethod
     def at(of: Sparkles, time: float, step: float) -> "Field":
-        """``step``: from sample to sample in the middle of the picture, rad; 0 for no least size."""
+        """The sparkles at a time (s). ``step``: sample spacing at the centre of the picture, rad; 0: no least size."""
         lives = Fraction(time) / Fraction(of.life)
         whole = math.floor(lives)
-        asked = 0.5 * of.size
-        radius = min(max(PIXELS * step, asked), MOST)
-        doubled = math.ceil(math.log2(radius / asked) - 1e-3)
-        return Field(of, whole % EPOCHS, float(lives - whole), radius, 4.0 * asked * 2.0**doubled)
+        radius_set = 0.5 * of.size
+        radius = min(max(PIXELS * step, radius_set), MOST)
+        doubled = math.ceil(math.log2(radius / radius_set) - 1e-3)
+        return Field(of, whole % EPOCHS, float(lives - whole), radius, 4.0 * radius_set * 2.0**doubled)
 
     @property
     def density(self) -> float:
-        """Sparkles alight in a steradian where w = 1."""
+        """Active sparkles per steradian at w = 1."""
         return math.pi * self.of.rate * (180.0 / math.pi) ** 2 * self.of.life
 
     def light(self, d: Floats, w: Floats) -> Floats:
-        """Light of the sparkles over the sun's irradiance, toward −d (r, 3), where the smooth glint is w (r,); (r,)."""
+        """Radiance of the sparkles toward −d (r, 3) over the sun's irradiance, for a smooth glint w (r,); (r,)."""
         q = d * np.where(d[:, 1:2] < 0.0, [[1.0, -1.0, 1.0]], 1.0)
         folded = q[:, [0, 2]] / (np.abs(q).sum(axis=1, keepdims=True) * self.side)
         first = np.floor(folded - 0.5)
@@ -84,7 +84,7 @@ class Field:
         soft = np.maximum(np.minimum(SOFT * chance, 1.0 - chance), SOFT_LEAST * chance)
         lit = np.clip(0.5 + 0.5 * (chance - share(word)) / soft, 0.0, 1.0)
         swell = 30.0 * (s * (1.0 - s)) ** 2
-        # Each is as bright as it must be for its mean to be w: w over the chance that it is alight.
+        # The brightness of each is w over the probability that it is active, so that its mean is w.
         bright = np.maximum(w, 1.0 / (self.density * solid))
         result: Floats = lit * swell * shape * bright * solid / mean
         return result

@@ -1,4 +1,4 @@
-"""Images that foam reads."""
+"""Masks and textures that foam reads."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from seafoam.textures import foam_texture
 
 @dataclass(frozen=True, eq=False)
 class Assets:
-    """The images that foam reads."""
+    """Masks and textures that foam reads."""
 
     thresholds: Floats
-    """m of the mask, (size, size), row v and column u."""
+    """Thresholds m of the mask, (size, size), row v and column u."""
     spans: list[Floats]
-    """Chain of (low, width): where the thresholds of a level's texels lie; level l is (size/2^l, size/2^l, 2)."""
+    """Levels of (low, width), the range of the thresholds in each texel; level l is (size/2^l, size/2^l, 2)."""
     quantiles: Floats
     """Tables of Q, see :func:`sampling.quantile`, (1 + levels, 65): of the B-spline mask, then of each level."""
     ramps: Floats
     """Tables of an octave's ramp, (2 + levels, 65): of the B-spline mask, of each level, width over the former."""
     texture: list[Floats]
-    """Box-averaged chain of the foam texture t in [0, 1]."""
+    """Box-averaged levels of the foam texture t in [0, 1]."""
     older: tuple[Assets, ...] = ()
     """The same of the masks of older foam."""
 
@@ -36,7 +36,7 @@ class Assets:
     def of(mask: Mask, texture: Floats, older: Sequence[Mask] = ()) -> Assets:
         """From a mask, a foam texture (size, size) in [0, 1] and masks of older foam."""
         return Assets(
-            older=tuple(Assets.of(one, texture) for one in older if one.ranks.shape == mask.ranks.shape),
+            older=tuple(Assets.of(other, texture) for other in older if other.ranks.shape == mask.ranks.shape),
             thresholds=sampling.thresholds(mask.ranks),
             spans=[level.astype(np.float64) for level in mask.spans],
             quantiles=mask.quantiles,

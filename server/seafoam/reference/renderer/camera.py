@@ -11,20 +11,20 @@ from seafoam.scene.camera import Camera
 
 @dataclass(frozen=True)
 class View:
-    """A camera turned into the three vectors that rays are made of."""
+    """A camera's position and the three vectors of which rays are composed."""
 
     eye: Floats
     """(3,) position, m."""
     ray_x: Floats
-    """(3,) what clip X adds to a ray."""
+    """(3,) derivative of a ray by clip X."""
     ray_y: Floats
-    """(3,) what clip Y adds to a ray."""
+    """(3,) derivative of a ray by clip Y."""
     ray_z: Floats
-    """(3,) the ray through the middle of the picture."""
+    """(3,) the ray through the centre of the picture."""
 
 
 def basis(yaw: float, pitch: float, roll: float) -> tuple[Floats, Floats, Floats]:
-    """Right, up and forward, (3,) unit vectors, of a camera turned by yaw, pitch and roll (rad)."""
+    """Right, up and forward, (3,) unit vectors, of a camera rotated by yaw, pitch and roll (rad)."""
     sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
     sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
     forward = np.array([sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch])

@@ -1,32 +1,30 @@
-"""Foam where samples meet water or ground."""
+"""Foam where rays meet water or ground."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from seafoam.ocean.stokes import foam_drift, foam_life
+from seafoam.ocean.stokes import foam_life
 from seafoam.reference import sampling
 from seafoam.reference.foam import cells, living, looks
 from seafoam.reference.foam.coverage import OCTAVES_MOST, coverage, mask_place, tiles, turned_footprint
-from seafoam.reference.foam.drift import Copy, copies, drift_saturation
-from seafoam.reference.foam.front import CAP, History
-from seafoam.reference.foam.saturation import saturation
+from seafoam.reference.foam.drift import Copy, copies
 from seafoam.reference.light import light
 from seafoam.reference.renderer.assets import Assets
+from seafoam.reference.renderer.sources import saturation
 from seafoam.reference.renderer.state import FrameState
 from seafoam.reference.types import Floats, smoothstep
-from seafoam.reference.waves.sea import fold_saturation
-from seafoam.scene.foam import DriftSaturation, Foam, FoldSaturation
+from seafoam.scene.foam import DriftSaturation, Foam
 
 LOWEST_SHADE = 0.25
-"""Sine of the sun's elevation under which shades of foam grow no longer."""
+"""Sine of the sun's elevation below which shadows of foam have constant length."""
 FOAM_SHADE = 0.6
-"""Share of the sun that foam takes from what lies behind it."""
+"""Share of the sun's light that foam blocks."""
 TEXTURED_LOOKS = ("textured", "halftone_textured", "listing")
 
 
 class FoamStage(FrameState):
-    """Saturation and amount of foam; asked for where the scene has foam."""
+    """Saturation and amount of foam, for scenes with foam."""
 
     @property
     def foam(self) -> Foam:
@@ -36,39 +34,15 @@ class FoamStage(FrameState):
 
     @property
     def images(self) -> Assets:
-        """What its looks read."""
+        """Masks and textures of the foam."""
         assert self.assets is not None
         return self.assets
 
-    def _foam(self, x: Floats, z: Floats, H: Floats, tau: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
-        """At r places the look's foam amount, in [0, 3] for ``listing``, else in [0, 1], and f; (r,) each."""
+    def _foam(self, x: Floats, z: Floats, H: Floats, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
+        """Foam amount at r places, in [0, 3] for the look ``listing``, else in [0, 1], and saturation f; (r,) each."""
         foam = self.foam
-        foot_x, foot_y = self.footprints(tau, D, N)
-        filtered = foam.look == "filtered"
-        coast, wakes = self.coast, self.wakes
-        feet = (foot_x, foot_y) if filtered and self.filtering else None
-        f = saturation(
-            foam.saturation,
-            foam.combine,
-            self.fronts,
-            lambda x, z: self.slopes(x, z)[1],
-            x,
-            z,
-            H,
-            cap=1.0 if filtered else CAP,
-            footprints=feet,
-            eye_height=self.eye_y,
-            level=self.waves.level,
-            folds=[
-                fold_saturation(self.scene, source, self.sea, x, z)
-                for source in foam.saturation
-                if isinstance(source, FoldSaturation)
-            ],
-            surf=None if coast is None else lambda source, x, z, H: coast.foam(source, x, z, H, feet),
-            drift=self._drifting,
-            wake=None if wakes is None else lambda source, x, z, cap: wakes.foam(source, x, z, cap, feet),
-            history=History(foam_drift(self.scene), self.carries),
-        )
+        foot_x, foot_y = self.footprints(t, D, N)
+        f = saturation(self, foam, x, z, H, (foot_x, foot_y))
         return self._lying(f, x, z, foot_x, foot_y), f
 
     def _past_foam(
@@ -78,13 +52,14 @@ class FoamStage(FrameState):
         f: Floats,
         x: Floats,
         z: Floats,
-        tau: Floats,
+        t: Floats,
         D: Floats,
         N: Floats,
     ) -> tuple[Floats, Floats]:
-        """What foam beside r places leaves of the sun to their water, and times how much it lights their foam."""
+        """Share of the sun's light that foam beside r places leaves to their water, and the factor on their foam's
+        light."""
         foam = self.foam
-        feet = self.footprints(tau, D, N)
+        feet = self.footprints(t, D, N)
         sides = [np.maximum(np.hypot(foot[:, 0], foot[:, 1]), 1e-6) for foot in feet]
         way = foam.thickness / max(float(air.sun[1]), LOWEST_SHADE) * air.sun[[0, 2]]
         near = 1.0 - smoothstep(0.25, 1.0, np.maximum(*sides) / max(float(np.hypot(*way)), 1e-6))
@@ -107,9 +82,10 @@ class FoamStage(FrameState):
         way: tuple[Floats, Floats] | None = None,
         octaves: int = OCTAVES_MOST,
     ) -> Floats:
-        """The look's foam amount at r places of the water, or (x, z) m beside them, wherever its mask lies; (r,).
+        """Foam amount at r places of the water, or (x, z) m beside them, however its mask is moved; (r,).
 
-        ``way``: to where it rests, m; absent: as the waves carry it. ``octaves``: of the mask at most.
+        ``way``: displacement to where the water rests, m; by default that of the waves. ``octaves``: maximum of the
+        mask's.
         """
         if foam_life(self.scene) is not None:
             rests = self.carry(x, z) if way is None else way
@@ -137,11 +113,11 @@ class FoamStage(FrameState):
         way: tuple[Floats, Floats],
         octaves: int,
     ) -> Floats:
-        """The same where foam lives: carried, gathered, its masks by its age."""
+        """The same for foam with a history: drifting, in windrows, with masks by age."""
         foam = self.foam
-        held = np.clip(f, 0.0, 1.0)
-        s = looks.faded(held, foam.fade) if foam.octaves > 1 else held
-        # Between samples nothing tells rows apart that the filter takes out: the truth has all of them.
+        limited = np.clip(f, 0.0, 1.0)
+        s = looks.faded(limited, foam.fade) if foam.octaves > 1 else limited
+        # The converged frame resolves all windrows, so they are not filtered.
         s = living.gathered(self.scene, self.time, self.origin, s, x, z)
         l_x, l_z = x + way[0] + beside[0], z + way[1] + beside[1]
         u, v = mask_place(l_x, l_z, foam, (0.0, 0.0))
@@ -150,12 +126,12 @@ class FoamStage(FrameState):
         t = self._texture(l_x, l_z, foot_x, foot_y)
         free = np.ones_like(x)
         masks = (self.images, *self.images.older)
-        for one in living.shares(len(masks), s, held):
-            own = np.flatnonzero(one.weight > 0.0)
+        for part in living.shares(len(masks), s, limited):
+            own = np.flatnonzero(part.weight > 0.0)
             covered = coverage(
                 foam,
-                masks[one.mask],
-                one.s[own],
+                masks[part.mask],
+                part.s[own],
                 u[own] + at[0],
                 v[own] + at[1],
                 feet[0][own],
@@ -176,7 +152,7 @@ class FoamStage(FrameState):
         foot_y: Floats,
         octaves: int,
     ) -> Floats:
-        """The look's foam amount at r places of its mask and texture under footprints (r, 2) m; (r,)."""
+        """Foam amount at r places of mask and texture, over footprints (r, 2) m; (r,)."""
         foam = self.foam
         filtered = foam.look == "filtered"
         t = self._texture(x, z, foot_x, foot_y)
@@ -195,15 +171,12 @@ class FoamStage(FrameState):
         return self._amount(f, t, *mask_place(x, z, foam, self.origin), feet, octaves)
 
     def _carried(self, x: Floats, z: Floats) -> list[Copy]:
-        """The copies of the mask that a flow carries; none where it lies still."""
+        """The copies of the mask that a flow advects; empty without one."""
         foam = self.foam
-        sources = [one for one in foam.saturation if isinstance(one, DriftSaturation) and one.amount > 0.0]
-        if not sources or self.scene.drift is None or foam.look != "filtered":
+        source = foam.source(DriftSaturation)
+        if source is None or source.amount == 0.0 or self.scene.drift is None or foam.look != "filtered":
             return []
-        return copies(self.scene, sources[0], foam.mask_tile, self.time, self.origin, x, z)
-
-    def _drifting(self, source: DriftSaturation, x: Floats, z: Floats) -> Floats:
-        return drift_saturation(self.scene, source, self.time, self.origin, x, z)
+        return copies(self.scene, source, foam.mask_tile, self.time, self.origin, x, z)
 
     def _amount(
         self,
@@ -214,7 +187,7 @@ class FoamStage(FrameState):
         feet: tuple[Floats, Floats],
         octaves: int,
     ) -> Floats:
-        """The amount of a masked look at places (u, v) of the mask, footprints ``feet`` in its tiles; (r,)."""
+        """Foam amount of a masked look at mask coordinates (u, v), footprints ``feet`` in tiles; (r,)."""
         foam = self.foam
         if foam.look == "filtered":
             covered = coverage(foam, self.images, f, u, v, *feet, filtering=self.filtering, octaves=octaves)

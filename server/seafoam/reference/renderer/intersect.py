@@ -1,13 +1,12 @@
-"""Section 3: where rays meet the waves, the normals there, and the footprints of samples.
+"""Section 3: intersections of rays with the waves, the normals there, and the footprints of samples.
 
-How exact the search is: a ray's height over the surface, G, is sampled at steps that cannot pass a crossing (by the
-greatest slope) or, where those are small, at a quarter of the finest shape; every sampled minimum low enough to
-hide a double crossing (by the greatest curvature) is then searched. So the first crossing is found as long as steps
-stay fine, that is for the first ``FINE_STEPS`` of them in the slab that holds the waves: for any ray more than about a
-degree below the horizon in common scenes. Later steps grow by ``GROWTH``, where waves are far smaller than a pixel;
-such a ray still gets a crossing, of the waves as it samples them. The bounds fail for exponents below ½ (below 1 from
-under the surface), whose troughs are cusps; no crossing from above hides there. A found crossing is refined to the last
-few digits of float64.
+A ray's height over the surface, G, is sampled at steps that cannot pass a crossing (by the greatest slope) or, where
+those are small, at a quarter of the finest feature; every sampled minimum low enough to hide a double crossing (by the
+greatest curvature) is then searched. So the first crossing is found while steps are fine, that is for the first
+``FINE_STEPS`` steps in the slab that contains the waves: for any ray more than about a degree below the horizon in
+common scenes. Later steps grow by ``GROWTH``, where waves are far smaller than a pixel; such a ray still gets a
+crossing of the sampled waves. The bounds do not hold for exponents below ½ (below 1 from under the surface), whose
+troughs are cusps; there no crossing from above is missed. Crossings are refined to the last few digits of float64.
 """
 
 import math
@@ -18,13 +17,13 @@ from seafoam.reference.renderer.relief import Part
 from seafoam.reference.types import Bools, Floats, Indices, dot
 
 LEVEL = 1e-9
-"""Rays with |d.y| below this are horizontal: they meet no plane."""
+"""Rays with |d.y| below this are treated as horizontal: they intersect no horizontal plane."""
 FAR = 1e7
-"""Rays inside the waves' slab are followed so far, m."""
+"""Distance to which rays inside the waves' slab are followed, m."""
 FINE_STEPS = 1500
 GROWTH = 1.02
 SHAPE_SHARE = 0.25
-"""Step over the finest feature."""
+"""Step size over the size of the finest feature."""
 REFINEMENTS = 80
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_STEPS = 40
@@ -33,7 +32,7 @@ GOLDEN_STEPS = 40
 def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
     """Distance along unit rays d (r, 3) from (0, eye_y, 0) to the surface, m; (r,), infinite where they miss it.
 
-    A crossing in either direction counts: an eye under water meets the surface from below.
+    Crossings in both directions count: rays of a camera under water meet the surface from below.
     """
     distance = np.full(d.shape[0], np.inf)
     if relief.top <= 0.0:
@@ -51,9 +50,9 @@ def first_crossing(relief: Part, eye_y: float, d: Floats) -> Floats:
 
 
 def land_crossing(land: Part, eye_y: float, d: Floats, low: Floats, high: Floats) -> Floats:
-    """Distance along unit rays d (r, 3) to what stands over y = 0, m; (r,), infinite where they miss it.
+    """Distance along unit rays d (r, 3) to land above y = 0, m; (r,), infinite where they miss it.
 
-    Only between ``low`` and ``high`` (r,) m is anything looked for.
+    The search is limited to distances from ``low`` to ``high`` (r,) m.
     """
     distance = np.full(d.shape[0], np.inf)
     if land.top <= 0.0:
@@ -64,7 +63,7 @@ def land_crossing(land: Part, eye_y: float, d: Floats, low: Floats, high: Floats
     if chosen.size:
         search = _Search(land, eye_y, d[chosen])
         found = search.first(start[chosen], end[chosen])
-        # A ray that leaves where the search ends is taken to have crossed there: only what lies on dry land counts.
+        # The search reports a crossing at its end for rays that leave; only crossings on land count.
         met = np.isfinite(found)
         s = np.where(met, found, 0.0)
         height = land.height(d[chosen, 0] * s, d[chosen, 2] * s)
@@ -78,19 +77,19 @@ def normal(h_x: Floats, h_z: Floats) -> Floats:
     return np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1)
 
 
-def footprint(tau: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
-    """∂P/∂X = τ(δ − D (N·δ)/(N·D)) for the step δ (3,) of D from sample to sample; its (x, z) part, (r, 2) m.
+def footprint(t: Floats, D: Floats, N: Floats, delta: Floats) -> Floats:
+    """∂P/∂X = t(δ − D (N·δ)/(N·D)) for the step δ (3,) of D from sample to sample; its (x, z) part, (r, 2) m.
 
-    N·D is held at −10⁻³ |N||D| or below.
+    N·D is at most −10⁻³ |N||D|.
     """
     facing = np.minimum(dot(N, D), -1e-3 * np.sqrt(dot(N, N) * dot(D, D)))
-    moved = tau[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
+    moved = t[:, None] * (delta - D * (dot(N, delta) / facing)[:, None])
     result: Floats = moved[:, [0, 2]]
     return result
 
 
 def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats, Floats, Bools]:
-    """Where rays enter and leave bottom ≤ y ≤ top, m, and whether they pass through it at all; (r,) each."""
+    """Distances at which rays enter and leave bottom ≤ y ≤ top, m, and whether they meet it; (r,) each."""
     slanted = np.abs(rise) >= LEVEL
     rise = np.where(slanted, rise, 1.0)
     ends = np.sort(np.stack(((top - eye_y) / rise, (bottom - eye_y) / rise)), axis=0)
@@ -98,7 +97,7 @@ def _slab(eye_y: float, bottom: float, top: float, rise: Floats) -> tuple[Floats
     low = np.where(slanted, np.maximum(ends[0], 0.0), 0.0)
     high = np.where(slanted, ends[1], FAR)
     inside = np.where(slanted, ends[1] > 0.0, within)
-    # Only rays that start in the slab can run along it without end.
+    # Only rays that start in the slab can stay in it indefinitely.
     return low, np.minimum(high, FAR) if within else high, inside
 
 
@@ -113,7 +112,7 @@ class _Search:
         self.level = np.hypot(d[:, 0], d[:, 2])
 
     def value(self, s: Floats, rays: Indices | None = None) -> Floats:
-        """G at distances s of rays (all of them unless told); (r,) m."""
+        """G at distances s of rays (by default all); (r,) m."""
         across, rise = (self.across, self.rise) if rays is None else (self.across[:, rays], self.rise[rays])
         return self._value(s, across, rise)
 
@@ -131,30 +130,30 @@ class _Search:
     def first(self, low: Floats, high: Floats) -> Floats:
         """First zero of G between the ends of the slab; (r,) m, infinite where there is none."""
         count = low.size
-        # Rounding must not put an eye above all crests under one of them.
+        # Rounding must not place a camera above all crests below one.
         outside = 1.0 if self.eye_y > self.relief.top else -1.0 if self.eye_y < self.relief.trough else 0.0
         side = np.where(self.value(low) >= 0.0, 1.0, -1.0) if outside == 0.0 else np.full(count, outside)
         before = np.full(count, np.inf)
         after = np.full(count, np.inf)
-        # No ray leaves the slab on the other side without a crossing, whatever rounding says of G there.
+        # Every ray that leaves the slab on the other side has crossed, even if rounding of G there says otherwise.
         sure = (np.abs(self.rise) >= LEVEL) & (side * self.rise < 0.0) & ((high < FAR) | (outside != 0.0))
-        # Steeper than any slope: one crossing, between the ends.
+        # Rays steeper than any slope have one crossing, between the ends.
         steep = sure & (side > 0.0) & (-self.rise > self.relief.slope * self.level)
         before[steep], after[steep] = low[steep], high[steep]
         dips = self._march(np.flatnonzero(~steep), low, high, side, sure, before, after)
         self._search_dips(dips, side, before, after)
-        found = np.flatnonzero(np.isfinite(after))
+        crossed = np.flatnonzero(np.isfinite(after))
         result = np.full(count, np.inf)
-        if found.size:
-            result[found] = self._refine(found, before[found], after[found], side[found])
+        if crossed.size:
+            result[crossed] = self._refine(crossed, before[crossed], after[crossed], side[crossed])
         return result
 
     def _march(
         self, rays: Indices, low: Floats, high: Floats, side: Floats, sure: Bools, before: Floats, after: Floats
     ) -> list[tuple[Indices, Floats, Floats]]:
-        """Bracket the first sign change of each ray in ``before`` and ``after``; return the suspect minima.
+        """Bracket the first sign change of each ray in ``before`` and ``after``; return the minima to be searched.
 
-        A minimum is (rays, from, to): G stays above zero where it was sampled and may not between.
+        A minimum is (rays, from, to): G is positive where it was sampled, but may be negative between.
         """
         dips: list[tuple[Indices, Floats, Floats]] = []
         if rays.size == 0:
@@ -171,7 +170,7 @@ class _Search:
             steps += 1
             if steps > FINE_STEPS:
                 fine = fine * GROWTH
-            # At infinite slopes or nowhere closing, the quotient says 0 or nothing.
+            # With infinite slope, or where the gap does not close, the quotient is 0 or undefined.
             safe = np.where(closing > 0.0, g / np.where(closing > 0.0, closing, 1.0), np.inf)
             s_new = np.minimum(s + np.maximum(fine, safe), end)
             g_new = sign * self._value(s_new, across, rise)
@@ -197,7 +196,7 @@ class _Search:
     def _search_dips(
         self, dips: list[tuple[Indices, Floats, Floats]], side: Floats, before: Floats, after: Floats
     ) -> None:
-        """Find the least G of each suspect minimum by golden section; below zero, it ends an earlier bracket."""
+        """Find the least G of each minimum by golden section; where it is negative, it ends an earlier bracket."""
         if not dips:
             return
         rays = np.concatenate([dip[0] for dip in dips])
@@ -212,7 +211,7 @@ class _Search:
             a, b = np.where(keep_left, a, left), np.where(keep_left, right, b)
         middle = 0.5 * (a + b)
         below = np.flatnonzero(sign * self._value(middle, across, rise) < 0.0)
-        # Several dips of one ray: the last assignment wins, so the nearest goes last.
+        # With several minima of one ray the last assignment wins, so the nearest is assigned last.
         for i in below[np.argsort(-middle[below], kind="stable")]:
             if middle[i] < after[rays[i]]:
                 before[rays[i]], after[rays[i]] = start[i], middle[i]

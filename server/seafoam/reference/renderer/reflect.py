@@ -1,4 +1,4 @@
-"""What the water mirrors: sky, land and boats."""
+"""Reflections in the water: sky, land and boats."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from seafoam.reference.water.seafloor import FARTHEST
 
 AROUND_HEIGHT = 1.0
 AROUND_BLUR = 0.012
-"""Where the surroundings are looked at from (m), and how much of them ripples blur (rad)."""
+"""Height from which the surroundings are seen (m), and their blur by ripples (rad)."""
 
 
 class ReflectionStage(FoamStage):
-    """Radiance along mirrored rays."""
+    """Radiance along reflected rays."""
 
     def _mirror(self, place: Floats, r: Floats) -> Floats:
-        """Radiance that comes from r (r, 3) into places (r, 3) on the water: the sky, and what stands before it."""
+        """Radiance that arrives from directions r (r, 3) at places (r, 3) on the water: sky, and what occludes it."""
         assert self.air is not None
         assert self.scene.light is not None
         if self.scene.light.reflection == "cubemap" and self.coast is not None:
@@ -39,24 +39,25 @@ class ReflectionStage(FoamStage):
         met = np.flatnonzero(np.isfinite(hit.t) & (hit.t < to_land))
         if met.size:
             own = fleets.Hit(hit.t[met], hit.normal[met], hit.place[met], hit.part[met], hit.boat[met])
-            found = self.fleet.light(self.air, place[met], r[met], own)
-            seen[met] = light.haze(self.air, self.scene.light.visibility, found, r[met], own.t)
+            radiance = self.fleet.light(self.air, place[met], r[met], own)
+            seen[met] = light.haze(self.air, self.scene.light.visibility, radiance, r[met], own.t)
         return seen
 
     def _mirrored_land(self, coast: Coast, place: Floats, r: Floats, way: Floats) -> Floats:
-        """Radiance (n, 3) of the land that rays r (r, 3) meet from places (r, 3); sets its ``way`` (r,), m."""
+        """Radiance (n, 3) of the land that rays r (r, 3) from places (r, 3) meet; writes its distance to ``way`` (r,),
+        m."""
         low, high = coast.within(r, place[:, 0], place[:, 2])
         inside = np.flatnonzero(low < high)
         start = place[inside] + low[inside, None] * r[inside]
-        found = low[inside] + coast.crossing(start[:, 0], start[:, 1], start[:, 2], r[inside], FARTHEST)
-        at = place[inside] + found[:, None] * r[inside]
+        distance = low[inside] + coast.crossing(start[:, 0], start[:, 1], start[:, 2], r[inside], FARTHEST)
+        at = place[inside] + distance[:, None] * r[inside]
         ground = coast.ground(*coast.place(at[:, 0], at[:, 2]))[0]
-        met = (found < high[inside]) & (ground > 0.0)
-        way[inside[met]] = found[met]
-        return self._land_light(coast, at[met], r[inside[met]], found[met])
+        met = (distance < high[inside]) & (ground > 0.0)
+        way[inside[met]] = distance[met]
+        return self._land_light(coast, at[met], r[inside[met]], distance[met])
 
     def _land_light(self, coast: Coast, at: Floats, d: Floats, far: Floats) -> Floats:
-        """Radiance (n, 3) of land at places (n, 3) toward −d, ``far`` metres away, in the air."""
+        """Radiance (n, 3) of land at places (n, 3) toward −d, seen through ``far`` metres of air."""
         assert self.air is not None
         assert self.scene.light is not None
         q_x, q_z = coast.place(at[:, 0], at[:, 2])
@@ -67,7 +68,7 @@ class ReflectionStage(FoamStage):
         return light.haze(self.air, self.scene.light.visibility, seen, d, far)
 
     def _around(self, r: Floats) -> Floats:
-        """Sky and land toward r (n, 3), seen from a metre over water or ground, right under the eye; (n, 3)."""
+        """Sky and land toward r (n, 3), from 1 m above water or ground, vertically below the camera; (n, 3)."""
         coast, air = self.coast, self.air
         assert coast is not None
         assert air is not None

@@ -1,4 +1,4 @@
-"""The surface as a height field: the sum of everything that raises it."""
+"""The surface as a height field: the sum of everything that displaces it."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from seafoam.reference.types import Floats
 
 
 class Part(Protocol):
-    """Something that raises the surface, at one time around one origin; heights in [trough, top] m."""
+    """A part of the surface's height, at one time around one origin; heights in [trough, top] m."""
 
     @property
     def top(self) -> float:
-        """No point is higher, m."""
+        """Upper bound of the height, m."""
 
     @property
     def trough(self) -> float:
-        """No point is lower, m; at most 0."""
+        """Lower bound of the height, m; at most 0."""
 
     @property
     def slope(self) -> float:

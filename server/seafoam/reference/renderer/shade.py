@@ -62,23 +62,23 @@ class Shader(UnderwaterStage):
         N = intersect.normal(*met)
         a, f, past = np.zeros_like(x), None, None
         if scene.foam is not None and self.assets is not None:
-            tau = distance / np.sqrt(dot(D, D))
-            a, f = self._foam(x, z, H, tau, D, N)
+            t = distance / np.sqrt(dot(D, D))
+            a, f = self._foam(x, z, H, t, D, N)
             if scene.foam.thickness > 0.0 and air is not None:
-                past = self._past_foam(air, a, f, x, z, tau, D, N)
+                past = self._past_foam(air, a, f, x, z, t, D, N)
         if air is None or scene.light is None:
             colour = np.repeat(np.minimum(a, 1.0)[:, None], 3, axis=1)
         else:
             n = unit(intersect.normal(h_x + c_x, h_z + c_z))
             bed = None
             if self.coast is not None:
-                tau = distance / np.sqrt(dot(D, D))
-                feet = self.footprints(tau, D, N)
+                t = distance / np.sqrt(dot(D, D))
+                feet = self.footprints(t, D, N)
                 bed = self.coast.bed(x, z, H, d, n, *feet)
             lit = None
             if self.bed is not None and scene.water.depth is not None:
-                tau = distance / np.sqrt(dot(D, D))
-                feet = self.footprints(tau, D, N)
+                t = distance / np.sqrt(dot(D, D))
+                feet = self.footprints(t, D, N)
                 lit = self.bed.seen(x, z, H, d, n, feet)
             place = np.stack((x, H, z), axis=-1)
             colour = light.water(
@@ -109,13 +109,13 @@ class Shader(UnderwaterStage):
         q_x, q_z = coast.place(x, z)
         height, g_x, g_z, _ = coast.ground(q_x, q_z)
         N = intersect.normal(g_x, g_z)
-        tau = distance / np.sqrt(dot(D, D))
-        feet = self.footprints(tau, D, N)
+        t = distance / np.sqrt(dot(D, D))
+        feet = self.footprints(t, D, N)
         amount = np.zeros_like(x)
-        lines = [] if scene.foam is None else [one for one in scene.foam.saturation if isinstance(one, SurfSaturation)]
-        if scene.foam is not None and self.assets is not None and lines and lines[0].line > 0.0:
+        surf = None if scene.foam is None else scene.foam.source(SurfSaturation)
+        if scene.foam is not None and self.assets is not None and surf is not None and surf.line > 0.0:
             filtered = scene.foam.look == "filtered"
-            left = coast.left(lines[0], x, z, height, feet if filtered and self.filtering else None)
+            left = coast.left(surf, x, z, height, feet if filtered and self.filtering else None)
             f = np.minimum(left, 1.0 if filtered else CAP)
             still = np.zeros_like(x), np.zeros_like(x)
             amount = np.minimum(self._lying(f, x, z, *feet, way=still), 1.0)
@@ -128,7 +128,7 @@ class Shader(UnderwaterStage):
         return light.haze(self.air, scene.light.visibility, colour, d, distance) * self.exposure, amount
 
     def _boats(self, fleet: fleets.Fleet, d: Floats, nearer: Floats, colour: Floats) -> None:
-        """Draws boats over ``colour`` (r, 3) where rays d meet them before anything else, ``nearer`` metres away."""
+        """Draw boats over ``colour`` (r, 3) where rays d meet them before what is ``nearer`` metres away."""
         eye = np.array([0.0, self.eye_y, 0.0])
         hit = fleet.trace(eye, d)
         seen = np.flatnonzero(hit.t < nearer)

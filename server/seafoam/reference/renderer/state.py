@@ -1,4 +1,4 @@
-"""Everything of a frame that no sample changes."""
+"""The part of a frame's state that all samples share."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Mode = Literal["same-samples", "converged"]
 
 
 class FrameState:
-    """Surface, light, sources of foam and view of a frame at one time; what its samples share."""
+    """Surface, light, sources of foam and view of a frame at one time, shared by its samples."""
 
     def __init__(
         self,
@@ -78,19 +78,18 @@ class FrameState:
         self.covered = self.eye_y < at_eye
         self.under = scene.water.view_below and self.covered
         self.below = under_of(scene, self.air, time, self.origin, self.coast) if self.under else None
-        sources = () if scene.foam is None else scene.foam.saturation
-        self.fronts: dict[str, WaveSet] = {
-            source.constants: wave_set(scene, time, self.origin, FRONT_CONSTANTS[source.constants].spatial)
-            for source in sources
-            if isinstance(source, FrontSaturation)
-        }
+        front = None if scene.foam is None else scene.foam.source(FrontSaturation)
+        self.fronts: dict[str, WaveSet] = {}
+        if front is not None:
+            spatial = FRONT_CONSTANTS[front.constants].spatial
+            self.fronts[front.constants] = wave_set(scene, time, self.origin, spatial)
 
     @property
     def exposure(self) -> float:
         return 1.0 if self.scene.light is None else 2.0**self.scene.light.exposure
 
     def slopes(self, x: Floats, z: Floats) -> tuple[tuple[Floats, Floats], ...]:
-        """Slopes at (x, z) that rays meet, that light sees, and of what has no height; (r,) each."""
+        """Slopes at (x, z): of the surface for rays, of that for shading, and of waves without height; (r,) each."""
         met_x, met_z = self.relief.gradient(x, z)
         c_x, c_z = self.ripples.gradient(x, z)
         if self.gusts.gusts is not None:
@@ -98,7 +97,7 @@ class FrameState:
             c_x, c_z = gust * c_x, gust * c_z
         if self.sea is None:
             return (met_x, met_z), (met_x, met_z), (c_x, c_z)
-        # Rays meet the bilinear sea; light sees its spline.
+        # Rays intersect the bilinear sea; shading uses its spline.
         (seen_x, seen_z), (own_x, own_z), (s_x, s_z) = (
             self.sea.shading(x, z),
             self.sea.gradient(x, z),
@@ -112,7 +111,7 @@ class FrameState:
         return life is not None and life.carried
 
     def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """From (x, z) to where the water that is there rests, m; (r,) each."""
+        """Displacement from (x, z) to where the water there rests, m; (r,) each."""
         way_x, way_z = np.zeros_like(x), np.zeros_like(x)
         if not self.carries:
             return way_x, way_z
@@ -122,6 +121,6 @@ class FrameState:
                 way_x, way_z = way_x + more_x, way_z + more_z
         return (way_x, way_z) if self.coast is None else self.coast.carry((way_x, way_z), x, z)
 
-    def footprints(self, tau: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
-        """Footprints (r, 2) m of samples along both sides, where rays D meet normals N at ``tau`` of their length."""
-        return intersect.footprint(tau, D, N, self.delta_x), intersect.footprint(tau, D, N, self.delta_y)
+    def footprints(self, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
+        """Footprints (r, 2) m of samples along both sides, where rays tD meet a surface of normal N."""
+        return intersect.footprint(t, D, N, self.delta_x), intersect.footprint(t, D, N, self.delta_y)

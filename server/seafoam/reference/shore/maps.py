@@ -1,4 +1,4 @@
-"""Section 8: maps of a shore: its floor, distances to its coast, and the waves that run up to it."""
+"""Section 8: maps of a shore: its floor, distances to its coast, and the waves that approach it."""
 
 import math
 from dataclasses import dataclass
@@ -15,10 +15,10 @@ from seafoam.scene.shore import Shore
 from seafoam.textures import shore_profiles
 
 BREAKS = 0.78
-"""Height over depth of a wave that breaks (McCowan 1894)."""
+"""Ratio of height to depth at which a wave breaks (McCowan 1894)."""
 LEAST = 0.05
 SWASH = 0.3
-"""Share of its height that a wave keeps on the beach."""
+"""Share of its height that a broken wave has on the beach."""
 MAP = 256
 """Texels along a side of the map."""
 
@@ -29,21 +29,21 @@ NODES = 256
 """Nodes of a profile."""
 
 PERIOD = 2.0**18
-"""Shores stand once in so many metres."""
+"""Side of the square in which a shore repeats, m."""
 
 MASK = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
-"""Wavelength (m), heading (rad) and period (s) of the sines that break the rhythm; the i-th starts at 1.7 i rad."""
+"""Wavelength (m), heading (rad) and period (s) of the sines that vary the waves' height; sine i starts at 1.7 i rad."""
 
 
 def step_between(low: float, high: float, x: Floats) -> Floats:
-    """The smoothstep whose ends may meet; they are 10⁻⁶ apart at least."""
+    """Smoothstep with ends at least 10⁻⁶ apart, for ends that may coincide."""
     return smoothstep(low, low + max(high - low, 1e-6), x)
 
 
 def signed_distance(land: Bools) -> Floats:
-    """Distance of texels to the nearest of the other kind, less ½, in texels: positive at sea, negative on land.
+    """Exact distance of texels to the nearest of the other kind, minus ½, in texels: positive at sea, negative on land.
 
-    Where there is no other kind: the side of the map. Exact.
+    Without the other kind: the side of the map.
     """
     if land.all() or not land.any():
         return np.where(land, -1.0, 1.0) * float(land.shape[1])
@@ -54,7 +54,7 @@ def signed_distance(land: Bools) -> Floats:
 
 
 def gaussian(values: Floats, deviation: float) -> Floats:
-    """Values (n, n) smoothed by a Gaussian of so many texels, cut at 3 deviations, its ends repeated."""
+    """Values (n, n) smoothed by a Gaussian, its deviation in texels, cut at 3 deviations, with repeated edges."""
     reach = min(max(math.ceil(3.0 * deviation), 1), 48)
     offset = np.arange(-reach, reach + 1) / max(deviation, 0.01)
     weight = np.exp(-0.5 * np.minimum(offset * offset, 160.0))
@@ -65,7 +65,7 @@ def gaussian(values: Floats, deviation: float) -> Floats:
 
 
 def sobel(values: Floats) -> tuple[Floats, Floats]:
-    """Gradient a texel along x (axis 1) and z (axis 0) by Sobel's filter; the ends repeated."""
+    """Gradient per texel along x (axis 1) and z (axis 0) by Sobel's filter, with repeated edges."""
     return (
         ndimage.sobel(values, axis=1, mode="nearest") / 8.0,
         ndimage.sobel(values, axis=0, mode="nearest") / 8.0,
@@ -95,7 +95,7 @@ class Spline:
         return places, w_x, s_x, w_z, s_z
 
     def value(self, x: Floats, z: Floats) -> Floats:
-        """(r, c) at (x, z), m from the middle of the square; outside it what is nearest inside."""
+        """(r, c) at (x, z), m from the centre of the square; outside it the value of the nearest point inside."""
         places, w_x, _, w_z, _ = self._places(x, z)
         flat = self.texels.reshape(-1, self.texels.shape[2])
         total = np.zeros((x.size, flat.shape[1]))
@@ -104,7 +104,7 @@ class Spline:
         return total
 
     def all(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
-        """Value and its changes a metre along x and z; (r, c) each. Outside the square nothing changes."""
+        """Value and its derivatives along x and z, per metre; (r, c) each. Outside the square derivatives are 0."""
         places, w_x, s_x, w_z, s_z = self._places(x, z)
         flat = self.texels.reshape(-1, self.texels.shape[2])
         total, along_x, along_z = (np.zeros((x.size, flat.shape[1])) for _ in range(3))
@@ -139,7 +139,7 @@ def _smooth(shore: Shore) -> tuple[Floats, Floats, Floats, Floats]:
 
 
 def travel(shore: Shore, d: Floats) -> Floats:
-    """Periods that a wave takes from a distance d (m) to the shore, at √(g h) over a floor of even slope."""
+    """Time from a distance d (m) to the shore at √(g h) over a floor of constant slope, in periods."""
     least = max(SWASH * shore.surf.height, LEAST)
     out, inward = np.maximum(d, 0.0), np.minimum(d, 0.0)
     seconds = 2.0 * out / (math.sqrt(least) + np.sqrt(least + shore.slope * out)) + inward / math.sqrt(least)
@@ -189,7 +189,7 @@ class Profiles:
         self.table = shore_profiles(NODES, skew, sharpness).astype(np.float64)
 
     def __call__(self, turn: Floats, skew: Floats) -> tuple[Floats, Floats, Floats]:
-        """Height in [0, 1], its change a period and its change with skew; (r,) each."""
+        """Height in [0, 1], its derivative per period and its derivative by skew; (r,) each."""
         rows, nodes = self.table.shape
         at = turn * nodes - 0.5
         base = np.floor(at + 0.5)

@@ -1,8 +1,8 @@
 """Section 8: a shore at one time, around one origin: its map, its waves, its land, its foam, its colours.
 
-Distances come from SciPy's exact Euclidean transform, where the shaders flood. Everything else is written from the
-page. The map, the floor and the profiles live on grids of texels with quadratic splines between: that is part of the
-model, so this has the same grids, those of the ``reference`` quality.
+Distances come from SciPy's exact Euclidean transform, where the shaders use jump flooding; everything else follows the
+page. Map, floor and profiles are grids of texels with quadratic splines between them, which is part of the model, so
+the grids here are the same, those of the ``reference`` quality.
 """
 
 import math
@@ -38,14 +38,14 @@ SAFE_STEPS = 20000
 WEED = np.array([0.08, 0.085, 0.05])
 
 TORN = 0.25, 0.72
-"""Noise from which patches begin, and in which they are whole."""
+"""Range of noise over which patches of foam grow from nothing to full."""
 
 EDGE = 1e-3, 0.15
-"""What the depth changes by over a footprint at the water's edge, m: at least and at most."""
+"""Minimum and maximum of the change of depth over a footprint at the water's edge, m."""
 
 
 def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
-    """What patches of the surf are torn by at (x, z) m from the middle of the square: shares, cells (m) and values."""
+    """Noises that tear the surf's patches at (x, z), m from the centre of the square: shares, cells (m) and values."""
     t_x, t_z = 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z
     return [
         (0.4, 6.0, value(KEY, t_x / 6.0, t_z / 6.0)),
@@ -55,19 +55,19 @@ def _noises(x: Floats, z: Floats) -> list[tuple[float, float, Floats]]:
 
 
 def _swing(here: Floats, map_x: Floats, map_z: Floats, turn: Floats) -> tuple[Floats, Floats]:
-    """How far the surf carries its foam along the gradient of the phase, m; (r,) each."""
+    """Displacement of the surf's foam along the gradient of the phase, m; (r,) each."""
     length = np.maximum(np.hypot(map_x[:, 0], map_z[:, 0]), 1e-6)
     swing = 1.5 * here[:, 1] * np.sin(2.0 * math.pi * turn) / length
     return swing * map_x[:, 0], swing * map_z[:, 0]
 
 
 def _patches(x: Floats, z: Floats) -> Floats:
-    """Patches that foam of the surf tears into, at (x, z) m from the middle of the square; (r,) in [0, 1]."""
+    """Factor that tears the surf's foam into patches, at (x, z), m from the centre of the square; (r,) in [0, 1]."""
     return smoothstep(*TORN, np.sum([share * noise for share, _, noise in _noises(x, z)], axis=0))
 
 
 class Coast:
-    """The shore of a scene at a time, x and z counted from an origin (m); the sea with its waves is a part."""
+    """The shore of a scene at a time, x and z from an origin (m); its sea, with all waves, is a part of the surface."""
 
     def __init__(self, shore: Shore, time: float, origin: tuple[float, float], open_sea: Part) -> None:
         self.shore = shore
@@ -81,7 +81,7 @@ class Coast:
 
     @property
     def top(self) -> float:
-        """No point of the sea is higher, m."""
+        """Upper bound of the sea's height, m."""
         return self.open_sea.top + self.shore.surf.height
 
     @property
@@ -89,7 +89,7 @@ class Coast:
         return self.open_sea.trough
 
     def _change(self, values: Floats) -> Floats:
-        """Greatest change a metre of a map's channel round each texel, that of its spline at most."""
+        """Greatest derivative of a map's channel around each texel, per metre: an upper bound of its spline's."""
         texel = self.shore.size / MAP
         both = [
             ndimage.maximum_filter(np.abs(np.diff(values, axis=axis, append=values.take([-1], axis))), 5)
@@ -125,11 +125,12 @@ class Coast:
         return min(self.open_sea.shape, 0.1 / float(steps.max())) if steps.size else self.open_sea.shape
 
     def place(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Metres from the middle of the square."""
+        """(x, z) relative to the centre of the square, m."""
         return x + self.offset[0], z + self.offset[1]
 
     def within(self, d: Floats, x: Floats | float = 0.0, z: Floats | float = 0.0) -> tuple[Floats, Floats]:
-        """Where unit rays d (r, 3) from (x, z) enter and leave the square, m; (r,), out of order where they miss it."""
+        """Distances at which unit rays d (r, 3) from (x, z) enter and leave the square, m; (r,), entry > exit for a
+        miss."""
         low, high = np.zeros(d.shape[0]), np.full(d.shape[0], np.inf)
         for axis, offset, start in zip((0, 2), self.offset, (x, z), strict=True):
             way = np.where(np.abs(d[:, axis]) < 1e-12, 1e-12, d[:, axis])
@@ -138,7 +139,7 @@ class Coast:
         return low, high
 
     def turn(self, phase: Floats) -> Floats:
-        """Where in its wave a place is, in periods: 0 on the crest, rising toward the shore."""
+        """Phase of a place in its wave, in periods: 0 on the crest, increasing toward the shore."""
         of = self.time - phase
         result: Floats = of - np.floor(of)
         return result
@@ -147,7 +148,7 @@ class Coast:
         """Height of the sea at (x, z); (r,) m."""
         total = self.open_sea.height(x, z) if self.open_sea.top > 0.0 else np.zeros_like(x)
         q_x, q_z = self.place(x, z)
-        # At the square's edge waves of the shore are gone and those of the sea whole.
+        # At the square's edge the shore's waves have height 0 and the sea's have their full height.
         inside = np.flatnonzero((np.abs(q_x) <= 0.5 * self.shore.size) & (np.abs(q_z) <= 0.5 * self.shore.size))
         if inside.size:
             here = self.field.value(q_x[inside], q_z[inside])
@@ -175,13 +176,13 @@ class Coast:
         return result[0], result[1]
 
     def carry(self, way: tuple[Floats, Floats], x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """The open sea's ``way`` from (x, z) to where its water rests, as the coast leaves it, m; (r,) each."""
+        """The open sea's displacement ``way`` from (x, z) to where water rests, reduced by the coast, m; (r,) each."""
         here, map_x, map_z = self.field.all(*self.place(x, z))
         swing_x, swing_z = _swing(here, map_x, map_z, self.turn(here[:, 0]))
         return here[:, 3] * way[0] + swing_x, here[:, 3] * way[1] + swing_z
 
     def foam(self, source: SurfSaturation, x: Floats, z: Floats, H: Floats, feet: Feet | None) -> Floats:
-        """Saturation of the surf's foam at (x, z) where the sea stands at H, averaged over footprints; (r,)."""
+        """Saturation of the surf's foam at (x, z), where the sea has height H, averaged over footprints; (r,)."""
         q_x, q_z = self.place(x, z)
         here, map_x, map_z = self.field.all(q_x, q_z)
         turn = self.turn(here[:, 0])
@@ -213,7 +214,7 @@ class Coast:
         return result
 
     def left(self, source: SurfSaturation, x: Floats, z: Floats, ground: Floats, feet: Feet | None) -> Floats:
-        """Saturation of what the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
+        """Saturation of the foam that the swash leaves at (x, z) on ground of that height (r,) m; (r,)."""
         q_x, q_z = self.place(x, z)
         here, map_x, map_z = self.field.all(q_x, q_z)
         return self._swept(source, here, (map_x[:, 0], map_z[:, 0]), ground, _patches(q_x, q_z), feet)
@@ -227,7 +228,7 @@ class Coast:
         patches: Floats,
         feet: Feet | None,
     ) -> Floats:
-        """The same where the map, the gradient of its phase and the patches are known; under footprints at most 1."""
+        """The same with given map, gradient of its phase and patches; at most 1 when averaged over footprints."""
         reach = ground / np.maximum(here[:, 1], 1e-3)
         since = self.turn(here[:, 0]) - 1.0
         ran_up = smoothstep(0.02, 0.1, here[:, 1] / max(self.shore.surf.height, 1e-6))
@@ -249,14 +250,14 @@ class Coast:
         return mixed
 
     def ground(self, q_x: Floats, q_z: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """Height of the ground (m), its gradient, its tint; (r,) each. Metres from the middle of the square."""
+        """Height of the ground (m), its gradient and its tint; (r,) each. Arguments: m from the square's centre."""
         here, along_x, along_z = self.floor.all(q_x, q_z)
         return here[:, 0], along_x[:, 0], along_z[:, 0], here[:, 1]
 
     def crossing(self, x: Floats, y: Floats, z: Floats, d: Floats, farthest: float) -> Floats:
-        """Way along rays d (r, 3) from (x, y, z) to the ground, m; (r,), ``farthest`` where they meet none.
+        """Distance along rays d (r, 3) from (x, y, z) to the ground, m; (r,), ``farthest`` where they miss it.
 
-        By steps that cannot pass it, until they are a billionth of the way.
+        By steps that cannot pass the ground, until they are 10⁻⁹ of the distance.
         """
         way = np.zeros_like(x)
         result = np.full_like(x, farthest)
@@ -278,21 +279,21 @@ class Coast:
 
     @cached_property
     def highest(self) -> float:
-        """Of the ground, m."""
+        """Size of the ground's texels, m."""
         return float(self.floor.texels[..., 0].max())
 
     @cached_property
     def steepest(self) -> float:
-        """Slope of the ground at most."""
+        """Upper bound of the ground's slope."""
         heights, step = self.floor.texels[..., 0], self.floor.size / self.floor.texels.shape[0]
         return 1.01 * math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / step for axis in (0, 1)))
 
     def bed(
         self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, foot_x: Floats, foot_y: Floats
     ) -> tuple[Floats, Floats]:
-        """Way of the light through the water (r,) m, down and back, and the reflectance (r, 3) of the floor it meets.
+        """Length of the light's path through the water (r,) m, down and back, and reflectance (r, 3) of the floor.
 
-        d (r, 3) looks from the eye, n (r, 3) is the unit normal of the water.
+        d (r, 3) points away from the camera, n (r, 3) is the unit normal of the water.
         """
         q_x, q_z = self.place(x, z)
         c = dot(n, d)
@@ -326,13 +327,13 @@ class Coast:
         return result
 
     def wet(self, height: Floats) -> Floats:
-        """How wet ground of a height (m) is: 1 where every wave reaches it; of the shape of ``height``."""
+        """Wetness of ground of a height (m): 1 where every wave reaches it; of the shape of ``height``."""
         reach = SWASH * self.shore.surf.height
         return 1.0 - smoothstep(0.5 * reach, 1.1 * reach + 0.05, height)
 
 
 class Land:
-    """What stands over y = 0, as a part."""
+    """The land above y = 0, as a part of the surface."""
 
     def __init__(self, coast: Coast) -> None:
         self.coast = coast
@@ -360,7 +361,7 @@ class Land:
 
 
 def grain(q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
-    """Grain of the ground in [0, 1]: octaves of noise, each gone before it is smaller than the footprint; (r,)."""
+    """Texture of the ground in [0, 1]: octaves of noise, faded out before they are smaller than footprints; (r,)."""
     reach = np.sqrt(np.maximum(dot(foot_x, foot_x), dot(foot_y, foot_y)))
     total = np.full(q_x.shape, 0.5)
     cell = GRAIN_CELL

@@ -1,4 +1,4 @@
-"""Section 13: the drops of a scene's spray at a time: where they are, and the discs that samples see of them."""
+"""Section 13: the drops of a scene's spray at a time: their positions, and the discs that samples see."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ EPOCHS = 65536
 DELAY = 1.5
 SPOT = 6.0
 JET = 1.5
-"""Sides of the squares of coast that burst together, and alike, m."""
+"""Sides of the squares of coast that emit drops at the same time and in the same way, m."""
 CANDIDATES = 4
 CREST_SLOPE2 = 0.02
 MIST_WEIGHT = 1.5
@@ -42,7 +42,7 @@ _LOW = np.uint64(0xFFFFFFFF)
 
 @dataclass(frozen=True, eq=False)
 class Drops:
-    """Drops in the air, x and z counted from the eye; (n,) or (n, 3) each."""
+    """Drops in the air, x and z relative to the camera; (n,) or (n, 3) each."""
 
     birth: Floats
     velocity: Floats
@@ -50,26 +50,26 @@ class Drops:
     word: _Words
 
     def of(self, chosen: Bools | Indices) -> Drops:
-        """Some of them, in their order."""
+        """A subset, in order."""
         return Drops(self.birth[chosen], self.velocity[chosen], self.age[chosen], self.word[chosen])
 
     def number(self, k: int) -> Floats:
-        """The k-th number in [0, 1) of each."""
+        """The k-th random number in [0, 1) of each drop."""
         return _number(self.word, k)
 
 
 @dataclass(frozen=True, eq=False)
 class Discs:
-    """Discs on the picture, those behind first as they are laid over it; (n,) each but the light."""
+    """Discs on the picture, farthest first; (n,) each except the light."""
 
     X: Floats
     Y: Floats
-    """Clip positions of their middles."""
+    """Clip positions of their centres."""
     radius: Floats
-    """In samples."""
+    """Radii, in samples."""
     opacity: Floats
     light: Floats
-    """(n, 3), exposed."""
+    """Radiance (n, 3), exposed."""
 
 
 def _number(word: _Words, k: int) -> Floats:
@@ -77,7 +77,7 @@ def _number(word: _Words, k: int) -> Floats:
 
 
 class Shown:
-    """The light of drops, seen through the air."""
+    """How drops are lit, and seen through the air."""
 
     def __init__(self, air: light.Air | None, visibility: float, exposure: float) -> None:
         self.air = air
@@ -85,7 +85,7 @@ class Shown:
         self.exposure = exposure
 
     def __call__(self, away: Floats) -> Floats:
-        """Of drops at (n, 3) m from the eye; (n, 3), exposed."""
+        """Radiance of drops at (n, 3), m from the camera; (n, 3), exposed."""
         if self.air is None:
             return np.ones_like(away)
         d = unit(away)
@@ -98,7 +98,7 @@ class Shown:
 
 
 def _cycles(time: float, period: float) -> tuple[int, float]:
-    """Whole periods since time 0, and what is left of the last, in periods."""
+    """Number of whole periods since time 0, and the fraction of the current one."""
     passed = Fraction(time) / Fraction(period)
     whole = math.floor(passed)
     return whole, float(passed - whole)
@@ -107,25 +107,25 @@ def _cycles(time: float, period: float) -> tuple[int, float]:
 def flight(
     birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]
 ) -> Floats:
-    """Places (n, 3) of drops, ``age`` s after their birth: ballistics with linear drag, τ and weight (n,) each."""
+    """Positions (n, 3) of drops ``age`` s after their start: ballistics with linear drag, τ and weight (n,) each."""
     last = np.stack((np.full_like(age, wind[0]), -weight * tau, np.full_like(age, wind[1])), axis=-1)
     result: Floats = birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
     return result
 
 
 def life_on_rocks(spray: Spray, coast: Coast) -> float:
-    """A drop is gone before the next crest comes, s."""
+    """Lifetime of drops from rocks, s: they vanish before the next crest arrives."""
     return min(spray.life, coast.shore.surf.period - DELAY)
 
 
 def from_rocks(spray: Spray, coast: Coast, time: float) -> Drops:
     """Drops that the surf of a coast throws up."""
-    found = rocks(coast.shore.ground, spray.steep)
-    if len(found) == 0 or coast.shore.surf.height == 0.0:
+    places = rocks(coast.shore, spray.steep)
+    if len(places) == 0 or coast.shore.surf.height == 0.0:
         return _none()
     index = np.arange(DROPS, dtype=np.uint64)
     own = pcg(index)
-    rock = found[np.arange(DROPS) % len(found)]
+    rock = places[np.arange(DROPS) % len(places)]
     out = rock[:, 2:]
     along = np.stack((-out[:, 1], out[:, 0]), axis=-1)
     q = rock[:, :2] + 2.0 * (_number(own, 0) - 0.5)[:, None] * along
@@ -155,7 +155,7 @@ def from_rocks(spray: Spray, coast: Coast, time: float) -> Drops:
 
 
 def from_waves(spray: Spray, scene: Scene, waves: WaveSet, time: float, origin: tuple[float, float]) -> Drops:
-    """Drops that the single waves of a scene throw up. ``waves``: those of now, counted from ``origin``."""
+    """Drops that the parametric waves of a scene throw up. ``waves``: those at this time, relative to ``origin``."""
     omega = np.array([angular_frequency(wave) for wave in scene.waves])
     if float(waves.amplitude.sum()) == 0.0:
         return _none()
@@ -195,7 +195,7 @@ def from_waves(spray: Spray, scene: Scene, waves: WaveSet, time: float, origin: 
 def discs(
     spray: Spray, drops: Drops, life: float, view: View, rows: int, relief: Part, coast: Coast | None, shown: Shown
 ) -> Discs:
-    """What a picture of ``rows`` samples from top to bottom sees of drops."""
+    """Discs of the drops on a picture of ``rows`` samples from top to bottom."""
     mist = drops.number(5) < spray.mist
     vary = drops.number(6)
     wind = (spray.wind * math.cos(spray.wind_direction), spray.wind * math.sin(spray.wind_direction))
@@ -217,7 +217,7 @@ def discs(
 
 
 def _hidden(place: Floats, away: Floats, eye_y: float, relief: Part, coast: Coast | None) -> Bools:
-    """Whether drops (n, 3) are under water or ground, or behind them; (n,)."""
+    """Whether drops (n, 3) are below or behind water or ground; (n,)."""
     x, y, z = place.T
     under: Bools = y < relief.height(x, z)
     if coast is not None:
@@ -237,7 +237,7 @@ def _none() -> Drops:
 
 
 def lay_over(picture: Floats, X: Floats, Y: Floats, over: Discs) -> None:
-    """Lay discs over samples (H, W, 3), in place. X, Y (H, W): their clip positions."""
+    """Blend discs over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
     rows, columns = X.shape
     for i in range(over.X.size):
         r = over.radius[i]

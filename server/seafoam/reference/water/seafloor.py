@@ -1,8 +1,8 @@
-"""Section 11: a level floor seen by the refracted ray, caustics on it by a photon trace, and the view from below.
+"""Section 11: a level floor seen along refracted rays, caustics on it by photon tracing, and the view from below.
 
-The caustic map's texels and the bilinear reading between them are part of the model; the reference has the map of the
-``reference`` quality. Photons enter on a regular grid over a tile and are counted where they land, each spread by the
-uniform cubic B-spline over the texels around it.
+The caustic map's texels and the bilinear interpolation between them are part of the model; the reference uses the map
+of the ``reference`` quality. Photons enter on a regular grid over a tile; each is distributed by the uniform cubic
+B-spline over the texels around the point where it lands.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from seafoam.scene.water import Chop, Water
 MAP = 512
 """Texels along a side of the caustic map."""
 PHOTONS = 1024
-"""Photons along a side of the tile: the map is off by a thousandth of the mean light, root mean square."""
+"""Photons along a side of the tile: the map's root mean square error is a thousandth of the mean light."""
 COLOURS = (-0.0033, 0.0, 0.0042)
-"""Index of red, green and blue less that of green (Daimon and Masumura 2007)."""
+"""Refractive index of red, green and blue minus that of green (Daimon and Masumura 2007)."""
 LEAST_FALL = 0.25
 LEAST_SUN = 0.05
 JOINT = 0.05
@@ -37,18 +37,19 @@ TILES_APART = 256
 NARROWEST = 1e-3
 FOAM_THROUGH = 0.5
 FARTHEST = 1e6
-"""Ways to the floor are held there, m."""
+"""Upper limit of distances to the floor, m."""
 
 
 def refracted(d: Floats, n: Floats, index: float = INDEX) -> Floats:
-    """Directions d (..., 3) in air, refracted into water at normals n (..., 3); unit vectors."""
+    """Directions in water of d (..., 3) in air, refracted at normals n (..., 3); unit vectors."""
     c = np.maximum(-dot(d, n), 0.0)[..., None]
     result: Floats = d / index + (c / index - np.sqrt(1.0 - (1.0 - c * c) / index**2)) * n
     return result
 
 
 def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> tuple[Floats, Floats, Floats]:
-    """Where the sun's light lands that enters at slopes (h_x, h_z): beside its entrance, (x, z) m; and its share."""
+    """Where sunlight that enters at slopes (h_x, h_z) lands, relative to its entry, (x, z) m; and the transmitted
+    share."""
     n = unit(np.stack((-h_x, np.ones_like(h_x), -h_z), axis=-1))
     ray = refracted(np.broadcast_to(-air_.sun, n.shape), n, index)
     way = depth / np.maximum(-ray[..., 1], LEAST_FALL)
@@ -57,7 +58,7 @@ def landing(air_: Air, depth: float, h_x: Floats, h_z: Floats, index: float) -> 
 
 
 def tile_slopes(chop: Chop, time: float, count: int) -> tuple[Floats, Floats]:
-    """Slopes of repeating ripples at the corners of a tile's grid, (count, count) each, rows along z."""
+    """Slopes of tiling ripples at the nodes of a tile's grid, (count, count) each, rows along z."""
     drawn = [wave for cascade in ripples(chop, True) for wave in cascade]
     at = np.arange(count) * (tiles(True)[0] / count)
     phase = np.array([reduced((wave.omega, time), plus=wave.phase) for wave in drawn])
@@ -71,10 +72,10 @@ def tile_slopes(chop: Chop, time: float, count: int) -> tuple[Floats, Floats]:
 
 
 def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOTONS) -> Floats:
-    """Light on the floor over that under level water, (texels, texels, 3), rows along z.
+    """Irradiance of the floor over that under level water, (texels, texels, 3), rows along z.
 
-    Texel (0, 0) lies at the tile's corner, moved by the way of green light under level water. ``scene`` has light,
-    caustics, ripples and a depth.
+    Texel (0, 0) is at the tile's corner, displaced as green light under level water is. ``scene`` has light, caustics,
+    ripples and a depth.
     """
     light, water = scene.light, scene.water
     assert light is not None
@@ -88,9 +89,9 @@ def photon_map(scene: Scene, time: float, texels: int = MAP, photons: int = PHOT
 def _photon_map(
     light: Light, caustics: Caustics, chop: Chop, depth: float, time: float, texels: int, photons: int
 ) -> Floats:
-    made = air(light)
+    lighting = air(light)
     h_x, h_z = tile_slopes(chop, time, photons)
-    flat_x, flat_z = (float(part[0]) for part in landing(made, depth, np.zeros(1), np.zeros(1), INDEX)[:2])
+    flat_x, flat_z = (float(part[0]) for part in landing(lighting, depth, np.zeros(1), np.zeros(1), INDEX)[:2])
     start = np.arange(photons) * (texels / photons)
     per_metre = texels / tiles(True)[0]
     sheets: list[Floats] = []
@@ -98,7 +99,7 @@ def _photon_map(
         if caustics.dispersion == 0.0 and sheets:
             sheets.append(sheets[0])
             continue
-        x, z, share = landing(made, depth, h_x, h_z, INDEX + caustics.dispersion * bent)
+        x, z, share = landing(lighting, depth, h_x, h_z, INDEX + caustics.dispersion * bent)
         u = start[None, :] + (x - flat_x) * per_metre
         v = start[:, None] + (z - flat_z) * per_metre
         sheets.append(_splat(u.ravel(), v.ravel(), share.ravel() * (texels / photons) ** 2, texels))
@@ -106,7 +107,7 @@ def _photon_map(
 
 
 def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
-    """Sum of weights spread by the cubic B-spline over a periodic grid of texels, whose centres lie at i + ½."""
+    """Sum of weights, distributed by the cubic B-spline over a periodic grid of texels with centres at i + ½."""
     column, row = np.floor(u - 0.5).astype(np.int64), np.floor(v - 0.5).astype(np.int64)
     along, across = _spline(u - 0.5 - column), _spline(v - 0.5 - row)
     total = np.zeros(texels * texels)
@@ -119,7 +120,7 @@ def _splat(u: Floats, v: Floats, weight: Floats, texels: int) -> Floats:
 
 
 def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """Weights of the four nodes around a place t in [0, 1) between the middle two."""
+    """Weights of the four nodes around a position t in [0, 1) between the middle two."""
     return (
         (1.0 - t) ** 3 / 6.0,
         (3.0 * t**3 - 6.0 * t**2 + 4.0) / 6.0,
@@ -128,7 +129,7 @@ def _spline(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     )
 
 
-class Bed:
+class Seabed:
     """A level floor under a light, at one time around one origin."""
 
     def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float]) -> None:
@@ -148,9 +149,9 @@ class Bed:
     def seen(
         self, x: Floats, z: Floats, H: Floats, d: Floats, n: Floats, feet: tuple[Floats, Floats]
     ) -> tuple[Floats, Floats, Floats]:
-        """What rays d (r, 3) see of the floor through a surface of height H and normals n at (x, z).
+        """The floor along rays d (r, 3) refracted at (x, z), where the surface has height H and normals n.
 
-        Its radiance (r, 3), the way up from it and straight down to it, (r,) m.
+        Its radiance (r, 3), the length of the path up from it, and its depth, (r,) m.
         """
         ray = refracted(d, n)
         down = np.maximum(self.depth + H, 0.0)
@@ -159,13 +160,14 @@ class Bed:
         return radiance, way, down
 
     def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
-        """Radiance (r, 3) of the floor at (x, z) m from the origin, ``down`` metres under the surface."""
+        """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
         if self.water.depth is None:
             return np.zeros((x.size, 3))
         return self.lit(self.albedo(x, z, feet), self.sunlight(x, z), down)
 
     def lit(self, albedo: Floats, sunlight: Floats, down: Floats) -> Floats:
-        """Radiance (r, 3) of ground of an albedo (r, 3) under the sun's light, over that under level water (r, 3)."""
+        """Radiance (r, 3) of ground of an albedo (r, 3) under sunlight, given relative to that under level water (r,
+        3)."""
         upright = float(self.air.sun[1])
         slant = math.sqrt(1.0 - (1.0 - upright**2) / INDEX**2)
         sun = self.air.sun_irradiance * max(upright, 0.0) * np.exp(-self.extinction * (down / slant)[:, None])
@@ -174,7 +176,7 @@ class Bed:
         return result
 
     def sunlight(self, x: Floats, z: Floats) -> Floats:
-        """The sun's light over that under level water, (r, 3): the map, bilinear."""
+        """Sunlight over that under level water, (r, 3): the map, bilinear."""
         if self.map is None:
             return np.ones((x.size, 3))
         tile = tiles(True)[0]
@@ -190,7 +192,7 @@ class Bed:
         return result
 
     def albedo(self, x: Floats, z: Floats, feet: tuple[Floats, Floats]) -> Floats:
-        """Reflectance (r, 3): bare, or tiles and the share of joints in the box that holds the footprint."""
+        """Reflectance (r, 3): uniform, or of tiles, with the share of joints in the footprint's bounding box."""
         bare = np.broadcast_to(np.array(self.water.floor_albedo), (x.size, 3))
         side = self.water.floor_tile
         if side is None:
@@ -206,12 +208,13 @@ class Bed:
             cells.append(np.floor(place).astype(np.int64) % TILES_APART)
         q = np.clip(wide - 0.5, 0.0, 1.0)
         shade = (corner(TILE_KEY, cells[0], cells[1]) - 0.5) * (1.0 - q * q * (3.0 - 2.0 * q))
-        held = np.clip(open_share, 0.0, 1.0)[:, None]
-        result: Floats = JOINT_ALBEDO * (1.0 - held) + bare * (1.0 + 0.24 * shade)[:, None] * held
+        limited = np.clip(open_share, 0.0, 1.0)[:, None]
+        result: Floats = JOINT_ALBEDO * (1.0 - limited) + bare * (1.0 + 0.24 * shade)[:, None] * limited
         return result
 
     def glow(self, depth: Floats, fall: Floats, reach: Floats) -> Floats:
-        """Light (r, 3) that water sends along ways (r,) that start ``depth`` metres down and go down by ``fall``."""
+        """Light (r, 3) scattered by water along paths of length (r,) m that start at ``depth`` m and descend by
+        ``fall``."""
         lit = ENTERS / math.pi * (self.air.sun_irradiance * max(float(self.air.sun[1]), 0.0) + self.air.sky_irradiance)
         deep = BACKSCATTER * self.water.scattering / self.extinction * lit
         both = np.maximum(1.0 + fall, 1e-12)[:, None]
@@ -220,23 +223,23 @@ class Bed:
         return result
 
     def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
-        """Way to the floor along rays d (r, 3) from places (x, z) at heights y, m; (r,), at most FARTHEST."""
+        """Distance to the floor along rays d (r, 3) from (x, z) at heights y, m; (r,), at most FARTHEST."""
         if self.water.depth is None:
             return np.full_like(x, FARTHEST)
         result: Floats = np.minimum(np.maximum(self.depth + y, 0.0) / np.maximum(-d[:, 1], 1e-6), FARTHEST)
         return result
 
     def below(self, x: Floats, z: Floats, y: Floats, d: Floats, reach: Floats, feet: tuple[Floats, Floats]) -> Floats:
-        """Light (r, 3) of floor and water along rays d (r, 3) from places (x, z) at heights y to the floor."""
+        """Light (r, 3) of floor and water along rays d (r, 3) from (x, z) at heights y to the floor."""
         down = np.maximum(-y - reach * d[:, 1], 0.0)
         bed = self.light(x + reach * d[:, 0], z + reach * d[:, 2], down, feet)
         result: Floats = bed * np.exp(-self.extinction * reach[:, None]) + self.glow(-y, -d[:, 1], reach)
         return result
 
-    def ceiling(
+    def underside(
         self, x: Floats, z: Floats, y: Floats, d: Floats, n: Floats, reach: Floats, feet: tuple[Floats, Floats]
     ) -> Floats:
-        """Light (r, 3) that comes through the surface along −d, or is mirrored in it; (x, z, y) the place."""
+        """Light (r, 3) along −d, transmitted or totally reflected by the surface at (x, y, z)."""
         sigma2 = self.water.roughness**2
         nv = np.maximum(dot(n, d), 0.0)
         cv2 = np.minimum(nv * nv + sigma2 * (1.0 - nv * nv), 1.0)
@@ -260,7 +263,7 @@ class Bed:
         return result
 
 
-class ShoreBed(Bed):
+class ShoreSeabed(Seabed):
     """The floor of a shore."""
 
     def __init__(self, scene: Scene, made: Air, time: float, origin: tuple[float, float], coast: Coast) -> None:
@@ -268,34 +271,34 @@ class ShoreBed(Bed):
         self.coast = coast
 
     def reach(self, x: Floats, z: Floats, y: Floats, d: Floats) -> Floats:
-        """Way to the ground along rays d (r, 3), m; (r,), at most FARTHEST."""
+        """Distance to the ground along rays d (r, 3), m; (r,), at most FARTHEST."""
         return self.coast.crossing(x, y, z, d, FARTHEST)
 
     def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
-        """Radiance (r, 3) of the floor at (x, z) m from the origin, ``down`` metres under the surface."""
+        """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
         return self.lit(self.coast.albedo(*self.coast.place(x, z), *feet), np.ones((x.size, 3)), down)
 
 
-def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Bed | None:
-    """The level floor of a scene whose places tell apart; None without one."""
+def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Seabed | None:
+    """The level floor of a scene with caustics or tiles; None without one, or if the floor is uniform."""
     water, light = scene.water, scene.light
     if light is None or made is None or scene.shore is not None or water.depth is None:
         return None
     looked_at = light.caustics is not None or water.floor_tile is not None
-    return Bed(scene, made, time, origin) if looked_at else None
+    return Seabed(scene, made, time, origin) if looked_at else None
 
 
 def under_of(
     scene: Scene, made: Air | None, time: float, origin: tuple[float, float], coast: Coast | None
-) -> Bed | None:
-    """What an eye under the surface looks at; None without light."""
+) -> Seabed | None:
+    """The seabed for views from under the surface; None without light."""
     if made is None:
         return None
-    return Bed(scene, made, time, origin) if coast is None else ShoreBed(scene, made, time, origin, coast)
+    return Seabed(scene, made, time, origin) if coast is None else ShoreSeabed(scene, made, time, origin, coast)
 
 
 def _joints(x: Floats) -> Floats:
-    """Width of the joints left of x, in tiles."""
+    """Total width of the joints between 0 and x, in tiles."""
     whole = np.floor(x)
     result: Floats = JOINT * whole + np.maximum(x - whole - (1.0 - JOINT), 0.0)
     return result

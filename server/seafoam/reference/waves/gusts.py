@@ -1,4 +1,4 @@
-"""Section 9: gusts, by which ripples rise and fall from place to place."""
+"""Section 9: gusts, which vary the ripples' amplitude over the water."""
 
 import math
 
@@ -13,7 +13,7 @@ OCTAVES = 3
 
 
 class GustField:
-    """The factor of ripples at one time (s) around one origin (x, z) in m; 1 without gusts."""
+    """Factor on the ripples' amplitude at one time (s) around one origin (x, z) in m; 1 without gusts."""
 
     def __init__(self, chop: Chop | None, time: float, origin: tuple[float, float]) -> None:
         self.gusts = None if chop is None else chop.gusts

@@ -1,7 +1,7 @@
 """Section 2: parametric waves and ripples, at one time, around one origin.
 
-Phases of far times and places are reduced exactly: ω, k, t and the origin are taken as the numbers their float64 are,
-ωt − k·origin + phase is a fraction, and 2π has 50 digits. What is left to float64 is the way from the origin.
+Phases at distant times and places are reduced exactly: ω, k, t and the origin are taken as exact float64 numbers, ωt −
+k·origin + phase is a fraction, and 2π has 50 digits. Only the vector from the origin is evaluated in float64.
 """
 
 import math
@@ -24,9 +24,9 @@ _TWO_PI = 2 * Fraction("3.14159265358979323846264338327950288419716939937510")
 
 BOUND_SAMPLES = 8192
 RELIEF_SAMPLES = 256
-"""Phases whose slopes are averaged; their number tells where K < ½: all but the trough has a mean square there."""
+"""Phases over which slopes are averaged; their number affects K < ½, where the slope is infinite at troughs."""
 STEEPEST = 1e9
-"""Stands for an infinite slope."""
+"""Value used for an infinite slope."""
 TROUGH = 1e-4
 """Least |p| in the derivative of waves of exponent below ½, whose slope is infinite at the trough."""
 
@@ -38,7 +38,7 @@ class WaveSet:
     amplitude: Floats
     exponent: Floats
     orbit: Floats
-    """How far each carries the water of the surface to and fro, m."""
+    """Horizontal amplitude of each wave's orbits at the surface, m."""
     k: Floats
     """Wavenumbers, rad/m."""
     kx: Floats
@@ -46,11 +46,11 @@ class WaveSet:
     omega: Floats
     """Angular frequencies, rad/s."""
     phase: Floats
-    """θ at the origin at the time asked for, in [0, 2π)."""
+    """θ at the origin at the given time, in [0, 2π)."""
 
     @property
     def top(self) -> float:
-        """ΣA less the waves' mean: no point of the surface is higher, m."""
+        """ΣA minus the waves' mean: upper bound of the surface's height, m."""
         return float(self.amplitude.sum()) - self.level
 
     @property
@@ -59,7 +59,7 @@ class WaveSet:
 
     @cached_property
     def level(self) -> float:
-        """Mean of Σ A u^K, m: still water over the troughs. Of sin^2K over a period, B(K + ½, ½)/π."""
+        """Mean of Σ A u^K, m: height of still water over the troughs. The mean of sin^2K is B(K + ½, ½)/π."""
         return sum(A * float(special.beta(K + 0.5, 0.5)) / math.pi for A, K, _ in self._shapes)
 
     @cached_property
@@ -83,7 +83,7 @@ class WaveSet:
 
     @cached_property
     def curvature(self) -> float:
-        """Greatest second derivative, rounded up, 1/m; short of the infinite one at the cusp of K < 1."""
+        """Greatest second derivative, rounded up, 1/m, without the infinite one at the cusp of K < 1."""
         return sum(k * k * curvature_bound(A, K) for A, K, k in self._shapes)
 
     @cached_property
@@ -97,7 +97,7 @@ class WaveSet:
         return result
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        """Σ y over the waves at (x, z), less its mean; (r,) m."""
+        """Σ y over the waves at (x, z), minus its mean; (r,) m."""
         total = np.full_like(x, -self.level)
         for i, theta in enumerate(self.theta(x, z)):
             total += wave_height(theta, self.amplitude[i], self.exponent[i])
@@ -113,7 +113,7 @@ class WaveSet:
         return h_x, h_z
 
     def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """From (x, z) to where the water that is there rests, to first order in the slope, m; (r,) each."""
+        """Displacement from (x, z) to where the water there rests, to first order in the slope, m; (r,) each."""
         way_x, way_z = np.zeros_like(x), np.zeros_like(x)
         for i, theta in enumerate(self.theta(x, z)):
             way = self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i])
@@ -144,7 +144,7 @@ class RippleSet:
 
 def wave_height(theta: Floats, A: float, K: float) -> Floats:
     """y = A((sin θ + 1)/2)^K, in [0, A]; of the shape of ``theta``."""
-    # (sin θ + 1)/2 is sin²(θ/2 + π/4), which keeps its digits at the trough.
+    # (sin θ + 1)/2 is sin²(θ/2 + π/4), which has no cancellation at the trough.
     p = np.sin(0.5 * theta + 0.25 * math.pi)
     u = p * p
     result: Floats = A * (_whole_power(u, int(K)) if int(K) == K and K <= 16 else np.power(u, K))
@@ -170,7 +170,7 @@ def slope_bound(A: float, K: float) -> float:
 
 
 def curvature_bound(A: float, K: float) -> float:
-    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up; short of the infinite one at the cusp of K < 1."""
+    """Greatest |d²y/dθ²| of a wave, by sampling, rounded up, without the infinite one at the cusp of K < 1."""
     slopes = wave_derivative(_cycle(), A, K)
     return 1.05 * float(np.abs(np.diff(slopes)).max()) * BOUND_SAMPLES / (2.0 * math.pi)
 

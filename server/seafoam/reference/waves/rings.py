@@ -1,8 +1,7 @@
 """Section 2: rings of stones, drops and blasts, at one time, around one origin.
 
-Ages and ways are differences of the numbers that float64 holds, exact up to their last rounding. The level of still
-water and the bounds are the scene's own (``ocean/rings.py``), as the ripples are; the search relies on them, and
-tests hold them.
+Ages and vectors are differences of float64 numbers, exact up to one rounding. Level of still water and bounds come from
+``ocean/rings.py``, which shaders use too; the search for intersections relies on them, and tests verify them.
 """
 
 import math
@@ -22,7 +21,7 @@ from seafoam.scene.rings import Ring
 
 LEAST = 1e-4
 LEAST_SHARE = 1.0 / 256.0
-"""A ring's amplitude is lowered by so many m, or by this share of I₀ where that is more."""
+"""A ring's amplitude is reduced by this, m, or by this share of I₀ if that is more."""
 ROUND = 0.25
 """Radius of the rounded centre, in wavelengths."""
 BAND = 1.0
@@ -31,31 +30,31 @@ BAND = 1.0
 
 @dataclass(frozen=True)
 class OneRing:
-    """A ring now."""
+    """A ring at one time."""
 
     amplitude: float
-    """I₀e^(−bs) − d, 0 at least, m."""
+    """Amplitude I₀e^(−bs) − d, at least 0, m."""
     k: float
-    """rad/m"""
+    """Wavenumber, rad/m."""
     theta: float
-    """ωs, rad."""
+    """Phase ωs, rad."""
     front: float
-    """c s, m."""
+    """Radius of the front, c s, m."""
     tail: float
-    """Waves behind the front, m; infinite where they reach the centre."""
+    """Length of the waves behind the front, m; infinite if they reach the centre."""
     x: float
     z: float
     """Centre, m from the origin."""
 
     @property
     def length(self) -> float:
-        """m"""
+        """Wavelength, m."""
         return 2.0 * math.pi / self.k
 
 
 @dataclass(frozen=True)
 class RingSet:
-    """The rings of a scene as a part of its surface."""
+    """The rings of a scene, as a part of its surface."""
 
     rings: tuple[OneRing, ...]
     top: float
@@ -93,9 +92,9 @@ class RingSet:
 
 
 def ring_set(scene: Scene, time: float, origin: tuple[float, float]) -> RingSet:
-    """The scene's rings at a time (s) around an origin (x, z) in m; those that are alive."""
-    found = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
-    alive = tuple(ring for ring in found if ring.amplitude > 0.0 and ring.front > 0.0)
+    """The scene's active rings at a time (s) around an origin (x, z) in m."""
+    states = [one_ring(ring, scene.water.depth, time, origin) for ring in scene.rings]
+    alive = tuple(ring for ring in states if ring.amplitude > 0.0 and ring.front > 0.0)
     return RingSet(rings=alive, top=highest(scene), slope=ring_slope(scene), curvature=ring_curvature(scene))
 
 
@@ -126,7 +125,7 @@ def ring_height(ring: OneRing, x: Floats, z: Floats) -> Floats:
 
 
 def ring_slope_outward(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-    """dη/dρ and 1/√(r² + a²): the gradient is their product times the way from the centre; (r,) each."""
+    """dη/dρ and 1/√(r² + a²): the gradient is their product times the vector from the centre; (r,) each."""
     rho, far = _rho(ring, x, z)
     head, tail, head_change, tail_change = _windows(ring, rho)
     angle = ring.k * rho - ring.theta
@@ -143,7 +142,7 @@ def _rho(ring: OneRing, x: Floats, z: Floats) -> tuple[Floats, Floats]:
 
 
 def _reached(ring: OneRing, x: Floats, z: Floats) -> Bools:
-    """Where r ≤ front + a, so that ρ may be behind the front."""
+    """Mask of places with r ≤ front + a, where ρ can be behind the front."""
     reach = ring.front + ROUND * ring.length
     result: Bools = (x - ring.x) ** 2 + (z - ring.z) ** 2 <= reach * reach
     return result

@@ -12,7 +12,7 @@ from scipy.ndimage import map_coordinates
 
 from seafoam.ocean.cascades import BAND, LEAST_JACOBIAN, LOOP, RAISED, Cascade, cascades
 from seafoam.ocean.stokes import foam_drift
-from seafoam.ocean.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, Fold, fold, old_times
+from seafoam.ocean.whitecaps import AGE_STEP, AGE_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
 from seafoam.reference.types import Floats
 from seafoam.scene.foam import FoldSaturation
 from seafoam.scene.models import Scene
@@ -51,7 +51,7 @@ def amplitudes(of: Cascade, time: float) -> NDArray[np.complex128]:
 
 
 def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
-    """The field by summing every wave at every place (m, (r,)): what the grids are held to."""
+    """The field as a sum of all waves at every place (m, (r,)), with which tests compare the grids."""
     step = 2.0 * math.pi / of.size
     rows, columns = np.nonzero(of.h0)
     kx, kz = step * (columns - BAND), step * (rows - BAND)
@@ -67,7 +67,7 @@ def direct(of: Cascade, time: float, x: Floats, z: Floats) -> Field:
 
 
 def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0.0, 0.0)) -> Field:
-    """The field at texel corners x = j·size/texels, (texels, texels), row z, moved by (x, z) m; by inverse FFT."""
+    """The field at texel corners x = j·size/texels, (texels, texels), row z, shifted by (x, z) m; by inverse FFT."""
     number = np.fft.fftfreq(texels, 1.0 / texels).round().astype(np.int64)
     spectrum = np.zeros((texels, texels), np.complex128)
     rows, columns = np.nonzero(of.h0)
@@ -77,7 +77,7 @@ def grids(of: Cascade, time: float, texels: int, moved: tuple[float, float] = (0
     kx, kz = step * number[None, :], step * number[:, None]
     k = np.maximum(np.hypot(kx, kz), 1e-300)
     factors = (np.ones_like(k), 1j * kx, 1j * kz, 1j * kx / k, 1j * kz / k, -kx * kx / k, -kx * kz / k, -kz * kz / k)
-    # Each wave stands once, at +k; the real part is its half of the pair.
+    # Each wave is stored once, at +k; the real part gives its half of the conjugate pair.
     return Field(*(2.0 * np.real(np.fft.ifft2(spectrum * factor)) * texels**2 for factor in factors))
 
 
@@ -94,12 +94,12 @@ class Tile:
     jacobian: Floats
     """det(1 + λ ∂D/∂x)."""
     label_x: Floats
-    """Where the water at each corner rests, texels."""
+    """Rest position of the water at each corner, texels."""
     label_z: Floats
 
 
 def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
-    """Turns a displaced tile into a height field: x + λD(x) = p solved for each corner p."""
+    """Converts a displaced tile to a height field: x + λD(x) = p solved for each corner p."""
     field = grids(of, time, texels)
     choppiness = of.choppiness(wanted)
     scale = choppiness * texels / of.size
@@ -115,36 +115,39 @@ def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
         e_x, e_z = x + scale * at("d_x", x, z) - p_x, z + scale * at("d_z", x, z) - p_z
         a_xx, a_zz = 1.0 + choppiness * at("xx", x, z), 1.0 + choppiness * at("zz", x, z)
         a_xz = choppiness * at("xz", x, z)
-        held = np.maximum(a_xx * a_zz - a_xz * a_xz, LEAST_JACOBIAN)
-        x, z = x - (a_zz * e_x - a_xz * e_z) / held, z - (a_xx * e_z - a_xz * e_x) / held
+        bounded = np.maximum(a_xx * a_zz - a_xz * a_xz, LEAST_JACOBIAN)
+        x, z = x - (a_zz * e_x - a_xz * e_z) / bounded, z - (a_xx * e_z - a_xz * e_x) / bounded
         if max(np.abs(e_x).max(), np.abs(e_z).max()) < 1e-9:
             break
-    found = Field(*(at(name, x, z) for name in splines))
-    jacobian = found.jacobian(choppiness)
-    held = np.maximum(jacobian, LEAST_JACOBIAN)
-    a_xx, a_zz, a_xz = 1.0 + choppiness * found.xx, 1.0 + choppiness * found.zz, choppiness * found.xz
-    h_x, h_z = (a_zz * found.h_x - a_xz * found.h_z) / held, (a_xx * found.h_z - a_xz * found.h_x) / held
+    rest = Field(*(at(name, x, z) for name in splines))
+    jacobian = rest.jacobian(choppiness)
+    bounded = np.maximum(jacobian, LEAST_JACOBIAN)
+    a_xx, a_zz, a_xz = 1.0 + choppiness * rest.xx, 1.0 + choppiness * rest.zz, choppiness * rest.xz
+    h_x, h_z = (
+        (a_zz * rest.h_x - a_xz * rest.h_z) / bounded,
+        (a_xx * rest.h_z - a_xz * rest.h_x) / bounded,
+    )
     length = np.hypot(h_x, h_z)
-    kept = np.minimum(1.0, of.steepest / np.maximum(length, 1e-300))
-    height = np.clip(found.h, -of.limit, of.limit)
+    kept = np.minimum(1.0, of.max_slope / np.maximum(length, 1e-300))
+    height = np.clip(rest.h, -of.limit, of.limit)
     return Tile(of.size, height, h_x * kept, h_z * kept, a_xx + a_zz - 2.0, jacobian, x, z)
 
 
 @dataclass(frozen=True, eq=False)
 class SeaSurface:
-    """The open sea at one time around one origin: a part of the relief, and the slopes and folds that go with it."""
+    """The open sea at one time around one origin: a part of the relief, with slopes and Jacobians."""
 
     tiles: tuple[Tile, ...]
     cascades: tuple[Cascade, ...]
     origin: tuple[float, float]
     earlier: tuple[tuple[Floats, ...], ...]
-    """For each raised tile, the fold at each earlier time, carried along with the water; half the texels."""
+    """For each raised tile, λ div D at each earlier time, moved with the water; half the texels."""
     old: tuple[Floats, ...] = ()
-    """The same of the largest tile at each time of long ago, where the scene's foam lasts."""
+    """The same for the largest tile at each older time, if the scene's foam lasts."""
 
     @property
     def top(self) -> float:
-        """The sum of the heights' limits, m."""
+        """Sum of the tiles' upper bounds, m."""
         return sum(of.limit for of in self.cascades[:RAISED])
 
     @property
@@ -155,26 +158,28 @@ class SeaSurface:
     def slope(self) -> float:
         """Greatest slope between texels, rounded up."""
         steepest = 0.0
-        for one in self._raised:
-            across = [np.abs(np.diff(one.height, axis=axis, append=_first(one.height, axis))).max() for axis in (0, 1)]
-            steepest += math.hypot(float(across[0]), float(across[1])) * one.height.shape[0] / one.size
+        for tile in self._raised:
+            across = [
+                np.abs(np.diff(tile.height, axis=axis, append=_first(tile.height, axis))).max() for axis in (0, 1)
+            ]
+            steepest += math.hypot(float(across[0]), float(across[1])) * tile.height.shape[0] / tile.size
         return 1.001 * steepest
 
     @cached_property
     def curvature(self) -> float:
-        """Greatest change of slope over a texel, 1/m: bilinear patches bend at their seams."""
+        """Greatest change of slope over a texel, 1/m: bilinear patches have kinks at their edges."""
         worst = 0.0
-        for one in self._raised:
-            step = one.size / one.height.shape[0]
+        for tile in self._raised:
+            step = tile.size / tile.height.shape[0]
             for axis in (0, 1):
-                bend = np.roll(one.height, 1, axis) - 2.0 * one.height + np.roll(one.height, -1, axis)
+                bend = np.roll(tile.height, 1, axis) - 2.0 * tile.height + np.roll(tile.height, -1, axis)
                 worst += 2.0 * float(np.abs(bend).max()) / (step * step)
         return worst
 
     @cached_property
     def shape(self) -> float:
         """Half the shortest wave of the finest raised tile at ``TEXELS``, m: 4 texels."""
-        return min(4.0 * one.size / float(one.height.shape[0]) for one in self._raised)
+        return min(4.0 * tile.size / float(tile.height.shape[0]) for tile in self._raised)
 
     @property
     def _raised(self) -> tuple[Tile, ...]:
@@ -182,60 +187,60 @@ class SeaSurface:
 
     def height(self, x: Floats, z: Floats) -> Floats:
         total = np.zeros_like(x)
-        for one in self._raised:
-            total += self._at(one, one.height, x, z)
+        for tile in self._raised:
+            total += self._at(tile, tile.height, x, z)
         return total
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         h_x, h_z = np.zeros_like(x), np.zeros_like(x)
-        for one in self._raised:
-            h_x += self._at(one, one.h_x, x, z)
-            h_z += self._at(one, one.h_z, x, z)
+        for tile in self._raised:
+            h_x += self._at(tile, tile.h_x, x, z)
+            h_z += self._at(tile, tile.h_z, x, z)
         return h_x, h_z
 
     def shading(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Gradient of the raised tiles as light sees it; (r,) each."""
+        """Gradient of the raised tiles for shading; (r,) each."""
         return self._slopes(self._raised, x, z)
 
     def detail(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """Gradient of the tiles that tilt the surface and do not raise it; (r,) each."""
+        """Gradient of the tiles that change only the normals; (r,) each."""
         return self._slopes(self.tiles[RAISED:], x, z)
 
     def folds(self, x: Floats, z: Floats) -> list[Floats]:
-        """λ div D now and at each earlier time, of the raised tiles together; (r,) each."""
-        result = [sum(self._smooth(one, one.fold, x, z) for one in self._raised)]
+        """λ div D now and at each earlier time, summed over the raised tiles; (r,) each."""
+        result = [sum(self._smooth(tile, tile.fold, x, z) for tile in self._raised)]
         for step in range(AGE_STEPS):
             parts = zip(self._raised, self.earlier, strict=True)
-            result.append(sum(self._at(one, then[step], x, z) for one, then in parts))
-        return [np.asarray(one, np.float64) for one in result]
+            result.append(sum(self._at(tile, then[step], x, z) for tile, then in parts))
+        return [np.asarray(values, np.float64) for values in result]
 
-    def long_ago(self, model: Fold, x: Floats, z: Floats) -> Floats:
-        """What is left of foam of long ago; (r,), not held at 1."""
+    def long_ago(self, model: WhitecapModel, x: Floats, z: Floats) -> Floats:
+        """Remaining old foam; (r,), not limited to 1."""
         left = np.zeros_like(self.old[0])
         for share, folded in zip(model.old_shares, self.old, strict=True):
             left += share * np.clip((model.old[0] - folded) / model.old[1], 0.0, 1.0)
         return self._at(self.tiles[0], left, x, z)
 
     def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-        """From (x, z) to where the water that is there rests, m; (r,) each."""
+        """Displacement from (x, z) to where the water there rests, m; (r,) each."""
         way_x, way_z = np.zeros_like(x), np.zeros_like(x)
-        for one in self._raised:
-            texels = one.label_x.shape[0]
+        for tile in self._raised:
+            texels = tile.label_x.shape[0]
             corner = np.arange(0, texels, 2)
-            scale = one.size / texels
-            way_x += self._at(one, scale * (one.label_x[::2, ::2] - corner[None, :]), x, z)
-            way_z += self._at(one, scale * (one.label_z[::2, ::2] - corner[:, None]), x, z)
+            scale = tile.size / texels
+            way_x += self._at(tile, scale * (tile.label_x[::2, ::2] - corner[None, :]), x, z)
+            way_z += self._at(tile, scale * (tile.label_z[::2, ::2] - corner[:, None]), x, z)
         return way_x, way_z
 
     def _slopes(self, tiles: tuple[Tile, ...], x: Floats, z: Floats) -> tuple[Floats, Floats]:
         h_x, h_z = np.zeros_like(x), np.zeros_like(x)
-        for one in tiles:
-            h_x += self._smooth(one, one.h_x, x, z)
-            h_z += self._smooth(one, one.h_z, x, z)
+        for tile in tiles:
+            h_x += self._smooth(tile, tile.h_x, x, z)
+            h_z += self._smooth(tile, tile.h_z, x, z)
         return h_x, h_z
 
     def _smooth(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
-        """The uniform cubic B-spline with ``values`` as coefficients, at places from the origin."""
+        """The uniform cubic B-spline with ``values`` as coefficients, at (x, z), m from the origin."""
         scale = values.shape[0] / of.size
         u = (math.fmod(self.origin[0], of.size) + x) * scale
         v = (math.fmod(self.origin[1], of.size) + z) * scale
@@ -243,7 +248,7 @@ class SeaSurface:
         return result
 
     def _at(self, of: Tile, values: Floats, x: Floats, z: Floats) -> Floats:
-        """``values`` of a tile, bilinear, at places from the origin."""
+        """``values`` of a tile, bilinear, at (x, z), m from the origin."""
         texels = values.shape[0]
         scale = texels / of.size
         u = x * scale + math.fmod(self.origin[0], of.size) * scale
@@ -269,15 +274,15 @@ def _drawn(
     tiles = tuple(tile(of, time, sea.choppiness, texels) for of in drawn)
 
     def then(of: Cascade, now: Tile, size: int, times: list[float]) -> tuple[Floats, ...]:
-        """Folds on ``size``² texels at times ago, at every second texel, where the water that is there now rests."""
+        """λ div D on ``size``² texels at earlier times, at every second texel, at the rest position of its water."""
         finer = texels // size
         place = now.label_z[::2, ::2] / finer, now.label_x[::2, ::2] / finer
-        found = []
+        series = []
         for ago in times:
             field = grids(of, time - ago, size, (drift[0] * ago, drift[1] * ago))
             linear = of.choppiness(sea.choppiness) * (field.xx + field.zz)
-            found.append(map_coordinates(linear, place, order=1, mode="grid-wrap"))
-        return tuple(found)
+            series.append(map_coordinates(linear, place, order=1, mode="grid-wrap"))
+        return tuple(series)
 
     ages = [AGE_STEP * step for step in range(1, AGE_STEPS + 1)]
     earlier = tuple(then(of, now, texels // 2, ages) for of, now in zip(drawn[:RAISED], tiles, strict=False))
@@ -290,8 +295,8 @@ def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: 
     if scene.sea is None or scene.sea.wind <= 0.0:
         return None
     depth = scene.water.depth
-    sources = () if scene.foam is None else scene.foam.saturation
-    lasting = any(isinstance(source, FoldSaturation) and source.lasting for source in sources)
+    source = None if scene.foam is None else scene.foam.source(FoldSaturation)
+    lasting = source is not None and source.lasting
     tiles, earlier, old = _drawn(scene.sea, depth, time, texels, foam_drift(scene), lasting)
     return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
 
@@ -300,15 +305,15 @@ def fold_saturation(scene: Scene, foam: FoldSaturation, surface: SeaSurface | No
     """f at (x, z), m from the origin; (r,) in [0, 1]."""
     if scene.sea is None or surface is None:
         return np.zeros_like(x)
-    found = fold(scene.sea, foam, scene.water.depth, AGE_STEPS, AGE_STEP, surface.tiles[0].fold.shape[0])
-    if found is None:
+    model = whitecap_model(scene.sea, foam, scene.water.depth, AGE_STEPS, AGE_STEP, surface.tiles[0].fold.shape[0])
+    if model is None:
         return np.zeros_like(x)
     total = np.zeros_like(x)
-    for j, (share, folded) in enumerate(zip(found.shares, surface.folds(x, z), strict=True)):
-        threshold, width = found.earlier if j else found.now
+    for j, (share, folded) in enumerate(zip(model.shares, surface.folds(x, z), strict=True)):
+        threshold, width = model.earlier if j else model.now
         total += share * np.clip((threshold - folded) / width, 0.0, 1.0)
-    if found.old_shares:
-        total += surface.long_ago(found, x, z)
+    if model.old_shares:
+        total += surface.long_ago(model, x, z)
     return np.minimum(total, 1.0)
 
 
@@ -321,5 +326,5 @@ def _spline(values: Floats) -> Floats:
 
 
 def _first(values: Floats, axis: int) -> Floats:
-    """The first row or column, to close the tile."""
+    """Append the first row or column, which closes the tile."""
     return np.take(values, [0], axis=axis)

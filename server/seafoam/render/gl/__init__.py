@@ -1,4 +1,4 @@
-"""The OpenGL executor: plans, times and cameras become pixels.
+"""The OpenGL executor: draws plans at given times from given cameras.
 
-It imports the frame graph and textures, neither effects nor the planner.
+It imports the frame graph and textures, but neither effects nor the planner.
 """

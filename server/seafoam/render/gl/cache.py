@@ -1,4 +1,4 @@
-"""What an executor keeps from frame to frame."""
+"""Cache of the GL objects that an executor keeps between frames."""
 
 from collections import OrderedDict
 from collections.abc import Callable
@@ -8,7 +8,7 @@ FORMAT_BYTES = {"f1": 1, "u1": 1, "u2": 2, "u4": 4, "f2": 2, "f4": 4}
 
 
 class Cache:
-    """GL objects by key, evicted least recently used first; ``weigh``: how much of ``size`` each takes."""
+    """GL objects by key; the least recently used are evicted first. ``size``: limit of the sum of their ``weigh``."""
 
     def __init__(self, size: int, weigh: Callable[[Any], int] = lambda item: 1) -> None:
         self._size = size
@@ -30,10 +30,10 @@ class Cache:
 
     def trim(self) -> None:
         """Release objects over the limit; called between frames, when nothing is in use."""
-        held = sum(map(self._weigh, self._items.values()))
-        while held > self._size:
+        total = sum(map(self._weigh, self._items.values()))
+        while total > self._size:
             item = self._items.popitem(last=False)[1]
-            held -= self._weigh(item)
+            total -= self._weigh(item)
             self.release(item)
 
     def clear(self) -> None:
@@ -47,7 +47,7 @@ class Cache:
 
 
 def target_bytes(target: tuple[Any, ...]) -> int:
-    """Of the pixels of a target as :meth:`Executor._framebuffer` makes it."""
+    """Return the bytes of the pixels of a target that :meth:`Executor._framebuffer` has created."""
     framebuffer, color, *depth = target
     texel = color.components * FORMAT_BYTES[color.dtype] + 4 * len(depth)
     return int(framebuffer.width * framebuffer.height * texel)

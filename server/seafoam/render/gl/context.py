@@ -1,4 +1,4 @@
-"""The GL context of a process: created, checked, and set to the initial state of OpenGL ES."""
+"""Creates and checks the GL context of a process, and sets it to the initial state of OpenGL ES."""
 
 from ctypes.util import find_library
 from typing import Any
@@ -13,7 +13,7 @@ _REMEDY = (
 
 
 class NoRendererError(RuntimeError):
-    """OpenGL is not usable on this machine. The text says what was tried and what to install."""
+    """OpenGL is not usable on this machine. The message says what failed and what to install."""
 
 
 def create_context(device_index: int | None = None) -> moderngl.Context:
@@ -43,5 +43,5 @@ def create_context(device_index: int | None = None) -> moderngl.Context:
 
 
 def _library(name: str, soname: str) -> str:
-    # find_library needs a compiler or ldconfig, which slim images lack; the soname does not.
+    # find_library needs a compiler or ldconfig, which slim images lack; the soname works without.
     return find_library(name) or soname

@@ -24,7 +24,7 @@ from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, create_context
 from seafoam.scene.camera import Camera
-from seafoam.textures import texture
+from seafoam.textures import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
 
@@ -104,8 +104,8 @@ class _Linked:
         """Return the vertex array that feeds ``mesh``; None: no attributes."""
         if mesh not in self._arrays:
             self._arrays[mesh] = self._make(mesh)
-        found: moderngl.VertexArray = self._arrays[mesh][0]
-        return found
+        array: moderngl.VertexArray = self._arrays[mesh][0]
+        return array
 
     def _make(self, mesh: Grid | None) -> tuple[Any, ...]:
         if mesh is None:
@@ -128,7 +128,7 @@ class Executor:
     def __init__(self, device_index: int | None = None) -> None:
         self._thread = threading.get_ident()
         self._context = create_context(device_index)
-        # Bound while others are released: moderngl binds the last framebuffer again whenever it makes an object.
+        # Bound while others are released, since moderngl binds the last framebuffer again when it creates an object.
         self._resting = self._context.framebuffer([self._context.texture((1, 1), 4)])
         self.info: dict[str, str] = {
             "vendor": self._context.info["GL_VENDOR"],
@@ -136,7 +136,8 @@ class Executor:
             "version": self._context.info["GL_VERSION"],
         }
         self.max_side = int(self._context.info["GL_MAX_TEXTURE_SIZE"])
-        # llvmpipe compiles a program twice for a state that hides what was there: blended with none of it, once.
+        # llvmpipe compiles two variants of a program for an opaque state, and one for a blended state. So blending is
+        # always enabled there; the factors (1, 0) make it opaque.
         self._always_blends = "llvmpipe" in self.info["renderer"]
         self._programs = Cache(_PROGRAMS_KEPT)
         self._textures = Cache(_TEXTURES_KEPT)
@@ -162,7 +163,7 @@ class Executor:
         start = clock.perf_counter()
         target_name = {"rgba8": "screen", "linear": plan.linear, "samples": "samples"}[output]
         drawn = drawn_passes(plan, camera, width, height, target_name)
-        setup = {one.target for one in plan.passes if one.when == "setup"}
+        setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
             name: self._target(name, target, width, height)
             for name, target in plan.targets.items()
@@ -172,15 +173,15 @@ class Executor:
             ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
         )
         framebuffers |= self._set_up(plan, drawn, camera)
-        # Every frame pass: plans share their targets, so nothing that was drawn for an earlier frame can be relied on.
-        for index, shows in drawn.items():
-            one = plan.passes[index]
-            if one.when == "setup":
+        # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
+        for index, visible in drawn.items():
+            step = plan.passes[index]
+            if step.when == "setup":
                 continue
-            if shows:
-                self._draw(plan, one, index, framebuffers, time, camera, width, height)
+            if visible:
+                self._draw(plan, step, index, framebuffers, time, camera, width, height)
             else:
-                self._clear(framebuffers[one.target][0])
+                self._clear(framebuffers[step.target][0])
         self._context.finish()
         finished = clock.perf_counter()
         framebuffer = framebuffers[target_name][0]
@@ -190,7 +191,7 @@ class Executor:
         pixels = np.frombuffer(raw, np.uint8 if output == "rgba8" else np.float32).reshape(shape)[::-1]
         error = self._context.error
         if error != "GL_NO_ERROR":
-            # What it spoilt must not be kept.
+            # Kept targets may have wrong content.
             self._resting.use()
             self._static.clear()
             raise RuntimeError(f"OpenGL error while drawing: {error}")
@@ -224,13 +225,15 @@ class Executor:
 
     def _own_thread(self) -> None:
         if threading.get_ident() != self._thread:
-            raise RuntimeError("a GL context belongs to the thread that made it; elsewhere it draws nothing, silently")
+            raise RuntimeError(
+                "a GL context draws only in the thread that created it; in others it draws nothing, without an error"
+            )
 
     def _set_up(self, plan: FramePlan, drawn: Iterable[int], camera: Camera) -> dict[str, tuple[Any, ...]]:
         """Return the kept targets that passes of ``drawn`` read, with the content that setup passes draw.
 
-        Targets that no earlier frame of this plan, or of one with the same hash, has left are drawn; they do not depend
-        on the frame.
+        Targets that no earlier frame has drawn, of this plan or of one with the same hash, are drawn now; they do not
+        depend on the frame.
         """
         setup = {index: plan.passes[index] for index in drawn if plan.passes[index].when == "setup"}
         wanted = {name for index in drawn if index not in setup for name in reads(plan.passes[index])}
@@ -238,25 +241,24 @@ class Executor:
         missing = {digest: name for name, digest in needed.items() if digest not in self._static}
         if missing:
             steps = passes_into(setup, missing.values())
-            into = {one.target: self._target(one.target, plan.targets[one.target]) for one in steps.values()}
-            made = {digest: self._made(plan.targets[name]) for digest, name in missing.items()}
-            into |= {name: made[digest] for digest, name in missing.items()}
+            into = {step.target: self._target(step.target, plan.targets[step.target]) for step in steps.values()}
+            created = {digest: self._create(plan.targets[name]) for digest, name in missing.items()}
+            into |= {name: created[digest] for digest, name in missing.items()}
             try:
-                for index, one in steps.items():
-                    self._draw(plan, one, index, into, 0.0, camera, 1, 1)
+                for index, step in steps.items():
+                    self._draw(plan, step, index, into, 0.0, camera, 1, 1)
             except BaseException:
-                for target in made.values():
+                for target in created.values():
                     Cache.release(target)
                 raise
-            for digest, target in made.items():
+            for digest, target in created.items():
                 self._static.put(digest, target)
-        found = {name: self._static.get(digest) for name, digest in needed.items()}
-        return found
+        return {name: self._static.get(digest) for name, digest in needed.items()}
 
     def _draw(
         self,
         plan: FramePlan,
-        one: Pass,
+        step: Pass,
         index: int,
         framebuffers: dict[str, tuple[Any, ...]],
         time: float,
@@ -264,41 +266,41 @@ class Executor:
         width: int,
         height: int,
     ) -> None:
-        framebuffer = framebuffers[one.target][0]
-        model = plan.programs[one.program]
+        framebuffer = framebuffers[step.target][0]
+        model = plan.programs[step.program]
         linked = self._program(model)
         program = linked.program
         framebuffer.use()
         framebuffer.viewport = (0, 0, framebuffer.width, framebuffer.height)
-        depth = moderngl.DEPTH_TEST if one.state.depth else 0
-        blend = moderngl.BLEND if one.state.blend != "none" or self._always_blends else 0
+        depth = moderngl.DEPTH_TEST if step.state.depth else 0
+        blend = moderngl.BLEND if step.state.blend != "none" or self._always_blends else 0
         self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | depth | blend)
         self._context.depth_func = "<"
-        self._context.blend_func = _BLENDS[one.state.blend]
-        if one.state.clear:
+        self._context.blend_func = _BLENDS[step.state.blend]
+        if step.state.clear:
             self._clear(framebuffer)
         state = FrameState(time, camera, width, height, framebuffer.width, framebuffer.height, index)
-        for unit, (name, source) in enumerate(sorted(one.inputs.items())):
+        for unit, (name, source) in enumerate(sorted(step.inputs.items())):
             if name not in program:
                 continue
             if isinstance(source, TextureInput):
-                found = self._texture(source.texture, plan.textures[source.texture])
+                image = self._texture(source.texture, plan.textures[source.texture])
             else:
-                found = framebuffers[source.target][1]
-            found.use(unit)
+                image = framebuffers[source.target][1]
+            image.use(unit)
             program[name] = unit
-        # Names the compiler dropped are declared in the text and absent here.
+        # Uniforms that the compiler has removed are declared in the source but missing in the program.
         for name in declared_uniforms(model.vertex) | declared_uniforms(model.fragment):
-            if name in program and name not in one.inputs:
-                uniform = one.uniforms.get(name) or plan.uniforms[name]
+            if name in program and name not in step.inputs:
+                uniform = step.uniforms.get(name) or plan.uniforms[name]
                 member = _member(program, name)
-                # An array whose last elements nothing reads is shorter to the driver.
+                # Drivers shorten arrays whose last elements are never read.
                 values = evaluate(uniform, state)[: member.array_length * member.dimension]
                 member.write(values.tobytes())
-        linked.draw(one.mesh)
-        if one.target in plan.targets and plan.targets[one.target].filter == MIPMAPPED:
-            # Means of 2 × 2 texels, level by level; this sets the filter to trilinear, too.
-            framebuffers[one.target][1].build_mipmaps()
+        linked.draw(step.mesh)
+        if step.target in plan.targets and plan.targets[step.target].filter == MIPMAPPED:
+            # Means of 2 × 2 texels, level by level; moderngl also sets the filter to trilinear.
+            framebuffers[step.target][1].build_mipmaps()
 
     @staticmethod
     def _clear(framebuffer: Any) -> None:
@@ -317,39 +319,39 @@ class Executor:
 
     def _texture(self, name: str, model: Texture) -> moderngl.Texture:
         def make() -> moderngl.Texture:
-            data = texture(model.url.removeprefix("/api/textures/"))
+            data = texture(spec_of(model.url))
             if data.sha256 != model.sha256:
-                raise RuntimeError(f"texture {name} differs from the one named by the plan")
+                raise RuntimeError(f"texture {name}: its bytes do not have the SHA-256 that the plan states")
             components, dtype = TEXTURE_FORMATS[model.format]
-            made = self._context.texture((model.width, model.height), components, dtype=dtype, alignment=1)
+            created = self._context.texture((model.width, model.height), components, dtype=dtype, alignment=1)
             if model.levels > 1:
-                # The only way moderngl allocates the levels, which are then written one by one.
-                made.build_mipmaps(0, model.levels - 1)
+                # Moderngl allocates levels in no other way; they are written one by one below.
+                created.build_mipmaps(0, model.levels - 1)
             offset = 0
             for level in range(model.levels):
                 level_width, level_height = max(model.width >> level, 1), max(model.height >> level, 1)
                 size = level_width * level_height * components * FORMAT_BYTES[dtype]
-                made.write(data.data[offset : offset + size], level=level, alignment=1)
+                created.write(data.data[offset : offset + size], level=level, alignment=1)
                 offset += size
-            made.filter = _FILTERS[model.filter]
-            made.repeat_x = made.repeat_y = model.wrap == "repeat"
-            return made
+            created.filter = _FILTERS[model.filter]
+            created.repeat_x = created.repeat_y = model.wrap == "repeat"
+            return created
 
-        made: moderngl.Texture = self._textures.get((model.sha256, model.filter, model.wrap), make)
-        return made
+        image: moderngl.Texture = self._textures.get((model.sha256, model.filter, model.wrap), make)
+        return image
 
     def _target(self, name: str, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
         size = _size(target, width, height)
         key = (name, size, target.format, target.depth, target.filter, target.wrap)
-        found: tuple[Any, ...] = self._targets.get(key, partial(self._made, target, width, height))
+        found: tuple[Any, ...] = self._targets.get(key, partial(self._create, target, width, height))
         return found
 
-    def _made(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
-        """Return a target for a picture of ``width`` × ``height`` pixels, which those of fixed size ignore."""
-        made = self._framebuffer(_size(target, width, height), target.format, depth=target.depth)
-        made[1].filter = _FILTERS[target.filter]
-        made[1].repeat_x = made[1].repeat_y = target.wrap == "repeat"
-        return made
+    def _create(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
+        """Create a target for a picture of ``width`` × ``height`` pixels, which targets of fixed size ignore."""
+        created = self._framebuffer(_size(target, width, height), target.format, depth=target.depth)
+        created[1].filter = _FILTERS[target.filter]
+        created[1].repeat_x = created[1].repeat_y = target.wrap == "repeat"
+        return created
 
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
         if max(size) > self.max_side:

@@ -1,4 +1,4 @@
-"""What a render worker is asked for, what it answers, and how it draws that."""
+"""Jobs of render workers, their results, and the functions that run them."""
 
 import time
 from collections.abc import Mapping

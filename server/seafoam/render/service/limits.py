@@ -1,4 +1,4 @@
-"""How large a frame may be."""
+"""Size limits of frames."""
 
 import math
 from dataclasses import dataclass
@@ -35,13 +35,13 @@ class FrameLimits:
             if not 1 <= value <= side:
                 why = "" if side == self.side else f" at {samples} samples per pixel"
                 raise FrameTooLargeError(field, f"{field} must be 1 to {side} pixels{why}, not {value}", 1, side)
-        asked = width * height * samples
-        if asked > self.samples:
-            most = max(1, self.samples // (width * samples))
+        requested = width * height * samples
+        if requested > self.samples:
+            max_height = max(1, self.samples // (width * samples))
             raise FrameTooLargeError(
                 "height",
-                f"{width} × {height} pixels with {samples} samples each are {asked:,} samples; the limit "
+                f"{width} × {height} pixels with {samples} samples each are {requested:,} samples; the limit "
                 f"is {self.samples:,}: lower width, height or the quality's samples",
                 1,
-                most,
+                max_height,
             )

@@ -118,7 +118,7 @@ class RenderPool:
     async def start(self) -> None:
         """Start the workers and return at once; :attr:`state` tells when they are ready."""
         self.state, self.active = "starting", 0
-        # They belong to the loop that first waits for them, which after a restart is another.
+        # They belong to the event loop that first waits for them, and a restart has a new loop.
         self._settled = asyncio.Event()
         self._slots = asyncio.Semaphore(self.workers)
         self._keep(self._watch())
@@ -194,7 +194,7 @@ class RenderPool:
         try:
             answer = await self._attempt(work, args, expires)
         except (ProcessExpired, BrokenProcessPool, CancelledFuture) as error:
-            # A frame is a pure function of its job, so a dead worker is no reason to fail before a second try.
+            # A frame depends only on its job, so it can be tried again in another worker.
             log.warning("A render worker died: %r", error)
             await self._take_worker(expires)
             try:
@@ -213,7 +213,7 @@ class RenderPool:
         self.active += 1
         future.add_done_callback(lambda _: loop.call_soon_threadsafe(self._free))
         wrapped = asyncio.wrap_future(future)
-        # Marks a failure as seen: nobody may be left to see it.
+        # Retrieves the exception, which asyncio would report if the caller no longer waits.
         wrapped.add_done_callback(lambda done: done.cancelled() or done.exception())
         try:
             done, _ = await asyncio.wait({wrapped}, timeout=max(0.0, expires - time.time()))
@@ -221,7 +221,7 @@ class RenderPool:
                 raise TimeoutError
             return wrapped.result()
         except TimeoutError:
-            # Pebble counts from where the worker starts on the job, so the deadline passes here first.
+            # Pebble's timeout starts with the worker's start on the job, so this deadline is reached first.
             if future.running() or future.done():
                 self.restarts["deadline"] += 1
             self._keep(self._replace_if_stuck(future))
@@ -252,7 +252,7 @@ class RenderPool:
             try:
                 return self._processes.schedule(work, args, timeout=timeout)
             except RuntimeError:
-                # Pebble gives a pool up for good when a worker dies that had nothing to do.
+                # Pebble closes a pool permanently if an idle worker dies.
                 self.restarts["crash"] += 1
                 self._drop_processes()
         self._processes = self._new_processes()

@@ -1,4 +1,4 @@
-"""What runs in a worker process: one renderer, and a function for each kind of job."""
+"""Code of worker processes: one renderer, and a function for each kind of job."""
 
 import os
 import time

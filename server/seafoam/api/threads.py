@@ -14,7 +14,7 @@ T = TypeVar("T")
 RETRY_SECONDS = 5
 
 
-class Workshop:
+class ThreadPool:
     """Runs functions in threads, in order.
 
     threads: number that run at a time. queue: number of further calls that can wait.

@@ -1,4 +1,4 @@
-"""Hard cases of foam.fold, and scenes that call for it and cannot show it."""
+"""Hard cases of foam.whitecaps, and scenes that name it but in which it is invisible."""
 
 from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
@@ -17,8 +17,9 @@ _HARD = (
     HardCase(
         name="foam of an hour's gale, from near to the horizon",
         scene=Scene(sea=Sea(wind=20.0), foam=Foam(saturation=(FoldSaturation(),), look="fading")),
-        guard="no normal average under a footprint that lost nothing (foam/saturation/fold.glsl)",
-        without="nothing on llvmpipe: t/0 is held at 6 deviations; 0/0 is undefined",
+        guard="no average over a normal distribution where the footprint filters nothing out "
+        "(foam/saturation/fold.glsl)",
+        without="no change on llvmpipe: t/0 is clamped to 6 standard deviations; 0/0 is undefined",
         camera=Camera(position=(0.37, 30.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(3600.0,),
     ),
@@ -28,7 +29,7 @@ _HARD = (
             sea=Sea(wind=60.0, model="gerstner"),
             foam=Foam(saturation=(FoldSaturation(coverage=10.0, softness=0.01, decay=60.0),), look="textured"),
         ),
-        guard="f at most 1 (foam/saturation/fold.glsl), the threshold sought in a bracket (ocean/whitecaps.py)",
+        guard="f at most 1 (foam/saturation/fold.glsl), threshold found by bisection (ocean/whitecaps.py)",
         without="f up to 8.5, the sum of nine times; the look clamps it here",
         camera=Camera(position=(0.37, 90.0, -0.21), yaw=1.0, pitch=-0.3),
         times=(1e9,),
@@ -36,8 +37,8 @@ _HARD = (
     HardCase(
         name="a sea too flat to fold",
         scene=Scene(sea=Sea(wind=0.2, fetch=100.0), foam=Foam(saturation=(FoldSaturation(),))),
-        guard="left out where the fold's mean square is below 1e-8 (ocean/whitecaps.py)",
-        without="the transform's rounding folds: 0.06 % of a draft frame under foam instead of none",
+        guard="no foam where the mean square of J - 1, J the Jacobian, is below 1e-8 (ocean/whitecaps.py)",
+        without="rounding of the Fourier transform makes whitecaps: foam on 0.06 % of a draft frame instead of none",
         camera=_NEAR,
     ),
 )

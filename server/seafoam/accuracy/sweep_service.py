@@ -21,7 +21,7 @@ KEPT = 16
 MOST_WAITING = 24
 
 
-class StationFullError(Exception):
+class QueueFullError(Exception):
     """The queue of measurements is full."""
 
 
@@ -41,7 +41,7 @@ class _Task:
         return key_of(scene_sha256(self.subject.scene), self.subject.time, self.subject.size, self.whole)
 
 
-class Station:
+class SweepService:
     """Runs requested measurements, one after the other. Its methods never wait for a measurement.
 
     ``rig`` returns the renderer when needed, and raises if there is none. Methods can read files and plan scenes,
@@ -63,29 +63,29 @@ class Station:
     def sweep(self, subject: Subject) -> Sweep | Running:
         """Return the sweep if it is finished, else its progress; the first call starts it.
 
-        Raises :class:`StationFullError`, what ``rig`` raises, and once the error of the last attempt.
+        Raises :class:`QueueFullError`, what ``rig`` raises, and once the error of the last attempt.
         """
         rig = self._rig()
         key = key_of(_Task(subject, True).key, rig.machine.model_dump())
         with self._change:
-            found = self._sweeps.get(key)
-        if found is None:
-            found = find_sweep(self._store, subject, self.settings, rig.machine)
-        if found is None:
+            stored = self._sweeps.get(key)
+        if stored is None:
+            stored = find_sweep(self._store, subject, self.settings, rig.machine)
+        if stored is None:
             return self._ask(_Task(subject, True))
         with self._change:
-            self._sweeps[key] = found
+            self._sweeps[key] = stored
             while len(self._sweeps) > KEPT:
                 self._sweeps.popitem(last=False)
-        return found
+        return stored
 
     def truth(self, subject: Subject) -> Truth | Running:
         """Return the float64 picture or its progress; the first call starts it. Raises as :meth:`sweep` does."""
         settings = self.settings
         at = (settings.width, settings.height, settings.samples_along)
-        found = find_truth(self._store, subject.scene, subject.time, *at)
-        if found is not None:
-            return found
+        picture = find_truth(self._store, subject.scene, subject.time, *at)
+        if picture is not None:
+            return picture
         with self._change:
             if self._running is not None and self._running[0] == _Task(subject, True).key:
                 return self._now(self._running)
@@ -114,7 +114,7 @@ class Station:
                 return self._now(self._running)
             if key not in self._waiting:
                 if len(self._waiting) >= MOST_WAITING:
-                    raise StationFullError(f"{len(self._waiting)} measurements are already waiting")
+                    raise QueueFullError(f"{len(self._waiting)} measurements are already waiting")
                 self._waiting[key] = task
                 self._change.notify_all()
             if self._thread is None and not self._stopped.is_set():

@@ -1,0 +1,248 @@
+"""Whitecaps: foam where the open sea's Jacobian is small, and for seconds after. docs/formulae.md, section 4."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from seafoam.effects.effect import (
+    Bound,
+    Contribution,
+    Effect,
+    Knob,
+    PassSpec,
+    Piece,
+    SaturationSource,
+    SlotFile,
+    Source,
+)
+from seafoam.effects.waves.sea import (
+    RESAMPLED,
+    displaced_target,
+    drawn,
+    fitted,
+    gerstner_uniforms,
+    loop_uniforms,
+    tile_target,
+    tile_uniforms,
+    transform,
+)
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.rules import Constant, Uniform, array, number, significant, vector
+from seafoam.ocean.cascades import RAISED, Cascade
+from seafoam.ocean.stokes import foam_drift
+from seafoam.ocean.whitecaps import OLD_STEP, OLD_STEPS, OLD_TEXELS, WhitecapModel, old_times, whitecap_model
+from seafoam.quality import Quality
+from seafoam.scene.foam import FoldSaturation, SlopeSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.waves import Sea
+
+
+@dataclass(frozen=True)
+class _Names:
+    """How targets, programs and passes that draw the Jacobians of one series of times are called."""
+
+    prefix: Literal["age", "old"]
+    gerstner: str
+    spectrum: str
+    transform: str
+
+    def file(self, path: str) -> Piece:
+        """The file, with the constants of this series."""
+        return path if self.prefix == "age" else Source(path, (("AGE_SIZE", "OLD_SIZE"),))
+
+
+_RECENT = _Names("age", "folds of earlier waves", "spectrum of earlier folds", "earlier times of folds")
+_OLD = _Names("old", "folds of long ago", "spectrum of folds of long ago", "folds of long ago")
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if a saturation has source ``fold``."""
+    if scene.foam is None:
+        return None
+    source = scene.foam.source(FoldSaturation)
+    if source is None:
+        return None
+    raised = drawn(scene, quality)[:RAISED]
+    if scene.sea is None or not raised:
+        return Contribution(why="", bound=Bound(0.0, "no sea whose waves could break"))
+    quality = fitted(scene.sea, quality)
+    steps = quality.age_steps
+    model = whitecap_model(scene.sea, source, scene.water.depth, steps, quality.age_step, quality.sea_size)
+    if model is None:
+        return Contribution(why="", bound=Bound(0.0, "a sea whose waves do not break, or a coverage of 0"))
+    # The Jacobian of the sample just shaded is reused, unless foam by slope evaluates the waves at other places first.
+    shared = scene.foam.source(SlopeSaturation) is None
+    present = Contribution(
+        why=f"foam where the Jacobian is below {1.0 + model.now[0]:.2f}",
+        slots=(_slot(model, steps),),
+        consts={"FOLD_TIMES": steps + 1, "FOLD_SHARED": shared},
+        uniforms=_model_uniforms(model, raised),
+    )
+    return present if steps == 0 else _with_history(present, scene, scene.sea, raised, quality, model)
+
+
+def _slot(model: WhitecapModel, steps: int) -> SlotFile:
+    needs: tuple[str, ...] = ("foam/saturation/fold.glsl",)
+    if steps > 0:
+        needs += (f"foam/saturation/fold_{'old' if model.old_shares else 'no_old'}.glsl",)
+    times = str(steps) if steps > 0 else "now"
+    return SlotFile("saturation", f"foam/saturation/fold_{times}.glsl", prefix="fold", needs=needs)
+
+
+def _model_uniforms(model: WhitecapModel, raised: tuple[Cascade, ...]) -> dict[str, Uniform]:
+    slopes = sum(of.mean_square_slope for of in raised)
+    thresholds = [Constant(value=tuple(significant(part) for part in pair)) for pair in (model.now, model.earlier)]
+    shares = [Constant(value=(significant(share),)) for share in model.shares]
+    return {
+        "u_fold": array("vec2", thresholds, 2),
+        "u_fold_variance": vector((*(significant(part / slopes) for part in model.variance), significant(slopes))),
+        "u_fold_clamped": number(significant(model.clamped)),
+        "u_fold_share": array("float", shares, len(shares)),
+    }
+
+
+def _with_history(
+    present: Contribution, scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel
+) -> Contribution:
+    """``present`` with foam of earlier times: recent ones of all tiles and, if foam lasts, old ones of the largest."""
+    steps = quality.age_steps
+    targets, passes = _recent(scene, sea, raised, quality)
+    inputs: dict[str, TextureInput | TargetInput] = {"u_age_tiles": TargetInput(target="age_tiles")}
+    earliest = steps * quality.age_step
+    if model.old_shares:
+        old_targets, old_passes = _old(scene, sea, raised, quality, model)
+        targets |= old_targets
+        passes += old_passes
+        inputs["u_old_foam"] = TargetInput(target="old_foam")
+        earliest = old_times(steps, quality.age_step)[-1]
+    return replace(
+        present,
+        why=f"{present.why}, and was in the last {earliest:g} s",
+        consts={
+            **present.consts,
+            "AGE_SIZE": quality.sea_size // 2,
+            "AGE_ROWS": steps // 4,
+            "OLD_SIZE": OLD_TEXELS,
+            "AGE_DRIFTS": foam_drift(scene) != (0.0, 0.0),
+        },
+        inputs=inputs,
+        targets=targets,
+        passes=passes,
+    )
+
+
+def _recent(
+    scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality
+) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
+    """Targets and passes that draw the Jacobians of recent times, and carry them to where the water is now."""
+    size, rows = quality.sea_size // 2, quality.age_steps // 4
+    block = Target(size=FixedSize(width=size * len(raised), height=size * rows), format="RGBA32F")
+    times = _time_uniforms(scene, sea, raised, 0.0, quality.age_step)
+    targets, passes, jacobians = _jacobians(_RECENT, sea, raised, block, size, times)
+    over = FixedSize(width=size, height=(size + 1) * rows * RAISED)
+    targets["age_tiles"] = tile_target(quality, size).model_copy(update={"size": over})
+    return targets, passes + tuple(
+        PassSpec(
+            name=f"earlier folds, {of.size:g} m tile",
+            program="age_tile",
+            fragment=(*RESAMPLED, "lib/bilinear.glsl", "waves/sea/age_tile_pass.glsl"),
+            target="age_tiles",
+            inputs={
+                "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
+                "u_age_folds": TargetInput(target=jacobians),
+            },
+            uniforms=tile_uniforms(of, i, sea.choppiness, quality.sea_size),
+        )
+        for i, of in enumerate(raised)
+    )
+
+
+def _old(
+    scene: Scene, sea: Sea, raised: tuple[Cascade, ...], quality: Quality, model: WhitecapModel
+) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
+    """Targets and passes that draw the old foam that is left, from Jacobians of the largest tile."""
+    rows, largest = OLD_STEPS // 4, raised[0]
+    block = Target(size=FixedSize(width=OLD_TEXELS, height=OLD_TEXELS * rows), format="RGBA32F")
+    times = _time_uniforms(scene, sea, (largest,), quality.age_steps * quality.age_step, OLD_STEP)
+    targets, passes, jacobians = _jacobians(_OLD, sea, raised, block, OLD_TEXELS, times)
+    size = FixedSize(width=quality.sea_size // 2, height=quality.sea_size // 2)
+    targets["old_foam"] = Target(size=size, format="RGBA16F", filter=MIPMAPPED, wrap="repeat")
+    shares = [significant(share) for share in model.old_shares]
+    by_four = [Constant(value=tuple(shares[i : i + 4])) for i in range(0, len(shares), 4)]
+    foam = PassSpec(
+        name="foam of long ago",
+        program="old_foam",
+        fragment=(*RESAMPLED, "lib/bilinear.glsl", "waves/sea/old_foam_pass.glsl"),
+        target="old_foam",
+        inputs={
+            "u_sea_displaced": TargetInput(target=displaced_target(scene, quality)),
+            "u_old_folds": TargetInput(target=jacobians),
+        },
+        uniforms={
+            **tile_uniforms(largest, 0, sea.choppiness, quality.sea_size),
+            "u_old_fold": vector((significant(model.old[0]), significant(model.old[1]))),
+            "u_old_share": array("vec4", by_four, rows),
+        },
+    )
+    return targets, (*passes, foam)
+
+
+def _jacobians(
+    names: _Names, sea: Sea, raised: tuple[Cascade, ...], block: Target, size: int, times: dict[str, Uniform]
+) -> tuple[dict[str, Target], tuple[PassSpec, ...], str]:
+    """Targets and passes that draw the Jacobians of four times per row of ``block``, and the target that holds them."""
+    first, second = f"{names.prefix}_a", f"{names.prefix}_b"
+    if sea.model == "gerstner":
+        gerstner = PassSpec(
+            name=names.gerstner,
+            program=f"{names.prefix}_gerstner",
+            fragment=(
+                "lib/numbers.glsl",
+                "waves/sea/gerstner.glsl",
+                names.file("waves/sea/age_gerstner_pass.glsl"),
+            ),
+            target=first,
+            uniforms={**gerstner_uniforms(raised, 0), **times},
+        )
+        return {first: block}, (gerstner,), first
+    spectrum = PassSpec(
+        name=names.spectrum,
+        program=f"{names.prefix}_spectrum",
+        fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", names.file("waves/sea/age_spectrum_pass.glsl")),
+        target=first,
+        inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
+        uniforms={**loop_uniforms(), **times},
+    )
+    transforms, jacobians = transform(names.transform, first, second, size)
+    return {first: block, second: block}, (spectrum, *transforms), jacobians
+
+
+def _time_uniforms(
+    scene: Scene, sea: Sea, tiles: tuple[Cascade, ...], before: float, step: float
+) -> dict[str, Uniform]:
+    """Times of a series, ``step`` s apart, the first ``step`` s before an age of ``before`` s; and the drift since."""
+    scales = [of.choppiness(sea.choppiness) * 2.0 * math.pi / of.size for of in tiles]
+    drift = foam_drift(scene)
+    turns = [significant(2.0 * math.pi / of.size * part) for of in (tiles[0], tiles[-1]) for part in drift]
+    return {
+        "u_age_scale": vector((significant(scales[0]), significant(scales[-1]))),
+        "u_age_step": number(step),
+        "u_age_from": number(significant(before)),
+        "u_age_drift": vector(tuple(turns)),
+    }
+
+
+def fold_limit(source: FoldSaturation, scene: Scene) -> float:
+    """Return the greatest fold saturation: 0 without wind."""
+    return 1.0 if scene.sea is not None and scene.sea.wind > 0.0 else 0.0
+
+
+EFFECT = Effect(
+    "fold foam",
+    contribute,
+    saturation=SaturationSource(FoldSaturation, fold_limit),
+    knobs=(
+        Knob("/age_steps", "earlier times of folds", (0, 4, 8), "geometry"),
+        Knob("/age_step", "interval between folds, s", (0.17, 0.35, 0.7), "geometry"),
+    ),
+)

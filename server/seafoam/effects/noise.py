@@ -1,0 +1,28 @@
+"""The noise library for effects: its files, and the position in noise that drifts and changes."""
+
+import math
+
+from seafoam.framegraph.rules import Phase, Uniform, array
+
+HASH = "lib/noise/hash.glsl"
+VALUE_NOISE = (HASH, "lib/noise/value.glsl")
+PERLIN_2 = (HASH, "lib/noise/perlin_2.glsl")
+PERLIN_3 = (HASH, "lib/noise/perlin_3.glsl")
+
+CELLS = 256
+"""Period of the gradient noise, cells."""
+
+
+def drifting_noise(size: float, speed: float, heading: float, change: float) -> Uniform:
+    """Phases (x, z, t), float[3], of three-dimensional gradient noise, 2π per :data:`CELLS` cells.
+
+    ``size``: side of a cell, m; ``speed``, m/s, and ``heading``, rad, of its drift; ``change``: cell length along t, s.
+    """
+    k = 2.0 * math.pi / (CELLS * size)
+    velocity = (speed * math.cos(heading), speed * math.sin(heading))
+    phases = (
+        Phase(offset=0.0, rate=-k * velocity[0], k=(k, 0.0)),
+        Phase(offset=0.0, rate=-k * velocity[1], k=(0.0, k)),
+        Phase(offset=0.0, rate=2.0 * math.pi / (CELLS * change), k=(0.0, 0.0)),
+    )
+    return array("float", phases, 3)

@@ -1,0 +1,180 @@
+"""Upper bounds of a shore's waves, floor and land, measured on the texels of its maps. docs/formulae.md, section 8."""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from seafoam.effects.shore.maps import MASK_WAVES, blur_deviation
+from seafoam.framegraph.rules import significant
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.seabed import floor_grid, smoothstep
+from seafoam.quality import Quality
+from seafoam.scene.shore import Shore
+from seafoam.textures import ROWS, shore_profiles
+
+Floats = NDArray[np.float64]
+
+BREAKING_RATIO = 0.78
+"""Height of a wave over the water depth at which it breaks."""
+BETWEEN_TEXELS = 1.1
+"""Factor on slope and curvature of the shore waves, for what lies between the texels that are measured."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Upper bounds of a shore. Those of waves hold in every phase."""
+
+    wave_slope: float
+    wave_curvature: float
+    """Second derivative, 1/m."""
+    open_share_slope: float
+    """Gradient of the open sea's share of the surface, 1/m."""
+    floor_slope: float
+    land_slope: float
+    """Slope of the ground above y = 0."""
+    land_top: float
+    """Highest ground, m; negative without a coast."""
+
+
+def limits(shore: Shore, quality: Quality) -> Limits:
+    """Bounds of a shore; those of its waves without the mask's pauses, exposure and ridges, which only lower them."""
+    default = Shore()
+    # What the bounds do not depend on is set to its default, so that such shores share one measurement.
+    same = {name: getattr(default, name) for name in ("place", "sand", "rock", "plants", "plants_from", "reef")}
+    return _measured(shore.model_copy(update=same), quality.shore_map, quality.shore_floor, quality.shore_profile)
+
+
+def rounded_up(value: float) -> float:
+    """At least 1.02 times ``value``, to 3 significant digits: hides last bits that differ between processors."""
+    if value <= 0.0:
+        return 0.0
+    scale = 10.0 ** (math.floor(math.log10(value)) - 2)
+    return significant(math.ceil(value * 1.02 / scale) * scale)
+
+
+@lru_cache(maxsize=32)
+def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> Limits:
+    floor = floor_grid(shore, floor_texels)[..., 0]
+    texel = shore.size / map_texels
+    fields = _wave_fields(shore, floor, map_texels)
+    slope, curvature = _steepest_waves(shore, fields, texel, nodes)
+    open_share = _gradient(smoothstep(0.0, 0.6 * shore.deep, fields.depth), texel)
+    # A lagoon's ring takes 0.9 of the share over a quarter of its radius; a smoothstep is at most 1.5 steep.
+    shelter = 1.5 * 0.9 / (0.25 * shore.radius) if shore.kind == "lagoon" else 0.0
+    return Limits(
+        wave_slope=BETWEEN_TEXELS * slope,
+        wave_curvature=BETWEEN_TEXELS * curvature,
+        open_share_slope=float(np.hypot(open_share[..., 0], open_share[..., 1]).max()) + shelter,
+        floor_slope=_steepest_step(floor, shore.size / floor_texels),
+        land_slope=_steepest_step(np.maximum(floor, 0.0), shore.size / floor_texels),
+        land_top=float(floor.max()),
+    )
+
+
+@dataclass(frozen=True)
+class _WaveFields:
+    """What determines the shore waves, at every texel of the map; (texels, texels) each."""
+
+    distance: Floats
+    """Smoothed distance from the coast, m; negative on land."""
+    depth: Floats
+    """Smoothed water depth, m; negative on land."""
+    height: Floats
+    """Greatest wave height, m."""
+    turns_per_metre: Floats
+    """Periods of the phase per metre of distance, 1/m."""
+    skew: Floats
+    """Row of the profile table over its last row: 0 symmetric, 1 the skew of a breaking wave."""
+
+
+def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> _WaveFields:
+    surf = shore.surf
+    heights = ndimage.zoom(floor, map_texels / floor.shape[0], order=1, grid_mode=True, mode="nearest")
+    deviation = blur_deviation(shore, map_texels)
+    distance = ndimage.gaussian_filter(_coast_distance(shore, heights), deviation, mode="nearest")
+    depth = ndimage.gaussian_filter(-heights, deviation, mode="nearest")
+    breaking_depth = max(surf.height, 0.05) / BREAKING_RATIO
+    broken = 0.3 + 0.7 * smoothstep(0.0, breaking_depth, depth)
+    # Green's law where the wave has not broken.
+    shoal = np.where(depth >= breaking_depth, (breaking_depth / np.maximum(depth, breaking_depth)) ** 0.25, broken)
+    inland = smoothstep(-1.2 * max(surf.height, 0.05) / shore.slope, 0.0, distance)
+    least_depth = max(0.3 * surf.height, 0.05)
+    speed_squared = GRAVITY * (least_depth + shore.slope * np.maximum(distance, 0.0))
+    return _WaveFields(
+        distance,
+        depth,
+        height=surf.height * shoal * inland * (1.0 - smoothstep(0.45 * shore.deep, 0.9 * shore.deep, depth)),
+        turns_per_metre=1.0 / (surf.period * np.sqrt(speed_squared)),
+        skew=1.0 - smoothstep(breaking_depth, 2.5 * breaking_depth, depth),
+    )
+
+
+def _coast_distance(shore: Shore, heights: Floats) -> Floats:
+    """Distance from the coast, m; negative on land; the square's side where there is no coast."""
+    texel = shore.size / heights.shape[0]
+    dry = heights >= 0.0
+    if dry.all() or not dry.any():
+        return np.full_like(heights, (-1.0 if dry.all() else 1.0) * shore.size)
+    distance: Floats = (
+        np.where(dry, 0.5 - ndimage.distance_transform_edt(dry), ndimage.distance_transform_edt(~dry) - 0.5) * texel
+    )
+    return distance
+
+
+def _steepest_waves(shore: Shore, fields: _WaveFields, texel: float, nodes: int) -> tuple[float, float]:
+    """Greatest slope of the shore waves in any phase, and their greatest second derivative, 1/m."""
+    surf = shore.surf
+    # Every second texel suffices for fields this smooth.
+    waves = np.zeros(fields.height.shape, np.bool_)
+    waves[::2, ::2] = fields.height[::2, ::2] > 0.05 * surf.height
+    if not waves.any():
+        return 0.0, 0.0
+    height, toward = fields.height[waves][:, None], _gradient(fields.distance, texel)[waves]
+    height_slope, skew_slope = _gradient(fields.height, texel)[waves], _gradient(fields.skew, texel)[waves]
+    # The gradient of a smoothed distance is about 1; between texels it may be a little more.
+    toward *= 1.05 / np.maximum(np.hypot(toward[:, :1], toward[:, 1:]), 1.0)
+    table = shore_profiles(nodes, surf.skew, surf.sharpness).astype(np.float64)
+    row, share = _table_rows(fields.skew[waves])
+    by_phase = (np.roll(table, -1, axis=1) - table) * nodes
+    by_skew = np.diff(table, axis=0) * (ROWS - 1)
+    value = table[row] * (1.0 - share) + table[row + 1] * share
+    phase_slope = by_phase[row] * (1.0 - share) + by_phase[row + 1] * share
+    turns_per_metre = fields.turns_per_metre[waves]
+    components = [
+        height * (by_skew[row] * skew_slope[:, i : i + 1] - phase_slope * (toward[:, i] * turns_per_metre)[:, None])
+        + value * height_slope[:, i : i + 1]
+        for i in (0, 1)
+    ]
+    # Slope of the mask: four sines of about 75 m, through a step of slope 1.6.
+    mask_slope = surf.variation * 0.94 * 0.5 * sum(2.0 * math.pi / length for length, _, _ in MASK_WAVES)
+    slope = float(np.hypot(*components).max()) + 0.5 * surf.height * mask_slope
+    # The second derivative is greatest in troughs, across the crests; height and skew change far more slowly.
+    bends = np.maximum(np.roll(table, -1, axis=1) - 2.0 * table + np.roll(table, 1, axis=1), 0.0).max(axis=1)
+    turns = np.hypot(toward[:, 0], toward[:, 1]) * turns_per_metre
+    steepest_phase = np.abs(phase_slope).max(axis=1)
+    by_profile = np.maximum(bends[row], bends[row + 1]) * nodes**2 * turns**2 * height[:, 0]
+    by_height = 2.0 * steepest_phase * turns * np.hypot(*height_slope.T)
+    curvature = float((by_profile + by_height).max()) + 2.0 * mask_slope * float((steepest_phase * turns).max())
+    return slope, curvature
+
+
+def _table_rows(skew: Floats) -> tuple[NDArray[np.intp], Floats]:
+    """The profile's row below a skew, and the share of the next row, (n, 1)."""
+    at = skew * (ROWS - 1)
+    row: NDArray[np.intp] = np.minimum(at.astype(np.intp), ROWS - 2)
+    return row, (at - row)[:, None]
+
+
+def _gradient(values: Floats, texel: float) -> Floats:
+    """(rows, columns, 2) gradient along rows' and columns' index, per metre."""
+    gradient: Floats = np.stack([np.gradient(values, texel, axis=axis) for axis in (0, 1)], axis=-1)
+    return gradient
+
+
+def _steepest_step(heights: Floats, texel: float) -> float:
+    """Greatest slope between neighbouring texels."""
+    return math.hypot(*(float(np.abs(np.diff(heights, axis=axis)).max()) / texel for axis in (0, 1)))

@@ -1,0 +1,152 @@
+"""The passes that draw a shore's maps: maxima of the land, distance from the coast, and what waves need at a place.
+
+docs/formulae.md, section 8.
+"""
+
+import math
+
+from seafoam.effects.effect import PassSpec, Piece, refine
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.rules import Phase, Rule, Uniform, array, number, significant, vector
+from seafoam.quality import Quality
+from seafoam.scene.shore import Shore
+
+MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5.3, 37.0))
+"""The mask that varies the surf's height: wavelength (m), heading (rad) and period (s) of its four sines."""
+GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
+"""The height field. Its files do not declare the camera's position, so that the map's passes are drawn once."""
+
+MARCH_GROUND: tuple[Piece, ...] = (
+    "surface/begin.glsl",
+    "shore/ground.glsl",
+    "shore/march.glsl",
+    refine("refine_ground", "shore_floor", "vec4"),
+)
+"""Files that march along a ray to the ground."""
+FIND_LAND: tuple[Piece, ...] = (*MARCH_GROUND, "shore/maxima.glsl", "shore/find_land.glsl")
+"""Files that find the land that a ray from the camera meets."""
+
+
+def blur_deviation(shore: Shore, texels: int) -> float:
+    """Standard deviation of the map's smoothing, texels; at most a twelfth of the map."""
+    return min(shore.smoothing * texels / shore.size, texels / 12.0)
+
+
+def map_targets(quality: Quality, land_cells: int) -> dict[str, Target]:
+    """Targets of :func:`map_passes`; ``land_cells``: cells along a side of the finest level of the land's maxima."""
+    texels = FixedSize(width=quality.shore_map, height=quality.shore_map)
+    return {
+        **{
+            name: Target(size=FixedSize(width=2 * land_cells, height=land_cells), format="RGBA16F")
+            for name in ("land_cells", "land_maxima")
+        },
+        **{f"shore_near_{i}": Target(size=texels, format="RGBA16F") for i in range(2)},
+        **{f"shore_{name}": Target(size=texels, format="RGBA32F") for name in ("rough", "half", "smooth", "map")},
+    }
+
+
+def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
+    """The passes that draw the maps, in order."""
+    flood, nearest = _flood_passes(quality.shore_map)
+    distance = _pass("distance", (*GROUND, "shore/distance_pass.glsl"), "shore_rough", {"u_nearest": nearest})
+    return (*_land_passes(), *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
+
+
+def _pass(
+    name: str,
+    files: tuple[str, ...],
+    target: str,
+    read: dict[str, str] | None = None,
+    uniforms: dict[str, Uniform] | None = None,
+) -> PassSpec:
+    """A pass that reads the height field and the targets ``read``: sampler -> target."""
+    targets = {sampler: TargetInput(target=source) for sampler, source in (read or {}).items()}
+    return PassSpec(
+        name=f"shore: {name}",
+        program=f"shore_{name.split(',')[0].replace(' ', '_')}",
+        fragment=files,
+        target=target,
+        inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **targets},
+        uniforms=uniforms or {},
+    )
+
+
+def _land_passes() -> tuple[PassSpec, ...]:
+    """Maxima of the land's height, level by level, and of each cell with its neighbours."""
+    around = ("shore/tree.glsl", "shore/around_pass.glsl")
+    return (
+        _pass("highest land", ("shore/tree.glsl", "shore/maxima_pass.glsl"), "land_cells"),
+        _pass("highest land around", around, "land_maxima", {"u_land_cells": "land_cells"}),
+    )
+
+
+def _flood_passes(texels: int) -> tuple[list[PassSpec], str]:
+    """Nearest land and sea of every texel by jump flooding, and the target that holds them at the end."""
+    passes = [_pass("seed", (*GROUND, "shore/seed_pass.glsl"), "shore_near_0")]
+    # A first step of 1 texel corrects most of what the halved steps miss.
+    steps = [1]
+    while (step := texels >> len(steps)) >= 1:
+        steps.append(step)
+    for i, step in enumerate(steps):
+        passes.append(
+            _pass(
+                f"flood, {step} texels",
+                ("shore/flood_pass.glsl",),
+                f"shore_near_{(i + 1) % 2}",
+                {"u_nearest": f"shore_near_{i % 2}"},
+                {"u_flood_step": number(float(step))},
+            )
+        )
+    return passes, f"shore_near_{len(steps) % 2}"
+
+
+def _blur_passes(shore: Shore, texels: int) -> list[PassSpec]:
+    """Gaussian smoothing of distance and depth, along x and along z."""
+    deviation = number(significant(blur_deviation(shore, texels)))
+    sides = (("x", (1.0, 0.0), "shore_rough", "shore_half"), ("z", (0.0, 1.0), "shore_half", "shore_smooth"))
+    return [
+        _pass(
+            f"blur, {name}",
+            ("shore/blur_pass.glsl",),
+            target,
+            {"u_rough": source},
+            {"u_blur_side": vector(side), "u_shore_spread": deviation},
+        )
+        for name, side, source, target in sides
+    ]
+
+
+def _wave_pass(shore: Shore) -> PassSpec:
+    """Phase, height and skew of the shore's waves at a place, and the share of the open sea's waves there."""
+    surf = shore.surf
+    return _pass(
+        "map",
+        ("lib/numbers.glsl", "shore/map_pass.glsl"),
+        "shore_map",
+        {"u_smooth": "shore_smooth"},
+        {
+            "u_shore_deep": number(shore.deep),
+            "u_shore_slope": number(shore.slope),
+            "u_shore_shelter": number(shore.radius if shore.kind == "lagoon" else 0.0),
+            "u_surf_height": number(surf.height),
+            "u_surf_period": number(surf.period),
+            "u_surf_variation": number(surf.variation),
+            "u_surf_heading": vector((significant(math.cos(surf.heading)), significant(math.sin(surf.heading)))),
+            "u_surf_exposure": number(surf.exposure),
+            **_mask_uniforms(),
+        },
+    )
+
+
+def _mask_uniforms() -> dict[str, Uniform]:
+    """Wavevectors and phases of :data:`MASK_WAVES`."""
+    vectors: list[Rule] = []
+    phases: list[Rule] = []
+    for i, (length, heading, period) in enumerate(MASK_WAVES):
+        k = 2.0 * math.pi / length
+        vectors += vector((significant(k * math.cos(heading)), significant(k * math.sin(heading)))).rules
+        phases.append(Phase(offset=1.7 * i, rate=2.0 * math.pi / period, k=(0.0, 0.0)))
+    return {
+        "u_surf_mask": array("vec2", vectors, len(MASK_WAVES)),
+        "u_surf_mask_phase": array("float", phases, len(MASK_WAVES)),
+    }

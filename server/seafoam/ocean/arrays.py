@@ -1,0 +1,6 @@
+"""Array types of the physical model."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]

@@ -1,0 +1,59 @@
+"""Fields that effects outside the package add: named where they are unknown, described where they are registered."""
+
+import importlib
+from pathlib import Path
+
+import pytest
+
+from seafoam.effects import register, unregister
+
+EXAMPLE = Path(__file__).parents[3] / "docs" / "example"
+
+
+@pytest.fixture
+def windrows(monkeypatch):
+    monkeypatch.syspath_prepend(str(EXAMPLE))
+    effect = importlib.import_module("windrows").EFFECT
+    register(effect)
+    yield effect
+    unregister(effect)
+
+
+def plan(client, scene, quality=None):
+    body = {"scene": scene} if quality is None else {"scene": scene, "quality": quality}
+    return client.post("/api/plans", json=body)
+
+
+def test_an_unknown_extension_is_named(client):
+    response = plan(client, {"extensions": {"windrows": {}}})
+    assert response.status_code == 422
+    assert response.headers["Content-Type"] == "application/problem+json"
+    (error,) = response.json()["errors"]
+    assert error["pointer"] == "/scene/extensions/windrows"
+
+
+def test_a_registered_extension_is_described_and_checked(serve, windrows):
+    scene = {"foam": {}, "extensions": {"windrows": {"spacing": 20.0}}}
+    with serve() as client:
+        schemas = client.get("/openapi.json").json()["components"]["schemas"]
+        assert schemas["Scene"]["properties"]["extensions"]["$ref"].endswith("/SceneExtensions")
+        model, _ = schemas["SceneExtensions"]["properties"]["windrows"]["anyOf"]
+        assert model["properties"]["spacing"]["maximum"] == 500.0
+        assert "filter" in str(schemas["QualityExtensions"])
+        response = plan(client, scene, {"extensions": {"windrows": {"filter": False}}})
+        assert response.status_code == 200
+        made = response.json()
+        assert "windrows" in {note["name"] for note in made["effects"]}
+        assert "/extensions/windrows/strength" in made["live"]
+        response = plan(client, {"foam": {}, "extensions": {"windrows": {"spacing": 1e9}}})
+        (error,) = response.json()["errors"]
+        assert error["pointer"] == "/scene/extensions/windrows/spacing"
+        assert error["allowed"] == {"minimum": 2.0, "maximum": 500.0}
+        response = plan(client, {"foam": {}, "extensions": {"windrow": {}}})
+        (error,) = response.json()["errors"]
+        assert error["pointer"] == "/scene/extensions/windrow"
+        assert error["allowed"] == {"members": ["windrows"]}
+
+
+def test_presets_have_no_extensions(client):
+    assert "extensions" not in client.get("/api/presets/default").json()["scene"]

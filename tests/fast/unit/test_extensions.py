@@ -1,0 +1,212 @@
+"""Effects from outside the package: fields of scenes and qualities, and what is refused."""
+
+import json
+from collections.abc import Iterator
+from importlib.metadata import EntryPoint
+from typing import Any, get_args
+
+import pytest
+from pydantic import BaseModel, Field, ValidationError
+
+from seafoam.accuracy.knobs import every_knob, value_at, with_value
+from seafoam.effects import EFFECTS, outside, register, registry, unregister
+from seafoam.effects.effect import Contribution, Effect, Extension, Knob, SaturationSource
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS, Knobs, Quality
+from seafoam.reference import scene_sha256
+from seafoam.scene.base import Part
+from seafoam.scene.camera import Camera
+from seafoam.scene.foam import Saturation
+from seafoam.scene.models import Scene, SceneExtensions
+from seafoam.scene.presets import load_preset, preset_names
+
+STANDARD = TIERS["standard"]
+
+
+class Rows(Part):
+    """Rows of foam."""
+
+    spacing: float = Field(default=14.0, ge=1.0, le=500.0, description="Spacing, m")
+    place: tuple[float, float] = Field(default=(0.0, 0.0), description="Place (x, z), m")
+
+
+class RowQuality(Knobs):
+    """Settings of rows."""
+
+    taps: int = Field(default=2, ge=1, le=4, description="Taps")
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    part = scene.extensions.given(Rows)
+    settings = quality.extensions.given(RowQuality) or RowQuality()
+    return None if part is None else Contribution(why=f"{part.spacing:g} m, {settings.taps} taps")
+
+
+ROWS = Effect(
+    "rows",
+    contribute,
+    knobs=(Knob("/extensions/rows/taps", "taps of rows", (1, 2, 4), "filtering"),),
+    saturation=SaturationSource(Rows, lambda part, scene: 3.0, ("spacing",)),
+    extension=Extension("rows", scene=Rows, quality=RowQuality),
+)
+
+
+@pytest.fixture
+def rows() -> Iterator[Effect]:
+    register(ROWS)
+    yield ROWS
+    unregister(ROWS)
+
+
+def with_rows(**fields: Any) -> Scene:
+    return Scene.model_validate({"extensions": {"rows": fields}})
+
+
+def refused(model: type[BaseModel], document: Any) -> set[tuple[str, tuple[str | int, ...]]]:
+    with pytest.raises(ValidationError) as raised:
+        model.model_validate_json(json.dumps(document), strict=True)
+    return {(item["type"], item["loc"]) for item in raised.value.errors()}
+
+
+def test_without_extensions_nothing_speaks_of_them() -> None:
+    assert outside() == ()
+    assert "extensions" not in Scene().model_dump()
+    assert "extensions" not in json.dumps([Scene.model_json_schema(), Quality.model_json_schema()]).lower()
+    assert refused(Scene, {"extensions": {"rows": {}}}) == {("extra_forbidden", ("extensions", "rows"))}
+    assert Scene(extensions=SceneExtensions()) == Scene()
+
+
+@pytest.mark.usefixtures("rows")
+def test_fields_are_validated_where_they_stand() -> None:
+    scene = with_rows(spacing=3.0)
+    assert scene.extensions.given(Rows) == Rows(spacing=3.0)
+    assert Scene.model_validate_json(scene.model_dump_json(), strict=True) == scene != Scene()
+    assert Scene.model_validate(scene.model_dump()) == scene
+    assert with_rows(spacing=3.0, place=(1.0, 2.0)) != scene
+    assert Scene.model_validate({"extensions": {"rows": None}}) == Scene()
+    assert len({scene, with_rows(spacing=3.0), with_rows()}) == 2
+    at = ("extensions", "rows")
+    wrong = {"rows": {"spacing": 0.1, "width": 2.0, "place": [1.0, "2"]}, "nope": {}}
+    assert refused(Scene, {"extensions": wrong}) == {
+        ("greater_than_equal", (*at, "spacing")),
+        ("extra_forbidden", (*at, "width")),
+        ("float_type", (*at, "place", 1)),
+        ("extra_forbidden", ("extensions", "nope")),
+    }
+    assert refused(Scene, {"extensions": {"rows": {"spacing": "3"}}}) == {("float_type", (*at, "spacing"))}
+    assert refused(Quality, {"extensions": {"rows": {"taps": 9}}}) == {("less_than_equal", (*at, "taps"))}
+    assert refused(Scene, {"extensions": []}) == {("model_type", ("extensions",))}
+
+
+@pytest.mark.usefixtures("rows")
+def test_the_schema_has_what_is_registered() -> None:
+    schema = Scene.model_json_schema()
+    found = schema["$defs"]["SceneExtensions"]
+    assert found["additionalProperties"] is False
+    model, null = found["properties"]["rows"]["anyOf"]
+    assert null == {"type": "null"}
+    assert model["properties"]["spacing"] | {"title": ""} == {
+        "default": 14.0,
+        "description": "Spacing, m",
+        "maximum": 500.0,
+        "minimum": 1.0,
+        "title": "",
+        "type": "number",
+    }
+
+
+def test_a_scene_without_the_part_stays_as_it_was() -> None:
+    scenes = [load_preset(name).scene for name in preset_names()[:3]]
+    before = [(scene_sha256(scene), make_plan(scene, STANDARD).sha256) for scene in scenes]
+    register(ROWS)
+    try:
+        assert [(scene_sha256(scene), make_plan(scene, STANDARD).sha256) for scene in scenes] == before
+        assert scene_sha256(with_rows()) != scene_sha256(Scene())
+    finally:
+        unregister(ROWS)
+
+
+@pytest.mark.usefixtures("rows")
+def test_the_planner_asks_it_and_knobs_reach_its_settings() -> None:
+    scene = with_rows(spacing=5.0)
+    assert {note.why for note in make_plan(scene, STANDARD).effects if note.name == "rows"} == {"5 m, 2 taps"}
+    pointer = "/extensions/rows/taps"
+    assert ("rows", ROWS.knobs[0]) in every_knob()
+    assert value_at(STANDARD, pointer) == 2
+    finer = with_value(STANDARD, pointer, 4)
+    assert value_at(finer, pointer) == 4
+    assert finer.extensions.given(RowQuality) == RowQuality(taps=4)
+    assert {note.why for note in make_plan(scene, finer).effects if note.name == "rows"} == {"5 m, 4 taps"}
+    assert finer.model_copy(update={"extensions": STANDARD.extensions}) == STANDARD
+    assert registry.saturation_limits(scene) == [3.0]
+    assert registry.saturation_fields(scene) == ("/extensions/rows/spacing",)
+
+
+@pytest.mark.usefixtures("rows")
+def test_a_name_is_given_once() -> None:
+    with pytest.raises(ValueError, match="registered already"):
+        register(ROWS)
+    other = Effect("other", contribute, extension=Extension("rows", scene=Rows))
+    with pytest.raises(ValueError, match="registered already"):
+        register(other)
+    taken = EFFECTS[5]
+    assert taken.saturation is not None
+    with pytest.raises(ValueError, match="has an effect already"):
+        register(Effect("again", contribute, saturation=taken.saturation))
+    assert outside() == (ROWS,)
+
+
+def test_unregistering_leaves_nothing() -> None:
+    register(ROWS)
+    scene = with_rows()
+    make_plan(scene, STANDARD)
+    unregister(ROWS)
+    assert outside() == ()
+    assert "rows" not in {note.name for note in make_plan(scene, STANDARD).effects}
+    test_without_extensions_nothing_speaks_of_them()
+
+
+def test_installed_packages_register_by_entry_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    def points(group: str) -> list[EntryPoint]:
+        return [EntryPoint("rows", f"{__name__}:ROWS", group)] if group == "seafoam.effects" else []
+
+    monkeypatch.setattr(registry, "entry_points", points)
+    registry.load()
+    try:
+        assert outside() == (ROWS,)
+    finally:
+        unregister(ROWS)
+
+
+def parts_of(model: type[BaseModel], at: str = "") -> Iterator[tuple[str, type[Part]]]:
+    """Pointers of the parts of a document, without places in lists, and their models."""
+    for name, field in model.model_fields.items():
+        for one in models_in(field.annotation):
+            yield f"{at}/{name}", one
+            yield from parts_of(one, f"{at}/{name}")
+
+
+def models_in(annotation: Any) -> Iterator[type[Part]]:
+    if isinstance(annotation, type) and issubclass(annotation, Part):
+        yield annotation
+    for argument in get_args(annotation):
+        yield from models_in(argument)
+
+
+def test_every_part_of_a_scene_is_an_effects() -> None:
+    sources = {effect.saturation.model for effect in EFFECTS if effect.saturation is not None}
+    assert sources == {one for one in get_args(get_args(Saturation)[0])}
+    fields = {field for effect in EFFECTS for field in effect.fields}
+    parts = {at for at, model in parts_of(Scene) if model not in sources and model is not Camera}
+    assert parts <= fields, parts - fields
+
+
+@pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
+def test_the_fields_of_an_effect_are_fields(effect: Effect) -> None:
+    models = {"": {Scene}}
+    for at, model in parts_of(Scene):
+        models.setdefault(at, set()).add(model)
+    for pointer in effect.fields:
+        owner, _, name = pointer.rpartition("/")
+        assert any(name in model.model_fields for model in models[owner]), pointer
+    assert effect.fields or effect.saturation is not None

@@ -1,0 +1,201 @@
+"""Addresses of textures: each is read back as what it was written from, in any process."""
+
+import base64
+import io
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from PIL import Image
+
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.scene.presets import load_preset, preset_names
+from seafoam.scene.shore import Shore, Surf
+from seafoam.scene.waves import Sea
+from seafoam.textures import (
+    FftTwiddles,
+    FoamTexture,
+    FrontIntegral,
+    MaskTexture,
+    SeaSpectrum,
+    ShoreFloor,
+    ShoreProfiles,
+    SprayRocks,
+    TextureSpec,
+    UnknownTextureError,
+    spec_of,
+    texture,
+    url_of,
+)
+from seafoam.textures.spec import _JSON, _PATH
+
+PATH = re.compile(r"^/api/textures/[A-Za-z0-9\-._~!$&'()*+,;=:@/]+$")
+"""Characters of a path that need no escapes (RFC 3986)."""
+
+
+def within(low: float, high: float) -> st.SearchStrategy[float]:
+    return st.floats(low, high)
+
+
+def pictures() -> st.SearchStrategy[str]:
+    """Height maps as base64, whose alphabet has +, / and =."""
+
+    def encoded(seed: int) -> str:
+        buffer = io.BytesIO()
+        grey = np.random.default_rng(seed).integers(0, 256, (32, 48), dtype=np.uint8)
+        Image.fromarray(grey).save(buffer, format="PNG")
+        return base64.b64encode(buffer.getvalue()).decode()
+
+    return st.builds(encoded, st.integers(0, 999))
+
+
+SEAS = st.builds(
+    Sea,
+    model=st.sampled_from(("fft", "gerstner")),
+    wind=within(0.0, 60.0),
+    fetch=within(100.0, 1e7),
+    wind_direction=within(-6.28, 6.28),
+    spread=within(0.0, 100.0),
+    against=within(0.0, 1.0),
+    choppiness=within(0.0, 1.0),
+    seed=st.integers(0, 65535),
+)
+SHORES = st.one_of(
+    st.builds(
+        Shore,
+        kind=st.sampled_from(("beach", "island", "islands", "lagoon")),
+        size=within(40.0, 10000.0),
+        heading=within(-6.28, 6.28),
+        level=within(-1000.0, 100.0),
+        seed=st.integers(0, 65535),
+        place=st.tuples(within(-1e7, 1e7), within(-1e7, 1e7)),
+        surf=st.builds(Surf, height=within(0.0, 6.0)),
+    ),
+    st.builds(Shore, kind=st.just("image"), image=pictures(), height=within(0.0, 300.0)),
+)
+SIDES = st.sampled_from((32, 64, 128, 256, 512, 1024))
+SPECS: st.SearchStrategy[TextureSpec] = st.one_of(
+    st.just(FftTwiddles()),
+    st.just(FoamTexture()),
+    st.builds(FrontIntegral, intensity=within(0.01, 1e4), log_base=within(0.1, 10.0)),
+    st.builds(
+        MaskTexture,
+        masks=st.lists(
+            st.sampled_from(("vac-24", "lace", "vac:1.5:64:7", "lace:4:128:1:2.5:0.1")), min_size=1, max_size=3
+        ),
+        table=st.sampled_from(("quantiles", "ramps")),
+    ),
+    st.builds(SeaSpectrum, sea=SEAS, depth=st.none() | within(0.05, 11000.0)),
+    st.builds(ShoreFloor, shore=SHORES, texels=SIDES),
+    st.builds(ShoreProfiles, nodes=SIDES, skew=within(0.0, 1.0), sharpness=within(0.0, 0.15)),
+    st.builds(SprayRocks, shore=SHORES, steep=within(0.0, 2.0)),
+)
+
+
+@settings(max_examples=400, deadline=None)
+@given(SPECS)
+def test_an_address_is_read_back_as_the_texture_it_was_written_from(spec: TextureSpec) -> None:
+    url = url_of(spec)
+    assert PATH.match(url), url
+    assert spec_of(url) == spec
+    # What stands for JSON's punctuation is nowhere else in it.
+    assert spec.canonical.translate(_PATH).translate(_JSON) == spec.canonical
+
+
+@pytest.mark.parametrize("preset", preset_names())
+def test_a_preset_names_textures_that_its_plan_alone_describes(preset: str) -> None:
+    for entry in make_plan(load_preset(preset).scene, TIERS["standard"]).textures.values():
+        spec = spec_of(entry.url)
+        assert url_of(spec) == entry.url
+        assert len(entry.url) < 250
+        made = texture(spec)
+        assert (made.sha256, made.format, made.width, made.height, made.levels) == (
+            entry.sha256,
+            entry.format,
+            entry.width,
+            entry.height,
+            entry.levels,
+        )
+
+
+def test_another_process_makes_the_same_bytes() -> None:
+    plan = make_plan(load_preset("spray-on-rocks").scene, TIERS["draft"])
+    urls = [one.url for one in plan.textures.values()]
+    program = "import sys; from seafoam.textures import spec_of, texture\n"
+    program += "for url in sys.argv[1:]: print(texture(spec_of(url)).sha256)"
+    answer = subprocess.run([sys.executable, "-c", program, *urls], capture_output=True, text=True, check=True)
+    assert answer.stdout.split() == [one.sha256 for one in plan.textures.values()]
+
+
+def test_what_a_texture_does_not_depend_on_is_not_in_its_address() -> None:
+    calm = SeaSpectrum(sea=Sea(choppiness=0.0, model="gerstner"))
+    assert url_of(calm) == url_of(SeaSpectrum(sea=Sea())) == "/api/textures/sea/('sea':())"
+    far = Shore(place=(100.0, 0.0), surf=Surf(height=0.0), sand=(0.0, 0.0, 0.0))
+    assert ShoreFloor(shore=far, texels=64) == ShoreFloor(shore=Shore(), texels=64)
+
+
+def test_a_picture_of_heights_stands_in_the_address_and_no_longer() -> None:
+    grey = np.random.default_rng(1).integers(0, 256, (70, 82), dtype=np.uint8)
+    buffer = io.BytesIO()
+    Image.fromarray(grey).save(buffer, format="PNG")
+    image = base64.b64encode(buffer.getvalue()).decode()
+    assert 7000 < len(image) <= 8192
+    url = url_of(ShoreFloor(shore=Shore(kind="image", image=image, size=640.0, depth=8.0), texels=512))
+    assert len(url) < len(image) + 200
+    assert texture(spec_of(url)).width == 512
+
+
+@pytest.mark.parametrize(
+    "address",
+    [
+        "",
+        "nope",
+        "foam/",
+        "foam/()",
+        "foam/('size':1)",
+        "sea",
+        "sea/",
+        "sea/('sea':())/",
+        "sea/('sea':('wind':61.0))",
+        "sea/('sea':('wind':NaN))",
+        "sea/('sea':('wind':'15'))",
+        "sea/('sea':('wind':15))",
+        "sea/('sea':('choppiness':0.5))",
+        "sea/('sea':(),'depth':-1.0)",
+        "sea/('depth':3.0,'sea':(), 'x':1)",
+        "shore-floor/('shore':(),'texels':65)",
+        "shore-floor/('shore':('kind':'moon'),'texels':64)",
+        "shore-floor/('shore':('kind':'image'),'texels':64)",
+        "shore-floor/('texels':64,'shore':())",
+        "shore-profiles/('nodes':128,'sharpness':0.05,'skew':1.5)",
+        "shore-profiles/('nodes':100,'sharpness':0.05,'skew':0.5)",
+        "spray-rocks/('shore':(),'steep':3.0)",
+        "front-integral/('intensity':0.0,'log_base':1.0)",
+        "mask/vac-24",
+        "mask/vac-24/nope",
+        "mask/vac-24/ranks/",
+        "mask/vac-24+/ramps",
+        "mask/lace+lace/ranks",
+    ],
+)
+def test_an_address_of_nothing_is_refused(address: str) -> None:
+    with pytest.raises(UnknownTextureError):
+        spec_of(f"/api/textures/{address}")
+
+
+@pytest.mark.parametrize(
+    "spec",
+    [
+        MaskTexture(masks=("nope",), table="ranks"),
+        MaskTexture(masks=("vac-24", "vac-6", "nope"), table="ramps"),
+        SprayRocks(shore=Shore(slope=0.05, roughness=0.0), steep=0.5),
+    ],
+)
+def test_what_nothing_can_be_made_of_is_refused(spec: TextureSpec) -> None:
+    with pytest.raises(UnknownTextureError):
+        texture(spec)
