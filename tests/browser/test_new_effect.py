@@ -106,9 +106,7 @@ def test_the_example_is_as_its_truth(executor: Executor, example: Effect, look: 
     width, height = 96, 54
     quality = TIERS["reference"].model_copy(update={"samples": 4})
     frame = render(scene, time=2.0, width=width, height=height, samples=2, mode="same-samples")
-    drawn = executor.render(
-        make_plan(scene, quality), time=2.0, camera=camera, width=width, height=height, output="linear"
-    ).pixels
+    drawn = draw(executor, make_plan(scene, quality), camera, time=2.0, size=(width, height), output="linear")
     assert 0.005 < frame.alpha.mean() < 0.5
     off = np.abs(drawn[..., 3] - frame.alpha)
     # A threshold that a sample just misses turns that sample: the mean holds, and nearly every pixel.
