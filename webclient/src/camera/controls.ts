@@ -63,12 +63,12 @@ export class CameraControls {
   step(seconds: number): boolean {
     const before = this.camera;
     const dt = Math.min(seconds, 0.1);
-    const isClamp = (...codes: string[]) => (codes.some((code) => this.keys.has(code)) ? 1 : 0);
-    const sprint = isClamp("ShiftLeft", "ShiftRight") ? SPRINT_FACTOR : 1;
+    const isHeld = (...codes: string[]) => (codes.some((code) => this.keys.has(code)) ? 1 : 0);
+    const sprint = isHeld("ShiftLeft", "ShiftRight") ? SPRINT_FACTOR : 1;
     const targetSpeed = {
-      right: (isClamp("KeyD") - isClamp("KeyA")) * sprint,
-      up: (isClamp("KeyE", "PageUp") - isClamp("KeyQ", "PageDown")) * sprint,
-      forward: (isClamp("KeyW") - isClamp("KeyS")) * sprint,
+      right: (isHeld("KeyD") - isHeld("KeyA")) * sprint,
+      up: (isHeld("KeyE", "PageUp") - isHeld("KeyQ", "PageDown")) * sprint,
+      forward: (isHeld("KeyW") - isHeld("KeyS")) * sprint,
     };
     const blend = this.smooth ? 1 - Math.exp(-dt / INERTIA) : 1;
     for (const axis of ["right", "up", "forward"] as const) {
@@ -82,16 +82,16 @@ export class CameraControls {
       this.moveTo(move(this.camera, right * metres, up * metres, forward * metres, this.minHeight(up < 0)));
     }
     const turnStep = KEY_TURN_SPEED * dt;
-    this.turning.yaw += (isClamp("ArrowRight") - isClamp("ArrowLeft")) * turnStep;
-    this.turning.pitch += (isClamp("ArrowUp") - isClamp("ArrowDown")) * turnStep;
+    this.turning.yaw += (isHeld("ArrowRight") - isHeld("ArrowLeft")) * turnStep;
+    this.turning.pitch += (isHeld("ArrowUp") - isHeld("ArrowDown")) * turnStep;
     if (Math.abs(this.turning.yaw) + Math.abs(this.turning.pitch) > MIN_SPEED) {
       const share = this.smooth ? 1 - Math.exp(-dt / (INERTIA / 2)) : 1;
       this.turn(this.turning.yaw * share, this.turning.pitch * share);
       this.turning.yaw *= 1 - share;
       this.turning.pitch *= 1 - share;
     }
-    if (isClamp("Equal", "NumpadAdd")) this.moveTo(zoom(this.camera, Math.exp(-dt), this.minHeight()));
-    if (isClamp("Minus", "NumpadSubtract")) this.moveTo(zoom(this.camera, Math.exp(dt), this.minHeight()));
+    if (isHeld("Equal", "NumpadAdd")) this.moveTo(zoom(this.camera, Math.exp(-dt), this.minHeight()));
+    if (isHeld("Minus", "NumpadSubtract")) this.moveTo(zoom(this.camera, Math.exp(dt), this.minHeight()));
     const moved = this.camera !== before;
     if (moved) this.notify();
     return moved;
