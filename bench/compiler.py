@@ -187,7 +187,7 @@ _valid: set[bytes] = set()
 def _validate(module: bytes, what: str) -> None:
     """Validate the module with spirv-val, once per module: most vertex shaders are the same."""
     if module not in _valid:
-        _run(["spirv-val", "--target-env", "vulkan1.0", "-"], f"{what}: spirv-val", given=module)
+        _run(["spirv-val", "--target-env", "vulkan1.0", "-"], f"{what}: spirv-val", stdin=module)
         _valid.add(module)
 
 

@@ -140,8 +140,8 @@ def uber_plan(scene: Scene, quality: Quality, *, exact_ripples: bool = True) -> 
     declared = declared_uniforms(uber.program.fragment)
     textures = {name: texture for source in uber.plans for name, texture in source.textures.items()}
     targets = {name: target for source in uber.plans for name, target in source.targets.items()}
-    given = {START: TargetInput(target="start")} | uber.parts.inputs | own.inputs
-    inputs = {name: source for name, source in given.items() if name in declared}
+    available = {START: TargetInput(target="start")} | uber.parts.inputs | own.inputs
+    inputs = {name: source for name, source in available.items() if name in declared}
     # A plan of level water intersects a plane and has no start target: all its rays begin at 0.
     free = () if any(spec.target == "start" for spec in plan.passes) else (NO_START,)
     return plan.model_copy(
