@@ -2,7 +2,7 @@
 
 Run as ``python docs/make_accuracy.py`` after a change of their form. After a change of what is drawn, measure first::
 
-    CI=1 pytest -k "frames or filtered_look or motion" tests --figures .cache/accuracy.json
+    CI=1 pytest tests/gpu/reference/test_f*.py tests/gpu/accuracy/test_flicker.py --figures .cache/accuracy.json
     python docs/make_accuracy.py .cache/accuracy.json
 
 What is measured stands in docs/accuracy.json, by the titles of the tests' tables; a run that measures some of them
@@ -18,7 +18,7 @@ from pathlib import Path
 PAGE = Path(__file__).parent / "accuracy.md"
 FIGURES = Path(__file__).parent / "accuracy.json"
 Row = dict[str, str]
-MARK = re.compile(r"(<!-- tests: (.+) -->\n).*?(<!-- end -->)", re.DOTALL)
+MARK = re.compile(r"(<!-- tests: ([a-z ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def markdown(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -106,7 +106,8 @@ def main() -> None:
         titles = tuple(title for title, _ in TABLES.values())
         ran = json.loads(measured.read_text(encoding="utf-8"))
         tables |= {title: rows for title, rows in ran.items() if title.startswith(titles)}
-        FIGURES.write_text(json.dumps(tables, indent=1, ensure_ascii=False, sort_keys=True) + "\n", encoding="utf-8")
+        ordered = dict(sorted(tables.items()))
+        FIGURES.write_text(json.dumps(ordered, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), tables), encoding="utf-8")
 
 

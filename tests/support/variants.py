@@ -100,16 +100,7 @@ def scenes() -> Iterator[Scene]:
     yield Scene(shore=Shore(), foam=by_height, light=sea.light)
     left = (FrontSaturation(decay=3.0), SlopeSaturation())
     yield sea.model_copy(update={"foam": sea.foam.model_copy(update={"saturation": left})})
-    for model in ("fft", "gerstner"):
-        wind = Sea(model=model)  # type: ignore[arg-type]
-        yield sea.model_copy(update={"sea": wind})
-        yield Scene(sea=wind, foam=Foam(saturation=(WhitecapSaturation(),), look="halftone"), light=None)
-        yield Scene(
-            sea=wind,
-            waves=sea.waves,
-            foam=Foam(saturation=(WhitecapSaturation(), FrontSaturation(), HeightSaturation()), combine="product"),
-        )
-        yield Scene(sea=wind.model_copy(update={"choppiness": 0.0}))
+    yield from seas(sea)
     yield Scene()
     yield Scene(foam=Foam(), light=Light())
     yield Scene(waves=tuple(ParametricWave(wavelength=3.0 + i) for i in range(16)), foam=Foam())
@@ -131,6 +122,20 @@ def scenes() -> Iterator[Scene]:
     yield sea.model_copy(update={"water": Water(ripples=Ripples(gusts=Gusts()))})
     yield from drifting(sea)
     yield from living(sea, shore)
+
+
+def seas(parametric: Scene) -> Iterator[Scene]:
+    """Both models of a sea, alone, with parametric waves, and without displacement along the surface."""
+    for model in ("fft", "gerstner"):
+        wind = Sea(model=model)  # type: ignore[arg-type]
+        yield parametric.model_copy(update={"sea": wind})
+        yield Scene(sea=wind, foam=Foam(saturation=(WhitecapSaturation(),), look="halftone"), light=None)
+        yield Scene(
+            sea=wind,
+            waves=parametric.waves,
+            foam=Foam(saturation=(WhitecapSaturation(), FrontSaturation(), HeightSaturation()), combine="product"),
+        )
+        yield Scene(sea=wind.model_copy(update={"choppiness": 0.0}))
 
 
 def foams(sea: Scene) -> Iterator[Scene]:
