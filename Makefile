@@ -16,8 +16,10 @@ LIVE := $(addprefix tests/,fast/accuracy fast/api fast/cli gpu/accuracy gpu/api 
 	gpu/numerics/test_properties.py gpu/reference/test_anywhere.py)
 REST := tests/fast tests/gpu $(addprefix --ignore=,$(LIVE))
 
-# Tests that make many plans: half of the time that tests/fast takes.
-PLANS := tests/fast/accuracy tests/fast/unit
+# Tests that make many plans: half of the time that quick takes.
+PLANS := tests/fast/unit
+# What quick leaves to the whole run: float64 frames, sweeps, and processes that are started, killed and awaited.
+SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py)
 
 .PHONY: demo test quick quick-plans quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
 
@@ -26,7 +28,7 @@ demo: setup
 
 test: lint test-web test-python
 
-# tests/fast in two halves, with one the lint and a small picture of every preset.
+# tests/fast but the slow ones in two halves, with one the lint and a small picture of every preset.
 quick: setup-test
 	@$(MAKE) --no-print-directory -j2 quick-plans quick-rest
 
@@ -34,7 +36,7 @@ quick-plans:
 	$(BIN)/pytest -q -p no:cacheprovider $(PLANS)
 
 quick-rest: $(WEB)/node_modules/.checked
-	$(BIN)/pytest -q -p no:cacheprovider tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS))
+	$(BIN)/pytest -q -p no:cacheprovider tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW))
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
