@@ -275,7 +275,7 @@ def measure(presets: Sequence[str], watch: Watch, *, write: bool) -> tuple[dict[
 def _surfaces(presets: Sequence[str], found: Compiled) -> Table:
     rows = []
     for preset in presets:
-        for name in ("surface", "surface, low eye"):
+        for name in ("surface", "surface, underwater"):
             figures = found.figures.get(str(Use(preset, "standard", name)))
             if figures is not None:
                 rows.append((preset, name, *asdict(figures).values()))

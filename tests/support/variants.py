@@ -205,12 +205,12 @@ def _files(program: Program) -> set[str]:
 def every_program() -> dict[tuple[str, str], tuple[FramePlan, str, Program]]:
     """Each distinct program once, with a plan that asks for it.
 
-    A program that stands whole in that for low eyes of the same plan is not compiled by itself as well.
+    A program that stands whole in that for eyes under water of the same plan is not compiled by itself as well.
     """
     found: dict[tuple[str, str], tuple[FramePlan, str, Program]] = {}
     for plan in every_plan():
         for name, program in plan.programs.items():
-            low = plan.programs.get(f"{name}, low eye")
+            low = plan.programs.get(f"{name}, underwater")
             if low is not None and _files(program) <= _files(low):
                 continue
             found.setdefault((program.vertex.sha256, program.fragment.sha256), (plan, name, program))

@@ -31,7 +31,7 @@ from seafoam.scene.models import Scene
 START_SHARE = 0.25
 """Step length below which the search for a start distance ends, in heights of a tile at that distance."""
 
-LOW_EYE = "surface, low eye"
+UNDERWATER = "surface, underwater"
 """Name of the surface's program for cameras that can be below crests."""
 
 _MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl", refine("refine_water", "waves", "vec3")))
@@ -110,7 +110,7 @@ class FrameBuilder:
         return [
             *self.collection.slots,
             SlotFile("find", f"surface/{'plane' if self.level else 'march'}.glsl"),
-            SlotFile("ceiling", f"water/underside/{'plane' if self.level else 'find'}.glsl"),
+            SlotFile("underside", f"water/underside/{'plane' if self.level else 'find'}.glsl"),
             SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
             *(() if self.level else (_MARCH, _MARCH_START)),
         ]
@@ -130,7 +130,7 @@ class FrameBuilder:
         for slot in UNDER_SLOTS if self.below else ():
             low += slot_pieces(slot, self.marched)
         sky = [*_SAMPLED, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, self.chosen))]
-        return {"surface": surface, "surface, marched": marched, LOW_EYE: low, "sky": sky}
+        return {"surface": surface, "surface, marched": marched, UNDERWATER: low, "sky": sky}
 
     @property
     def _combine(self) -> Literal["max", "product"]:
@@ -164,7 +164,7 @@ class FrameBuilder:
         )
         self._program("present", [*slot_pieces(TONE, self.chosen), "output/present.glsl"])
         if self.below:
-            self._program(LOW_EYE, self.fragments[LOW_EYE])
+            self._program(UNDERWATER, self.fragments[UNDERWATER])
         if self.shore:
             met = [*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")]
             land = [*_SAMPLED]
@@ -178,7 +178,7 @@ class FrameBuilder:
         for spec in self.collection.passes:
             self._program(spec.program, spec.fragment, spec.vertex)
             if self.below and spec.under:
-                self._program(f"{spec.program}, low eye", spec.under, spec.vertex)
+                self._program(f"{spec.program}, underwater", spec.under, spec.vertex)
 
     def _effect_passes(self, stage: str) -> list[Pass]:
         return [drawn for spec in self.collection.passes if spec.stage == stage for drawn in self._passes_of(spec)]
@@ -199,7 +199,7 @@ class FrameBuilder:
         )
         if not self.below or not spec.under:
             return [always]
-        low = {"eye": "under", "program": f"{spec.program}, low eye"}
+        low = {"eye": "under", "program": f"{spec.program}, underwater"}
         return [always.model_copy(update={"eye": "over"}), always.model_copy(update=low)]
 
     def _fullscreen(self, name: str, program: str, target: str, reads: Mapping[str, str]) -> Pass:
@@ -234,7 +234,9 @@ class FrameBuilder:
         """Camera heights, program and mesh of the passes that draw the surface."""
         cells = self.quality.surface.cells
         own: Mesh = Grid(rows=cells, columns=cells) if self.mesh else Fullscreen()
-        return [("over", "surface", own), ("under", LOW_EYE, Fullscreen())] if self.below else [("any", "surface", own)]
+        return (
+            [("over", "surface", own), ("under", UNDERWATER, Fullscreen())] if self.below else [("any", "surface", own)]
+        )
 
     def _ashore(self, name: str, program: str, target: str, state: State) -> Pass:
         return Pass(

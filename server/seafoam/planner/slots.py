@@ -154,7 +154,7 @@ CAUSTICS = Slot("caustics", default="water/seafloor/even.glsl", under="bed")
 """Distribution of the sun's light on a level floor."""
 BED = Slot("bed")
 """Light of a level floor, if single points of it are visible from above the surface."""
-CEILING = Slot("ceiling")
+UNDERSIDE = Slot("underside")
 """Intersection of a ray from below with the surface; filled like FIND."""
 REACH = Slot("reach", default=defaults.NO_FLOOR_BELOW, under="below")
 UNDER_BED = Slot("under bed", default=defaults.NO_FLOOR_LIGHT, under="below")
@@ -170,7 +170,7 @@ LAND_COLOR = Slot("land color")
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """Main function for a camera below the surface; for one above it calls ``seen_from_above``."""
-UNDER_SLOTS = (CEILING, REACH, UNDER_BED, BELOW)
+UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
 """Additional slots of the shader for cameras that can be below crests."""
 TONE = Slot("tone", default="output/tone/clamp.glsl")
 

@@ -5,7 +5,7 @@ bool boat_hidden(vec3 ray, float t) {
     }
     float tau;
     vec3 wave;
-    return (find_ceiling(ray, tau, wave) && tau * length(ray) < t) || bed_reach(vec2(0.0), u_eye_height, normalize(ray)) < t;
+    return (find_underside(ray, tau, wave) && tau * length(ray) < t) || bed_reach(vec2(0.0), u_eye_height, normalize(ray)) < t;
 }
 
 vec3 boat_before(vec3 light, vec3 d, float t) {

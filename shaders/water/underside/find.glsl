@@ -3,7 +3,7 @@
 
 const float CEILING_FARTHEST = 1e5;
 
-bool find_ceiling(vec3 ray, out float tau, out vec3 wave) {
+bool find_underside(vec3 ray, out float tau, out vec3 wave) {
     float size = length(ray);
     float leave = CEILING_FARTHEST / max(length(ray.xz), 1e-6 * size);
     wave = vec3(0.0);

@@ -1,4 +1,4 @@
-// No light, seen from under the surface: foam is white in its ceiling, all else black. From over the surface: as ever.
+// No light, seen from under the surface: foam is white in the underside, all else black. From over the surface: as ever.
 void main() {
     if (u_eye_height >= waves(vec2(0.0)).x) {
         seen_from_above();
@@ -8,7 +8,7 @@ void main() {
     float tau;
     vec3 wave;
     o_color = vec4(0.0);
-    if (find_ceiling(ray, tau, wave)) {
+    if (find_underside(ray, tau, wave)) {
         vec2 p = tau * ray.xz;
         Footprint fp = footprint(ray, tau, vec3(wave.y, -1.0, wave.z));
         float amount = foam_amount(saturation(p, waves_shading(p, fp).x, fp), p, fp);

@@ -1,4 +1,4 @@
-// What an eye under the surface sees: Snell's window and total reflection in the ceiling, and the floor. docs/formulae.md,
+// What an eye under the surface sees: Snell's window and total reflection at the underside, and the floor. docs/formulae.md,
 // section 11. From over the surface: as ever.
 // Light of floor and water along d (unit) from a place p at height y, where the floor is `reach` metres away; fp: footprint there.
 vec3 below_bed(vec2 p, float y, vec3 d, float reach, Footprint fp) {
@@ -8,7 +8,7 @@ vec3 below_bed(vec2 p, float y, vec3 d, float reach, Footprint fp) {
 
 // Light that comes down along -d through the surface, or is mirrored in it. n: its normal, up; p, y: the place, `so_far` metres
 // from the eye.
-vec3 below_ceiling(vec3 d, vec3 n, float unresolved, vec2 p, float y, float so_far, Footprint fp) {
+vec3 below_underside(vec3 d, vec3 n, float unresolved, vec2 p, float y, float so_far, Footprint fp) {
     float sigma2 = u_roughness * u_roughness + unresolved;
     float nv = max(dot(n, d), 0.0);
     float cv2 = min(nv * nv + sigma2 * (1.0 - nv * nv), 1.0);
@@ -44,9 +44,9 @@ void main() {
     vec3 d = normalize(ray);
     float tau;
     vec3 wave;
-    bool ceiling = find_ceiling(ray, tau, wave);
+    bool underside = find_underside(ray, tau, wave);
     float to_floor = bed_reach(vec2(0.0), u_eye_height, d);
-    if (!ceiling || to_floor < tau * length(ray)) {
+    if (!underside || to_floor < tau * length(ray)) {
         Footprint fp = footprint(ray, to_floor / length(ray), vec3(0.0, 1.0, 0.0));
         vec3 light = exposure() * below_bed(vec2(0.0), u_eye_height, d, to_floor, fp);
         o_color = vec4(min(light, BRIGHTEST), 0.0);
@@ -60,7 +60,7 @@ void main() {
     vec3 foam_normal = normalize(vec3(-shading.y - 0.5 * ripple.x, 1.0, -shading.z - 0.5 * ripple.y));
     vec3 normal = normalize(vec3(-shading.y - ripple.x, 1.0, -shading.z - ripple.y));
     float reach = tau * length(ray);
-    vec3 water = exposure() * below_ceiling(d, normal, shading.w + ripple.z, p, shading.x, reach, fp);
+    vec3 water = exposure() * below_underside(d, normal, shading.w + ripple.z, p, shading.x, reach, fp);
     // Foam lets through half of what it sends up.
     vec3 light = foam_over(water, 0.5 * exposure() * foam_light(foam_normal), amount);
     light = light * exp(-below_extinction() * reach) + exposure() * below_glow(-u_eye_height, -d.y, reach);

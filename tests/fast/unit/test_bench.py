@@ -49,7 +49,7 @@ def test_every_preset_but_the_mask_alone_is_in_one_group_of_the_yardstick() -> N
 SURFACE = make_plan(load_preset("default").scene, TIERS["standard"]).programs
 
 
-@pytest.mark.parametrize("name", ["surface", "surface, low eye"])
+@pytest.mark.parametrize("name", ["surface", "surface, underwater"])
 def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str) -> None:
     """And its main is what drew before, up to where the surface is found and land is not."""
     text = counting_shader(SURFACE[name].fragment).text

@@ -100,4 +100,4 @@ def test_what_is_missing_is_named_with_the_command(monkeypatch: pytest.MonkeyPat
 
 
 def test_uses_are_named_by_preset_tier_and_program() -> None:
-    assert str(Use("default", "high", "surface, low eye")) == "default high surface, low eye"
+    assert str(Use("default", "high", "surface, underwater")) == "default high surface, underwater"

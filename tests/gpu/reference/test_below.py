@@ -1,4 +1,4 @@
-"""What an eye under the surface sees: ceiling, floor, hulls and the water between, against float64."""
+"""What an eye under the surface sees: the underside, floor, hulls and the water between, against float64."""
 
 import math
 

@@ -163,7 +163,7 @@ DEEP = Scene(
 BESIDE = {
     "caustics on the floor, from above": (POOL, Camera(position=(0.3, 2.5, 0.2), pitch=-1.2)),
     "caustics on the floor, from under water": (POOL, Camera(position=(0.3, -1.0, 0.2), pitch=-0.6)),
-    "the ceiling and what it mirrors": (POOL, Camera(position=(0.3, -1.5, 0.2), pitch=0.4)),
+    "the underside and what it mirrors": (POOL, Camera(position=(0.3, -1.5, 0.2), pitch=0.4)),
     "deep water, from below": (DEEP, Camera(position=(0.3, -2.0, 0.2), pitch=-0.2)),
     "the planar mirror": (
         Scene(

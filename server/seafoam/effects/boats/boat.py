@@ -151,7 +151,7 @@ def _picture_pass(scene: Scene) -> PassSpec:
     )
     # boats/hull/under.glsl defines functions of the same names, which call these when the camera is above water.
     over = Source("boats/hull/over.glsl", (("boat_hidden", "boat_hidden_over"), ("boat_before", "boat_before_over")))
-    under = (over, "light/shade/optics.glsl", SlotRef("ceiling"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
+    under = (over, "light/shade/optics.glsl", SlotRef("underside"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
     swing = max(max_surface_height(scene), -min_surface_height(scene))
     return PassSpec(
         name="boats",

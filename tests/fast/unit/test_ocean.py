@@ -1,0 +1,138 @@
+"""Modules of ``seafoam.ocean`` that the float64 reference shares with the effects.
+
+Each is held to an integral, a limit or a published value, so that an error that both share does not pass unnoticed.
+"""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.ocean import stokes
+from seafoam.ocean.cascades import cascades
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.dispersion import wavenumber
+from seafoam.ocean.refraction import refracted_cosine
+from seafoam.ocean.rings import ring_height, trains
+from seafoam.ocean.ripples import SURFACE_TENSION, ripple_cascades
+from seafoam.ocean.rocks import rocks
+from seafoam.ocean.seabed import floor_grid, smoothstep
+from seafoam.ocean.spectrum import frequency_spectrum, peak_frequency
+from seafoam.ocean.wakes import wakes
+from seafoam.ocean.whitecaps import whitecaps
+from seafoam.scene.boats import Boat
+from seafoam.scene.models import Scene
+from seafoam.scene.rings import Ring
+from seafoam.scene.shore import Shore
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import ParametricWave, Sea
+
+SEAS = ((6.0, 2e4), (10.0, 1e5), (15.0, 3e5))
+"""Wind (m/s) and fetch (m)."""
+
+
+def variance(wind: float, fetch: float) -> float:
+    """Integral of the frequency spectrum, m²."""
+    omega: NDArray[np.float64] = np.linspace(0.02, 40.0, 400_000)
+    return float(np.trapezoid(frequency_spectrum(omega, wind, fetch), omega))
+
+
+def test_gravity_is_that_of_the_sources() -> None:
+    assert pytest.approx(9.80665, rel=4e-4) == GRAVITY
+
+
+@pytest.mark.parametrize(("wind", "fetch"), SEAS)
+def test_the_spectrum_has_the_integral_of_jonswap(wind: float, fetch: float) -> None:
+    """Pierson and Moskowitz's is αg²/(5ωₚ⁴); a peak enhancement of 3.3 multiplies it by 1.525 (Yamaguchi 1984)."""
+    alpha = 0.076 * (wind**2 / (fetch * GRAVITY)) ** 0.22
+    moskowitz = alpha * GRAVITY**2 / (5.0 * peak_frequency(wind, fetch) ** 4)
+    assert variance(wind, fetch) / moskowitz == pytest.approx(1.525, rel=0.01)
+
+
+@pytest.mark.parametrize(("wind", "fetch"), SEAS)
+def test_tiles_of_a_sea_have_the_variance_of_its_spectrum(wind: float, fetch: float) -> None:
+    tiles = cascades(Sea(wind=wind, fetch=fetch), None)
+    assert sum(tile.variance for tile in tiles) == pytest.approx(variance(wind, fetch), rel=1e-3)
+
+
+def test_wavenumbers_have_the_limits_of_deep_and_shallow_water() -> None:
+    for deep in (0.01, 0.3, 4.0):
+        assert wavenumber(deep, None) == deep
+        assert wavenumber(deep, 50.0 / deep) == pytest.approx(deep, rel=1e-12)
+        # Shallow: ω² = g·deep = g h k², so the phase speed is √(g h).
+        assert wavenumber(deep, 1e-4 / deep) == pytest.approx(deep / math.sqrt(1e-4), rel=1e-4)
+
+
+def test_ripples_obey_the_dispersion_of_gravity_and_capillarity() -> None:
+    """ω² = gk + (σ/ρ)k³, up to whole turns; the slopes' mean squares add up to the setting's."""
+    waves = [wave for cascade in ripple_cascades(Ripples(slope=0.15)) for wave in cascade]
+    assert sum(wave.slope**2 / 2.0 for wave in waves) == pytest.approx(0.15**2, rel=1e-9)
+    for wave in waves:
+        assert wave.omega == pytest.approx(math.sqrt(GRAVITY * wave.k + SURFACE_TENSION * wave.k**3), rel=1e-9)
+
+
+def test_rings_travel_at_the_phase_speed_and_are_no_higher_than_thrown() -> None:
+    ring = Ring(wavelength=5.0, amplitude=0.1)
+    (deep,), (shallow,) = (trains(Scene(rings=(ring,), water=Water(depth=depth))) for depth in (None, 0.05))
+    assert deep.speed == pytest.approx(math.sqrt(GRAVITY * 5.0 / (2.0 * math.pi)))
+    # At kh = 0.25 the speed is √(gh) to 1 %.
+    assert shallow.speed == pytest.approx(math.sqrt(GRAVITY * 0.05), rel=0.015)
+    assert ring_height(Scene(rings=(ring,))) == pytest.approx(0.1, rel=0.01)
+
+
+def test_stokes_drift_is_that_of_a_sine() -> None:
+    """a²kω at the surface of deep water (Stokes 1847), a the first harmonic: A/2 for the exponent 1, a sine."""
+    assert stokes.first_harmonic(3.0, 1.0) == pytest.approx(1.5)
+    wave = ParametricWave(amplitude=0.8, wavelength=20.0, direction=0.0, exponent=1.0)
+    k = 2.0 * math.pi / 20.0
+    x, z = stokes.waves_drift(Scene(waves=(wave,)))
+    assert x == pytest.approx(0.4**2 * k * math.sqrt(GRAVITY * k), rel=1e-6)
+    assert z == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_wakes_transverse_waves_keep_up_with_the_boat() -> None:
+    """2πv²/g: 16.0 m at 5 m/s (Kelvin 1887)."""
+    (wake,) = wakes((Boat(speed=5.0),))
+    assert wake.wavelength == pytest.approx(16.01, rel=1e-3)
+
+
+def test_whitecaps_cover_as_published() -> None:
+    """About 1 % at 10 m/s, 4 % at 15 m/s (Monahan and O'Muircheartaigh 1980, figure 1)."""
+    assert whitecaps(10.0) == pytest.approx(0.00987, rel=0.01)
+    assert whitecaps(15.0) == pytest.approx(0.0393, rel=0.01)
+    assert whitecaps(0.0) == 0.0
+
+
+def test_refraction_obeys_snell() -> None:
+    assert refracted_cosine(1.0) == 1.0
+    for angle in (0.2, 0.8, 1.4):
+        inside = math.acos(refracted_cosine(math.cos(angle), 1.5))
+        assert math.sin(angle) == pytest.approx(1.5 * math.sin(inside), rel=1e-12)
+
+
+def test_the_seabed_ends_at_its_depth_and_steps_without_a_kink() -> None:
+    shore = Shore(kind="island", depth=12.0)
+    ground = floor_grid(shore, 64)[..., 0]
+    edge = np.concatenate((ground[0], ground[-1], ground[:, 0], ground[:, -1]))
+    assert np.allclose(edge, -shore.deep, atol=0.02)
+    ends = smoothstep(2.0, 4.0, np.array([2.0, 3.0, 4.0, 2.0 + 1e-6]))
+    assert ends[:3].tolist() == [0.0, 0.5, 1.0]
+    assert ends[3] < 1e-11
+
+
+def test_rocks_of_spray_lie_on_the_coast() -> None:
+    shore = Shore(kind="island")
+    found = rocks(shore, 0.0)
+    assert np.hypot(found[:, 2], found[:, 3]) == pytest.approx(1.0, abs=2e-3)
+    texels = 256
+    ground, texel = floor_grid(shore, texels)[..., 0], shore.size / texels
+    column, row = ((found[:, i] + 0.5 * shore.size) / texel - 0.5 for i in (0, 1))
+    near = [
+        ground[np.round(row + dz).astype(int), np.round(column + dx).astype(int)]
+        for dz in (-1, 0, 1)
+        for dx in (-1, 0, 1)
+    ]
+    # Each place has land and water within a texel.
+    assert (np.max(near, axis=0) >= 0.0).all()
+    assert (np.min(near, axis=0) < 0.0).all()
