@@ -37,6 +37,11 @@ def min_surface_height(scene: Scene) -> float:
     return -(paper_level(scene) + _amplitude(scene))
 
 
+def max_displacement(scene: Scene) -> float:
+    """Greatest distance of the surface from still water, above or below, m."""
+    return max(max_surface_height(scene), -min_surface_height(scene))
+
+
 def _amplitude(scene: Scene) -> float:
     """Return the greatest amplitude of waves that are symmetric about still water: rings, wakes and open sea; m."""
     amplitude = ring_height(scene) + wake_height(scene.boats)

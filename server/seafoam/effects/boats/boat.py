@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from seafoam.effects.bounds import max_surface_height, min_surface_height
+from seafoam.effects.bounds import max_displacement
 from seafoam.effects.effect import (
     ABOVE,
     Const,
@@ -152,7 +152,7 @@ def _picture_pass(scene: Scene) -> PassSpec:
     # boats/hull/under.glsl defines functions of the same names, which call these when the camera is above water.
     over = Source("boats/hull/over.glsl", (("boat_hidden", "boat_hidden_over"), ("boat_before", "boat_before_over")))
     under = (over, "light/shade/optics.glsl", SlotRef("underside"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
-    swing = max(max_surface_height(scene), -min_surface_height(scene))
+    swing = max_displacement(scene)
     return PassSpec(
         name="boats",
         program="boat",

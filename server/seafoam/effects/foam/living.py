@@ -6,7 +6,7 @@ docs/formulae.md, section 5.
 import math
 
 from seafoam.effects.effect import Contribution, Effect, Piece, SlotFile, Source, constant_function
-from seafoam.effects.noise import PERLIN_2
+from seafoam.effects.noise import CELLS, PERLIN_2
 from seafoam.framegraph.rules import Phase, Uniform, array, number, vector
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
@@ -21,8 +21,6 @@ WINDROW_LENGTH = 8.0
 WINDROW_RIDGE = 7.781
 """Factor c for which max(1 - c|n|, -1) has the mean 0 over gradient noise n in the plane (2·10⁶ samples)."""
 WINDROW_SEED = 1938
-CELLS = 256
-"""Number of cells after which the noise repeats."""
 
 
 _NO_WINDROWS = constant_function("float", "windrow", "vec2 p, Footprint fp")

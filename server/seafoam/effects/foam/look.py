@@ -1,16 +1,14 @@
 """How saturation becomes a foam amount: the paper's looks and the filtered threshold. docs/formulae.md, section 5."""
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass, field
-from typing import TypeVar
+from dataclasses import dataclass
 
 from seafoam.effects.bounds import foam_limit, greatest_saturation
 from seafoam.effects.effect import (
     Bound,
-    Const,
     Contribution,
     Effect,
+    Part,
     Piece,
     PlanError,
     QualityParameter,
@@ -37,7 +35,6 @@ CELLS = 4096
 """Number of cells along each side of their lattice after which their rotations repeat."""
 
 _MASK_TABLES: dict[str, MaskTable] = {"u8": "ranks-8", "half": "thresholds-half", "u16": "ranks"}
-T = TypeVar("T")
 
 _NO_TEXTURE = constant_function("float", "foam_texture", "vec2 p, Footprint fp", "1.0")
 
@@ -60,23 +57,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     if foam.look == "filtered":
         parts.append(_filtered_mask(scene, foam, masks, quality))
     look, needs = _look_file(scene, foam, quality)
-    atlas = foam.look == "filtered"
-    ranks = [of.mask for of in masks]
-    return Contribution(
+    contribution = Contribution(
         why=_why(scene, foam, quality),
         slots=(
             SlotFile("look", look, needs=(*(file for part in parts for file in part.needs), *needs)),
             SlotFile("over", "foam/added.glsl" if foam.look == "listing" else "foam/over.glsl"),
             SlotFile("albedo", "foam/albedo.glsl"),
         ),
-        consts=_merged(part.consts for part in parts),
-        uniforms={"u_foam_albedo": number(foam.albedo, "/foam/albedo"), **_merged(part.uniforms for part in parts)},
-        inputs=_merged(part.inputs for part in parts),
-        textures=_merged(part.textures for part in parts),
-        targets=mask_atlas.targets(ranks) if atlas else {},
-        passes=mask_atlas.passes(ranks) if atlas else (),
+        uniforms={"u_foam_albedo": number(foam.albedo, "/foam/albedo")},
         bound=_bound(foam, scene),
     )
+    return contribution.joined(*parts)
 
 
 @dataclass(frozen=True)
@@ -85,20 +76,11 @@ class _NamedMask:
     mask: Mask
 
 
-@dataclass(frozen=True)
-class _Part:
-    """What one part of a look adds: files before the look's own, and what they read."""
+@dataclass(frozen=True, kw_only=True)
+class _Part(Part):
+    """A part of a look. ``needs``: files before the look's own."""
 
     needs: tuple[Piece, ...] = ()
-    consts: dict[str, Const] = field(default_factory=dict)
-    uniforms: dict[str, Uniform] = field(default_factory=dict)
-    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
-    textures: dict[str, TextureUse] = field(default_factory=dict)
-
-
-def _merged(parts: Iterable[dict[str, T]]) -> dict[str, T]:
-    """All entries of the dictionaries."""
-    return {name: value for part in parts for name, value in part.items()}
 
 
 def _mask(name: str, pointer: str) -> _NamedMask:
@@ -143,7 +125,7 @@ def _mask_place(scene: Scene, foam: Foam, mask: Mask) -> _Part:
         needs = ("foam/mask_coordinates.glsl",)
         uniforms = {"u_mask_offset": array("vec2", [Wrap(k=(c, s)), Wrap(k=(-s, c))], 1)}
     uniforms["u_mask_matrix"] = vector((c, s, -s, c))
-    return _Part(needs, {"MASK_SIZE": mask.ranks.shape[0]}, uniforms)
+    return _Part(needs=needs, consts={"MASK_SIZE": mask.ranks.shape[0]}, uniforms=uniforms)
 
 
 def _drifting_mask(foam: Foam, drift: tuple[float, float]) -> dict[str, Uniform]:
@@ -185,6 +167,7 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Q
     tables: MaskTable = "ramps" if octaves > 1 else "quantiles"
     mask = masks[0].mask
     levels = mask.ranks.shape[0].bit_length()
+    ranks = [of.mask for of in masks]
     return _Part(
         consts={
             "QUANTILES": len(mask.quantile),
@@ -207,6 +190,8 @@ def _filtered_mask(scene: Scene, foam: Foam, masks: list[_NamedMask], quality: Q
             "u_mask_quantiles": TextureInput(texture=mask_atlas.tables(len(masks), tables)),
         },
         textures=mask_atlas.textures([of.name for of in masks], tables),
+        targets=mask_atlas.targets(ranks),
+        passes=mask_atlas.passes(ranks),
     )
 
 
@@ -220,11 +205,11 @@ def _texture(foam: Foam) -> _Part:
     if foam.texture_second is not None:
         file, uniforms = "foam/texture_pair.glsl", uniforms | _texture_place("_second", foam.texture_second)
     return _Part(
-        (file,),
-        {"FOAM_TEXTURE_SIZE": foam_texture().shape[0]},
-        uniforms,
-        {"u_foam_texture": TextureInput(texture="foam_texture")},
-        {"foam_texture": TextureUse(FoamTexture(), filter="linear_mipmap_linear")},
+        needs=(file,),
+        consts={"FOAM_TEXTURE_SIZE": foam_texture().shape[0]},
+        uniforms=uniforms,
+        inputs={"u_foam_texture": TextureInput(texture="foam_texture")},
+        textures={"foam_texture": TextureUse(FoamTexture(), filter="linear_mipmap_linear")},
     )
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_surface_height, min_surface_height
+from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, QualityParameter, SlotFile, TextureUse
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
@@ -140,7 +140,7 @@ def _look_uniforms(shore: Shore) -> dict[str, Uniform]:
 
 def _steepest(scene: Scene, bounds: Limits) -> tuple[float, float]:
     """Upper bounds of what the shore adds to the surface's slope and to its second derivative, 1/m."""
-    swing = max(max_surface_height(scene), -min_surface_height(scene))
+    swing = max_displacement(scene)
     share = bounds.open_share_slope
     # The open sea's share enters its slope twice, and varies smoothly over the length of its own ramp.
     curvature = bounds.wave_curvature + 2.0 * share * _open_slope(scene) + 6.0 * share**2 * swing
