@@ -1,4 +1,7 @@
-"""The effects, in the order in which they contribute. A new effect is a module here, its GLSL, and a line below."""
+"""The effects, in the order in which they contribute: each is a module here, its GLSL, and a line below.
+
+Effects describe what a plan needs. They draw nothing, and import neither the planner nor an executor.
+"""
 
 from seafoam.effects.boats import boat, wake
 from seafoam.effects.effect import Effect

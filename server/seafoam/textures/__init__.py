@@ -1,4 +1,7 @@
-"""Textures that plans refer to: typed descriptions, and the same bytes for every executor."""
+"""Textures that plans refer to: typed descriptions, and the same bytes for every executor.
+
+Nothing here depends on time or camera, and no effect is known by name.
+"""
 
 from seafoam.textures.foam import FoamTexture, foam_texture
 from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full

@@ -1,1 +1,4 @@
-"""One module a resource of the API. What several need stands in :mod:`seafoam.api`."""
+"""One module for each resource of the API.
+
+Routers do not import each other's private parts; what several need is in :mod:`seafoam.api`.
+"""

@@ -1,1 +1,4 @@
-"""Boats and their wakes. Foam of wakes is in :mod:`seafoam.effects.foam`."""
+"""Boats and their wakes.
+
+Foam of wakes is in :mod:`seafoam.effects.foam`.
+"""

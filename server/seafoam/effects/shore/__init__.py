@@ -1,1 +1,4 @@
-"""Land, shallows and the waves that reach them. Surf's foam is in :mod:`seafoam.effects.foam`."""
+"""Land, shallows and the waves that reach them.
+
+Foam of the surf is in :mod:`seafoam.effects.foam`.
+"""

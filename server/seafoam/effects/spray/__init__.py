@@ -1,1 +1,4 @@
-"""Drops in the air, as points that are laid over the picture."""
+"""Drops in the air, drawn as points over the picture.
+
+The waves and rocks that throw them are in other packages.
+"""

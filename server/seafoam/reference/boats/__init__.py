@@ -1,1 +1,4 @@
-"""Section 15: boats."""
+"""Section 15 of docs/formulae.md in float64: boats and wakes.
+
+Nothing here comes from an effect or from GLSL; rays and pixels are in :mod:`seafoam.reference.renderer`.
+"""
