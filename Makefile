@@ -8,8 +8,8 @@ NODE := scripts/node.sh
 WEB := webclient
 PORT ?= 8000
 
-WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public -type f 2>/dev/null) $(WEB)/index.html $(WEB)/package-lock.json \
-	$(WEB)/vite.config.ts $(WEB)/tsconfig.json
+WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md \
+	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
 # Two groups of tests at once, each about half the time: browsers and servers with some numbers, and all else.
 LIVE := $(addprefix tests/,fast/accuracy fast/api fast/cli gpu/accuracy gpu/api gpu/cli \
@@ -21,7 +21,7 @@ PLANS := tests/fast/unit
 # What quick leaves to the whole run: float64 frames, sweeps, and processes that are started, killed and awaited.
 SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py)
 
-.PHONY: demo test quick quick-plans quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills fronts lock clean
+.PHONY: demo test quick quick-plans quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
@@ -104,6 +104,9 @@ bake: setup
 	$(BIN)/python -m seafoam.masks.bake
 	$(BIN)/python tests/golden/make_uniform_rules.py
 	$(BIN)/python tests/golden/make_views.py
+	$(BIN)/python tests/golden/make_flip.py
+	$(BIN)/python tests/golden/make_foam_strips.py
+	$(BIN)/python tests/golden/make_picks.py
 	$(BIN)/python -m seafoam.reference.bake
 
 docs: setup-test
@@ -115,6 +118,10 @@ docs: setup-test
 # The page's first pictures, checked in: those whose preset starts otherwise now. After a change of how water looks: NAMES.
 stills: setup
 	$(BIN)/python webclient/make_stills.py $(NAMES)
+
+# The chapter's figures, as they are drawn at their start.
+learn-stills: setup-test
+	$(BIN)/python webclient/make_learn_stills.py
 
 # What each tier costs and is worth at each share of the window, for the page to choose by; presets without it, or NAMES.
 fronts: setup

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from bench.report import Column, Table
 from bench.watch import Watch
+from seafoam.accuracy.metrics import tone_curve
 from seafoam.accuracy.motion import excess, flicker, shown
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -59,6 +60,7 @@ def measure(executor: Executor, watch: Watch, presets: Sequence[str] = PRESETS) 
 
 def _row(executor: Executor, name: str) -> tuple[object, ...]:
     preset = load_preset(name)
+    curve = tone_curve(preset.scene)
     pictures, foams = [], []
     for samples in SAMPLES:
         plan = make_plan(preset.scene, TIERS["standard"].model_copy(update={"samples": samples}))
@@ -70,7 +72,7 @@ def _row(executor: Executor, name: str) -> tuple[object, ...]:
             frame = executor.render(
                 plan, time=time, camera=camera, width=SIZE[0], height=SIZE[1], output="linear"
             ).pixels
-            pictures[-1].append(shown(frame))
+            pictures[-1].append(shown(frame, curve))
             foams[-1].append(frame[..., 3].copy())
     ratios = [excess(*clips) for clips in (foams, pictures)]
     levels = [flicker(clip) for clips in (foams, pictures) for clip in clips]

@@ -62,7 +62,7 @@ KINDS = (
     ("/api/textures/", "", "textures"),
     ("/stills/", ".small.avif", "thumbnails"),
     ("/stills/", "", "still"),
-    ("/openapi.json", "", "OpenAPI document"),
+    ("/api/schema", "", "Schema of scenes and qualities"),
     ("/api/", "", "presets, names"),
     ("/", "/", "HTML"),
     ("/", "", "other"),

@@ -297,6 +297,21 @@ def boats(executor: Executor) -> None:
     sheet(made, 3).save(PICTURES / "boats.webp", quality=82)
 
 
+def presets(executor: Executor) -> Image.Image:
+    """Every preset but the paper's at its own time, in the order of the page."""
+    quality = TIERS["standard"].model_copy(update={"samples": 4, "foam_relief": True})
+    made = []
+    for name in preset_names():
+        if name.startswith("paper-"):
+            continue
+        preset = load_preset(name)
+        plan = make_plan(preset.scene, quality)
+        drawn = executor.render(plan, time=preset.time, camera=preset.scene.camera, width=480, height=270)
+        made.append(Image.fromarray(drawn.pixels[..., :3]))
+        executor.forget()
+    return sheet(made, 4)
+
+
 def sheet(pictures: list[Image.Image], columns: int, gap: int = 6) -> Image.Image:
     """Pictures of one size in rows."""
     width, height = pictures[0].size
@@ -329,6 +344,7 @@ def main() -> None:
     below(executor)
     boats(executor)
     foam(executor)
+    presets(executor).save(PICTURES / "presets.webp", quality=82)
     executor.close()
     masks = [(name, load_mask(name)) for name in load_catalogue()]
     (PICTURES / "masks.png").write_bytes(contact_sheet([(name, m.ranks, m.spectrum) for name, m in masks]))

@@ -136,18 +136,23 @@ def write(drawn: dict[float, float], lasting: dict[float, float], gerstner: dict
 
 
 def seascape(wind: float, seed: int, yaw: float, *, own: bool = True) -> Scene:
-    """The preset's sea with foam of coverage 1, and a high sun behind a camera that faces ``yaw``.
+    """A sea with the preset's whitecaps, opaque, of coverage 1, and a high sun behind a camera that faces ``yaw``.
+
+    Without single waves, which the law does not know, and with opaque foam, since it counts areas.
 
     own: with the preset's lasting, drifting foam, else with fixed foam of the last 3 s.
     """
     preset = load_preset(PRESET).scene
     assert preset.foam is not None
     assert preset.light is not None
-    changed: dict[str, Any] = {} if own else {"saturation": (WhitecapSaturation(),), "life": None}
+    whitecaps = tuple(one for one in preset.foam.saturation if isinstance(one, WhitecapSaturation))
+    fixed = {"saturation": (WhitecapSaturation(),), "life": None}
+    changed: dict[str, Any] = {"scattering": None} | ({"saturation": whitecaps} if own else fixed)
     azimuth = math.remainder(yaw + 0.5 * math.pi, 2.0 * math.pi)
     light = Light(sun_azimuth=azimuth, sun_elevation=1.0, turbidity=2.0, visibility=18000.0)
     return preset.model_copy(
         update={
+            "waves": (),
             "sea": Sea(wind=wind, fetch=FETCH, seed=seed),
             "foam": preset.foam.model_copy(update=changed),
             "light": light.model_copy(update={"exposure": preset.light.exposure}),
@@ -181,7 +186,7 @@ def counted(image: Floats64, rule: Rule) -> NDArray[np.bool_]:
 
 def photo(pixels: NDArray[np.float32]) -> NDArray[np.uint8]:
     """A linear frame as a camera's 8-bit sRGB."""
-    return np.round(255.0 * displayed(pixels)).astype(np.uint8)
+    return np.round(255.0 * displayed(pixels, "filmic")).astype(np.uint8)
 
 
 def shot(pixels: NDArray[np.float32]) -> Shot:

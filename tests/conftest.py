@@ -1,14 +1,14 @@
 """Fixtures that every level shares."""
 
+import gc
 import json
 import os
 from collections.abc import Iterator
-from functools import cache
+from functools import _lru_cache_wrapper, cache
 from pathlib import Path
 
 import pytest
 
-from seafoam.planner.planner import make_plan
 from seafoam.render.gl.executor import Executor
 from support import inputs
 from support.probe import Probe
@@ -57,6 +57,13 @@ least = 0
 """Bytes that stay when the executor has forgotten: what else the process keeps."""
 
 
+def _forget_results() -> None:
+    """Empty the package's caches of functions: plans hold their shaders' texts, textures and truth their arrays."""
+    for found in gc.get_objects():
+        if isinstance(found, _lru_cache_wrapper) and found.__module__.startswith("seafoam."):
+            found.cache_clear()
+
+
 @pytest.fixture(autouse=True)
 def _room() -> Iterator[None]:
     """After a test, have the executor forget what it keeps for later frames, once that is too much."""
@@ -64,9 +71,8 @@ def _room() -> Iterator[None]:
     yield
     if _executor.cache_info().currsize and resident() > max(LIMIT // 4, least + LIMIT // 20):
         _executor().forget()
-        if resident() > LIMIT // 2:
-            # Plans hold their shaders' texts.
-            make_plan.cache_clear()
+        if resident() > 2 * LIMIT // 5:
+            _forget_results()
         give_back()
         least = resident()
 

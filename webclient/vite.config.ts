@@ -2,6 +2,7 @@ import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { brotliCompressSync, constants } from "node:zlib";
 import { defineConfig, type Plugin } from "vitest/config";
+import { sources } from "./build/sources.ts";
 
 /** Seafoam server for `npm run dev`. */
 const server = process.env["SEAFOAM_SERVER"] ?? "http://127.0.0.1:8000";
@@ -34,6 +35,26 @@ const manual: Plugin = {
   },
 };
 
+/**
+ * Tweakpane writes its styles into a style element, which the page's security policy forbids; a constructed style sheet
+ * is allowed.
+ */
+const paneStyles: Plugin = {
+  name: "pane-styles",
+  apply: "build",
+  transform(code, id) {
+    if (!/[\\/]tweakpane[\\/]dist[\\/]tweakpane(\.min)?\.js$/.test(id)) return null;
+    const embed = "function embedStyle(doc, id, css) {";
+    if (!code.includes(embed)) throw new Error("Tweakpane has no function embedStyle.");
+    const adopt = `${embed}
+      const sheet = new CSSStyleSheet();
+      sheet.replaceSync(css);
+      doc.adoptedStyleSheets.push(sheet);
+    }`;
+    return { code: code.replace(embed, `${adopt}\nfunction embedStyleElement(doc, id, css) {`), map: null };
+  },
+};
+
 /** Writes the names of presets with a still into the page. */
 const stills: Plugin = {
   name: "stills",
@@ -45,8 +66,14 @@ const stills: Plugin = {
 
 export default defineConfig({
   base: "./",
-  build: { target: "es2022", assetsInlineLimit: 0 },
-  plugins: [manual, brotli, stills],
+  build: {
+    target: "es2022",
+    assetsInlineLimit: 0,
+    rolldownOptions: {
+      input: ["index.html", "masks/index.html", "learn/index.html", "learn/laboratory/index.html"].map((page) => join(import.meta.dirname, page)),
+    },
+  },
+  plugins: [manual, sources, brotli, paneStyles, stills],
   server: { proxy: { "/api": server, "/openapi.json": server, "/docs": server } },
   test: { include: ["tests/**/*.test.ts"] },
 });

@@ -103,7 +103,16 @@ class Quality(Extensible, QualityParameters):
     shore_profile: Literal[32, 64, 128, 256] = Field(
         default=128, description="Nodes per row of the table of shore wave profiles"
     )
+    land_octaves: int = Field(
+        default=7, ge=1, le=7, description="Octaves of the land's detail, the largest first; more show finer detail"
+    )
+    shadow_steps: Literal[32, 64, 128, 256] = Field(
+        default=128, description="Steps toward the sun in which the land's shadows are found"
+    )
     cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the cloud noise; more show finer clouds")
+    cloud_shadow_octaves: Literal[1, 2, 3, 4] = Field(
+        default=3, description="Octaves of the cloud noise in the clouds' shadows; more show finer shadows"
+    )
     cube: Literal["map", "exact"] = Field(
         default="map", description="Reflected surroundings. map: read from a cube map; exact: traced for each sample"
     )
@@ -166,6 +175,7 @@ class Quality(Extensible, QualityParameters):
     boat_samples: Annotated[Literal[1, 4, 9], BeforeValidator(_no_truth_value)] = Field(
         default=4, description="Rays per sample where boats are, to antialias their edges against water and sky"
     )
+    boat_shadows: bool = Field(default=True, description="Shadows of boats on water, foam and a floor")
     samples: Literal[1, 4, 9, 16, 25, 36, 49, 64] = Field(default=1, description="Samples per pixel, on a square grid")
     samples_max: Annotated[Literal[1, 4, 16], BeforeValidator(_no_truth_value)] = Field(
         default=1,
@@ -217,7 +227,10 @@ TIERS: dict[Tier, Quality] = {
         age_steps=4,
         age_step=0.7,
         shore_map=128,
+        land_octaves=5,
+        shadow_steps=64,
         cloud_octaves=5,
+        cloud_shadow_octaves=2,
         cube_size=128,
         drift_size=128,
         sparkle_cells=1,
@@ -227,6 +240,7 @@ TIERS: dict[Tier, Quality] = {
         wake_size=256,
         reflection_size=128,
         boat_samples=1,
+        boat_shadows=False,
     ),
     "standard": Quality(),
     "high": Quality(
@@ -253,6 +267,8 @@ TIERS: dict[Tier, Quality] = {
         sea_digits="float",
         shore_floor=512,
         shore_profile=256,
+        shadow_steps=256,
+        cloud_shadow_octaves=4,
         cube="exact",
         slope_places=5,
         refraction_steps=16,

@@ -1,6 +1,6 @@
 // Water mirrors a cube map, bilinear inside a face. r: reflected direction, a unit vector.
 // place: where on the water, from under the eye, y over still water, m.
-vec3 reflected_light(vec3 place, vec3 r) {
+vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {
     int face;
     vec2 at = cube_place(r, face);
     // By hand: a filter of the GPU would reach over the rim into the next face of the picture.

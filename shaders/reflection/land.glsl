@@ -21,7 +21,8 @@ bool land_along(vec2 q, float height, vec3 r, out float tau, out vec4 ground) {
 vec3 land_seen(vec2 q, vec3 r, float tau, vec4 ground) {
     vec3 normal = normalize(vec3(-ground.y, 1.0, -ground.z));
     Footprint fp = Footprint(vec2(AROUND_BLUR * tau, 0.0), vec2(0.0, AROUND_BLUR * tau));
-    float grain = shore_grain(q + tau * r.xz, fp);
-    vec3 light = exposure() * land_light(r, normal, ground_albedo(ground, grain), shore_wet(ground.x));
+    Soil soil = land_soil(q + tau * r.xz, ground, fp, vec2(1.0, 0.6) * shore_wet(ground.x));
+    vec3 place = vec3(q + tau * r.xz - shore_place(vec2(0.0)), ground.x).xzy;
+    vec3 light = exposure() * land_light(r, normal, soil, sunlit(place, fp));
     return in_air(light, r, tau) / exposure();
 }

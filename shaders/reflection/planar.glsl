@@ -40,8 +40,8 @@ vec4 mirror_toward(vec3 point, out vec3 seen, inout float way) {
 }
 
 // place: where on the water, from under the eye, y over still water, m.
-vec3 reflected_light(vec3 place, vec3 r) {
-    vec3 sky = mirrored_sky(r);
+vec3 reflected_light(vec3 place, vec3 r, vec3 spread) {
+    vec3 sky = mirrored_sky(r, spread);
     vec3 seen;
     float mirrored;
     float way = mirror_guess(place, r);

@@ -1,4 +1,5 @@
-// The same; g: in a cell and the eight round it, where beams no wider than a cell on either side meet nothing higher.
+// The same; g: in a cell and the eight round it, where beams no wider than a cell on either side meet nothing higher; b, a: heights from
+// which the sun is seen.
 uniform sampler2D u_land_cells;
 out vec4 o_highest;
 
@@ -14,5 +15,6 @@ void main() {
         }
     }
     // Half floats round by less.
-    o_highest = 1.001 * vec4(texelFetch(u_land_cells, cell, 0).r, highest, 0.0, 0.0);
+    vec2 sunlit = level.x == LAND_CELLS ? sunlit_from(cell) : vec2(0.0);
+    o_highest = vec4(1.001 * vec2(texelFetch(u_land_cells, cell, 0).r, highest), sunlit);
 }

@@ -1,6 +1,5 @@
 // How far a beam is free of land over y = 0, by a tree of the heights that land reaches at most: a fetch a cell, in cells as large as
 // may be. docs/formulae.md, section 8.
-uniform sampler2D u_land_maxima; // of a cell; of that and the eight round it, m; levels side by side
 
 // q: where the beam begins, metres from the middle of the square, y m high; r: its middle ray; it spreads by `aside` m a unit level
 // and by `raised` upright. Nothing is looked for before `from` and beyond `leave`; at least 0.

@@ -17,5 +17,5 @@ float floor_path(vec2 q, float height, vec3 d, vec3 n, out vec2 at) {
 void look_through(vec2 p, float height, vec3 d, vec3 normal, float unresolved, Footprint fp) {
     vec2 at;
     shore_path = floor_path(shore_place(p), height, d, normal, at);
-    shore_albedo = ground_albedo(shore_floor(at), shore_grain(at, fp));
+    shore_albedo = floor_albedo(at, shore_floor(at), fp);
 }

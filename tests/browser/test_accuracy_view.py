@@ -1,11 +1,13 @@
 """The accuracy benchmark, as a visitor runs it: on a small truth, which stands in for the server's own."""
 
 import base64
+import csv
 import io
 import json
 import re
 from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -57,8 +59,9 @@ def sweep() -> dict[str, Any]:
     measured = [
         point
         | {
+            "time": {"median_ms": 2.0 + index, "low_ms": 1.5 + index, "high_ms": 2.5 + index},
             "model": {"fixed_ms": 0.5 + index, "ns_per_pixel": 40.0},
-            "error": {"rmse": 30.0 - index, "max": 200.0, "coverage": 0.1},
+            "error": {"rmse": 30.0 - 0.1 * index, "max": 200.0, "coverage": 0.1, "flip": 0.05},
         }
         for index, point in enumerate(points())
     ]
@@ -109,7 +112,24 @@ def measured(llvmpipe: Lane, server: str) -> Iterator[Visit]:
 
 
 def marks(measured: Visit) -> Locator:
-    return measured.page.locator("#accuracy .chart").get_by_role("button")
+    return measured.page.locator("#accuracy .chart.machine").get_by_role("button")
+
+
+ACCENT, TEAL = (243, 199, 149), (127, 196, 192)
+
+
+def ink(measured: Visit, colour: tuple[int, int, int]) -> int:
+    """How many pixels of the diagram's canvas have a colour."""
+    found = measured.page.locator("#accuracy .chart.machine canvas").evaluate(
+        "(canvas, [r, g, b]) => { const { width, height } = canvas;"
+        " const { data } = canvas.getContext('2d').getImageData(0, 0, width, height); let count = 0;"
+        " for (let i = 0; i < data.length; i += 4) {"
+        "  const off = Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b);"
+        "  count += off < 24 && data[i + 3] > 200 ? 1 : 0; }"
+        " return count; }",
+        list(colour),
+    )
+    return int(found)
 
 
 def quality(measured: Visit) -> Any:
@@ -136,9 +156,9 @@ def test_every_quality_has_a_mark_and_a_row(measured: Visit) -> None:
         assert re.fullmatch(rf"{re.escape(label)}: [\d.]+ ms, error [\d.]+(, on the Pareto front)?", said), said
     names = panel.locator(".chart text.name").all_text_contents()
     assert sorted(names) == sorted(TIERS)
-    drawn = panel.locator("polyline.front:not(.server)").get_attribute("points") or ""
     best = marks(measured).and_(panel.locator("[aria-label$='on the Pareto front']"))
-    assert len(drawn.split()) == best.count() > 1
+    assert best.count() > 1
+    assert ink(measured, ACCENT) > 100, "no line through the tiers"
     panel.get_by_text("All qualities").click()
     rows = panel.locator("details", has_text="All qualities").locator("tbody tr")
     assert rows.count() == len(points())
@@ -151,7 +171,7 @@ def test_every_quality_has_a_mark_and_a_row(measured: Visit) -> None:
 def test_a_mark_runs_its_quality(measured: Visit) -> None:
     point = next(point for point in points() if point["parameter"])
     parameter = point["parameter"]
-    mark = measured.page.locator(f'#accuracy .mark[data-id="{point["id"]}"]')
+    mark = measured.page.locator(f'#accuracy .machine .mark[data-id="{point["id"]}"]')
     mark.focus()
     tip = measured.page.locator("#accuracy .tip")
     expect(tip).to_contain_text(point["label"])
@@ -181,13 +201,13 @@ def test_a_mark_runs_its_quality(measured: Visit) -> None:
     mark.press("Home")
     measured.page.keyboard.press("ArrowRight")
     measured.page.keyboard.press("Enter")
-    assert measured.page.locator("#accuracy .mark[aria-pressed=true]").evaluate(
+    assert measured.page.locator("#accuracy .machine .mark[aria-pressed=true]").evaluate(
         "(mark) => mark === document.activeElement"
     )
 
 
 def test_a_click_runs_a_tier(measured: Visit) -> None:
-    mark = measured.page.locator("#accuracy .mark[data-id=reference]")
+    mark = measured.page.locator("#accuracy .machine .mark[data-id=reference]")
     mark.scroll_into_view_if_needed()
     box = mark.locator(".dot").bounding_box()
     assert box is not None
@@ -237,6 +257,7 @@ def test_the_picture_beside_its_error(measured: Visit) -> None:
 def test_a_budget_picks_the_best_that_fits(measured: Visit) -> None:
     panel = measured.page.locator("#accuracy")
     budget = panel.get_by_label("Frame budget")
+    slider = panel.get_by_role("slider", name="Budget slider")
     picked = panel.locator(".budget-message")
     budget.fill("1000000")
     budget.press("Enter")
@@ -247,8 +268,17 @@ def test_a_budget_picks_the_best_that_fits(measured: Visit) -> None:
         key=lambda mark: float((mark.get_attribute("aria-label") or "").split("error ")[1].split(",")[0]),
     )
     assert best.get_attribute("aria-pressed") == "true"
+    assert panel.locator(".machine .mark.over").count() == 0
+    # The slider picks while it moves.
+    slider.focus()
+    slider.press("Home")
+    assert panel.locator(".machine .mark.over").count() == count
+    expect(picked).to_contain_text("none is within the budget")
+    slider.press("End")
+    expect(picked).to_contain_text(f"least error of {count} qualities")
+    assert best.get_attribute("aria-pressed") == "true"
     budget.fill("0.01")
-    panel.get_by_role("button", name="Select quality").click()
+    budget.press("Tab")
     expect(picked).to_contain_text("none is within the budget")
     expect(picked).to_contain_text(f"fastest of {count}")
     expect(picked).to_contain_text(f"{LARGE[0]} × {LARGE[1]}")
@@ -269,13 +299,115 @@ def test_knobs_are_sorted_by_worth(measured: Visit) -> None:
 
 def test_the_server_s_own_measurement(measured: Visit) -> None:
     panel = measured.page.locator("#accuracy")
-    assert panel.locator("circle.server").count() == 0
+    there = panel.locator(".chart.server")
+    assert there.count() == 0
     panel.get_by_label("Server measurement").check()
-    expect(panel.locator(".fine", has_text="measuring, 40 %")).to_be_visible()
-    expect(panel.locator("circle.server")).to_have_count(len(points()))
-    expect(panel.locator("label.server")).to_contain_text("the server's own")
+    expect(panel.locator(".server-switch", has_text="measuring, 40 %")).to_be_visible()
+    expect(there.get_by_role("button")).to_have_count(len(points()))
+    expect(there).to_contain_text("The server: the server's own")
+    # Side by side, on the same axes.
+    measured.page.wait_for_function(
+        "() => document.querySelector('#accuracy').getAnimations({ subtree: true }).length === 0"
+    )
+    here, beside = panel.locator(".chart.machine").bounding_box(), there.bounding_box()
+    assert here is not None
+    assert beside is not None
+    assert (here["y"], here["width"]) == pytest.approx((beside["y"], beside["width"]))
+    assert beside["x"] >= here["x"] + here["width"]
+    # A mark under the pointer is marked in both.
+    there.locator(".mark[data-id=high]").focus()
+    assert panel.locator(".mark.highlighted[data-id=high]").count() == 2
     panel.get_by_label("Server measurement").uncheck()
-    expect(panel.locator("circle.server")).to_have_count(0)
+    expect(there).to_have_count(0)
+
+
+def test_the_measure_of_error_is_chosen(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+    rows = panel.locator("details", has_text="All qualities").locator("tbody tr")
+    wanted = {"RMSE": 1, "FLIP": 2, "maximum": 3, "foam coverage": 4}
+    try:
+        for name, column in wanted.items():
+            panel.get_by_label("Error", exact=True).select_option(name)
+            for row in rows.all()[:4]:
+                label = panel.locator(f'.machine .mark[data-id="{row.get_attribute("data-id")}"]')
+                said = float(re.findall(r"error ([\d.]+)", label.get_attribute("aria-label") or "")[0])
+                told = float(row.locator("td").nth(column).text_content() or "nan")
+                assert said == pytest.approx(told / (100.0 if name == "foam coverage" else 1.0), abs=0.006)
+    finally:
+        panel.get_by_label("Error", exact=True).select_option("RMSE")
+
+
+def test_a_setting_s_curve_stands_out(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+    chosen = panel.get_by_label("Setting", exact=True)
+    settings = {point["parameter"]["title"] for point in points() if point["parameter"]}
+    assert set(chosen.locator("option").all_text_contents()) == settings | {"all"}
+    before = ink(measured, TEAL)
+    chosen.select_option(index=1)
+    assert ink(measured, TEAL) > before + 10
+    # The setting's own value, and that of standard.
+    assert panel.locator(".machine text.value").count() >= 1
+    chosen.select_option("all")
+    assert panel.locator("text.value").count() == 0
+
+
+def test_insets_show_one_place_in_all(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+    panel.locator("details:has-text('All qualities') tr[data-id=draft] button").evaluate("(b) => b.click()")
+    insets = panel.locator(".insets figure")
+    assert insets.locator("figcaption b").all_text_contents() == ["Selected", "Equal time", "Equal error", "Reference"]
+    assert re.match(r"draft: [\d.]+ ms, RMSE [\d.]+", insets.first.locator("figcaption span").text_content() or "")
+    panel.get_by_role("button", name="Worst pixel").click()
+    floats = panel.locator(".floats tbody tr")
+    column, row = (int(panel.get_by_label(name, exact=True).input_value()) for name in ("Column", "Row"))
+    true = np.load(io.BytesIO(truth()))[row, column]
+    said = [float(cell) for cell in floats.last.locator("td").all_text_contents()[:4]]
+    assert said == pytest.approx(true.tolist(), abs=1e-5)
+    assert floats.last.locator("th").text_content() == "Reference"
+    drawn = [float(cell) for cell in floats.first.locator("td").all_text_contents()[:4]]
+    error = 255 * np.sqrt(np.mean((np.clip(drawn[:3], 0, 1) - np.clip(true[:3], 0, 1)) ** 2))
+    shown = float(floats.first.locator("td").last.text_content() or "nan")
+    assert shown == pytest.approx(error, rel=0.02, abs=0.02)
+    # Arrow keys and pointers move it in all insets at once.
+    panel.locator(".insets").focus()
+    measured.page.keyboard.press("ArrowLeft" if column else "ArrowRight")
+    assert int(panel.get_by_label("Column", exact=True).input_value()) == (column - 1 if column else 1)
+    places = insets.locator("i").evaluate_all("(marks) => marks.map(({ style }) => `${style.left} ${style.top}`)")
+    assert len(places) >= 2
+    assert len(set(places)) == 1
+
+
+def test_the_error_has_a_spectrum(measured: Visit) -> None:
+    chart = measured.page.locator("#accuracy .line-chart")
+    assert chart.get_by_role("img").get_attribute("aria-label") == "Power spectrum of the error of draft"
+    rows = chart.locator("tbody tr")
+    assert rows.count() == SIZE[1] // 2
+    powers = np.array([[float(cell.text_content() or "nan") for cell in row.locator("td").all()] for row in rows.all()])
+    error, standard, own = powers.T
+    assert (powers > 0.0).all()
+    assert error.sum() > standard.sum(), "a draft errs more"
+    assert own[0] > own[-1], "a picture has more power at low frequencies"
+
+
+def test_what_is_shown_is_saved(measured: Visit) -> None:
+    panel = measured.page.locator("#accuracy")
+
+    def saved(name: str) -> str:
+        with measured.page.expect_download() as download:
+            panel.get_by_role("button", name=f"Download {name}").click()
+        assert download.value.suggested_filename == f"seafoam-accuracy-{PRESET}.{name.lower()}"
+        return Path(download.value.path()).read_text()
+
+    rows = list(csv.DictReader(io.StringIO(saved("CSV"))))
+    assert {row["id"] for row in rows} == {point["id"] for point in points()}
+    errors = told_errors(measured)
+    for row in rows:
+        assert float(row["rmse"]) == pytest.approx(errors[row["label"]], rel=0.06, abs=0.006)
+        assert float(row["time_low_ms"]) <= float(row["time_ms"]) <= float(row["time_high_ms"])
+    document = json.loads(saved("JSON"))
+    assert document["preset"] == PRESET
+    assert [point["id"] for point in document["points"]] == [row["id"] for row in rows]
+    assert document["points"][0]["error"]["flip"] == pytest.approx(float(rows[0]["flip"]), rel=1e-4)
 
 
 def test_a_changed_scene_is_told(measured: Visit) -> None:

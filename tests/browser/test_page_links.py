@@ -92,9 +92,9 @@ def test_the_camera_asks_for_nothing(llvmpipe: Lane, server: str) -> None:
             camera = made.state()["camera"]
 
         mouse.move(200, 150)
-        mouse.down()
+        mouse.down(button="right")
         mouse.move(260, 150)
-        mouse.up()
+        mouse.up(button="right")
         moved("yaw")
         mouse.wheel(0, -100)
         moved("position")

@@ -8,11 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Page
 
 from support.browsers import Lane
 from support.report import REPORT
-from support.visits import DESKTOP, FINGER, PHONE, TARGETS, Visit, differs, link, visit
+from support.visits import DESKTOP, FINGER, PHONE, TARGETS, Visit, differs, link, swipe, visit
 
 
 @pytest.fixture
@@ -23,26 +22,9 @@ def phone(llvmpipe: Lane, server: str) -> Iterator[Visit]:
         assert made.complaints == []
 
 
-def swipe(page: Page, *fingers: tuple[tuple[float, float], tuple[float, float]], steps: int = 4) -> None:
-    """Drag each finger from one place to another."""
-    session = page.context.new_cdp_session(page)
-
-    def send(kind: str, share: float) -> None:
-        points = [
-            {"x": a[0] + (b[0] - a[0]) * share, "y": a[1] + (b[1] - a[1]) * share, "id": i}
-            for i, (a, b) in enumerate(fingers)
-        ]
-        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [] if kind == "touchEnd" else points})
-
-    send("touchStart", 0)
-    for step in range(1, steps + 1):
-        send("touchMove", step / steps)
-    send("touchEnd", 1)
-    session.detach()
-
-
 def test_fingers_move_the_camera(phone: Visit) -> None:
     before, start = phone.picture(), phone.state()["camera"]
+    phone.page.get_by_role("button", name="Touch water").click()
     asked = phone.plans()
     swipe(phone.page, ((100, 400), (220, 400)))
     phone.settle()

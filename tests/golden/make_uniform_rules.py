@@ -17,6 +17,7 @@ RULES: list[Rule] = [
     Phase(offset=math.pi, rate=0.0, k=(0.0, 0.0)),
     Wrap(k=(0.07, 0.02)),
     Wrap(k=(-1.0, 0.0), offset=0.25, period=3.7),
+    Wrap(k=(0.3, -0.2), period=256.0, rate=-1.7),
     Loop(period=60.0),
     Loop(period=0.1),
     Loop(period=7.3, offset=-2.25),

@@ -45,9 +45,10 @@ SOURCES = Sources(ROOTS, ANSWERED)
 
 
 def files_below(*folders: str) -> list[Path]:
-    """Every file of these folders that is a source."""
+    """Every file of these folders that is a source, without texts that the client shows but does not run."""
     found = (path for folder in folders for path in (ROOT / folder).rglob("*") if path.is_file())
-    return [path for path in found if "__pycache__" not in path.parts]
+    texts = ROOT / "webclient" / "dist" / "source"
+    return [path for path in found if "__pycache__" not in path.parts and texts not in path.parents]
 
 
 @cache

@@ -29,7 +29,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.sky import Clouds, Gusts, Moon, Sky
-from seafoam.scene.spray import Spray
+from seafoam.scene.spray import Burst, Spray
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import UNFILTERED
@@ -164,7 +164,11 @@ def living(sea: Scene, shore: Shore) -> Iterator[Scene]:
     rocky = shore.model_copy(update={"slope": 0.9})
     for light in (Light(), None):
         yield Scene(waves=sea.waves, spray=Spray(), light=light)
-        yield Scene(shore=rocky, waves=sea.waves, spray=Spray(), light=light)
+        yield Scene(shore=rocky, waves=sea.waves, spray=Spray(bursts=(Burst(),)), light=light)
+        yield Scene(sea=Sea(wind=12.0), rings=(Ring(),), spray=Spray(), light=light)
+        yield Scene(sea=Sea(model="gerstner", wind=12.0), waves=sea.waves, spray=Spray(bursts=(Burst(),)), light=light)
+        yield Scene(spray=Spray(bursts=(Burst(),)), light=light)
+        yield Scene(shore=shore, sea=Sea(wind=12.0), rings=(Ring(),), spray=Spray(steep=2.0), light=light)
     for light in (Light(), Light(sun_elevation=-0.3), None):
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(view_below=True, ripples=Ripples()), light=light)
         yield Scene(waves=sea.waves, foam=sea.foam, water=Water(depth=3.0, floor_tile=1.0), light=light)

@@ -147,6 +147,33 @@ def visit(
         opened.close()
 
 
+def until(page: Page, condition: str, seconds: float = 60) -> None:
+    """Wait for a condition without evaluating text in the page, which its policy forbids."""
+    for _ in range(round(10 * seconds)):
+        if page.evaluate(condition):
+            return
+        page.wait_for_timeout(100)
+    raise AssertionError(f"never true: {condition}")
+
+
+def swipe(page: Page, *fingers: tuple[tuple[float, float], tuple[float, float]], steps: int = 4) -> None:
+    """Drag each finger from one place to another."""
+    session = page.context.new_cdp_session(page)
+
+    def send(kind: str, share: float) -> None:
+        points = [
+            {"x": a[0] + (b[0] - a[0]) * share, "y": a[1] + (b[1] - a[1]) * share, "id": i}
+            for i, (a, b) in enumerate(fingers)
+        ]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [] if kind == "touchEnd" else points})
+
+    send("touchStart", 0)
+    for step in range(1, steps + 1):
+        send("touchMove", step / steps)
+    send("touchEnd", 1)
+    session.detach()
+
+
 def link(**parts: Any) -> str:
     """An address's fragment."""
     words = {key: json.dumps(value) if isinstance(value, dict) else value for key, value in parts.items()}

@@ -21,6 +21,23 @@ export interface Preset {
   scene: JsonObject;
 }
 
+/** Schemas of scene and quality, at `components/schemas`, and the names of the quality tiers. */
+export interface SceneSchema extends JsonObject {
+  tiers: string[];
+}
+
+export interface FrameRequest {
+  scene: Json;
+  quality: Json;
+  camera: { position: number[]; yaw: number; pitch: number; roll: number; fov: number };
+  /** s */
+  time: number;
+  width: number;
+  height: number;
+  /** Preset that the scene began from. */
+  preset: string | null;
+}
+
 /** An option of a list. */
 export interface Choice {
   name: string;
@@ -57,8 +74,13 @@ export class Api {
     return this.json(`api/presets/${encodeURIComponent(name)}`);
   }
 
-  openapi(): Promise<JsonObject> {
-    return this.json("openapi.json");
+  schema(): Promise<SceneSchema> {
+    return this.json("api/schema");
+  }
+
+  /** A scene with the default of every absent field; rejects if it cannot be drawn. */
+  completeScene(scene: Json): Promise<JsonObject> {
+    return this.json("api/scenes", jsonPost(scene));
   }
 
   plan(scene: Json, quality: Json, signal?: AbortSignal): Promise<FramePlan> {
@@ -70,8 +92,13 @@ export class Api {
   }
 
   /** A picture rendered by the server. */
-  async frame(request: { scene: Json; quality: Json; time: number; width: number; height: number }): Promise<Blob> {
-    return (await this.fetch("api/frames", jsonPost(request))).blob();
+  async frame(request: FrameRequest): Promise<Blob> {
+    return (await this.fetch("api/frames", jsonPost({ ...request }))).blob();
+  }
+
+  /** A zip archive that draws a scene without a server. */
+  async archive(request: FrameRequest): Promise<Blob> {
+    return (await this.fetch("api/export", jsonPost({ ...request }))).blob();
   }
 
   /** A static file, written by `make fronts`. */

@@ -2,13 +2,15 @@
 import "./style.css";
 import { Api, ApiError } from "./api";
 import { App } from "./app/app";
-import { decode } from "./app/url";
+import { linkOf } from "./app/address";
 import { CapabilityError } from "./gl/capabilities";
 import { openContext } from "./gl/gpu";
+import { pinRoot } from "./root";
 import { byId } from "./ui/dom";
 import { LoadingScreen } from "./ui/loading";
 import { StillImage } from "./ui/still";
 
+pinRoot();
 const loadingScreen = new LoadingScreen(byId("loading"));
 
 try {
@@ -25,26 +27,26 @@ try {
 }
 
 async function start(api: Api): Promise<void> {
-  const link = decode(location.hash);
+  const link = linkOf(location);
   // The preset whose still the page shows already is requested before the list of presets arrives.
   const { preset: defaultPreset = "", stills = "" } = document.documentElement.dataset;
   const likely = link.preset ?? defaultPreset;
   const prefetch = stills.split(" ").includes(likely) ? api.preset(likely).catch(() => null) : null;
-  const requests = Promise.all([api.presets(), api.openapi(), prefetch]);
+  const requests = Promise.all([api.presets(), api.schema(), prefetch]);
   // If WebGL cannot start either, that error is shown.
   requests.catch(() => undefined);
   const still = new StillImage(byId("still") as HTMLImageElement);
   await still.whenPainted();
   // The browser starts the GPU while the server answers.
   openContext(byId("canvas") as HTMLCanvasElement);
-  const [presets, openapi, prefetched] = await requests;
+  const [presets, schema, prefetched] = await requests;
   const linked = presets.find(({ name }) => name === link.preset);
   const summary = linked ?? presets[0];
   if (summary === undefined) throw new Error("The server lists no presets.");
   const preset = prefetched?.name === summary.name ? prefetched : await api.preset(summary.name);
   const notFound = link.preset !== null && linked === undefined;
   // The link's other parts belong to the missing preset.
-  const usable = notFound ? { ...link, changes: [], time: null, camera: null, split: null } : link;
-  const app = new App(api, loadingScreen, still, { presets, openapi, preset, link: usable });
+  const usable = notFound ? { ...link, changes: [], touches: null, time: null, camera: null, split: null } : link;
+  const app = new App(api, loadingScreen, still, { presets, schema, preset, link: usable });
   if (notFound) app.toasts.show(`Preset “${link.preset}” not found. Showing “${preset.title}”.`, [], "error");
 }

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../src/accuracy/api";
-import { logAxis } from "../src/accuracy/axis";
+import { logAxis, tickLabel, tickLabels } from "../src/charts/axis";
 import { formatFactor, formatNumber } from "../src/accuracy/format";
 import { compare, fitModel, median, paretoFront, quantile, selectForBudget } from "../src/accuracy/statistics";
-import { errorMap, errorsOf, percentile } from "../src/accuracy/errors";
+import { ErrorMeter, errorMap, percentile, pixelErrors } from "../src/accuracy/errors";
 import { heatColour } from "../src/accuracy/colormap";
 import { benefits } from "../src/accuracy/benefit";
 import { qualityRequest } from "../src/accuracy/benchmark";
@@ -60,25 +60,33 @@ const picture = (...pixels: number[]): Picture => ({ width: pixels.length / 4, h
 
 describe("an error", () => {
   it("is counted in levels of linear light", () => {
-    const errors = errorsOf(picture(0.5, 0.5, 0.5, 1, 0, 0, 0, 0), picture(0.5, 0.5, 0.25, 0.5, 0, 0, 0, 0));
+    const errors = pixelErrors(picture(0.5, 0.5, 0.5, 1, 0, 0, 0, 0), picture(0.5, 0.5, 0.25, 0.5, 0, 0, 0, 0));
     expect(errors.rmse).toBeCloseTo(255 * Math.sqrt(0.0625 / 6), 5);
     expect(errors.max).toBeCloseTo(255 / 4, 5);
     expect(errors.coverage).toBeCloseTo(Math.sqrt(0.25 / 2), 5);
   });
 
   it("is nothing beyond display white, under black, and where there is no number", () => {
-    const errors = errorsOf(picture(3, -1, NaN, 0), picture(100, 0, 0, 0));
+    const errors = pixelErrors(picture(3, -1, NaN, 0), picture(100, 0, 0, 0));
     expect(errors).toEqual({ rmse: 0, max: 0, coverage: 0 });
   });
 
   it("has a map whose root mean square is the whole's", () => {
     const [a, b] = [picture(0.1, 0.2, 0.3, 0, 0.9, 0.8, 0.7, 0), picture(0, 0, 0, 0, 1, 1, 1, 0)];
     const map = errorMap(a, b);
-    expect(Math.sqrt(map.reduce((sum, x) => sum + x * x, 0) / map.length)).toBeCloseTo(errorsOf(a, b).rmse, 4);
+    expect(Math.sqrt(map.reduce((sum, x) => sum + x * x, 0) / map.length)).toBeCloseTo(pixelErrors(a, b).rmse, 4);
+  });
+
+  it("has all measures", () => {
+    const [a, b] = [picture(0.1, 0.2, 0.3, 0, 0.9, 0.8, 0.7, 0), picture(0, 0, 0, 0, 1, 1, 1, 0)];
+    const { flip, ...others } = new ErrorMeter(b, null).errors(a);
+    expect(others).toEqual(pixelErrors(a, b));
+    expect(flip).toBeGreaterThan(0.05);
+    expect(flip).toBeLessThan(1);
   });
 
   it("needs pictures of one size", () => {
-    expect(() => errorsOf(picture(0, 0, 0, 0), picture(0, 0, 0, 0, 0, 0, 0, 0))).toThrow("1 × 1 pixels, the reference 2 × 1");
+    expect(() => pixelErrors(picture(0, 0, 0, 0), picture(0, 0, 0, 0, 0, 0, 0, 0))).toThrow("1 × 1 pixels, the reference 2 × 1");
   });
 
   it("has percentiles", () => {
@@ -148,6 +156,20 @@ describe("numbers", () => {
     expect(horizontal.position(0)).toBe(0);
     expect(logAxis([]).ticks.length).toBeGreaterThan(0);
     expect(logAxis([5, 5]).position(5)).toBeCloseTo(0.5, 6);
+    expect(horizontal.position(horizontal.low)).toBeCloseTo(0, 6);
+    expect(horizontal.position(horizontal.high)).toBeCloseTo(1, 6);
+  });
+
+  it.each([[0.001, "0.001"], [20, "20"], [5000, "5k"], [10_000, "10⁴"], [0.00002, "2·10⁻⁵"], [1e12, "10¹²"]])("label a tick %d", (value, label) => {
+    expect(tickLabel(value)).toBe(label);
+  });
+
+  it("label the ticks that have room", () => {
+    const axis = logAxis([1, 1000]);
+    const shown = (length: number) => tickLabels(axis, length, 30).filter(Boolean);
+    expect(tickLabels(axis, 100, 30)).toHaveLength(axis.ticks.length);
+    expect(shown(2000)).toEqual(axis.ticks.map(tickLabel));
+    expect(shown(60).length).toBeLessThan(axis.ticks.length);
   });
 
   it("have colours that grow lighter", () => {

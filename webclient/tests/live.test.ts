@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { FramePlan } from "../src/generated/api";
-import { liveRule, planCovers } from "../src/plan/live";
+import { isLive, liveRule, planCovers } from "../src/plan/live";
 import { apply, diff, type JsonObject, withValue } from "../src/scene/json";
 
 const plan: FramePlan = {
@@ -79,5 +79,42 @@ describe("differences", () => {
   it("escape the keys of pointers", () => {
     const odd = { "a/b~c": { d: 1 } };
     expect(diff(odd, withValue(odd, "/a~1b~0c/d", 2))).toEqual([["/a~1b~0c/d", 2]]);
+  });
+
+  describe("of a list that can change", () => {
+    const strength = { rule: "constant" as const, value: [0.3], field: "/touches/1/strength", absent: [0] };
+    const fixed = { rule: "clamp" as const, offset: 7, rate: -2, k: [1, 0] as [number, number], low: -1e8, high: 1e8 };
+    const place = {
+      ...fixed,
+      terms: [
+        { field: "/touches/1/place/0", factor: -1 },
+        { field: "/touches/1/time", factor: 2 },
+      ],
+    };
+    const touched = (count: number) => ({ touches: Array.from({ length: count }, (_, i) => ({ place: [i + 0.5, 3], time: 10 * i, strength: 0.1 })) });
+
+    it("has the element's numbers, or those of none", () => {
+      expect(liveRule(strength, touched(2))).toMatchObject({ value: [0.1] });
+      expect(liveRule(strength, touched(1))).toMatchObject({ value: [0] });
+      expect(liveRule(strength, {})).toMatchObject({ value: [0] });
+    });
+
+    it("adds the terms of an offset, and keeps it where one is absent", () => {
+      expect(liveRule(place, touched(2))).toMatchObject({ offset: -1.5 + 20, rate: -2 });
+      expect(liveRule(place, touched(1))).toMatchObject({ offset: 7 });
+      expect(liveRule(fixed, touched(2))).toMatchObject({ offset: 7 });
+    });
+
+    it("is told from rules that never change", () => {
+      expect([isLive(strength), isLive(place)]).toEqual([true, true]);
+      expect([isLive(fixed), isLive({ rule: "constant", value: [1] })]).toEqual([false, false]);
+    });
+
+    it("is covered whatever its length", () => {
+      const list = { ...plan, live: ["/touches"] };
+      expect(planCovers(list, touched(2), touched(1))).toBe(true);
+      expect(planCovers(list, touched(1), { touches: [] })).toBe(true);
+      expect(planCovers(plan, { touches: [] }, touched(1))).toBe(false);
+    });
   });
 });

@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.accuracy.model import Errors
-from seafoam.reference.light.light import srgb, tone
+from seafoam.reference.light.display import srgb, tone
+from seafoam.scene.light import ToneCurve
+from seafoam.scene.models import Scene
 
 LEVEL = 255.0
 """Errors are given in 8-bit levels of linear light: display white = 255."""
@@ -33,17 +35,29 @@ def greatest(picture: Picture, truth: Picture) -> float:
     return float(LEVEL * np.max(np.abs(white(picture) - white(truth))))
 
 
-def displayed(picture: Picture) -> NDArray[np.float32]:
-    """Return the displayed picture: tone-mapped sRGB, (height, width, 3) in [0, 1]."""
-    shown = srgb(tone(np.maximum(picture[..., :3].astype(np.float64), 0.0)))
+def tone_curve(scene: Scene) -> ToneCurve | None:
+    """Return the scene's tone curve, or None where it is unlit and light is only clipped."""
+    return None if scene.light is None else scene.light.tone
+
+
+def displayed(picture: Picture, curve: ToneCurve | None) -> NDArray[np.float32]:
+    """Return the displayed picture, without glare: tone-mapped sRGB, (height, width, 3) in [0, 1].
+
+    curve: see :func:`tone_curve`.
+    """
+    light = np.maximum(picture[..., :3].astype(np.float64), 0.0)
+    shown = srgb(np.minimum(light, 1.0) if curve is None else tone(light, curve))
     return np.ascontiguousarray(np.clip(shown, 0.0, 1.0), np.float32)
 
 
-def flip(picture: Picture, truth: Picture) -> float:
-    """Return the mean FLIP (LDR, 67 pixels per degree) of the displayed pictures, 0 to 1."""
+def flip(picture: Picture, truth: Picture, curve: ToneCurve | None) -> float:
+    """Return the mean FLIP (LDR, 67 pixels per degree) of the displayed pictures, 0 to 1.
+
+    curve: see :func:`tone_curve`.
+    """
     import flip_evaluator
 
-    _, mean, _ = flip_evaluator.evaluate(displayed(truth), displayed(picture), "LDR", applyMagma=False)
+    _, mean, _ = flip_evaluator.evaluate(displayed(truth, curve), displayed(picture, curve), "LDR", applyMagma=False)
     return float(mean)
 
 
@@ -68,13 +82,16 @@ def popping(frames: Sequence[Picture]) -> float | None:
     return float(max(lost)) if lost else None
 
 
-def errors(frames: Sequence[Picture], truth: Picture) -> Errors:
-    """Return all metrics. ``frames``: a short sequence whose first frame is at the reference picture's time."""
+def errors(frames: Sequence[Picture], truth: Picture, curve: ToneCurve | None) -> Errors:
+    """Return all metrics.
+
+    frames: a short sequence whose first frame is at the reference picture's time; curve: see :func:`tone_curve`.
+    """
     picture = frames[0]
     return Errors(
         rmse=rmse(picture, truth),
         max=greatest(picture, truth),
-        flip=flip(picture, truth),
+        flip=flip(picture, truth, curve),
         coverage=coverage(picture, truth),
         flipped=flipped(picture, truth),
         popping=popping(frames),

@@ -7,17 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.accuracy.metrics import LEVEL, Picture, displayed
+from seafoam.scene.light import ToneCurve
 
 LUMA = (0.2126, 0.7152, 0.0722)
 """Weights of R, G and B (ITU-R BT.709)."""
 
 
-def shown(picture: Picture) -> NDArray[np.float64]:
+def shown(picture: Picture, curve: ToneCurve | None) -> NDArray[np.float64]:
     """Luma of a linear picture as a screen shows it, (height, width) in [0, 1]: tone-mapped and sRGB-encoded.
 
-    picture: (height, width, ≥ 3) of linear light. Encoded, because eyes see steps of it about alike, dark or bright.
+    picture: (height, width, ≥ 3) of linear light; curve: ``light.tone``, None where the scene is unlit.
+    Encoded, because eyes see steps of it about alike, dark or bright.
     """
-    result: NDArray[np.float64] = displayed(picture).astype(np.float64) @ np.array(LUMA)
+    result: NDArray[np.float64] = displayed(picture, curve).astype(np.float64) @ np.array(LUMA)
     return result
 
 

@@ -209,7 +209,8 @@ class _Sweeping:
     def run(self, truth: Picture) -> Sweep:
         timed, small = self._compile()
         frames, models = self._rounds(timed, small)
-        errors = {point.id: metrics.errors(frames[point.id], truth) for point in self.points}
+        curve = metrics.tone_curve(self.subject.scene)
+        errors = {point.id: metrics.errors(frames[point.id], truth, curve) for point in self.points}
         rmse = {id: error.rmse for id, error in errors.items()}
         times = {id: [model.at(*self.subject.size) for model in rounds] for id, rounds in models.items()}
         spreads = {id: spread_of(values) for id, values in times.items()}

@@ -17,9 +17,9 @@ from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
 from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
-from seafoam.api.middleware import HeadAsGet, LimitBody, NoSniff
+from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.parameters import one_value_each
-from seafoam.api.routers import accuracy, frames, health, masks, plans, presets, textures
+from seafoam.api.routers import accuracy, export, frames, health, masks, plans, presets, scenes, textures
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.quality import QualityExtensions
@@ -30,7 +30,14 @@ from seafoam.scene.models import SceneExtensions
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
-NOT_WORTH_GZIP = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/x-npy", "image/*", "font/*")
+NOT_WORTH_GZIP = (
+    *DEFAULT_EXCLUDED_CONTENT_TYPES,
+    "application/octet-stream",
+    "application/x-npy",
+    "application/zip",
+    "image/*",
+    "font/*",
+)
 
 _DESCRIPTION = """
 Water with halftoned foam, after Yingst, Alford and Parberry (2011).
@@ -83,13 +90,22 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         dependencies=[Depends(one_value_each)],
         middleware=[
             Middleware(HeadAsGet),
-            Middleware(NoSniff),
+            Middleware(SecurityHeaders),
             Middleware(MeasureRequests, metrics=metrics),
             Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
             Middleware(LimitBody, limit=settings.max_body),
         ],
     )
-    for router in (presets.router, plans.router, frames.router, accuracy.router, masks.router, textures.router):
+    for router in (
+        presets.router,
+        scenes.router,
+        plans.router,
+        frames.router,
+        accuracy.router,
+        masks.router,
+        textures.router,
+        export.router,
+    ):
         app.include_router(router, responses=problem_responses(400, 500))
     app.include_router(health.router)
     errors.install(app)

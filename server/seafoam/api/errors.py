@@ -6,6 +6,8 @@ What routers raise, beside what the layers below raise::
     ├── NotFoundError             no such preset, mask, texture, measurement
     ├── BadRequestError           a parameter or member is not allowed, with its name and what is
     ├── UnsupportedMediaError     a body that is not JSON
+    ├── ExportTooLargeError       a scene whose textures are too many bytes to take home
+    ├── NotBuiltError             the web client, of which the answer is a part, is not built
     └── BusyError                 as much other work waits as may
         └── NotMeasuredError      the measurement that the answer hangs on is being made
     seafoam.render.service.errors.RenderError    QueueFull, Deadline, RendererUnavailable, RenderFailed
@@ -94,6 +96,16 @@ class UnsupportedMediaError(ApiError):
     """The body is not JSON."""
 
 
+class ExportTooLargeError(ApiError):
+    """The textures of a scene to take home exceed the limit."""
+
+
+class NotBuiltError(ApiError):
+    """The web client is not built. ``remedy``: how to build it."""
+
+    remedy = "run: make webclient"
+
+
 class BusyError(ApiError):
     """The queue for this kind of work is full; retry after ``retry_after`` seconds."""
 
@@ -116,6 +128,7 @@ class Kind:
 
 
 KINDS: dict[type[Exception], Kind] = {
+    ExportTooLargeError: Kind(422, "export-too-large", "The scene is too large to take home"),
     NotFoundError: Kind(404, "not-found", "Not found"),
     UnsupportedMediaError: Kind(415, "unsupported-media-type", "The request body must be JSON"),
     BadRequestError: Kind(422, "bad-request", "Invalid request"),
@@ -124,6 +137,7 @@ KINDS: dict[type[Exception], Kind] = {
     RenderFailedError: Kind(500, "render-failed", "The frame could not be rendered"),
     FailedError: Kind(500, "measurement-failed", "The measurement failed"),
     MissingExtraError: Kind(501, "not-installed", "A package that the answer needs is not installed"),
+    NotBuiltError: Kind(501, "not-built", "A part of the server is not built"),
     BusyError: Kind(503, "busy", "The server is busy"),
     NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),
     QueueFullError: Kind(503, "queue-full", "The render queue is full"),
@@ -246,7 +260,7 @@ async def _known(request: Request, error: Exception) -> JSONResponse:
         case RendererUnavailableError():
             headers = {"Retry-After": str(UNAVAILABLE_RETRY)}
             remedy = str(error)
-        case MissingExtraError():
+        case MissingExtraError() | NotBuiltError():
             remedy = error.remedy
     return problem(
         request.url.path,

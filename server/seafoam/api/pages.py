@@ -1,15 +1,16 @@
-"""HTML pages: the web client at ``/`` and the API reference at ``/docs``, without external resources."""
+"""HTML pages: the web client at ``/``, its chapter at ``/learn`` and the API reference at ``/docs``, without external
+resources."""
 
 import mimetypes
 from pathlib import Path
 
 from fastapi import FastAPI
-from fastapi.openapi.docs import get_swagger_ui_html
 from starlette.datastructures import Headers
-from starlette.responses import PlainTextResponse, Response
+from starlette.responses import HTMLResponse, PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
+from seafoam.api import waters
 from seafoam.api.caching import IMMUTABLE, REVALIDATE
 from seafoam.resources import data_dir
 
@@ -18,6 +19,32 @@ NOT_BUILT = """Seafoam is running, but its web client has not been built.
 To build it, run:  make webclient
 The API's description is at /openapi.json, a rendered frame at /api/frames/default.png.
 """
+
+_MANUAL = """<!doctype html>
+<html lang="en">
+  <head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <title>Seafoam: API</title>
+    <link rel="icon" href="/icon.svg" type="image/svg+xml" />
+    <link rel="stylesheet" href="/docs/swagger-ui.css" />
+  </head>
+  <body>
+    <div id="manual" data-description="/openapi.json"></div>
+    <script src="/docs/swagger-ui-bundle.js"></script>
+    <script src="/docs/manual.js"></script>
+  </body>
+</html>
+"""
+
+
+PAGES = {
+    ".": "index.html",
+    "masks": "masks/index.html",
+    "learn": "learn/index.html",
+    "learn/laboratory": "learn/laboratory/index.html",
+}
+"""Files of the build by the path of their page."""
 
 
 class WebClient(StaticFiles):
@@ -35,7 +62,7 @@ class WebClient(StaticFiles):
 
         Files under ``assets`` carry their hash in their name, so they never change.
         """
-        if path == "." and not (self.folder / "index.html").is_file():
+        if path in PAGES and not (self.folder / PAGES[path]).is_file():
             return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
         packed = f"{path}.br"
         taken = Headers(scope=scope).get("accept-encoding", "").split(",")
@@ -52,6 +79,7 @@ class WebClient(StaticFiles):
 
 def install(app: FastAPI) -> None:
     """Serve the pages on paths that no route of the application matches."""
+    waters.install(app, NOT_BUILT)
     app.add_api_route("/docs", _manual, include_in_schema=False)
     # The stills' type, which Python 3.11 knows only where the system tells it.
     mimetypes.add_type("image/avif", ".avif")
@@ -59,13 +87,9 @@ def install(app: FastAPI) -> None:
 
 
 async def _manual() -> Response:
-    """Return the API reference. Its script is part of the web client's build: FastAPI's own page uses a CDN."""
+    """Return the API reference. Its scripts are part of the web client's build: FastAPI's own page uses a CDN and an
+    inline script.
+    """
     if not (data_dir("webclient") / "docs" / "swagger-ui-bundle.js").is_file():
         return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
-    return get_swagger_ui_html(
-        openapi_url="/openapi.json",
-        title="Seafoam: API",
-        swagger_js_url="/docs/swagger-ui-bundle.js",
-        swagger_css_url="/docs/swagger-ui.css",
-        swagger_favicon_url="/icon.svg",
-    )
+    return HTMLResponse(_MANUAL, headers={"Cache-Control": REVALIDATE})

@@ -189,6 +189,15 @@ class PlanRequest(SceneRequest):
     )
 
 
+def _origin() -> Any:
+    return Field(
+        default=None,
+        max_length=80,
+        description="Name of the preset that the scene began from; it changes no pixel and is kept in the recipe",
+        examples=["default"],
+    )
+
+
 class FrameRequest(SceneRequest):
     """A frame to render: scene, quality, time, size and camera."""
 
@@ -203,3 +212,24 @@ class FrameRequest(SceneRequest):
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description="png, webp (lossless), or npy (linear float32)")
     camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
+    preset: str | None = _origin()
+
+
+class ExportRequest(SceneRequest):
+    """A scene to take home: what is drawn, how exactly, and the frame that it opens with."""
+
+    quality: TierOrQuality = Field(
+        default="standard", description="A tier, or the settings that differ from tier standard"
+    )
+    time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
+    width: int = Field(
+        default=DEFAULT_WIDTH, ge=1, le=4096, description="Width of the frame that the uniforms are listed for, pixels"
+    )
+    height: int = Field(
+        default=DEFAULT_HEIGHT,
+        ge=1,
+        le=4096,
+        description="Height of the frame that the uniforms are listed for, pixels",
+    )
+    camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
+    preset: str | None = _origin()

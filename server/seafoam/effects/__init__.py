@@ -3,16 +3,30 @@
 Effects describe what a plan needs. They draw nothing, and import neither the planner nor an executor.
 """
 
-from seafoam.effects.boats import boat, wake
+from seafoam.effects.boats import boat, shadow, wake
 from seafoam.effects.effect import Effect
-from seafoam.effects.foam import aeration, drift, front, height, living, look, relief, slope, surf, wake_foam, whitecaps
-from seafoam.effects.light import clouds, glitter, light, night, sparkles, subsurface
+from seafoam.effects.foam import (
+    aeration,
+    drift,
+    front,
+    height,
+    living,
+    look,
+    relief,
+    scattering,
+    slope,
+    surf,
+    wake_foam,
+    whitecaps,
+)
+from seafoam.effects.light import cloud_shadow, clouds, glare, glitter, light, night, sparkles, subsurface
 from seafoam.effects.reflection import cubemap, planar
 from seafoam.effects.registry import declare, load, outside, register, unregister
+from seafoam.effects.shore import shadow as land_shadow
 from seafoam.effects.shore import shore
 from seafoam.effects.spray import spray
 from seafoam.effects.water import caustics, seafloor, underside, water
-from seafoam.effects.waves import parametric, rings, ripples, sea
+from seafoam.effects.waves import current, parametric, rings, ripples, sea, standing, touch
 
 EFFECTS: tuple[Effect, ...] = (
     parametric.EFFECT,
@@ -27,9 +41,12 @@ EFFECTS: tuple[Effect, ...] = (
     look.EFFECT,
     living.EFFECT,
     light.EFFECT,
+    clouds.CIRRUS,
     clouds.EFFECT,
+    cloud_shadow.EFFECT,
     night.MOON,
     night.STARS,
+    glare.EFFECT,
     glitter.EFFECT,
     sparkles.EFFECT,
     water.EFFECT,
@@ -37,16 +54,22 @@ EFFECTS: tuple[Effect, ...] = (
     caustics.EFFECT,
     underside.EFFECT,
     shore.EFFECT,
+    land_shadow.EFFECT,
     surf.EFFECT,
     cubemap.EFFECT,
     drift.EFFECT,
     subsurface.EFFECT,
     aeration.EFFECT,
     relief.EFFECT,
-    spray.EFFECT,
+    scattering.EFFECT,
     wake_foam.EFFECT,
     boat.EFFECT,
+    spray.EFFECT,
+    shadow.EFFECT,
     planar.EFFECT,
+    current.EFFECT,
+    standing.EFFECT,
+    touch.EFFECT,
 )
 """All effects of the package."""
 

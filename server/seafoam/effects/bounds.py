@@ -3,12 +3,12 @@
 import math
 
 from seafoam.effects.effect import Bound
-from seafoam.effects.light.light import lamp_angles, sky_irradiance, sun_irradiance
+from seafoam.effects.light.light import brightest_sun, lamp_angles, sky_irradiance
 from seafoam.effects.registry import saturation_limits
 from seafoam.ocean.cascades import RAISED, cascades
 from seafoam.ocean.levels import paper_level
 from seafoam.ocean.rings import ring_height
-from seafoam.ocean.wakes import wake_height
+from seafoam.ocean.wakes import joint_height, stone_wakes, wake_height
 from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -16,6 +16,10 @@ from seafoam.scene.models import Scene
 SATURATION_CAP = 4.0
 """Upper limit of the saturation: all looks are the same above it (docs/formulae.md, section 4)."""
 
+FOAM_ASYMMETRY = 0.75
+"""Asymmetry parameter g of the Henyey-Greenstein phase function of light that foam scatters once."""
+FORWARD_PEAK = (1.0 + FOAM_ASYMMETRY) / (4.0 * math.pi * (1.0 - FOAM_ASYMMETRY) ** 2)
+"""Greatest value of that phase function, straight ahead, 1/sr."""
 
 FLOOR_FIELDS = ("/light/exposure", "/water/absorption_length", "/water/scattering")
 """Fields that :func:`floor_limit` depends on and that can change without a new plan."""
@@ -44,7 +48,7 @@ def max_displacement(scene: Scene) -> float:
 
 def _amplitude(scene: Scene) -> float:
     """Return the greatest amplitude of waves that are symmetric about still water: rings, wakes and open sea; m."""
-    amplitude = ring_height(scene) + wake_height(scene.boats)
+    amplitude = ring_height(scene) + wake_height(scene.boats) + joint_height(stone_wakes(scene.current))
     if scene.sea is not None and scene.sea.wind > 0.0:
         amplitude += sum(tile.limit for tile in cascades(scene.sea, scene.water.depth)[:RAISED])
     return amplitude
@@ -97,7 +101,7 @@ def crest_limit(scene: Scene) -> float:
         return 0.0
     transmitted = (
         water.translucency / math.pi * sun * math.exp(-6.0 / length) * math.cos(lamp_angles(light)[1])
-        for sun, length in zip(sun_irradiance(light), water.absorption_length, strict=True)
+        for sun, length in zip(brightest_sun(light), water.absorption_length, strict=True)
     )
     return max(transmitted) * math.exp2(light.exposure)
 
@@ -116,7 +120,7 @@ def floor_limit(scene: Scene, light: Light, depth: float, *, sky: bool = True) -
     water = scene.water
     ways = 1.0 if water.view_below else 2.0
     most = 0.0
-    for sun, air, length in zip(sun_irradiance(light), sky_irradiance(light), water.absorption_length, strict=True):
+    for sun, air, length in zip(brightest_sun(light), sky_irradiance(light), water.absorption_length, strict=True):
         passed = math.exp(-ways * depth * (1.0 / length + water.scattering))
         most = max(most, passed * 0.95 * (sun + air if sky else sun) / math.pi * 2.0**light.exposure)
     return most
@@ -124,10 +128,16 @@ def floor_limit(scene: Scene, light: Light, depth: float, *, sky: bool = True) -
 
 def foam_limit(foam: Foam, scene: Scene) -> float:
     """Return the greatest radiance of foam, display white = 1; at least 1."""
-    return 1.0 if scene.light is None else max(foam.albedo / math.pi * _brightest_irradiance(scene.light), 1.0)
+    if scene.light is None:
+        return 1.0
+    layer = foam.scattering
+    # The lumps' mean cosine is at most this, and the lobe is greatest straight ahead.
+    lobe = 0.0 if layer is None else layer.forward * FORWARD_PEAK
+    lumps = 1.0 if layer is None else 0.5 + 0.5 * math.sqrt(1.0 + 2.0 / math.pi * layer.roughness**2)
+    return max(foam.albedo * (lumps / math.pi + lobe) * _brightest_irradiance(scene.light), 1.0)
 
 
 def _brightest_irradiance(light: Light) -> float:
     """Exposed irradiance of overhead sun and whole sky, the brightest channel."""
-    both = (sun + sky for sun, sky in zip(sun_irradiance(light), sky_irradiance(light), strict=True))
+    both = (sun + sky for sun, sky in zip(brightest_sun(light), sky_irradiance(light), strict=True))
     return max(both) * math.exp2(light.exposure)

@@ -10,7 +10,7 @@ from typing import Any, Literal, Self, TypeVar
 
 from pydantic import BaseModel
 
-from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Points, View
+from seafoam.framegraph.passes import Blend, Fullscreen, Mesh, View
 from seafoam.framegraph.resources import Filter, Target, TargetInput, TextureInput, WrapMode
 from seafoam.framegraph.rules import Uniform
 from seafoam.quality import Quality, QualityParameters
@@ -24,6 +24,9 @@ BENEATH = "beneath"
 
 ABOVE = "above"
 """The target of passes of stage ``after``: half floats, premultiplied colour that is blended over :data:`BENEATH`."""
+
+FINISHED = "finished frame"
+"""Stands for the target of the finished linear frame among the inputs of passes of stage ``finished``."""
 
 HALF_FLOAT = 2.0**-11
 """Relative rounding error of a half float."""
@@ -107,7 +110,7 @@ class PassSpec:
 
     A :class:`SlotRef` among them also adds the inputs of its slot. ``mesh``: what is drawn, by default the whole
     target. ``stage``: drawn before the surface, or after surface and sky into :data:`ABOVE`, which is cleared before
-    the first of these passes.
+    the first of these passes, or after the linear frame is finished, for its display.
     """
 
     name: str
@@ -115,10 +118,10 @@ class PassSpec:
     fragment: tuple[Piece | SlotRef, ...]
     target: str
     vertex: tuple[Piece | SlotRef, ...] = ("vertex/fullscreen.glsl",)
-    mesh: Fullscreen | Grid | Points = field(default_factory=Fullscreen)
+    mesh: Mesh = field(default_factory=Fullscreen)
     inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
     uniforms: dict[str, Uniform] = field(default_factory=dict)
-    stage: Literal["before", "after"] = "before"
+    stage: Literal["before", "after", "finished"] = "before"
     blend: Blend = "none"
     clear: bool = False
     view: View = "any"
@@ -175,6 +178,8 @@ class Contribution(Part):
     ``max_curvature``, m; caused by the interpolation and the number format of a map."""
     min_ground: float | None = None
     """Lowest height of the effect's ground, m."""
+    chosen_consts: dict[str, Const] = field(default_factory=dict)
+    """Constants that differ where a pixel chosen by adaptive sampling is drawn with more samples than the others."""
     march_factor: int = 1
     """Factor on the number of ray-marching steps: for steep crests, or crests that fill little of the slab between
     lowest and highest water."""
@@ -308,10 +313,11 @@ class Effect:
 
     ``contribute`` returns ``None`` if the scene does not contain the effect. The effect's :class:`Cases` are the entry
     under its name in ``CASES`` of the module ``NAME_cases`` beside its own, which servers do not load. ``fields``: JSON
-    pointers of the parts and fields of a scene that belong to the effect, without list indices. ``parameters``: its
-    fields of a quality. ``saturation``: the source of foam that it draws. ``extension``: for effects outside the
-    package, instead of ``fields``; effects of the package have their models in :mod:`seafoam.scene` and
-    :mod:`seafoam.quality` and their float64 form in :mod:`seafoam.reference`.
+    pointers of the parts and fields of a scene that belong to the effect, without list indices. ``afloat``: uniforms
+    that are places or phases of water, which a current moves. ``parameters``: its fields of a quality. ``saturation``:
+    the source of foam that it draws. ``extension``: for effects outside the package, instead of ``fields``; effects of
+    the package have their models in :mod:`seafoam.scene` and :mod:`seafoam.quality` and their float64 form in
+    :mod:`seafoam.reference`.
     """
 
     name: str
@@ -320,6 +326,7 @@ class Effect:
     parameters: tuple[QualityParameter, ...] = ()
     saturation: SaturationSource | None = None
     extension: Extension | None = None
+    afloat: tuple[str, ...] = ()
 
     @property
     def cases(self) -> Cases:

@@ -6,6 +6,7 @@ from seafoam.framegraph.rules import Phase, Uniform, array
 
 HASH = "lib/noise/hash.glsl"
 VALUE_NOISE = (HASH, "lib/noise/value.glsl")
+SLOPES = (HASH, "lib/noise/slopes.glsl")
 PERLIN_2 = (HASH, "lib/noise/perlin_2.glsl")
 PERLIN_3 = (HASH, "lib/noise/perlin_3.glsl")
 

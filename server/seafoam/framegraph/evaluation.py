@@ -49,7 +49,8 @@ def evaluate_rule(rule: Rule, state: FrameState) -> tuple[float, ...]:
             return (phase,)
         case Wrap():
             x, _, z = state.camera.position
-            return (_modulo(rule.k[0] * x + rule.k[1] * z + rule.offset, rule.period),)
+            place = rule.offset + (rule.rate or 0.0) * state.time + (rule.k[0] * x + rule.k[1] * z)
+            return (_modulo(place, rule.period),)
         case Loop():
             return (_modulo(state.time + rule.offset, rule.period),)
         case Clamp():

@@ -29,7 +29,14 @@ class Points(PlanPart):
     count: int = Field(ge=1, le=1 << 20)
 
 
-Mesh = Annotated[Fullscreen | Grid | Points, Field(discriminator="rule")]
+class Quads(PlanPart):
+    """``count`` quadrilaterals of two triangles each, without attributes; gl_VertexID is 6 times the index and more."""
+
+    rule: Literal["quads"] = "quads"
+    count: int = Field(ge=1, le=1 << 20)
+
+
+Mesh = Annotated[Fullscreen | Grid | Points | Quads, Field(discriminator="rule")]
 
 
 Blend = Literal["none", "add", "over"]

@@ -28,6 +28,10 @@ class ViewportSize(PlanPart):
     part: int = Field(default=1, ge=1)
     narrow: int = Field(default=1, ge=1)
 
+    def of_picture(self, width: int, height: int) -> tuple[int, int]:
+        """Return width and height in a picture of this size, pixels."""
+        return -(-width * self.scale // (self.part * self.narrow)), -(-height * self.scale // self.part)
+
 
 class FixedSize(PlanPart):
     """A fixed size in pixels."""
@@ -40,6 +44,10 @@ class FixedSize(PlanPart):
     def square(cls, side: int) -> Self:
         """Return the size of a square."""
         return cls(width=side, height=side)
+
+    def of_picture(self, width: int, height: int) -> tuple[int, int]:
+        """Return width and height, pixels, which are the same in every picture."""
+        return self.width, self.height
 
 
 TargetFormat = Literal["RGBA16F", "RGBA32F", "RGBA8", "RG32UI"]

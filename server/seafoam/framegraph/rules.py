@@ -13,11 +13,16 @@ class PlanPart(BaseModel):
 
 
 class Constant(PlanPart):
-    """Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one."""
+    """Constant numbers. ``field``: JSON pointer of the scene field that they are, if they are one.
+
+    ``absent``: the numbers where a scene has no such field. The field is then in an element of a list, and the list can
+    change without a new plan: nothing else in the plan depends on its elements or on their number.
+    """
 
     rule: Literal["constant"] = "constant"
     value: tuple[float, ...]
     field: str | None = None
+    absent: tuple[float, ...] | None = Field(default=None, exclude_if=lambda absent: absent is None)
 
 
 class Phase(PlanPart):
@@ -30,12 +35,13 @@ class Phase(PlanPart):
 
 
 class Wrap(PlanPart):
-    """k·origin + offset, modulo ``period``, in float64: [0, period)."""
+    """k·origin + rate·t + offset, modulo ``period``, in float64: [0, period). ``rate``: absent where it is 0."""
 
     rule: Literal["wrap"] = "wrap"
     k: tuple[float, float]
     offset: float = 0.0
     period: float = 1.0
+    rate: float | None = Field(default=None, exclude_if=lambda rate: rate is None)
 
 
 class Loop(PlanPart):
@@ -46,10 +52,18 @@ class Loop(PlanPart):
     offset: float = 0.0
 
 
+class Term(PlanPart):
+    """factor × the number of the scene at the JSON pointer ``field``."""
+
+    field: str
+    factor: float
+
+
 class Clamp(PlanPart):
     """offset + rate·t + k·origin, clamped to [low, high], in float64: an age, or the vector from a point to the camera.
 
-    Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has.
+    Exact to the rounding of the sum: t − birth and camera − point keep all digits that float64 has. ``terms``: the
+    offset is their sum, in this order, if the scene has all of their fields.
     """
 
     rule: Literal["clamp"] = "clamp"
@@ -58,6 +72,7 @@ class Clamp(PlanPart):
     k: tuple[float, float] = (0.0, 0.0)
     low: float
     high: float
+    terms: tuple[Term, ...] | None = Field(default=None, exclude_if=lambda terms: terms is None)
 
 
 class CameraRule(PlanPart):
@@ -123,6 +138,21 @@ def in_tile(side: float, period: float = 1.0, offset: tuple[float, float] = (0.0
     """The camera's (x, z) plus ``offset`` (m) in sides of a tile of ``side`` m, modulo ``period``."""
     x, z = (significant(part / side) for part in offset)
     return Wrap(k=(1.0 / side, 0.0), offset=x, period=period), Wrap(k=(0.0, 1.0 / side), offset=z, period=period)
+
+
+def afloat(uniform: Uniform, velocity: tuple[float, float]) -> Uniform:
+    """Return a uniform whose places move with ``velocity``, (x, z) m/s: each as seen from camera − velocity·t.
+
+    Phases get the Doppler shift of a current: ω + k·U for a wave of wavevector k.
+    """
+    return uniform.model_copy(update={"rules": tuple(_afloat(rule, velocity) for rule in uniform.rules)})
+
+
+def _afloat(rule: Rule, velocity: tuple[float, float]) -> Rule:
+    if not isinstance(rule, Phase | Wrap | Clamp):
+        return rule
+    past = rule.k[0] * velocity[0] + rule.k[1] * velocity[1]
+    return rule.model_copy(update={"rate": (rule.rate or 0.0) - past})
 
 
 def rounded(values: Iterable[float]) -> tuple[float, ...]:

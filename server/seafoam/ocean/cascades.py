@@ -3,6 +3,7 @@
 docs/formulae.md, section 2."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Literal
@@ -104,10 +105,11 @@ class Cascade:
     def map_error(self, texels: int) -> float:
         """Upper bound of the error of bilinear interpolation between ``texels``² texels, m.
 
-        Proportional to the second derivative times texel²; the factor is measured, plus a tenth.
+        Proportional to the second derivative times texel²; the factor is the most of eight seas at 128 to 512 texels,
+        plus a tenth.
         """
         deviation = math.sqrt(float(2.0 * (np.abs(self.k**2 * self.h0) ** 2).sum()))
-        return 0.085 * deviation * (self.size / texels) ** 2
+        return 0.155 * deviation * (self.size / texels) ** 2
 
     def choppiness(self, requested: float) -> float:
         """Return ``requested``, reduced if the Jacobian would be negative too often."""
@@ -138,6 +140,22 @@ class Cascade:
         """Row and column indices (iz, ix) of the non-zero waves."""
         rows, columns = np.nonzero(self.h0)
         return list(zip(rows.tolist(), columns.tolist(), strict=True))
+
+
+def slope_heading(tiles: Sequence[Cascade]) -> tuple[float, float]:
+    """Return (a − b)/(a + b)·(cos 2φ, sin 2φ), a and b the greatest and the least slope variance along any heading.
+
+    φ is the heading of the greatest. The length is below 1; 0 without waves.
+    """
+    along, total = 0j, 0.0
+    for tile in tiles:
+        i = np.arange(-BAND, BAND)
+        power = np.abs(tile.h0) ** 2
+        # (kx + i kz)² is k² at twice its heading.
+        step = 2.0 * math.pi / tile.size
+        along += complex((power * (step * (i[None, :] + 1j * i[:, None])) ** 2).sum())
+        total += 0.5 * tile.mean_square_slope
+    return (along.real / total, along.imag / total) if total > 0.0 else (0.0, 0.0)
 
 
 def slope_limit(root_mean_square: float) -> float:

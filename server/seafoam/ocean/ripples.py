@@ -1,7 +1,7 @@
-"""Wind ripples: two cascades of sines with integer wavenumbers on incommensurate tiles."""
+"""Wind ripples: two cascades of sines with integer wavenumbers on tiles, and each once more, turned and shifted."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from seafoam.ocean.constants import GRAVITY
@@ -9,7 +9,14 @@ from seafoam.ocean.hash import chance
 from seafoam.scene.water import Ripples
 
 TILES = (18.9, 4.1)
-"""Sides of the two tiles, m; their common period is so long that no repetition is visible."""
+"""Sides of the two tiles, m."""
+TURN = (20.0 / 29.0, 21.0 / 29.0)
+"""Cosine and sine of the angle by which each tile is turned for its second copy, 0.81 rad. A tile alone shows as a
+lattice; both copies repeat together after 29 sides only."""
+SHIFTS = ((0.37, 0.19), (0.83, 0.56))
+"""Place of the second copy's origin in each tile, in sides: about the origin the copies are not alike."""
+LEAST_SPREAD = 0.5
+"""Spread from which ripples have a second copy, rad: with less, the copies would cross as two wave trains."""
 REPEATING_TILES = (9.3, 3.1)
 """Sides of the two tiles, m, if ripples must repeat with the larger one, as caustics on a tile require."""
 WAVES_PER_TILE = 14
@@ -43,9 +50,28 @@ def tiles(repeats: bool) -> tuple[float, float]:
     return REPEATING_TILES if repeats else TILES
 
 
+def has_copies(ripples: Ripples, repeats: bool) -> bool:
+    """Whether each tile is read a second time, turned by :data:`TURN`."""
+    return not repeats and ripples.spread >= LEAST_SPREAD
+
+
+def _copy(wave: Ripple, shift: tuple[float, float], side: float) -> Ripple:
+    """A ripple of a tile's second copy."""
+    (c, s), (kx, kz) = TURN, (wave.kx, wave.kz)
+    phase = wave.phase - side * (kx * shift[0] + kz * shift[1])
+    return replace(wave, kx=c * kx - s * kz, kz=s * kx + c * kz, phase=math.remainder(phase, 2.0 * math.pi))
+
+
 @lru_cache(maxsize=64)
 def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripple, ...], ...]:
-    """Return the ripples of each cascade by rising wavenumber; mean square slopes add up to ``ripples.slope``²."""
+    """Return the ripples of each tile by rising wavenumber, then those of the tiles' second copies if there are any.
+
+    Mean square slopes add up to ``ripples.slope``².
+    """
+    copied = has_copies(ripples, repeats)
+    # Both copies' mean directions and their spread make up what is asked for.
+    half = 0.5 * math.atan2(TURN[1], TURN[0]) if copied else 0.0
+    mean, spread = ripples.wind_direction - half, math.sqrt(ripples.spread**2 - half**2)
     cascades = []
     weights = []
     for cascade, tile in enumerate(tiles(repeats)):
@@ -58,7 +84,7 @@ def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripp
             normal = math.sqrt(-2.0 * math.log(float(chance(ripples.seed, cascade, index, 1)))) * math.cos(
                 2.0 * math.pi * float(chance(ripples.seed, cascade, index, 2))
             )
-            heading = ripples.wind_direction + ripples.spread * normal
+            heading = mean + spread * normal
             number = tile / wavelength
             ix, iz = round(number * math.cos(heading)), round(number * math.sin(heading))
             # Two ripples with the same wavevector would add up or cancel, so the second gets the next free integers.
@@ -71,11 +97,18 @@ def ripple_cascades(ripples: Ripples, repeats: bool = False) -> tuple[tuple[Ripp
             # Equal mean square slope in each octave of wavenumber, the tail of a saturated wind sea (Phillips 1958).
             weights.append(1.0)
         cascades.append(sorted(drawn))
-    amplitude = ripples.slope * math.sqrt(2.0 / sum(weights))
-    return tuple(
+    amplitude = ripples.slope * math.sqrt((1.0 if copied else 2.0) / sum(weights))
+    drawn_waves = tuple(
         tuple(
             Ripple(kx, kz, math.sqrt(GRAVITY * k + SURFACE_TENSION * k**3), phase, amplitude)
             for k, kx, kz, phase in drawn
         )
         for drawn in cascades
     )
+    if not copied:
+        return drawn_waves
+    copies = (
+        tuple(_copy(wave, shift, side) for wave in waves)
+        for waves, shift, side in zip(drawn_waves, SHIFTS, TILES, strict=True)
+    )
+    return (*drawn_waves, *copies)

@@ -77,6 +77,10 @@ def _floor_grid(shore: Shore, texels: int) -> Floats:
 def _finished(shore: Shore, x: Floats, z: Floats, floor: Floats) -> Floats:
     """Return the floor, levelled toward the edges of the square, with its tint; rounded, read-only."""
     half = 0.5 * shore.size
+    if shore.relief > 0.0:
+        # Shaped by a factor, so that the coast stays where it is.
+        shape = 0.35 + 2.0 * _ridges(x, z, 0.13 * shore.size, shore.seed + 503, 5)
+        floor = floor + shore.relief * np.maximum(floor, 0.0) * (shape - 1.0)
     # What lies on the edge goes on for ever: nothing may stand there, nor any patch of weed.
     ends = smoothstep(0.9, 0.985, np.maximum(np.abs(x), np.abs(z)) / half)
     floor = floor + (-shore.depth - floor) * ends
@@ -146,4 +150,25 @@ def _fbm(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
         sum_of_weights += weight
         weight, cell = 0.5 * weight, 0.47 * cell
     result: Floats = total / sum_of_weights
+    return result
+
+
+def _ridges(x: Floats, z: Floats, cell: float, seed: int, octaves: int) -> Floats:
+    """Ridged multifractal noise (Musgrave 2003), the largest ridges ``cell`` m apart; in [0, 1].
+
+    Ridges are where value noise passes ½; each octave is as strong as the last is high, so that valleys are smooth.
+    """
+    # Warped, so that ridges do not run straight.
+    bent_x = x + 0.6 * cell * (_fbm(x, z, 0.8 * cell, seed + 1009, 3) - 0.5)
+    bent_z = z + 0.6 * cell * (_fbm(x, z, 0.8 * cell, seed + 2003, 3) - 0.5)
+    total, strength, sum_of_strengths, weight = np.zeros_like(x), 1.0, 0.0, np.ones_like(x)
+    for octave in range(octaves):
+        bent_x, bent_z = 0.8 * bent_x - 0.6 * bent_z, 0.6 * bent_x + 0.8 * bent_z
+        ridge = 1.0 - np.abs(2.0 * _value_noise(bent_x / cell, bent_z / cell, seed + 17 * octave) - 1.0)
+        ridge = ridge * ridge * weight
+        total += strength * ridge
+        sum_of_strengths += strength
+        weight = np.clip(1.6 * ridge, 0.0, 1.0)
+        strength, cell = 0.5 * strength, 0.47 * cell
+    result: Floats = total / sum_of_strengths
     return result

@@ -1,10 +1,16 @@
-"""Wakes of boats: wavenumbers, sizes and bounds of their waves. docs/formulae.md, section 15."""
+"""Wakes of boats and of stones in a current: wavenumbers, sizes and bounds of their waves.
+
+docs/formulae.md, sections 15 and 16.
+"""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.scene.boats import Boat
+from seafoam.scene.current import Current
 
 LEAST_SPEED = 0.5
 """Speed below which a boat leaves no wake, m/s."""
@@ -16,11 +22,50 @@ _OPENING = 2800.0
 """Second derivative of a wake's window near the bow, in units of its height over the boat's length squared."""
 
 
+class Maker(Protocol):
+    """What makes a wake as it moves relative to the water."""
+
+    @property
+    def speed(self) -> float:
+        """m/s."""
+
+    @property
+    def length(self) -> float:
+        """m."""
+
+    @property
+    def radius(self) -> float:
+        """Radius of the course, m."""
+
+    @property
+    def wake(self) -> float:
+        """Amplitude of the waves at the bow, m."""
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """A stone in a current, as a hull of its breadth that moves against the current as fast as the water flows."""
+
+    speed: float
+    length: float
+    wake: float
+    radius: float = 1e9
+    """Its course through the water is straight."""
+
+
+STONE_CRESTS = 6.0
+"""Number of standing waves behind a stone; beyond them a river's turbulence leaves none."""
+STONE_LENGTH = 5.0
+"""Length over radius of the hull that makes a stone's waves: its cut-off is a wavelength of 0.9 radii."""
+
+
 @dataclass(frozen=True)
 class Wake:
     """Properties of a wake. The transverse waves are half as high as the divergent ones."""
 
-    boat: Boat
+    boat: Maker
+    crests: float = 12.0
+    """Number of transverse waves after which it has ended, at most."""
 
     @property
     def shows(self) -> bool:
@@ -45,7 +90,7 @@ class Wake:
     @property
     def length(self) -> float:
         """Length of the wake behind the bow along the course, m."""
-        return min(12.0 * self.wavelength + 4.0 * self.boat.length, 5.0 * self.boat.radius)
+        return min(self.crests * self.wavelength + 4.0 * self.boat.length, 5.0 * self.boat.radius)
 
     @property
     def height(self) -> float:
@@ -93,11 +138,30 @@ def wakes(boats: tuple[Boat, ...]) -> tuple[Wake, ...]:
     return tuple(Wake(boat) for boat in boats)
 
 
+def stone_wakes(current: Current | None) -> tuple[Wake, ...]:
+    """Return the standing waves behind every stone of a current, visible or not."""
+    if current is None:
+        return ()
+    head = current.speed**2 / (2.0 * GRAVITY)
+    hulls = (Obstacle(current.speed, STONE_LENGTH * of.radius, of.waves * head) for of in current.stones)
+    return tuple(Wake(hull, STONE_CRESTS) for hull in hulls)
+
+
+def joint_height(wakes: Sequence[Wake]) -> float:
+    """Return an upper bound of the joint height of wakes above still water and depth below it, m."""
+    return float(f"{sum(wake.height for wake in wakes):.7g}")
+
+
+def joint_slope(wakes: Sequence[Wake]) -> float:
+    """Return an upper bound of the slope of wakes together."""
+    return float(f"{sum(wake.max_slope for wake in wakes):.7g}")
+
+
 def wake_height(boats: tuple[Boat, ...]) -> float:
-    """Return an upper bound of all wakes' joint height above still water and depth below it, m."""
-    return float(f"{sum(wake.height for wake in wakes(boats)):.7g}")
+    """Return :func:`joint_height` of the wakes of boats, m."""
+    return joint_height(wakes(boats))
 
 
 def wake_slope(boats: tuple[Boat, ...]) -> float:
-    """Return an upper bound of the slope of all wakes together."""
-    return float(f"{sum(wake.max_slope for wake in wakes(boats)):.7g}")
+    """Return :func:`joint_slope` of the wakes of boats."""
+    return joint_slope(wakes(boats))

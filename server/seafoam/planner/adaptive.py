@@ -18,8 +18,6 @@ from seafoam.quality import Quality
 
 PLACE = "lib/place.glsl"
 """The file that maps a fragment to its sample of the picture."""
-SPREAD = ("lib/numbers.glsl", "lib/camera.glsl", PLACE, "adaptive/spread_pass.glsl")
-"""Files of the fragment shader that reads points drawn for the whole picture from ``u_points``."""
 
 RATIO = 3.5
 """Ratio of the contrast thresholds for 16 and for 4 samples. 4 samples leave a quarter of the squared error and 16 a

@@ -1,6 +1,7 @@
 """The contributions of a scene's effects to its plan."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from seafoam.effects.effect import (
     AssemblyError,
@@ -16,7 +17,7 @@ from seafoam.effects.effect import (
 )
 from seafoam.framegraph.plan import EffectNote
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput, ViewportSize
-from seafoam.framegraph.rules import Uniform
+from seafoam.framegraph.rules import Uniform, afloat
 from seafoam.planner.glsl import COMMON
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -42,6 +43,7 @@ class Collection:
         self.skipped: list[EffectNote] = []
         self.slots: list[SlotFile] = []
         self.consts: dict[str, Const] = {}
+        self.chosen_consts: dict[str, Const] = {}
         self.uniforms: dict[str, Uniform] = {}
         self.inputs: dict[str, TextureInput | TargetInput] = {}
         self.textures: dict[str, TextureUse] = {}
@@ -67,7 +69,7 @@ class Collection:
                 self.skipped.append(EffectNote(name=effect.name, why=bound.why, bound=bound.value))
                 self.bound_fields.update(bound.fields)
             else:
-                self._add(effect.name, contribution)
+                self._add(effect.name, _afloat(contribution, effect, scene))
 
     def fills(self, slot: str) -> bool:
         """Whether an effect fills the slot."""
@@ -94,6 +96,7 @@ class Collection:
         self.march_factor = max(self.march_factor, contribution.march_factor)
         try:
             self.consts = united((self.consts, contribution.consts))
+            self.chosen_consts = united((self.chosen_consts, contribution.chosen_consts))
             self.uniforms = united((self.uniforms, contribution.uniforms))
             self.inputs = united((self.inputs, contribution.inputs))
             self.textures = united((self.textures, contribution.textures))
@@ -129,3 +132,15 @@ class Collection:
                 target="start",
             )
         )
+
+
+def _afloat(contribution: Contribution, effect: Effect, scene: Scene) -> Contribution:
+    """The contribution with what of it floats carried by the scene's current."""
+    velocity = (0.0, 0.0) if scene.current is None else scene.current.velocity
+    if velocity == (0.0, 0.0):
+        return contribution
+    uniforms = {
+        name: afloat(uniform, velocity) if name in effect.afloat else uniform
+        for name, uniform in contribution.uniforms.items()
+    }
+    return replace(contribution, uniforms=uniforms)

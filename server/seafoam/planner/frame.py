@@ -4,15 +4,16 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from seafoam.effects.effect import ABOVE, BENEATH, Const, PassSpec, Piece, SlotFile, SlotRef, Source, refine
+from seafoam.effects.effect import ABOVE, BENEATH, FINISHED, Const, PassSpec, Piece, SlotFile, SlotRef, Source, refine
 from seafoam.framegraph.passes import Eye, Fullscreen, Grid, Mesh, Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
 from seafoam.framegraph.shader import Program
-from seafoam.planner.adaptive import PLACE, SPREAD, Redrawn, additional_samples
+from seafoam.planner.adaptive import PLACE, Redrawn, additional_samples
 from seafoam.planner.collect import Collection
 from seafoam.planner.glsl import COMMON, FULLSCREEN, assemble, slot_pieces
 from seafoam.planner.slots import (
+    GLARE,
     LAND,
     LAND_COLOR,
     LAND_FOAM,
@@ -93,8 +94,7 @@ class FrameBuilder:
         search, scenery = self._search(), self._scenery()
         resolve = self._resolve()
         more_samples = self._more_samples([drawn for drawn in scenery if drawn.name != "land"])
-        tone = self._fullscreen("tone", "present", "screen", {"u_linear": self.linear})
-        return [*before, *search, *scenery, *overlay, *resolve, *more_samples, tone]
+        return [*before, *search, *scenery, *overlay, *resolve, *more_samples, *self._display()]
 
     def _chosen(self) -> list[SlotFile]:
         """The files in the slots of the surface's shader."""
@@ -162,7 +162,9 @@ class FrameBuilder:
             vertex=assemble(FULLSCREEN, {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
             fragment=assemble(self.fragments["sky"], self.consts),
         )
-        self._program("present", [*slot_pieces(TONE, self.chosen), "output/present.glsl"])
+        self._program(
+            "present", [*slot_pieces(GLARE, self.chosen), *slot_pieces(TONE, self.chosen), "output/present.glsl"]
+        )
         if self.below:
             self._program(UNDERWATER, self.fragments[UNDERWATER])
         if self.shore:
@@ -238,6 +240,22 @@ class FrameBuilder:
             [("over", "surface", own), ("under", UNDERWATER, Fullscreen())] if self.below else [("any", "surface", own)]
         )
 
+    def _display(self) -> list[Pass]:
+        """Passes that show the finished frame: those of effects, and tone mapping."""
+        finished = [
+            drawn.model_copy(
+                update={
+                    "inputs": {
+                        name: TargetInput(target=self.linear) if source == TargetInput(target=FINISHED) else source
+                        for name, source in drawn.inputs.items()
+                    }
+                }
+            )
+            for drawn in self._effect_passes("finished")
+        ]
+        tone = self._fullscreen("tone", "present", "screen", {"u_linear": self.linear})
+        return [*finished, tone.model_copy(update={"inputs": {**self.collection.inputs, **tone.inputs}})]
+
     def _ashore(self, name: str, program: str, target: str, state: State) -> Pass:
         return Pass(
             name=name,
@@ -310,38 +328,22 @@ class FrameBuilder:
         redrawn = tuple(
             Redrawn(drawn, tuple(fragments[drawn.program]), depths.get(drawn.program, 0.0)) for drawn in scenery
         )
-        overlays, layers = self._redrawn_overlays()
-        for layer in layers:
-            self.targets[layer.target] = self.targets[ABOVE]
-        added = additional_samples(self.quality, self.linear, "finished", redrawn, overlays, self.consts)
+        consts = self.consts | self.collection.chosen_consts
+        added = additional_samples(self.quality, self.linear, "finished", redrawn, self._redrawn_overlays(), consts)
         self.programs |= added.programs
         self.targets |= added.targets
         self.uniforms |= added.uniforms
         self.linear = "finished"
-        return [*layers, *added.passes]
+        return [*added.passes]
 
-    def _redrawn_overlays(self) -> tuple[tuple[Redrawn, ...], list[Pass]]:
-        """Return the overlays as they are drawn again for selected pixels, and passes that draw points by themselves.
-
-        Points cannot be drawn into the target of the additional samples, which read them from a target of the whole
-        picture instead.
-        """
+    def _redrawn_overlays(self) -> tuple[Redrawn, ...]:
+        """Return the overlays as they are drawn again for selected pixels."""
         specs = [spec for spec in self.collection.passes if spec.stage == "after" and spec.target == ABOVE]
-        overlays: list[Redrawn] = []
-        layers: list[Pass] = []
-        for spec in specs:
-            for drawn in self._passes_of(spec):
-                if isinstance(drawn.mesh, Fullscreen):
-                    files = spec.fragment if drawn.program == spec.program else spec.under
-                    overlays.append(Redrawn(drawn, tuple(self._pieces(files))))
-                    continue
-                layer = ABOVE
-                if len(specs) > 1:
-                    layer = f"{spec.name}, alone"
-                    layers.append(_cleared(drawn).model_copy(update={"name": layer, "target": layer}))
-                reads = {"program": "points", "inputs": {"u_points": TargetInput(target=layer)}, "uniforms": {}}
-                overlays.append(Redrawn(drawn.model_copy(update=reads), SPREAD))
-        return tuple(overlays), layers
+        return tuple(
+            Redrawn(drawn, tuple(self._pieces(spec.fragment if drawn.program == spec.program else spec.under)))
+            for spec in specs
+            for drawn in self._passes_of(spec)
+        )
 
 
 def _cleared(drawn: Pass) -> Pass:

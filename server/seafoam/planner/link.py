@@ -76,13 +76,23 @@ def declared_in(uniforms: Mapping[str, Uniform], programs: Mapping[str, Program]
 
 
 def live_fields(uniforms: Mapping[str, Uniform]) -> set[str]:
-    """Return the JSON pointers of scene fields that are constants: they can change without a new plan."""
-    return {
-        rule.field
+    """Return the JSON pointers of scene fields that are constants: they can change without a new plan.
+
+    Of lists that can change as a whole, the list's own pointer.
+    """
+    constants = [
+        rule
         for uniform in uniforms.values()
         for rule in uniform.rules
         if rule.rule == "constant" and rule.field is not None
-    }
+    ]
+    return {_list_of(rule.field) if rule.absent is not None else rule.field for rule in constants if rule.field}
+
+
+def _list_of(pointer: str) -> str:
+    """The pointer of the outermost list that an element's field is in."""
+    steps = pointer.split("/")
+    return "/".join(steps[: next(i for i, step in enumerate(steps) if step.isdecimal())])
 
 
 def refuse_too_many_samplers(program: Program, readers: Mapping[str, str]) -> None:

@@ -107,10 +107,8 @@ def _uniforms_of(drawn: Pass, program: Program, uniforms: Mapping[str, Uniform])
 def _steady(rule: Rule) -> bool:
     """Whether a rule gives the same numbers in every frame, in a target of fixed size."""
     match rule:
-        case Phase() | Clamp():
-            return rule.rate == 0.0 and rule.k == _NO_CAMERA
-        case Wrap():
-            return rule.k == _NO_CAMERA
+        case Phase() | Clamp() | Wrap():
+            return not rule.rate and rule.k == _NO_CAMERA
         case Loop() | CameraRule() | Viewport(of="picture"):
             return False
         case _:

@@ -24,12 +24,14 @@ class Join:
     how: Literal["sum", "max", "product"] = "sum"
     limit: str = ""
     """GLSL expression of the maximum of the joined value."""
+    none: str = "0.0"
+    """Value without any file."""
 
     def glsl(self, prefixes: Sequence[str]) -> str:
-        """Return the function's source; without any file it returns zero."""
+        """Return the function's source."""
         calls = [f"{prefix}_{self.suffix}({self.arguments})" for prefix in prefixes]
         if not calls:
-            value = f"{self.returns}(0.0)"
+            value = f"{self.returns}({self.none})"
         elif self.how == "max":
             value = calls[0]
             for call in calls[1:]:
@@ -133,13 +135,23 @@ OVER = Slot("over", default="foam/over.glsl")
 ALBEDO = Slot("albedo", default=defaults.NO_ALBEDO, under="shade")
 LAYERED = Slot("layered")
 MOON = Slot("moon", default=defaults.NO_MOON, under="layered")
+CIRRUS = Slot("cirrus", default=defaults.NO_CIRRUS, under="layered")
 CLOUDS = Slot("clouds", default=defaults.NO_CLOUDS, under="layered")
+RAIN = Slot("rain", default=defaults.NO_RAIN, under="layered")
 SKY = Slot("sky", default=defaults.BLACK_SKY)
 """Light of the sky; a layered sky is combined from air, moonlight and clouds."""
 MOON_DISC = Slot("moon disc", default=defaults.NO_MOON_DISC, under="layered")
 STARS = Slot("stars", default=defaults.NO_STARS, under="layered")
 SKY_MAIN = Slot("sky main", default="light/sky/main.glsl")
 DISC = Slot("disc", default=defaults.NO_SUN_DISC)
+OPEN_SUN = Slot(
+    "open sun",
+    joins=(Join("float", "open_sun", "vec3 place, Footprint fp", "sunlit", "place, fp", "product", none="1.0"),),
+)
+"""Share of the direct sunlight that reaches a place past land and clouds: a factor of the sun's light on boats and
+drops."""
+SUNLIGHT = Slot("sunlight", default=defaults.NO_BOAT_SHADOW)
+"""The same past boats too: a factor of the sun's light on water, foam, floor and land."""
 BODY = Slot("body", default="water/body/deep.glsl", under="shade")
 CREST = Slot("crest", default=defaults.NO_CREST_LIGHT, under="shade")
 PLUME = Slot("plume", default=defaults.NO_BUBBLES, under="shade")
@@ -150,6 +162,8 @@ REFLECTION = Slot("reflection", default="reflection/sky.glsl", under="shade")
 SHADE = Slot("shade", default="light/shade/flat.glsl")
 RELIEF = Slot("relief", default=defaults.NO_RELIEF)
 """Called before water and foam are lit: fraction of the sun that foam beside the place blocks."""
+FOAM_LAYER = Slot("foam layer", default=defaults.MATT_FOAM)
+"""Light of foam over water, and its opacity."""
 CAUSTICS = Slot("caustics", default="water/seafloor/even.glsl", under="bed")
 """Distribution of the sun's light on a level floor."""
 BED = Slot("bed")
@@ -172,11 +186,14 @@ BELOW = Slot("below")
 """Main function for a camera below the surface; for one above it calls ``seen_from_above``."""
 UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
 """Additional slots of the shader for cameras that can be below crests."""
+GLARE = Slot("glare", default=defaults.NO_GLARE)
 TONE = Slot("tone", default="output/tone/clamp.glsl")
 
 
-SKY_SLOTS = (LAYERED, MOON, CLOUDS, SKY)
+SKY_SLOTS = (LAYERED, MOON, CIRRUS, CLOUDS, RAIN, SKY)
 """Components of ``sky_light``, in source order."""
+SUN_SLOTS = (*SKY_SLOTS, OPEN_SUN, SUNLIGHT)
+"""Slots of sky and direct sunlight, in source order."""
 SKY_PASS_SLOTS = (*SKY_SLOTS, DISC, MOON_DISC, STARS, SKY_MAIN)
 """Slots of the sky's fragment shader, in source order."""
 
@@ -191,7 +208,7 @@ def _foam_slots(combine: Literal["max", "product"], shore: bool) -> tuple[Slot, 
 def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tuple[Slot, ...]:
     """Slots of the surface's fragment shader, in source order."""
     waves = (OPEN_WAVES, SHORE) if shore else (WAVES,)
-    lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, RELIEF, CAUSTICS, BED)
+    lit = (*SUN_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, RELIEF, FOAM_LAYER, CAUSTICS, BED)
     foam = _foam_slots(combine, shore)
     land = (LAND, LAND_FOAM, LAND_COLOR)
     return (*waves, DETAIL, *MARCH_SLOTS, FIND, *foam, *lit, THROUGH, *land, MAIN)
@@ -202,7 +219,7 @@ def land_slots(combine: Literal["max", "product"], foam: bool) -> tuple[Slot, ..
 
     ``foam``: whether there is foam on it.
     """
-    lit = (*SKY_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
+    lit = (*SUN_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE)
     own = _foam_slots(combine, True) if foam else (OVER, ALBEDO)
     return (OPEN_WAVES, SHORE, *own, *lit, LAND_FOAM, LAND_COLOR)
 

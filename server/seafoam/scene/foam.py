@@ -47,6 +47,16 @@ class FrontSaturation(Source):
         description="Decay time of the foam that a passing front leaves on the water, to 1/e, s; absent: foam "
         "fades over the wave behind the front, as in the paper",
     )
+    variation: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=0.5,
+        description="Standard deviation by which the wave envelope counts for more or less in drifting patches; breaks "
+        "up the regular pattern of few waves. Without decay or group it has no effect; 0: none",
+    )
+    variation_size: float = Field(
+        default=30.0, ge=1.0, le=1000.0, description="Size of the largest of these patches, m"
+    )
 
     @model_validator(mode="after")
     def _ordered(self) -> "FrontSaturation":
@@ -58,7 +68,7 @@ class FrontSaturation(Source):
 
     def lying_still(self) -> Self:
         """Return the source without advection, ageing or decay of its foam."""
-        return self.model_copy(update={"decay": None})
+        return self.model_copy(update={"decay": None, "variation": 0.0})
 
 
 class HeightSaturation(Source):
@@ -178,6 +188,13 @@ class WakeSaturation(Source):
     amount: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation directly behind the boat")
     life: float = Field(default=8.0, ge=0.1, le=60.0, description="Decay time behind the boat, to 1/e, s")
     bow: float = Field(default=1.0, ge=0.0, le=4.0, description="Saturation of the bow wave at hull speed")
+    contact: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=4.0,
+        description="Saturation of the white water along the waterline of a moving hull, at the bow at hull speed; "
+        "0: none",
+    )
 
 
 Saturation = Annotated[
@@ -192,6 +209,30 @@ Saturation = Annotated[
 ]
 
 S = TypeVar("S", bound=Source)
+
+
+class FoamScattering(Part):
+    """Foam as a lumpy layer of bubbles that transmits and forward-scatters light; docs/formulae.md, section 6."""
+
+    optical_depth: float = Field(
+        default=12.0,
+        ge=0.5,
+        le=1000.0,
+        description="Optical depth of foam of saturation 1, without what it scatters forward; foam of less "
+        "saturation is thinner, and the water is visible through it",
+    )
+    roughness: float = Field(
+        default=0.7,
+        ge=0.0,
+        le=2.0,
+        description="Root mean square slope of the foam's lumps; larger values catch more light of a low sun",
+    )
+    forward: Share = Field(
+        default=0.6,
+        description="Fraction of the sunlight that the foam scatters once, mostly forward; foam between the "
+        "camera and the sun glows",
+    )
+
 
 Look = Literal["textured", "halftone", "fading", "halftone_textured", "listing", "filtered"]
 
@@ -258,6 +299,11 @@ class Foam(Part):
         le=1.0,
         description="Height of foam above the water, m; brightens edges that face the sun and shades the "
         "water beside them; 0: flat",
+    )
+    scattering: FoamScattering | None = Field(
+        default=None,
+        description="Foam as a layer of bubbles that transmits and forward-scatters light; absent: opaque and "
+        "matt, as in the papers",
     )
     albedo: Share = Field(default=0.9, description="Albedo of foam: fraction of light that it scatters back")
 

@@ -46,6 +46,9 @@ class Caustics(Part):
     )
 
 
+ToneCurve = Literal["filmic", "photographic"]
+
+
 class Light(Part):
     """Sun, sky and haze. Absent: unlit, white foam on black, as in the paper's equations."""
 
@@ -56,6 +59,17 @@ class Light(Part):
         default=20000.0, ge=50.0, le=1e6, description="Visibility: distance at which contrast has fallen to 2 %, m"
     )
     exposure: float = Field(default=0.0, ge=-10.0, le=10.0, description="Exposure, stops; +1 doubles the brightness")
+    tone: ToneCurve = Field(
+        default="filmic",
+        description="Tone curve. filmic: contrasty, and white early; photographic: a long shoulder that holds colour "
+        "around the sun",
+    )
+    glare: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=0.5,
+        description="Fraction of the light that spreads around bright spots, as in an eye or a lens; 0: none",
+    )
     day: Day | None = Field(
         default=None,
         description="Time of day and place, which set the sun's position; absent: sun_azimuth and sun_elevation do",

@@ -10,12 +10,14 @@ from seafoam.extensions import Extensible, Extensions
 from seafoam.scene.base import Part
 from seafoam.scene.boats import BOATS_MOST, Boat
 from seafoam.scene.camera import Camera
+from seafoam.scene.current import Current
 from seafoam.scene.drift import Drift
 from seafoam.scene.foam import Foam
 from seafoam.scene.light import Light
 from seafoam.scene.rings import RINGS_MOST, Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
+from seafoam.scene.touch import TOUCHES_MOST, Touch
 from seafoam.scene.water import Water
 from seafoam.scene.waves import Sea, Wave
 
@@ -31,10 +33,16 @@ class Scene(Extensible, Part):
     rings: tuple[Ring, ...] = Field(
         default=(), max_length=RINGS_MOST, description="Circular waves from stones, drops and blasts"
     )
+    touches: tuple[Touch, ...] = Field(
+        default=(), max_length=TOUCHES_MOST, description="Touches of the water, each of which raises a small ring"
+    )
     sea: Sea | None = Field(default=None, description="Wind-driven open sea; absent: none")
     foam: Foam | None = Field(default=None, description="Foam; absent: none")
     water: Water = Field(default_factory=Water)
     shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
+    current: Current | None = Field(
+        default=None, description="Current of a river, which carries all that is on the water; absent: none"
+    )
     drift: Drift | None = Field(
         default=None, description="Flow that carries the foam of a drift saturation; absent: no flow"
     )

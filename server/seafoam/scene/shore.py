@@ -50,6 +50,11 @@ class Surf(Part):
         le=1.0,
         description="Reduction of the surf on coasts that face away from the swell: 0 none, 1 no surf there",
     )
+    refraction: bool = Field(
+        default=False,
+        description="Crests follow the travel time of a swell from `heading` over the depth, which bends them around "
+        "capes and islands; false: waves approach every coast at normal incidence",
+    )
 
 
 class Shore(Part):
@@ -72,6 +77,9 @@ class Shore(Part):
     slope: float = Field(default=0.06, ge=0.01, le=1.0, description="Slope of the floor at the waterline")
     roughness: float = Field(
         default=0.5, ge=0.0, le=1.0, description="Irregularity of the coastline: bays and capes; 0: the plain shape"
+    )
+    relief: float = Field(
+        default=0.0, ge=0.0, le=1.0, description="Ruggedness of the land: ridges and valleys; 0: smooth hills"
     )
     level: float = Field(
         default=0.0,
@@ -99,6 +107,14 @@ class Shore(Part):
     reef: float = Field(
         default=0.5, ge=0.0, le=1.0, description="Fraction of the shallow floor covered by dark reef and seaweed"
     )
+    detail: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=1.0,
+        description="Strength of the land's fine detail: sand ripples, layers and cracks of rock, clumps of plants, "
+        "a line of seaweed, a film of water behind the swash; 0: smooth land",
+    )
+    shadows: bool = Field(default=False, description="Land throws shadows on land, water and the floor")
     surf: Surf = Field(default_factory=Surf)
 
     @model_validator(mode="after")
@@ -119,6 +135,12 @@ class Shore(Part):
         """The same ground, all else at its default: equal ones have the same height field."""
         return Shore.model_construct(**{name: getattr(self, name) for name in _GROUND})
 
+    @property
+    def approach(self) -> "Shore":
+        """The ground and what a swell's way over it depends on, all else at its default."""
+        surf = Surf.model_construct(**{name: getattr(self.surf, name) for name in _APPROACH})
+        return self.ground.model_copy(update={"smoothing": self.smoothing, "surf": surf})
+
 
 _GROUND = (
     "kind",
@@ -130,11 +152,15 @@ _GROUND = (
     "height",
     "slope",
     "roughness",
+    "relief",
     "level",
     "seed",
     "image",
 )
 """Fields that determine the height field."""
+
+_APPROACH = ("height", "period", "heading", "exposure")
+"""Fields of the surf that determine a swell's travel time, and how much of it arrives."""
 
 
 @lru_cache(maxsize=16)

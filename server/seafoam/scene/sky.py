@@ -23,7 +23,7 @@ class Day(Part):
 
 
 class Clouds(Part):
-    """A thin layer of clouds: gradient noise that drifts with the wind and changes shape."""
+    """A layer of clouds: gradient noise that drifts with the wind and changes shape, lit from the lamp's side."""
 
     cover: Annotated[float, Field(ge=0.0, le=1.0, description="Fraction of the sky covered by clouds")] = 0.4
     thickness: float = Field(
@@ -39,13 +39,42 @@ class Clouds(Part):
         description="Width of the clouds' edges, in standard deviations of the noise; larger values are softer",
     )
     size: float = Field(default=2500.0, ge=50.0, le=50000.0, description="Size of the largest clouds, m")
-    height: float = Field(default=1800.0, ge=200.0, le=15000.0, description="Altitude of the cloud layer, m")
+    height: float = Field(default=1800.0, ge=200.0, le=15000.0, description="Altitude of the clouds' bases, m")
+    depth: float = Field(
+        default=700.0, ge=0.0, le=5000.0, description="Height of the clouds from base to top, m; 0: a thin layer"
+    )
+    rain: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=10.0,
+        description="Optical depth of the rain below the densest clouds, seen as veils in the distance; 0: none",
+    )
+    shadows: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=1.0,
+        description="Strength of the clouds' shadows and of the sunlit gaps between them; 0: their mean everywhere",
+    )
     wind: float = Field(default=8.0, ge=0.0, le=100.0, description="Drift speed of the clouds, m/s")
     wind_direction: Angle = Field(
         default=0.0, description="Direction toward which the clouds drift, rad from +x toward +z"
     )
     change: float = Field(default=400.0, ge=10.0, le=1e6, description="Time scale on which a cloud changes shape, s")
     seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the clouds")
+
+
+class Cirrus(Part):
+    """High clouds of ice: streaks that drift with the wind."""
+
+    cover: Annotated[float, Field(ge=0.0, le=1.0, description="Fraction of the sky with streaks")] = 0.4
+    thickness: float = Field(default=0.8, ge=0.0, le=5.0, description="Optical depth of the densest streaks")
+    size: float = Field(default=4000.0, ge=500.0, le=50000.0, description="Width of the largest streaks, m")
+    height: float = Field(default=9000.0, ge=3000.0, le=15000.0, description="Altitude of the streaks, m")
+    direction: Angle = Field(
+        default=0.6, description="Direction of the streaks and of their drift, rad from +x toward +z"
+    )
+    wind: float = Field(default=25.0, ge=0.0, le=150.0, description="Drift speed of the streaks, m/s")
+    seed: int = Field(default=1, ge=0, le=65535, description="Random seed of the streaks")
 
 
 class Moon(Part):
@@ -70,6 +99,7 @@ class Sky(Part):
     haze: float = Field(default=0.5, ge=0.0, le=20.0, description="Optical depth of the haze along the horizon")
     stars: float = Field(default=0.0, ge=0.0, le=10.0, description="Brightness of the stars at night; 0: none")
     clouds: Clouds | None = Field(default=None, description="Cloud layer; absent: none")
+    cirrus: Cirrus | None = Field(default=None, description="High clouds; absent: none")
     moon: Moon | None = Field(default=None, description="Moon; absent: none")
 
 

@@ -1,21 +1,38 @@
-"""Spray: drops thrown up by waves, and rocks on which surf breaks. docs/formulae.md, section 13."""
+"""Spray: water thrown up by waves, by surf on rocks, and by blasts. docs/formulae.md, section 13."""
 
 from pydantic import Field
 
-from seafoam.scene.base import Angle, Part
+from seafoam.scene.base import Angle, Part, Place, Share
 
 DROPS = 16384
 """Number of drops; a quality that draws fewer draws each larger."""
 
+BURSTS_MOST = 8
+"""Maximum number of bursts of a scene."""
+
+
+class Burst(Part):
+    """A blast under the water: a column, a crown about its foot, and a surge of mist when it falls back."""
+
+    place: tuple[Place, Place] = Field(default=(0.0, -40.0), description="Middle (x, z), m")
+    birth: float = Field(
+        default=0.0, ge=-1e9, le=1e9, description="Time at which the column breaks through the surface, s"
+    )
+    every: float | None = Field(
+        default=None, ge=1.0, le=1e5, description="Interval at which it is repeated, s; absent: it happens once"
+    )
+    height: float = Field(default=15.0, ge=0.5, le=150.0, description="Height of the column, m")
+    radius: float = Field(default=1.8, ge=0.1, le=30.0, description="Radius of the column's foot, m")
+
 
 class Spray(Part):
-    """Drops thrown up where waves rise fast, or, with a shore, where surf breaks on rocks."""
+    """Water thrown up where waves break or rise fast, or where surf breaks on rocks or a beach; and by bursts."""
 
     threshold: float = Field(
         default=1.5,
         ge=0.0,
         le=20.0,
-        description="Minimum speed that throws drops, m/s: of the rising water on waves, of the drops "
+        description="Minimum speed that throws drops, m/s: of the rising water on single waves and surf, of the drops "
         "themselves on rocks",
     )
     speed: float = Field(
@@ -25,11 +42,26 @@ class Spray(Part):
         description="Initial speed of the drops: on waves relative to the speed of the rising water, on rocks "
         "to √(gH), H the height of the surf",
     )
+    crests: float = Field(
+        default=1.0,
+        ge=0.0,
+        le=4.0,
+        description="Spray from breaking crests of a sea: factor on the excess of its folds over the whitecaps' "
+        "threshold; 0: none",
+    )
+    spindrift: Share = Field(
+        default=0.5,
+        description="Fraction of a sea's drops that a gale tears from crests: none below a wind of 15 m/s, all of it "
+        "from 21 m/s on",
+    )
     steep: float = Field(
-        default=0.3, ge=0.0, le=2.0, description="Slope of the ground above which a coast is rock and throws spray"
+        default=0.3,
+        ge=0.0,
+        le=2.0,
+        description="Slope of the ground above which a coast is rock; without rocks surf throws spray where it breaks",
     )
     size: float = Field(
-        default=0.04, ge=0.002, le=0.3, description="Radius of a drop, m; each stands for a cluster of many"
+        default=0.04, ge=0.002, le=0.3, description="Scale of the drops, m; each stands for a cluster of many"
     )
     mist: float = Field(default=0.3, ge=0.0, le=1.0, description="Fraction of the drops that are puffs of mist")
     drag: float = Field(
@@ -49,3 +81,4 @@ class Spray(Part):
         le=1000.0,
         description="Maximum distance from the camera at which waves throw drops, m; rocks throw them at any distance",
     )
+    bursts: tuple[Burst, ...] = Field(default=(), max_length=BURSTS_MOST, description="Blasts under the water")

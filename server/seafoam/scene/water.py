@@ -73,7 +73,7 @@ class Water(Part):
     )
     roughness: float = Field(
         default=0.05,
-        ge=0.03,
+        ge=0.01,
         le=0.5,
         description="Root mean square slope of the surface detail below ripple scale; larger values widen the "
         "sun's glint",

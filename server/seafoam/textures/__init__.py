@@ -7,9 +7,9 @@ from seafoam.textures.foam import FoamTexture, foam_texture
 from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
 from seafoam.textures.masks import MaskTable, MaskTexture
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
-from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, shore_profiles
+from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel, shore_profiles
 from seafoam.textures.spec import TextureSpec, UnknownTextureError
-from seafoam.textures.spray import SprayRocks
+from seafoam.textures.spray import SprayRocks, SprayStrands
 from seafoam.textures.store import TextureData, spec_at, spec_of, texture, url_of
 
 __all__ = [
@@ -23,7 +23,9 @@ __all__ = [
     "SeaSpectrum",
     "ShoreFloor",
     "ShoreProfiles",
+    "ShoreTravel",
     "SprayRocks",
+    "SprayStrands",
     "TextureData",
     "TextureSpec",
     "UnknownTextureError",

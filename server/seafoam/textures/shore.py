@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from pydantic import Field, field_validator
 
 from seafoam.ocean.seabed import floor_grid
+from seafoam.ocean.travel import travel_grid
 from seafoam.scene.shore import Shore
 from seafoam.textures.spec import Image, TextureSpec
 
@@ -34,6 +35,24 @@ class ShoreFloor(TextureSpec):
     def image(self) -> Image:
         """Return :func:`seafoam.ocean.seabed.floor_grid`."""
         return Image("RG32F", (floor_grid(self.shore, self.texels).astype("<f4"),))
+
+
+class ShoreTravel(TextureSpec):
+    """Travel time of a swell over a shore's floor, RG32F (texels, texels): periods, and the share of its height."""
+
+    kind: ClassVar[str] = "shore-travel"
+
+    shore: Shore
+    texels: Side
+
+    @field_validator("shore")
+    @classmethod
+    def _approach_alone(cls, shore: Shore) -> Shore:
+        return shore.approach
+
+    def image(self) -> Image:
+        """Return :func:`seafoam.ocean.travel.travel_grid`."""
+        return Image("RG32F", (travel_grid(self.shore, self.texels).astype("<f4"),))
 
 
 class ShoreProfiles(TextureSpec):

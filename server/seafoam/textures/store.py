@@ -9,9 +9,9 @@ from seafoam.textures.foam import FoamTexture
 from seafoam.textures.front import FrontIntegral
 from seafoam.textures.masks import MaskTexture
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
-from seafoam.textures.shore import ShoreFloor, ShoreProfiles
+from seafoam.textures.shore import ShoreFloor, ShoreProfiles, ShoreTravel
 from seafoam.textures.spec import Format, TextureSpec, UnknownTextureError
-from seafoam.textures.spray import SprayRocks
+from seafoam.textures.spray import SprayRocks, SprayStrands
 
 PREFIX = "/api/textures/"
 """What an address begins with in a plan."""
@@ -26,7 +26,9 @@ _KINDS: dict[str, type[TextureSpec]] = {
         SeaSpectrum,
         ShoreFloor,
         ShoreProfiles,
+        ShoreTravel,
         SprayRocks,
+        SprayStrands,
     )
 }
 

@@ -161,7 +161,9 @@ void hit_sail(vec3 o, vec3 d, vec3 tack, vec3 head, vec3 clew, float roach, floa
     float square = dot(n, n);
     float u = dot(cross(at, foot), n) / square;
     float v = dot(cross(luff, at), n) / square;
-    if (t < least || t >= hit.t || u < 0.0 || v < 0.0 || u + v > 1.0 + 4.0 * roach * u * v) {
+    // The rounded leech ends where u or v is 1; far beyond, its product would hold again.
+    bool inside = min(u, v) >= 0.0 && max(u, v) <= 1.0 && u + v <= 1.0 + 4.0 * roach * u * v;
+    if (t < least || t >= hit.t || !inside) {
         return;
     }
     float share = v / max(1.0 - u, 0.05);

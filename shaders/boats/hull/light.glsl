@@ -21,6 +21,7 @@ vec3 boat_light(int i, vec3 o, vec3 d, float t, BoatHit hit) {
         if (trace_boats(from, u_sun_direction, 0.0, 1e4, false, far, other) >= 0) {
             lit = other.part == PART_SAIL ? 0.25 * lit : 0.0;
         }
+        lit *= open_sun(from, Footprint(vec2(0.0), vec2(0.0)));
     }
     // From below comes what water mirrors of the light above.
     vec3 bounced = 0.1 * (u_sky_irradiance + u_sun_irradiance * max(u_sun_direction.y, 0.0)) * (0.5 - 0.5 * n.y);

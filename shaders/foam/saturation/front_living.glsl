@@ -23,6 +23,7 @@ float front_saturation(vec2 p, float height, Footprint fp) {
     float psi = rho2 > 0.0 ? atan(signal.y, signal.x) : 0.0;
     // Foam lies on its water: where that rests, the waves went by.
     vec2 way = front_way(p);
+    float more = front_patch(p + way, fp);
     psi = wrap_phase(psi + dot(gradient, way));
     float since = psi < 0.0 ? psi + TAU : psi;
     // How strong the waves stood together when the last three fronts passed.
@@ -40,8 +41,8 @@ float front_saturation(vec2 p, float height, Footprint fp) {
     }
     // What the third leaves fades out before it is the fourth.
     float left = exp(-TAU / FRONT_LIFE);
-    float before = max(front_gate(length(second)), left * front_gate(length(third)) * (1.0 - smoothstep(0.5, 1.0, since / TAU)));
-    float here = max(front_gate(length(first)), left * before);
+    float before = max(front_gate(length(second) + more), left * front_gate(length(third) + more) * (1.0 - smoothstep(0.5, 1.0, since / TAU)));
+    float here = max(front_gate(length(first) + more), left * before);
     if (!FRONT_FILTERED) {
         return here * living_left(since);
     }
@@ -55,7 +56,7 @@ float front_saturation(vec2 p, float height, Footprint fp) {
         return here * living_left(since);
     }
     // Ahead of the front lies what those before it left; behind the next, what that one leaves now.
-    float next = max(front_gate(sqrt(rho2)), left * here);
+    float next = max(front_gate(sqrt(rho2) + more), left * here);
     float covered = here * (living_integral(min(high, 0.9999999 * TAU)) - living_integral(max(low, 0.0)))
         - before * living_integral(min(low, 0.0)) + next * (high > TAU ? living_integral(high) - FRONT_WHOLE : 0.0);
     return clamp(covered / width, 0.0, 1.0);

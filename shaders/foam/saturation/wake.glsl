@@ -1,5 +1,5 @@
-// Foam of boats: the churned band behind the stern, dying away in patches, and what the bow throws aside. f in [0, WAKE_CAP].
-uniform vec4 u_wake_foam[BOAT_COUNT]; // amount, way to 1/e (m), amount at the bow, 0
+// Foam of boats: the churned band behind the stern, dying away in patches, what the bow throws aside, and what lies along the hull. f in [0, WAKE_CAP].
+uniform vec4 u_wake_foam[BOAT_COUNT]; // amount, way to 1/e (m), amount at the bow, amount along the hull
 
 float wake_saturation(vec2 p, float height, Footprint fp) {
     float sum = 0.0;
@@ -31,7 +31,8 @@ float wake_saturation(vec2 p, float height, Footprint fp) {
         // A bell over a normal spread is a wider bell.
         float wider = 1.0 + 2.0 * across / (reach * reach);
         float thrown = torn_step(-0.01, 0.06, x, along) * exp(-min(off * off / wider + 1.3 * max(x, 0.0), 80.0)) * inversesqrt(wider);
-        sum += foam.x * band * age * (0.3 + 0.9 * patches) + foam.z * thrown * (0.3 + patches);
+        sum += foam.x * band * age * (0.3 + 0.9 * patches) + foam.z * thrown * (0.3 + patches)
+            + wake_contact(i, p, foam.w, patches, fp);
     }
     return min(sum, WAKE_CAP);
 }

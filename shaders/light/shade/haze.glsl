@@ -1,9 +1,7 @@
 // Haze: exponential extinction to the light of the horizon (Koschmieder 1924). docs/formulae.md, section 6.
-uniform float u_visibility; // where 2 % of the contrast is left, m
-
 // light: of what stands so far away, m; horizon: of the horizon behind it.
 vec3 hazed(vec3 light, vec3 horizon, float distance_to_eye) {
-    return mix(horizon, light, exp(-3.912 / u_visibility * distance_to_eye));
+    return mix(horizon, light, air_passed(distance_to_eye));
 }
 
 // Of exposed light from direction d.

@@ -6,7 +6,3 @@ uniform vec3 u_sky_irradiance; // on level water
 vec3 irradiance_past(vec3 n, float sun) {
     return u_sun_irradiance * (sun * max(dot(n, u_sun_direction), 0.0)) + u_sky_irradiance * (0.5 + 0.5 * n.y);
 }
-
-vec3 irradiance(vec3 n) {
-    return irradiance_past(n, 1.0);
-}

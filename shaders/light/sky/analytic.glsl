@@ -6,6 +6,12 @@ uniform vec3 u_air_mie;      // and of its haze, over its phase function's power
 uniform vec3 u_air_even;     // and of what was scattered more than once
 uniform vec3 u_air_depth;    // optical depth at the zenith
 uniform vec3 u_air_horizon;  // share of the whole air's light that the horizon has
+uniform float u_visibility;  // where 2 % of the contrast is left, m
+
+// Share of light that passes through so much air, m.
+float air_passed(float way) {
+    return exp(-3.912 / u_visibility * way);
+}
 
 // gamma: cosine of the angle from the sun.
 vec3 air_scattered(float gamma) {
@@ -23,7 +29,10 @@ vec3 horizon_light(vec3 d) {
     return air_scattered(dot(d.xz, u_sun_direction.xz) / max(length(d.xz), 1e-6)) * u_air_horizon;
 }
 
-// As water mirrors it. r: reflected direction, over the horizon.
-vec3 mirrored_sky(vec3 r) {
-    return sky_light(r);
+// As water mirrors it, by two looks that stand for those of slopes that no sample resolves (spread.z: their deviation up and down, rad).
+// r: the mean look, over the horizon.
+vec3 mirrored_sky(vec3 r, vec3 spread) {
+    float level = length(r.xz);
+    vec3 aside = 0.8 * min(spread.z, r.y) * vec3(-r.y * r.xz / max(level, 1e-6), level).xzy;
+    return 0.5 * (sky_light(normalize(r + aside)) + sky_light(normalize(r - aside)));
 }

@@ -5,10 +5,9 @@ void main() {
     vec3 ray = camera_ray(sample_place());
     vec3 d = normalize(ray);
     float hidden;
-    vec4 layer = clouds(d, SKY_EYE, hidden);
+    vec3 air = behind_clouds(clear_sky(d), d, SKY_EYE, hidden);
     float pixel = 2.0 * length(u_ray_y) / (u_viewport.y * length(ray));
     vec4 moon = moon_disc(d);
     vec3 beyond = sun_disc(d) + moon.rgb + star_light(d, pixel) * (1.0 - moon.a);
-    vec3 light = clear_sky(d) * (1.0 - layer.a) + layer.rgb + (1.0 - hidden) * beyond;
-    o_color = vec4(min(exposure() * light, BRIGHTEST), 0.0);
+    o_color = vec4(min(exposure() * (air + (1.0 - hidden) * beyond), BRIGHTEST), 0.0);
 }

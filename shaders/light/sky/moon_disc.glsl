@@ -1,4 +1,5 @@
 // The moon's face: a sphere of rough ground, lit from where the sun is, with seas of noise. docs/formulae.md, section 9.
+uniform vec3 u_moon_direction;
 uniform vec3 u_moon_right;       // the moon's own axes, unit vectors
 uniform vec3 u_moon_up;
 uniform float u_moon_radius;     // rad

@@ -14,7 +14,7 @@ def picture(value=0.5, coverage=0.0, size=(40, 60)):
 
 def test_the_same_picture_has_no_error():
     same = picture()
-    found = metrics.errors([same, same], same)
+    found = metrics.errors([same, same], same, "filmic")
     assert (found.rmse, found.max, found.flip, found.coverage, found.flipped) == (0.0, 0.0, 0.0, 0.0, 0.0)
     assert found.popping is None
 
@@ -43,11 +43,14 @@ def test_flipped_is_a_share_of_pixels():
     assert metrics.flipped(other, picture()) == pytest.approx(0.25)
 
 
-def test_flip_sees_what_is_displayed():
+@pytest.mark.parametrize("curve", [None, "filmic", "photographic"])
+def test_flip_sees_what_is_displayed(curve):
     noise = np.random.default_rng(1).random((40, 60, 4)).astype(np.float32)
-    small = metrics.flip(picture(0.21), picture(0.2))
-    assert 0.0 < small < metrics.flip(picture(0.5), picture(0.2)) < metrics.flip(picture(0.0), picture(9.0)) <= 1.0
-    assert metrics.flip(noise, picture()) > 0.1
+    small, middling, large = (
+        metrics.flip(picture(a), picture(b), curve) for a, b in ((0.21, 0.2), (0.5, 0.2), (0.0, 9.0))
+    )
+    assert 0.0 < small < middling < large <= 1.0
+    assert metrics.flip(noise, picture(), curve) > 0.1
 
 
 def test_popping_is_the_worst_loss_of_living_foam():

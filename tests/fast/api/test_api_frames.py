@@ -63,7 +63,7 @@ def test_the_format_changes_the_tag(client):
 
 def test_a_posted_frame_is_the_frame_of_the_same_preset(client):
     preset = load_preset("default")
-    body = {"scene": preset.scene.model_dump(mode="json"), "time": 3.0, **SMALL}
+    body = {"scene": preset.scene.model_dump(mode="json"), "preset": "default", "time": 3.0, **SMALL}
     posted = client.post("/api/frames", json=body)
     got = frame(client, time=3.0)
     assert posted.content == got.content

@@ -140,8 +140,8 @@ def test_quality_names_tiers_and_the_range_of_every_parameter(client):
 
 def test_the_manual_loads_nothing_from_elsewhere(client):
     page = client.get("/docs").text
-    addresses = re.findall(r"""(?:src=|href=|url: )["']([^"']+)""", page)
-    assert len(addresses) >= 4
+    addresses = re.findall(r"""(?:src=|href=|data-description=)["']([^"']+)""", page)
+    assert len(addresses) == 5
     for address in addresses:
         assert address.startswith("/"), address
         assert client.get(address).status_code == 200, address
@@ -163,6 +163,8 @@ def test_the_page_is_revalidated_and_its_hashed_files_are_kept(serve, tmp_path, 
         assert text.status_code == 200
         assert "make webclient" in text.text
         assert "make webclient" in client.get("/docs").text
+        for page in ("/learn", "/learn/laboratory"):
+            assert "make webclient" in client.get(page).text
         # Built while the server runs: the page is there at the next request.
         (tmp_path / "webclient" / "assets").mkdir(parents=True)
         (tmp_path / "webclient" / "index.html").write_text("<title>sea</title>")
@@ -170,6 +172,12 @@ def test_the_page_is_revalidated_and_its_hashed_files_are_kept(serve, tmp_path, 
         page = client.get("/")
         assert page.headers["Content-Type"].startswith("text/html")
         assert page.headers["Cache-Control"] == "public, no-cache"
+        (tmp_path / "webclient" / "learn").mkdir()
+        (tmp_path / "webclient" / "learn" / "index.html").write_text("<title>chapter</title>")
+        chapter = client.get("/learn")
+        assert chapter.url.path == "/learn/", "its links are relative"
+        assert chapter.text == "<title>chapter</title>"
+        assert chapter.headers["Cache-Control"] == "public, no-cache"
         script = client.get("/assets/index-abc.js")
         assert "immutable" in script.headers["Cache-Control"]
         assert client.get("/../conftest.py").status_code == 404

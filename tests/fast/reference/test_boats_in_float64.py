@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 
 from seafoam.effects.boats import boat as effect
+from seafoam.effects.foam.wake_foam import wake_limit
 from seafoam.ocean.wakes import Wake, wake_height, wake_slope
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference.boats import floating
 from seafoam.reference.boats import wake as wakes_of
+from seafoam.reference.boats.form import FORMS
 from seafoam.scene.boats import Boat
+from seafoam.scene.foam import Foam, WakeSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
 from support.fleet import BOATS, WAKES, around
@@ -70,7 +73,8 @@ def test_no_plan_blends_the_surface() -> None:
 
 def test_boats_bring_nothing_to_a_scene_without_them() -> None:
     plan = make_plan(load_preset("default").scene, TIERS["standard"]).canonical_json().decode()
-    assert "boat" not in plan
+    assert "u_boat" not in plan
+    assert "boats/hull/hull.glsl" not in plan
     assert "wake" not in plan
     assert "mirror_" not in plan
 
@@ -84,3 +88,28 @@ def test_the_pose_is_as_small_as_the_fleet() -> None:
     plan = make_plan(Scene(boats=BOATS), TIERS["standard"])
     assert plan.targets["boat_pose"].size.width == len(BOATS)  # type: ignore[union-attr]
     assert effect.EFFECT.parameters
+
+
+def test_white_water_lies_along_a_moving_hull_alone() -> None:
+    """Beside the drawn water line, at the bow densest, aft widest; none at rest, none a beam away; within its limit."""
+    boat = Boat(length=10.0, speed=4.0, heel=0.0, radius=200.0)
+    at = floating.course(boat, 0.0, (0.0, 0.0))
+    source = WakeSaturation(amount=0.0, bow=0.0, contact=1.0)
+    form = FORMS["sail"]
+    for ahead, low, high in ((0.35, 0.01, 0.05), (0.0, 0.02, 0.09), (-0.4, 0.03, 0.12)):
+        half = form.beam - form.fine * (ahead + 0.12) ** 2 - form.flare * form.widest**2
+        out = np.linspace(0.0, 0.4, 4001)
+        x = at.place[0] + 10.0 * (ahead * at.heading[0] - (half + out) * at.heading[1])
+        z = at.place[1] + 10.0 * (ahead * at.heading[1] + (half + out) * at.heading[0])
+        band = wakes_of.contact(boat, at, x, z, np.full_like(x, 0.5), None)
+        assert band[0] == band.max() > 0.2
+        assert low < float(np.interp(0.5, (1.0 - band / band[0]), out)) < high
+        assert (band[out > 0.15] == 0.0).all()
+    scene = Scene(boats=(boat,), foam=Foam(saturation=(source,)))
+    x, z = around(boat, 3, 40000)
+    assert (
+        0.1 < wakes_of.wake_set(scene, 0.0, (0.0, 0.0)).foam(source, x, z, 4.0, None).max() <= wake_limit(source, scene)
+    )
+    still = scene.model_copy(update={"boats": (boat.model_copy(update={"speed": 0.0}),)})
+    assert (wakes_of.wake_set(still, 0.0, (0.0, 0.0)).foam(source, x, z, 4.0, None) == 0.0).all()
+    assert wake_limit(source, still) == 0.0

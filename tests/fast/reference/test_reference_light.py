@@ -5,9 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from seafoam.reference.light import light
+from seafoam.reference.light import display, light
 from seafoam.reference.types import unit
 from seafoam.scene.light import Light
+from seafoam.scene.sky import Sky
 from seafoam.scene.water import Water
 
 ELEVATIONS = [-1.57, -0.05, 0.0, 0.01, 0.6, 1.5707]
@@ -77,11 +78,12 @@ def test_fresnel_is_the_mean_of_both_polarisations() -> None:
 
 def test_tone_rises_from_black_to_white() -> None:
     x = np.linspace(0.0, 40.0, 5000)
-    y = light.tone(x)
+    y = display.tone(x)
     assert y[0] == 0.0
     assert y[-1] == 1.0
     assert (np.diff(y) >= 0.0).all()
-    np.testing.assert_allclose(light.srgb(np.array([0.0, 0.0031308, 0.5, 1.0])), [0.0, 0.04045, 0.7354, 1.0], atol=1e-4)
+    shown = display.srgb(np.array([0.0, 0.0031308, 0.5, 1.0]))
+    np.testing.assert_allclose(shown, [0.0, 0.04045, 0.7354, 1.0], atol=1e-4)
 
 
 def test_disc_is_where_the_sun_is() -> None:
@@ -124,6 +126,17 @@ def test_haze_ends_in_the_sky_at_the_horizon() -> None:
     np.testing.assert_allclose(far[1:], air.sky(unit(d[1:] * [1.0, 0.0, 1.0])))
     seen = light.haze(air, 1000.0, np.zeros((100, 3)), d, np.full(100, 1000.0))
     np.testing.assert_allclose(seen / far, 0.98, atol=1e-3)
+
+
+def test_haze_before_a_low_sun_does_not_glow_at_ones_feet() -> None:
+    """A layered sky: at the horizon haze is the sky's light; under the sun, but steeply down, half of that at most."""
+    air = light.air(Light(sun_azimuth=0.0, sun_elevation=0.05, sky=Sky()))
+    y = np.array([0.0, -0.2, -0.5, -0.8])
+    d = np.stack((np.sqrt(1.0 - y * y), y, np.zeros(4)), axis=-1)
+    seen = light.haze(air, 1000.0, np.zeros((4, 3)), d, np.full(4, 1e9))
+    np.testing.assert_allclose(seen[0], air.sky(d[:1])[0], rtol=1e-12)
+    assert (np.diff(seen, axis=0) < 0.0).all()
+    assert (seen[2] < 0.5 * seen[0]).all()
 
 
 def milky(aeration: float, f: float, depth: float | None = None, plume: float = 1.5) -> np.ndarray:

@@ -44,6 +44,18 @@ def test_a_png_holds_the_picture_and_nothing_else() -> None:
     assert Image.open(io.BytesIO(content)).info == {}
 
 
+def test_a_recipe_is_beside_the_picture() -> None:
+    pixels, recipe = drawn(5, 6), '{"name":"Mörk – λ"}'
+    content = encode(pixels, "png", recipe)
+    read = Image.open(io.BytesIO(content))
+    assert read.text == {"seafoam": recipe}
+    np.testing.assert_array_equal(np.asarray(read), pixels[..., :3])
+    bare = encode(pixels, "png")
+    # Signature and IHDR, the chunk, the rest.
+    assert (content[:33], content[-(len(bare) - 33) :]) == (bare[:33], bare[33:])
+    assert encode(pixels, "webp", recipe) == encode(pixels, "webp")
+
+
 @pytest.mark.parametrize(
     ("shape", "type", "format"),
     [((4, 4, 3), np.uint8, "png"), ((4, 4, 4), np.float32, "png"), ((4, 4), np.uint8, "png")],

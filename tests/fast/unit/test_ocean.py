@@ -4,13 +4,14 @@ Each is held to an integral, a limit or a published value, so that an error that
 """
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from seafoam.ocean import stokes
-from seafoam.ocean.cascades import cascades
+from seafoam.ocean.cascades import cascades, slope_heading
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import wavenumber
 from seafoam.ocean.refraction import refracted_cosine
@@ -19,12 +20,15 @@ from seafoam.ocean.ripples import SURFACE_TENSION, ripple_cascades
 from seafoam.ocean.rocks import rocks
 from seafoam.ocean.seabed import floor_grid, smoothstep
 from seafoam.ocean.spectrum import frequency_spectrum, peak_frequency
+from seafoam.ocean.spray import CELLS, SEA_TEXELS, cell_sides, crest_strength, crest_velocity, fold_limits, torn_share
 from seafoam.ocean.wakes import wakes
-from seafoam.ocean.whitecaps import whitecaps
+from seafoam.ocean.whitecaps import whitecap_model, whitecaps
 from seafoam.scene.boats import Boat
+from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
+from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
 
@@ -54,6 +58,19 @@ def test_the_spectrum_has_the_integral_of_jonswap(wind: float, fetch: float) -> 
 def test_tiles_of_a_sea_have_the_variance_of_its_spectrum(wind: float, fetch: float) -> None:
     tiles = cascades(Sea(wind=wind, fetch=fetch), None)
     assert sum(tile.variance for tile in tiles) == pytest.approx(variance(wind, fetch), rel=1e-3)
+
+
+@pytest.mark.parametrize("spread", [0.0, 1.0, 6.0, 30.0])
+def test_slopes_of_a_sea_lie_along_its_wind(spread: float) -> None:
+    """Over cos^2s(θ/2) the mean of cos 2θ, the second Fourier coefficient, is s(s − 1)/((s + 1)(s + 2))."""
+    sea = Sea(wind=9.0, fetch=5e4, spread=spread, against=1.0, wind_direction=0.7)
+    mean = spread * (spread - 1.0) / ((spread + 1.0) * (spread + 2.0))
+    want = (mean * math.cos(1.4), mean * math.sin(1.4))
+    assert slope_heading(cascades(sea, None)) == pytest.approx(want, abs=0.01)
+
+
+def test_no_waves_lie_along_no_wind() -> None:
+    assert slope_heading(cascades(Sea(wind=0.0), None)) == (0.0, 0.0)
 
 
 def test_wavenumbers_have_the_limits_of_deep_and_shallow_water() -> None:
@@ -136,3 +153,28 @@ def test_rocks_of_spray_lie_on_the_coast() -> None:
     # Each place has land and water within a texel.
     assert (np.max(near, axis=0) >= 0.0).all()
     assert (np.min(near, axis=0) < 0.0).all()
+
+
+def test_spray_of_open_water_follows_wind_and_whitecaps() -> None:
+    sides = cell_sides(Spray(reach=80.0))
+    assert all(b == 2.0 * a for a, b in pairwise(sides))
+    # A grid is three times as wide as the distance at which it has its full share, half of the reach for the last.
+    assert sides[-1] * CELLS == pytest.approx(3.0 * 40.0)
+    sea = Sea(wind=20.0, fetch=1e7, wind_direction=0.5)
+    x, z = crest_velocity(sea)
+    # A fully developed sea (Pierson and Moskowitz 1964): its peak runs at the wind's speed over 0.855.
+    assert math.hypot(x, z) == pytest.approx(0.5 * 20.0 / 0.855)
+    assert math.atan2(z, x) == pytest.approx(0.5)
+    assert crest_velocity(Sea(wind=0.0)) == (0.0, 0.0)
+    shares = [torn_share(Sea(wind=wind), Spray(spindrift=0.6)) for wind in (15.0, 18.0, 21.0)]
+    assert shares == pytest.approx([0.0, 0.3, 0.6])
+    strengths = [crest_strength(Sea(wind=wind)) for wind in (6.0, 13.0, 20.0)]
+    assert strengths == pytest.approx([0.0, 0.5, 1.0])
+    limits, twice = (fold_limits(sea, Spray(crests=rate), None) for rate in (1.0, 2.0))
+    assert limits is not None
+    assert twice is not None
+    assert twice == pytest.approx((limits[0], 0.5 * limits[1]))
+    model = whitecap_model(sea, WhitecapSaturation(), None, 0, 0.0, SEA_TEXELS)
+    assert model is not None
+    assert limits == model.now
+    assert fold_limits(sea, Spray(crests=0.0), None) is None

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency, wavenumber, wavevector
-from seafoam.ocean.ripples import TILES, WAVES_PER_TILE, ripple_cascades
+from seafoam.ocean.ripples import TILES, TURN, WAVES_PER_TILE, ripple_cascades, tiles
 from seafoam.scene.base import non_defaults
 from seafoam.scene.foam import Foam, HeightSaturation, SlopeSaturation
 from seafoam.scene.light import Light
@@ -100,9 +100,11 @@ def test_waves_keep_their_frequency_over_a_floor() -> None:
 def test_ripples_tile_and_have_the_slope_asked_for() -> None:
     ripples = Ripples(slope=0.2, seed=9)
     cascades = ripple_cascades(ripples)
-    assert [len(waves) for waves in cascades] == [WAVES_PER_TILE] * len(TILES)
-    for tile, waves in zip(TILES, cascades, strict=True):
-        numbers = [(w.kx * tile / (2 * math.pi), w.kz * tile / (2 * math.pi)) for w in waves]
+    assert [len(waves) for waves in cascades] == [WAVES_PER_TILE] * 2 * len(TILES)
+    for i, waves in enumerate(cascades):
+        tile, (c, s) = TILES[i % 2], (1.0, 0.0) if i < len(TILES) else TURN
+        turned = [(c * w.kx + s * w.kz, c * w.kz - s * w.kx) for w in waves]
+        numbers = [(kx * tile / (2 * math.pi), kz * tile / (2 * math.pi)) for kx, kz in turned]
         assert all(abs(a - round(a)) < 1e-9 and abs(b - round(b)) < 1e-9 for a, b in numbers)
         assert len({(round(a), round(b)) for a, b in numbers}) == WAVES_PER_TILE
     assert math.isclose(sum(0.5 * w.slope**2 for waves in cascades for w in waves), 0.2**2)
@@ -111,6 +113,19 @@ def test_ripples_tile_and_have_the_slope_asked_for() -> None:
         == ripple_cascades(Ripples(slope=0.2, seed=9))
         != ripple_cascades(Ripples(slope=0.2, seed=10))
     )
+
+
+def test_ripples_do_not_repeat_with_their_tiles() -> None:
+    """Slopes a tile apart along an axis are about half alike; where ripples must repeat or run one way, the same."""
+    x, z = np.random.default_rng(3).uniform(-50.0, 50.0, (2, 4000))
+    for spread, repeats, least, most in ((1.0, False, -0.2, 0.6), (1.0, True, 0.999, 1.0), (0.1, False, 0.999, 1.0)):
+        waves = ripple_cascades(Ripples(slope=0.2, spread=spread), repeats)
+        tile = tiles(repeats)[1]
+        short = [w for cascade in waves[1::2] for w in cascade]
+        along = [
+            sum(-w.slope * w.kx / w.k * np.cos(w.phase - w.kx * at - w.kz * z) for w in short) for at in (x, x + tile)
+        ]
+        assert least <= float(np.corrcoef(*along)[0, 1]) <= most
 
 
 def test_ripples_measured_on_a_tile() -> None:
@@ -122,7 +137,7 @@ def test_ripples_measured_on_a_tile() -> None:
     sz = sum(s * w.kz for s, w in zip(slopes, waves, strict=True))
     opposite = {(-round(w.kx, 6), -round(w.kz, 6)) for w in waves} & {(round(w.kx, 6), round(w.kz, 6)) for w in waves}
     assert not opposite
-    assert math.isclose(float(np.mean(sx**2 + sz**2)), 0.2**2 / 2, rel_tol=1e-6)
+    assert math.isclose(float(np.mean(sx**2 + sz**2)), 0.2**2 / 4, rel_tol=1e-6)
 
 
 @pytest.mark.parametrize("name", preset_names())

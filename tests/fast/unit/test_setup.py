@@ -134,7 +134,8 @@ def test_nothing_else_is_taken_for_still(preset: str) -> None:
     """By name: a pass that became still by mistake would freeze what it draws."""
     plan = make_plan(load_preset(preset).scene, STANDARD)
     still = {one.name for one in plan.passes if one.when == "setup"}
-    assert all(name.startswith(("shore: ", "mask: ", "wakes, ")) or name in FLOWING for name in still), still
+    known = ("shore: ", "mask: ", "wakes, ", "standing waves, ")
+    assert all(name.startswith(known) or name in FLOWING for name in still), still
 
 
 def test_plans_share_what_hangs_on_the_same() -> None:

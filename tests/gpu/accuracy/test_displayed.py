@@ -1,18 +1,23 @@
 """Linear light, displayed, is what the executor sends to a screen."""
 
 import numpy as np
+import pytest
 
 from seafoam.accuracy import metrics
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.light import ToneCurve
+from seafoam.scene.presets import load_preset
 
 
-def test_displayed_pictures_are_what_the_screen_gets(executor):
-    from seafoam.planner import make_plan
-    from seafoam.quality import TIERS
-    from seafoam.scene.presets import load_preset
-
-    found = load_preset("default")
-    plan = make_plan(found.scene, TIERS["draft"])
-    shape = {"time": 0.0, "camera": found.scene.camera, "width": 32, "height": 18}
+@pytest.mark.parametrize("curve", ["filmic", "photographic"])
+def test_displayed_pictures_are_what_the_screen_gets(executor: Executor, curve: ToneCurve) -> None:
+    scene = load_preset("default").scene
+    assert scene.light is not None
+    light = scene.light.model_copy(update={"tone": curve, "glare": 0.0})
+    plan = make_plan(scene.model_copy(update={"light": light}), TIERS["draft"])
+    shape = {"time": 0.0, "camera": scene.camera, "width": 32, "height": 18}
     linear = executor.render(plan, output="linear", **shape).pixels
     screen = executor.render(plan, output="rgba8", **shape).pixels
-    assert np.abs(255.0 * metrics.displayed(linear) - screen[..., :3]).max() < 0.6
+    assert np.abs(255.0 * metrics.displayed(linear, curve) - screen[..., :3]).max() < 0.6

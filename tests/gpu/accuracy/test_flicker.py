@@ -4,6 +4,7 @@ import numpy as np
 from bench.motion import MOST, moved
 from numpy.typing import NDArray
 
+from seafoam.accuracy.metrics import tone_curve
 from seafoam.accuracy.motion import excess, shown
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -19,12 +20,13 @@ Frames = list[NDArray[np.float64]]
 def clip(executor: Executor, scene: Scene, time: float, samples: int) -> tuple[Frames, Frames]:
     """Foam and luma of a fifth of a second at 60 Hz, the camera 0.3 m/s forward."""
     plan = make_plan(scene, TIERS["standard"].model_copy(update={"samples": samples}))
+    curve = tone_curve(scene)
     foams, pictures = [], []
     for i in range(12):
         camera = moved(scene.camera, 0.3 * i / 60.0)
         frame = draw(executor, plan, camera, time=time + i / 60.0, size=(128, 72), output="linear")
         foams.append(frame[..., 3].astype(np.float64))
-        pictures.append(shown(frame))
+        pictures.append(shown(frame, curve))
     return foams, pictures
 
 

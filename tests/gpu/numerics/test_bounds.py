@@ -15,6 +15,7 @@ from seafoam.planner.glsl import read_file
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.boats import Boat
+from seafoam.scene.current import Current, Stone
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
@@ -48,7 +49,7 @@ void main() {{
     float away = 0.02;
     for (int j = 0; j < 7; ++j) {{
         for (int i = 0; i < 8; ++i) {{
-            float angle = 0.785398 * float(i) + 0.1 * float(j);
+            float angle = {angle};
             vec2 s = away * vec2(cos(angle), sin(angle));
             vec3 there = waves(p + s);
             float line = here.x + dot(here.yz, s);
@@ -102,7 +103,10 @@ def probing(plan: FramePlan, span: float) -> FramePlan:
     """The plan with its pass of starts drawing what breaks a bound instead: over, steeper, risen (m), bend (1/m)."""
     told = any("waves/sea/short.glsl" in effect.files for effect in plan.effects)
     few, fewest = ("sea_short", "short_bounds()") if told else ("vec3(0.0)", "vec3(0.0)")
-    main = _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest)
+    # What bounds of standing waves are told for is the ray's own way, not those to its sides.
+    stand = any(effect.name == "standing waves" for effect in plan.effects)
+    angle = "atan(p.y, p.x)" if stand else "0.785398 * float(i) + 0.1 * float(j)"
+    main = _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest, angle=angle)
     return instead(plan, (read_file("waves/sea/short_bounds.glsl") if told else "") + main)
 
 
@@ -123,12 +127,14 @@ def instead(plan: FramePlan, main: str) -> FramePlan:
 
 
 def scenes() -> dict[str, Scene]:
-    """Every preset whose surface is not level, and boats of other speeds than theirs."""
+    """Every preset whose surface is not level, boats of other speeds than theirs, and stones."""
     found = {name: load_preset(name).scene for name in preset_names()}
     for speed, radius in ((2.0, 20.0), (5.0, 30.0), (9.0, 80.0)):
         found[f"a boat at {speed:g} m/s"] = Scene(
             boats=(Boat(centre=(0.0, 0.0), radius=radius, speed=speed, wake=0.4),)
         )
+    stones = (Stone(place=(5.0, 2.0), radius=0.4, waves=1.0), Stone(place=(-3.0, 1.0), radius=2.0, waves=1.0))
+    found["stones in a current"] = Scene(current=Current(speed=2.5, direction=2.5, stones=stones))
     return {name: scene for name, scene in found.items() if make_plan(scene, TIERS["standard"]).top > 0.0}
 
 

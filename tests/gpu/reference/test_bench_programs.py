@@ -34,8 +34,10 @@ def test_programs_by_hand_draw_what_the_plan_draws(executor: Executor, case: ByH
 def test_the_program_with_every_effect_draws_what_the_plan_draws(executor: Executor, name: str) -> None:
     scene = load_preset(name).scene
     assert scene.foam is not None
-    # What becomes of foam is none of the paper's effects.
-    scene = scene.model_copy(update={"foam": scene.foam.lying_still()})
+    # What becomes of foam, light in it, clouds and glare are none of the paper's effects.
+    foam = scene.foam.lying_still().model_copy(update={"scattering": None})
+    light = scene.light and scene.light.model_copy(update={"sky": None, "glare": 0.0})
+    scene = scene.model_copy(update={"foam": foam, "light": light})
     same_picture(executor, uber_plan(scene, QUALITY), make_plan(scene, QUALITY), scene.camera)
 
 
@@ -48,7 +50,7 @@ def test_pixels_of_water_are_counted(executor: Executor) -> None:
 
 @pytest.mark.parametrize("name", ["default", "beach"])
 def test_evaluations_of_waves_are_counted(executor: Executor, name: str) -> None:
-    """A pixel of water takes at least one, and a better one takes more."""
+    """A pixel of water takes at least one, and better tiers take more where most are taken."""
     scene = load_preset(name).scene
     found = [
         steps(executor, make_plan(scene, TIERS[tier]), time=2.7, camera=scene.camera, size=(64, 36))
@@ -56,7 +58,7 @@ def test_evaluations_of_waves_are_counted(executor: Executor, name: str) -> None
     ]
     assert 0.1 < found[0].water < 1.0
     assert 1.0 <= found[0].mean < found[0].most
-    assert found[0].mean < found[1].mean
+    assert found[0].most < found[1].most
 
 
 def test_every_pass_of_a_frame_is_timed(executor: Executor) -> None:

@@ -140,11 +140,13 @@ def test_boats_float_as_in_float64(executor: Executor, report: Report, sea: str,
 
 
 def rays(seed: int, count: int) -> tuple[NDArray[np.float64], NDArray[np.float32]]:
-    """A place round a boat, as near as every ray is brought first, and directions past it."""
+    """A place round a boat, as near as every ray is brought first, and directions to it and past it."""
     rng = np.random.default_rng(seed)
     angle, height, far = rng.uniform(0.0, 2.0 * math.pi), rng.uniform(-0.3, 1.2), rng.uniform(0.7, 0.9)
     eye = np.array([far * math.cos(angle), height, far * math.sin(angle)])
     toward = rng.uniform((-0.5, -0.1, -0.2), (0.5, 1.1, 0.2), (count, 3))
+    # Some pass far from it, where nothing is.
+    toward[: count // 8] = rng.uniform(-4.0, 4.0, (count // 8, 3))
     d = toward - eye
     return np.float64(np.float32(eye)), (d / np.linalg.norm(d, axis=1)[:, None]).astype(np.float32)
 

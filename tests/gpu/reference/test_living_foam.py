@@ -13,6 +13,7 @@ from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.reference.foam import living
 from seafoam.reference.foam.front import History, living_front
+from seafoam.reference.foam.patches import FrontPatches
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.waves.parametric import wave_set
@@ -45,10 +46,23 @@ def places(count: int, side: float = 4000.0) -> NDArray[np.float64]:
     return np.random.default_rng(3).uniform(0.0, side, (2, count))
 
 
-@pytest.mark.parametrize("name", ["default", "storm", "swell", "shallows", "beach"])
-def test_frames_are_the_float64_truth(executor: Executor, report: Report, name: str) -> None:
+def patchy(scene: Scene, variation: float, size: float) -> Scene:
+    """The scene with fronts that foam in patches."""
+    assert scene.foam is not None
+    update = {"variation": variation, "variation_size": size}
+    sources = tuple(
+        one.model_copy(update=update) if isinstance(one, FrontSaturation) else one for one in scene.foam.saturation
+    )
+    return scene.model_copy(update={"foam": scene.foam.model_copy(update={"saturation": sources})})
+
+
+@pytest.mark.parametrize(
+    ("name", "variation"),
+    [("default", 0.0), ("default", 0.2), ("storm", 0.0), ("swell", 0.0), ("shallows", 0.0), ("beach", 0.0)],
+)
+def test_frames_are_the_float64_truth(executor: Executor, report: Report, name: str, variation: float) -> None:
     """Foam amounts of a preset that has all of it, with the same samples."""
-    scene = load_preset(name).scene
+    scene = patchy(load_preset(name).scene, variation, 20.0)
     assert scene.foam is not None
     assert scene.foam.life is not None
     life = scene.foam.life.model_copy(update={"windrows": 0.8})
@@ -59,6 +73,7 @@ def test_frames_are_the_float64_truth(executor: Executor, report: Report, name: 
     report.add(
         "Living foam against float64, one sample a pixel",
         preset=name,
+        variation=f"{variation:g}",
         foam=f"{want.alpha.mean():.4f}",
         rmse=f"{np.sqrt((off**2).mean()):.5f}",
         bias=f"{off.mean():+.5f}",
@@ -66,6 +81,28 @@ def test_frames_are_the_float64_truth(executor: Executor, report: Report, name: 
     # Single samples on far crests meet another wave.
     assert np.sqrt((off**2).mean()) < 0.01
     assert abs(off.mean()) < 2e-4
+
+
+def test_patches_break_up_the_lattice_of_two_waves() -> None:
+    """Two waves and their foam repeat every 20 m along x; with patches they do not, and there is about as much foam."""
+    waves = tuple(
+        ParametricWave(amplitude=0.4, wavelength=10.0, direction=turn, exponent=1.0)
+        for turn in (math.pi / 3, -math.pi / 3)
+    )
+    source = FrontSaturation(intensity=7.0, group=(0.4, 0.9), decay=3.0)
+    scene = Scene(waves=waves, foam=Foam(saturation=(source,), look="filtered"))
+    x, z = np.random.default_rng(5).uniform(-300.0, 300.0, (2, 4000))
+
+    def foam(variation: float, shift: float) -> Any:
+        one = source.model_copy(update={"variation": variation, "variation_size": 25.0})
+        patches = FrontPatches(one, 3.0, (0.0, 0.0), (0.0, 0.0)) if variation else None
+        set_of = wave_set(scene, 3.0, (0.0, 0.0))
+        return living_front(one, 3.0, set_of, x + shift, z, None, np.ones_like(x), History((0.0, 0.0), False, patches))
+
+    even, uneven = ([foam(variation, shift) for shift in (0.0, 20.0)] for variation in (0.0, 0.2))
+    assert np.corrcoef(*even)[0, 1] > 0.999
+    assert np.corrcoef(*uneven)[0, 1] < 0.8
+    assert uneven[0].mean() == pytest.approx(even[0].mean(), rel=0.25)
 
 
 def test_foam_drifts_as_a_whole_on_still_water(executor: Executor) -> None:

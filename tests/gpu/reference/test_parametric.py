@@ -117,7 +117,7 @@ def test_ripples_equal_float64_at_any_time_and_place(
     want = np.column_stack(ripple_set(scene.water.ripples, time, origin).gradient(x, z))
     slope, normal = float(np.abs(got - want).max()), between(got, want)
     report.add(
-        "Ripples against float64, 28 ripples, 10 000 places",
+        "Ripples against float64, 56 ripples, 10 000 places",
         time=f"{time:g} s",
         origin=f"{origin[0]:g} m",
         slope=f"{1e6 * slope:.0f} millionths of {np.abs(want).max():.2f} (bound 300)",

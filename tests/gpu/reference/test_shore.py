@@ -5,6 +5,7 @@ shaders: they are part of the model. Its distances are SciPy's exact ones.
 """
 
 import hashlib
+import itertools
 import math
 from collections.abc import Iterator
 
@@ -36,21 +37,21 @@ SIDE = 100
 """Points along each side of a probe: 10,000 in all."""
 
 
-def patched(plan: FramePlan, main: str) -> FramePlan:
-    """The plan with another main function in its surface's shader."""
-    program = plan.programs["surface"]
+def patched(plan: FramePlan, main: str, name: str = "surface") -> FramePlan:
+    """The plan with another main function in its surface's shader, or with that of another program in its place."""
+    program = plan.programs[name]
     old = program.fragment.text
     assert old.count("void main()") == 1
     text = old.replace("void main()", "void drawn_main()") + main
     fragment = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
     # All over the target, not under the horizon alone.
     programs = {**plan.programs, "surface": Program(vertex=WHOLE, fragment=fragment)}
-    kept = tuple(one for one in plan.passes if one.program != "sky")
+    kept = tuple(one for one in plan.passes if one.program not in ("sky", "land"))
     return plan.model_copy(update={"programs": programs, "passes": kept})
 
 
 def probe(
-    executor: Executor, scene: Scene, body: str, time: float = 0.0, quality: Quality = EXACT
+    executor: Executor, scene: Scene, body: str, time: float = 0.0, quality: Quality = EXACT, name: str = "surface"
 ) -> NDArray[np.float64]:
     """(10,000, 4): what ``body`` (reads ``vec2 p``, m from the eye; sets o_color) gives all over the square."""
     assert scene.shore is not None
@@ -61,7 +62,7 @@ void main() {{
     {body}
 }}
 """
-    plan = patched(make_plan(scene, quality), main)
+    plan = patched(make_plan(scene, quality), main, name)
     camera = scene.camera
     pixels = draw(executor, plan, camera, time=time, size=(SIDE, SIDE), output="samples")
     return pixels.reshape(-1, 4).astype(np.float64)
@@ -84,6 +85,11 @@ def drawn(executor: Executor, plan: FramePlan, target: str, time: float = 0.0) -
     # In every frame, so that nothing is kept and each target can be read.
     passes = tuple(one.model_copy(update={"when": "frame"}) for one in plan.passes)
     return draw_target(executor, plan.model_copy(update={"passes": passes, "kept": {}}), target, time)
+
+
+def _formed(kind: str, refraction: bool) -> Shore:
+    surf = SHORE.surf.model_copy(update={"refraction": refraction})
+    return SHORE.model_copy(update={"kind": kind, "radius": 120.0 if kind == "lagoon" else 60.0, "surf": surf})
 
 
 def coastlines() -> Iterator[tuple[str, NDArray[np.bool_]]]:
@@ -150,15 +156,17 @@ def sharpened(heights: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("time", [0.0, 12.5, 3600.0, 1e9])
-def test_the_map_is_the_references(executor: Executor, report: Report, kind: str, time: float) -> None:
-    shore = SHORE.model_copy(update={"kind": kind, "radius": 120.0 if kind == "lagoon" else 60.0})
+@pytest.mark.parametrize(("time", "refraction"), [(0.0, False), (12.5, False), (3600.0, True), (1e9, False)])
+def test_the_map_is_the_references(
+    executor: Executor, report: Report, kind: str, time: float, refraction: bool
+) -> None:
+    shore = _formed(kind, refraction)
     got = drawn(executor, make_plan(Scene(shore=shore), EXACT), "shore_map", time)
     want = maps.shore_map(shore, time)
     away = np.abs(got - want)
     report.add(
         "Map of a shore against float64: worst texel (periods, m, skew, share), and share of texels off by 0.001",
-        kind=kind,
+        kind=kind + (", refracted" if refraction else ""),
         time=f"{time:g} s",
         worst=" ".join(f"{value:.1e}" for value in away.max(axis=(0, 1))),
         off=f"{100 * float((away > 1e-3).any(axis=-1).mean()):.3f} %",
@@ -197,9 +205,8 @@ def test_heights_and_slopes_at_ten_thousand_points(
 
 def test_no_wave_passes_its_bounds(executor: Executor) -> None:
     """The march relies on them; the mask is at its highest somewhere, some time."""
-    for kind in KINDS:
-        radius = 120.0 if kind == "lagoon" else 60.0
-        scene = Scene(shore=SHORE.model_copy(update={"kind": kind, "radius": radius}))
+    for kind, refraction in itertools.product(KINDS, (False, True)):
+        scene = Scene(shore=_formed(kind, refraction))
         uniforms = make_plan(scene, EXACT).uniforms
         top, steepest, _ = uniforms["u_surface_bounds"].rules[0].value  # type: ignore[union-attr]
         for time in (0.0, 2.1, 5.3, 40.0):
@@ -283,9 +290,7 @@ def test_ground_and_the_way_through_the_water(executor: Executor, report: Report
         paths[steps] = np.abs(probe(executor, SEA, body, quality=quality)[:, 0] - way)
     fp = "Footprint(vec2(0.02), vec2(0.02))"
     body = look + "floor_path(shore_place(p), 0.3, d, n, there);"
-    colour = probe(
-        executor, SEA, body + f"o_color = vec4(ground_albedo(shore_floor(there), shore_grain(there, {fp})), 0.0);"
-    )
+    colour = probe(executor, SEA, body + f"o_color = vec4(floor_albedo(there, shore_floor(there), {fp}), 0.0);")
     tint = np.abs(colour[:, :3] - albedo).max(axis=1)
     report.add(
         "Way of the light and colour of the floor against float64",

@@ -1,29 +1,39 @@
 """Spray against its closed form, and what it is born from and ends on (docs/formulae.md, section 13)."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.spray.spray import contribute, fastest_rise
-from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.effects.spray.births import fastest_rise
+from seafoam.effects.spray.spray import contribute
 from seafoam.ocean.rocks import ROCKS, rocks
+from seafoam.ocean.spray import fold_limits
 from seafoam.planner import make_plan
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, Quality
+from seafoam.reference.renderer.camera import view
 from seafoam.reference.renderer.relief import Relief
 from seafoam.reference.shore.shore import Coast
+from seafoam.reference.spray import births as throwing
+from seafoam.reference.spray import drop
+from seafoam.reference.spray import rocks as at_rocks
 from seafoam.reference.spray import spray as flying
 from seafoam.reference.waves.parametric import wave_set
+from seafoam.reference.waves.rings import ring_set
+from seafoam.reference.waves.sea import sea_surface
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
+from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
-from seafoam.scene.spray import DROPS, Spray
-from seafoam.scene.waves import ParametricWave
+from seafoam.scene.spray import DROPS, Burst, Spray
+from seafoam.scene.waves import ParametricWave, Sea
 from support.exact import UNFILTERED
-from support.pictures import draw
+from support.pictures import draw, draw_target
 from support.probe import Probe
 from support.report import Report
 
@@ -94,73 +104,210 @@ def test_the_closed_form_solves_the_equation_of_motion() -> None:
     assert np.abs(place - flown(values, 9.81)).max() <= 1e-8
 
 
-@pytest.mark.parametrize(("time", "place"), [(3.0, (0.0, 0.0)), (1e9, (1e7, -1e7))])
-def test_births_on_waves_equal_their_float64_form(
-    probe: Probe, report: Report, time: float, place: tuple[float, float]
+STORM = Scene(
+    sea=Sea(wind=22.0, fetch=250000.0, wind_direction=1.45, seed=9),
+    spray=Spray(reach=300.0, wind=14.0, wind_direction=1.45, life=3.0),
+    light=Light(),
+    camera=Camera(position=(120.0, 18.0, -40.0), yaw=-0.25, pitch=-0.13),
+)
+CHOP = Scene(
+    sea=Sea(model="gerstner", wind=9.0, fetch=20000.0),
+    waves=WAVES[1:],
+    rings=(Ring(place=(3.0, -12.0), birth=-6.0, amplitude=0.4),),
+    spray=Spray(reach=40.0, threshold=0.6),
+)
+
+
+def births(executor: Executor, scene: Scene, time: float, quality: Quality = UNFILTERED) -> NDArray[np.float64]:
+    """The GPU's table of drops: birth and age, velocity and radius, strength, kind, seed and life; (3, n, 4)."""
+    drawn = draw_target(executor, make_plan(scene, quality), "spray_births", time, scene.camera)
+    return drawn.reshape(3, -1, 4).astype(np.float64)
+
+
+BEACH = Scene(
+    shore=Shore(size=200.0, depth=6.0, slope=0.08, surf=Surf(height=1.4, period=7.0)),
+    sea=Sea(wind=6.0, fetch=8000.0),
+    waves=WAVES[1:],
+    spray=Spray(threshold=0.6, reach=80.0, life=2.0),
+    camera=Camera(position=(0.0, 4.0, 30.0), pitch=-0.1),
+)
+
+
+def surface(scene: Scene, time: float, x: NDArray[np.float64], z: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The drawn surface's height in float64, m, at places from the camera."""
+    origin = (scene.camera.position[0], scene.camera.position[2])
+    total = np.zeros_like(x)
+    sea = sea_surface(scene, time, origin)
+    if sea is not None:
+        total += sea.height(x, z)
+    if scene.waves:
+        total += wave_set(scene, time, origin).height(x, z)
+    total += ring_set(scene, time, origin).height(x, z)
+    if scene.shore is None:
+        return total
+    parts = (wave_set(scene, time, origin), *(() if sea is None else (sea,)))
+    return Coast(scene.shore, time, origin, Relief(parts)).height(x, z)
+
+
+@pytest.mark.parametrize(
+    ("name", "scene", "time"),
+    [
+        ("storm by FFT", STORM, 52.0),
+        ("storm, after ten days, 10 000 km away", STORM, 1e6),
+        ("Gerstner sea, single waves and a ring", CHOP, 3.0),
+        ("single waves", SCENE, 40.0),
+        ("surf on a beach, sea and single waves", BEACH, 11.0),
+    ],
+)
+def test_drops_start_on_the_drawn_surface(
+    executor: Executor, report: Report, name: str, scene: Scene, time: float
 ) -> None:
-    camera = Camera(position=(place[0], 5.0, place[1]))
-    plan = make_plan(SCENE, UNFILTERED)
-    state = FrameState(time, camera, 16, 9, 16, 9, 0)
-    assert SCENE.spray is not None
-    want = flying.from_waves(SCENE.spray, SCENE, wave_set(SCENE, time, place), time, place)
-    call = "vec3 b; vec3 v; float age; uint word; bool born = spray_born(int(x.x), b, v, age, word);"
-    got = [
-        probe(
-            [
-                "lib/numbers.glsl",
-                "waves/parametric.glsl",
-                "lib/noise/hash.glsl",
-                "spray/flight.glsl",
-                "spray/waves.glsl",
-            ],
-            f"{call} y = vec4({part}, born ? 1.0 : 0.0);",
-            np.arange(DROPS)[:, None],
-            consts={
-                "PARAMETRIC_COUNT": 2,
-                "PARAMETRIC_KIND": (4, 0),
-                "PARAMETRIC_ALIKE": False,
-                "PARAMETRIC_SIGNAL": False,
-                "PARAMETRIC_CARRIES": False,
-                "SURFACE_FILTER": False,
-            },
-            uniforms={
-                name: evaluate(uniform, state)
-                for name, uniform in plan.uniforms.items()
-                if name.startswith(("u_spray", "u_parametric"))
-            },
-        ).astype(np.float64)
-        for part in ("b", "v")
-    ]
-    born = got[0][:, 3] > 0.0
-    # Which water rises fastest, and whether fast enough, is decided by a comparison here and there.
-    assert abs(int(born.sum()) - want.age.size) <= 0.002 * DROPS
-    index = {tuple(np.round(birth, 2)): i for i, birth in enumerate(want.birth)}
-    pairs = [(i, index[key]) for i in np.flatnonzero(born) if (key := tuple(np.round(got[0][i, :3], 2))) in index]
-    assert len(pairs) >= 0.9 * want.age.size
-    mine, theirs = np.array(pairs).T
-    away = np.abs(got[0][mine, :3] - want.birth[theirs]).max()
-    apart = np.abs(got[1][mine, :3] - want.velocity[theirs])
-    report.add(
-        "Births of drops on waves against float64", time=f"{time:g} s", place=f"{away:.1e} m", born=str(len(mine))
+    """Within 1 cm of the float64 surface of the time of their birth."""
+    if time > 1e5:
+        scene = scene.model_copy(update={"camera": scene.camera.model_copy(update={"position": (1e7, 18.0, -1e7)})})
+    table = births(executor, scene, time)
+    born = table[2, :, 0] > 0.0
+    place = table[0, born]
+    worst = 0.0
+    for age in np.unique(place[:, 3]):
+        batch = place[place[:, 3] == age]
+        height = surface(scene, time - float(age), batch[:, 0], batch[:, 2])
+        worst = max(worst, float(np.abs(height - batch[:, 1]).max()))
+    report.add("Births of drops against the float64 surface", scene=name, born=str(born.sum()), worst=f"{worst:.1e} m")
+    assert born.sum() > 100
+    assert worst <= 0.01
+
+
+def test_drops_start_on_the_surf_at_rocks(executor: Executor, report: Report) -> None:
+    """The same where surf breaks on rocks, each drop at its own time."""
+    rocky = Scene(
+        shore=ROCK, waves=WAVES, rings=CHOP.rings, spray=Spray(life=4.0), camera=Camera(position=(-30.0, 5.0, 10.0))
     )
-    assert away <= 5e-3
-    assert np.percentile(apart, 99.0) <= 2e-2
+    eye = (-30.0, 10.0)
+    table = births(executor, rocky, 17.0)
+    born = np.flatnonzero(table[2, :, 0] > 0.0)
+    worst = 0.0
+    for i in born[:: max(born.size // 100, 1)]:
+        x, height, z, age = table[0, i]
+        then = 17.0 - float(age)
+        coast = Coast(ROCK, then, eye, Relief((wave_set(rocky, then, eye), ring_set(rocky, then, eye))))
+        worst = max(worst, abs(float(coast.height(np.array([x]), np.array([z]))[0]) - height))
+    report.add(
+        "Births of drops against the float64 surface", scene="rocks", born=str(born.size), worst=f"{worst:.1e} m"
+    )
+    assert born.size > 1000
+    assert worst <= 0.01
 
 
-def test_waves_throw_drops_where_water_rises_fast() -> None:
-    """At its birth a drop lies on the water, which rises faster than the threshold: by the waves of that time."""
+@pytest.mark.parametrize(("scene", "time"), [(STORM, 52.0), (CHOP, 3.0), (SCENE, 1e9)])
+def test_births_equal_their_float64_form(executor: Executor, report: Report, scene: Scene, time: float) -> None:
+    table = births(executor, scene, time)
+    x, _, z = scene.camera.position
+    want = throwing.drops(scene, time, (x, z), view(scene.camera, 16, 16).ray_z[::2], None)
+    born = table[2, :, 0] > 0.0
+    # Which water breaks most, and whether it does, is decided by a comparison here and there.
+    assert abs(int(born.sum()) - want.age.size) <= 0.01 * want.age.size
+    index = {int(word): i for i, word in enumerate(want.word >> np.uint64(8))}
+    pairs = [(i, index[int(table[2, i, 2])]) for i in np.flatnonzero(born) if int(table[2, i, 2]) in index]
+    mine, theirs = np.array(pairs).T
+    apart = np.abs(table[0, mine, :3] - want.birth[theirs]).max(axis=1)
+    same = apart <= 0.02
+    report.add("Births of drops against float64", time=f"{time:g} s", born=str(len(mine)), same=f"{same.mean():.2%}")
+    assert same.mean() >= 0.98
+    mine, theirs = mine[same], theirs[same]
+    assert np.percentile(np.abs(table[1, mine, :3] - want.velocity[theirs]), 99.0) <= 2e-2
+    assert np.abs(table[1, mine, 3] - want.radius[theirs]).max() <= 1e-4
+    assert np.abs(table[2, mine, 0] - want.strength[theirs]).max() <= 0.05
+    assert (table[2, mine, 1] == want.kind[theirs]).all()
+
+
+def test_a_sea_without_single_waves_throws_drops_where_it_folds(executor: Executor) -> None:
+    """Where drops are born the divergence is far below its mean of 0, and the more so the more opaque they are."""
+    assert STORM.spray is not None
+    assert STORM.sea is not None
+    table = births(executor, STORM, 52.0)
+    born = table[2, :, 0] > 0.05
+    place = table[0, born]
+    limits = fold_limits(STORM.sea, STORM.spray, None)
+    assert limits is not None
+    origin = (STORM.camera.position[0], STORM.camera.position[2])
+    for age in np.unique(place[:, 3]):
+        batch = place[place[:, 3] == age]
+        sea = sea_surface(STORM, 52.0 - float(age), origin)
+        assert sea is not None
+        folds = sea.folds(batch[:, 0], batch[:, 2])[0]
+        assert np.mean(folds < limits[0]) >= 0.95
+    calm = STORM.model_copy(update={"sea": STORM.sea.model_copy(update={"wind": 0.0})})
+    assert contribute(calm, TIERS["standard"]).bound is not None  # type: ignore[union-attr]
+
+
+def test_gales_tear_spindrift_from_crests(executor: Executor) -> None:
+    """From Beaufort 8 on, and it goes with the wind after a moment."""
+    assert STORM.sea is not None
+    share = []
+    for wind in (14.0, 22.0):
+        table = births(executor, STORM.model_copy(update={"sea": STORM.sea.model_copy(update={"wind": wind})}), 52.0)
+        share.append(float(np.mean(table[2, table[2, :, 0] > 0.0, 1] == drop.DRIFT)))
+    assert share[0] == 0.0
+    assert 0.4 <= share[1] <= 0.6
+    one = np.ones(1)
+    tau, weight = flying.falls(drop.DRIFT * one, 0.8 * one)
+    late = flying.speed(np.zeros((1, 3)), 2.0 * one, tau, weight, (14.0, 0.0))
+    assert late[0, 0] >= 0.9 * 14.0
+
+
+def test_fronts_throw_drops_where_water_rises_fast() -> None:
     assert SCENE.spray is not None
-    drops = flying.from_waves(SCENE.spray, SCENE, wave_set(SCENE, 40.0, (0.0, 0.0)), 40.0, (0.0, 0.0))
+    drops = throwing.drops(SCENE, 40.0, (0.0, 0.0), np.array([0.0, -1.0]), None)
     assert drops.age.size > 100
-    for i in range(0, drops.age.size, 200):
+    for i in range(0, drops.age.size, 50):
         x, z = drops.birth[i : i + 1, 0], drops.birth[i : i + 1, 2]
-        heights = [
-            wave_set(SCENE, 40.0 - float(drops.age[i]) + e, (0.0, 0.0)).height(x, z)[0] for e in (-1e-4, 0.0, 1e-4)
-        ]
-        assert heights[1] == pytest.approx(drops.birth[i, 1], abs=1e-9)
-        assert (heights[2] - heights[0]) / 2e-4 > SCENE.spray.threshold - 1e-3
+        heights = [wave_set(SCENE, 40.0 - float(drops.age[i]) + e, (0.0, 0.0)).height(x, z)[0] for e in (-1e-4, 1e-4)]
+        assert (heights[1] - heights[0]) / 2e-4 > SCENE.spray.threshold
     assert fastest_rise(SCENE) < 10.0
     assert contribute(SCENE.model_copy(update={"spray": Spray(threshold=10.0)}), TIERS["standard"]).bound is not None  # type: ignore[union-attr]
+
+
+def test_no_drop_is_left_at_rest(executor: Executor, report: Report) -> None:
+    """All that was thrown falls: at the end of its life nothing of a drop is seen, and a burst leaves nothing."""
+    kinds = np.repeat([drop.SHEET, drop.MIST, drop.DRIFT, drop.COLUMN], 50)
+    vary = np.tile(np.linspace(0.0, 1.0, 50), 4)
+    one = np.ones(200)
+    assert flying._form(kinds, 2.5 * one, 2.5 * one, vary, vary).depth.max() == 0.0
+    tau, weight = flying.falls(kinds, 0.8 * one)
+    late = flying.speed(np.zeros((200, 3)), 2.5 * one, tau, weight, (0.0, 0.0))
+    assert late[:, 1].max() < -0.5
+    scene = Scene(spray=Spray(bursts=(Burst(place=(0.0, -30.0)),)), light=Light(), camera=Camera(pitch=-0.1))
+    plans = [make_plan(one, TIERS["standard"]) for one in (scene, scene.model_copy(update={"spray": None}))]
+    changed = []
+    for time in (-0.5, 1.0, 20.0):
+        with_it, bare = (draw(executor, plan, scene.camera, time=time, size=(160, 90)).astype(float) for plan in plans)
+        changed.append(float(np.abs(with_it - bare).mean()))
+    report.add("Light that a burst changes before it, after 1 s and after 20 s", levels=str(np.round(changed, 3)))
+    assert changed[0] == changed[2] == 0.0
+    assert changed[1] > 0.3
+
+
+def test_spray_flickers_no_more_than_twice_what_many_samples_do(executor: Executor, report: Report) -> None:
+    """Under a slow camera: the change from frame to frame that spray adds, with one sample a pixel and with 64."""
+    scene = load_preset("spray-on-rocks").scene.model_copy(
+        update={"camera": Camera(position=(-88.0, 7.0, 48.0), yaw=1.12, pitch=-0.03, fov=0.35)}
+    )
+    added = {}
+    for samples in (1, 64):
+        quality = TIERS["standard"].model_copy(update={"samples": samples})
+        plan, bare = (make_plan(scene.model_copy(update={"spray": spray}), quality) for spray in (scene.spray, None))
+        layers = []
+        for frame in range(4):
+            camera = scene.camera.model_copy(update={"yaw": 1.12 + 0.0004 * frame})
+            pictures = [
+                draw(executor, one, camera, time=1.7, size=(160, 90), output="linear")[..., :3] for one in (plan, bare)
+            ]
+            layers.append(pictures[0] - pictures[1])
+        added[samples] = float(np.mean([np.abs(b - a).mean() for a, b in pairwise(layers)]))
+    ratio = added[1] / added[64]
+    report.add("Flicker of spray under a slow camera, one sample over 64", ratio=f"{ratio:.2f}")
+    assert ratio <= 2.0
 
 
 def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
@@ -171,15 +318,15 @@ def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
     height, g_x, g_z, _ = coast.ground(found[:, 0], found[:, 1])
     assert np.abs(height).max() <= 0.3
     assert np.hypot(g_x, g_z).min() >= 0.2
-    spray = Spray()
     ages = []
     for time in (17.0, 18.5):
         coast = Coast(ROCK, time, (0.0, 0.0), Relief(()))
-        drops = flying.from_rocks(spray, coast, time)
+        drops = at_rocks.from_rocks(Scene(shore=ROCK, spray=Spray()), coast, time, (0.0, 0.0))
+        drops = drops.of(drops.strength > 0.0)
         phase = coast.field.value(drops.birth[:, 0], drops.birth[:, 2])[:, 0]
         since = (1.0 - coast.turn(phase)) * ROCK.surf.period
         assert (since >= drops.age).all()
-        assert (since <= drops.age + flying.DELAY).all()
+        assert (since <= drops.age + at_rocks.DELAY).all()
         ages.append(drops.age.size)
     assert max(ages) > DROPS // 2
     assert len(rocks(Shore(slope=0.05, roughness=0.0), 0.5)) == 0
@@ -187,13 +334,15 @@ def test_surf_throws_drops_from_rocks_after_its_crest() -> None:
 
 def test_drops_end_on_water_and_ground() -> None:
     coast = Coast(ROCK, 17.5, (0.0, 0.0), Relief(()))
-    drops = flying.from_rocks(Spray(), coast, 17.5)
+    drops = at_rocks.from_rocks(Scene(shore=ROCK, spray=Spray()), coast, 17.5, (0.0, 0.0))
     high = np.array([0.0, 300.0, 0.0])
     x, z = drops.birth[:, 0], drops.birth[:, 2]
     ground = np.maximum(coast.height(x, z), coast.ground(*coast.place(x, z))[0])
-    for lift, hidden in ((0.05, False), (-0.05, True)):
+    for lift, clear in ((0.2, 1.0), (0.05, 0.5), (-0.05, 0.0)):
         place = np.column_stack([x, ground + lift, z])
-        assert (flying._hidden(place, place - high, 300.0, coast, coast) == hidden).all()
+        seen, over = flying._clear(place - high, 300.0, np.full(x.size, 0.1), coast, coast)
+        assert seen == pytest.approx(clear)
+        assert over == pytest.approx(lift)
 
 
 def test_fewer_drops_cover_as_much(executor: Executor, report: Report) -> None:

@@ -1,6 +1,7 @@
 /** The server's accuracy endpoints, as far as the benchmark uses them. */
 import type { Api } from "../api";
 import type { Json, JsonObject } from "../scene/json";
+import type { Errors } from "./errors";
 
 /** One quality setting with its value; all others are those of the standard tier. */
 export interface QualityParameter {
@@ -48,8 +49,10 @@ export interface JobProgress {
 export interface Sweep {
   machine: { renderer: string; processor?: string };
   points: (Point & {
+    /** At the preset's own size. */
+    time: { median_ms: number; low_ms: number; high_ms: number };
     model: { fixed_ms: number; ns_per_pixel: number };
-    error: { rmse: number; max: number; coverage: number };
+    error: Errors;
   })[];
 }
 

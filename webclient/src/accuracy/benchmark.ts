@@ -10,9 +10,10 @@ import { CAMERA_POINTER } from "../plan/live";
 import { apply, diff, type Json, withValue } from "../scene/json";
 import type { Point, TruthInfo } from "./api";
 import { DrawTimer, type TimedDraw } from "./drawtimer";
-import { type Errors, errorsOf } from "./errors";
+import { ErrorMeter, type Errors } from "./errors";
 import type { Picture } from "./npy";
 import { median } from "./statistics";
+import { toneCurve } from "./tone";
 
 const MAX_ROUNDS = 5;
 const MIN_ROUNDS = 3;
@@ -79,6 +80,7 @@ interface Entry {
 export class QualityBenchmark {
   private readonly entries: Entry[] = [];
   private readonly gpu: Gpu;
+  private readonly meter: ErrorMeter;
   readonly result: BenchmarkResult;
 
   constructor(
@@ -89,6 +91,7 @@ export class QualityBenchmark {
     private readonly signal: AbortSignal,
   ) {
     this.gpu = viewport.gpu;
+    this.meter = new ErrorMeter(input.truth, toneCurve(input.preset.scene));
     const size: Size = [input.info.width, input.info.height];
     this.result = { measured: [], unsupported: [], sizes: { large: size, small: smallSize(size) }, byGpu: false, rounds: 0 };
   }
@@ -126,7 +129,7 @@ export class QualityBenchmark {
 
   /** Loads a point, measures its error and runs its first round. */
   private async addPoint(point: Point): Promise<void> {
-    const { preset, standard, truth } = this.input;
+    const { preset, standard } = this.input;
     this.throwIfStopped();
     // The same request as the page's own, so that the server's cache has it.
     const scene = withValue(preset.scene, CAMERA_POINTER, undefined);
@@ -142,7 +145,7 @@ export class QualityBenchmark {
     try {
       this.throwIfStopped();
       const picture = await this.viewport.runExclusive(() => Promise.resolve(this.renderLinear(executor)));
-      const result: QualityResult = { point, errors: errorsOf(picture, truth), picture, rounds: [], small: [], passes: [] };
+      const result: QualityResult = { point, errors: this.meter.errors(picture), picture, rounds: [], small: [], passes: [] };
       const entry: Entry = { executor, result, passTimes: new Map() };
       if (point === standard) await this.viewport.runExclusive(() => this.chooseSize(executor));
       await this.runRound(entry);

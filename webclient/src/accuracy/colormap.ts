@@ -1,6 +1,8 @@
 /** Draws linear light as sRGB, and errors as a heat map. */
 import { clip } from "./errors";
+import type { Region } from "./insets";
 import type { Picture } from "./npy";
+import { srgb } from "./tone";
 
 /** Colour ramp with increasing lightness, from dark blue over red to light yellow. */
 const RAMP: readonly (readonly [number, number, number])[] = [
@@ -25,14 +27,15 @@ export function heatColour(share: number): [number, number, number] {
 
 export const HEAT_GRADIENT = `linear-gradient(to right, ${RAMP.map((colour) => `rgb(${colour.join(" ")})`).join(", ")})`;
 
-function toSrgb(linear: number): number {
-  const value = clip(linear);
-  return 255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055);
-}
+const toSrgb = (linear: number) => 255 * srgb(clip(linear));
 
-/** Draws linear light, clipped at display white. */
-export function drawPicture(canvas: HTMLCanvasElement, { width, height, pixels }: Picture): void {
-  paint(canvas, width, height, (pixel) => [0, 1, 2].map((c) => toSrgb(pixels[4 * pixel + c] ?? 0)) as [number, number, number]);
+/** Draws linear light, clipped at display white; of a region, if one is given. */
+export function drawPicture(canvas: HTMLCanvasElement, picture: Picture, region?: Region): void {
+  const { x, y, width, height } = region ?? { x: 0, y: 0, ...picture };
+  paint(canvas, width, height, (pixel) => {
+    const at = 4 * ((y + Math.floor(pixel / width)) * picture.width + x + (pixel % width));
+    return [0, 1, 2].map((c) => toSrgb(picture.pixels[at + c] ?? 0)) as [number, number, number];
+  });
 }
 
 /** Draws errors; `max` and above have the ramp's last colour. */

@@ -1,5 +1,7 @@
 /** Error of a picture against the reference, in linear light clipped at display white; white is 255 levels. */
+import { Flip } from "./flip";
 import type { Picture } from "./npy";
+import { displayed, type ToneCurve } from "./tone";
 
 export const LEVELS = 255;
 
@@ -10,6 +12,8 @@ export interface Errors {
   max: number;
   /** Of foam coverage, 0 to 1. */
   coverage: number;
+  /** Mean FLIP of the displayed pictures, 0 to 1. */
+  flip: number;
 }
 
 /** Clips to [0, 1]; NaN is 0. */
@@ -17,7 +21,24 @@ export function clip(value: number): number {
   return value > 0 ? Math.min(value, 1) : 0;
 }
 
-export function errorsOf(picture: Picture, truth: Picture): Errors {
+/** Compares pictures with one reference. */
+export class ErrorMeter {
+  private readonly flip: Flip;
+
+  /** `curve`: the scene's tone curve. */
+  constructor(
+    readonly truth: Picture,
+    private readonly curve: ToneCurve | null,
+  ) {
+    this.flip = new Flip(displayed(truth, curve), truth.width, truth.height);
+  }
+
+  errors(picture: Picture): Errors {
+    return { ...pixelErrors(picture, this.truth), flip: this.flip.mean(displayed(picture, this.curve)) };
+  }
+}
+
+export function pixelErrors(picture: Picture, truth: Picture): Omit<Errors, "flip"> {
   sameSize(picture, truth);
   let squares = 0;
   let coverage = 0;

@@ -1,18 +1,29 @@
-/** The address bar: keeps the link to the current view in the fragment. */
+/** The address bar: keeps the link to the current view, the preset in the path and all else in the fragment. */
 import type { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
+import { presetOfPath, waterUrl } from "../gallery/water";
 import { diff } from "../scene/json";
+import { withoutTouches } from "../touch/touches";
 import type { AccuracyTool } from "./accuracytool";
+import type { Surfaces } from "../surfaces/surfaces";
 import type { Clock } from "./clock";
 import type { Store } from "./store";
-import { encode, type LinkState } from "./url";
+import { decode, encode, type LinkState } from "./url";
 import type { Viewport } from "./viewport";
 
 /** Delay between a change and the update of the address, ms. */
 const DELAY = 400;
 
+/** The link in an address. A preset in the fragment, as links had it once, comes before the path's. */
+export function linkOf({ hash, pathname }: Pick<Location, "hash" | "pathname">): LinkState {
+  const link = decode(hash);
+  return { ...link, preset: link.preset ?? presetOfPath(pathname) };
+}
+
 export class Address {
   private timer = 0;
+  /** The address that the page has read or written last. */
+  private known = location.href;
 
   constructor(
     private readonly store: Store,
@@ -20,6 +31,7 @@ export class Address {
     private readonly controls: CameraControls,
     private readonly viewport: Viewport,
     private readonly accuracy: AccuracyTool,
+    private readonly surfaces: Surfaces,
   ) {}
 
   /** `exact`: with time and camera even where they are the preset's own or time runs. */
@@ -30,7 +42,7 @@ export class Address {
     const isPresetCamera = JSON.stringify(camera) === JSON.stringify(cameraFromScene(preset.scene));
     return {
       preset: preset.name,
-      changes: diff(preset.scene, scene),
+      ...withoutTouches(diff(preset.scene, scene), scene),
       quality: auto ? null : quality,
       time: exact || (!playing && time !== preset.time) ? time : null,
       paused: playing ? null : true,
@@ -39,6 +51,7 @@ export class Address {
       split,
       scale: this.viewport.fixed,
       accuracy: this.accuracy.open ? true : null,
+      surface: this.surfaces.open,
     };
   }
 
@@ -53,7 +66,30 @@ export class Address {
     await navigator.clipboard.writeText(location.href);
   }
 
+  /** Called with the link when the visitor goes to another address of the page: by hand, back or forward. */
+  onVisit(listener: (link: LinkState) => void): void {
+    const visited = () => {
+      // Browsers differ in which of the two events a change of the fragment has.
+      if (location.href === this.known) return;
+      this.known = location.href;
+      clearTimeout(this.timer);
+      listener(linkOf(location));
+    };
+    window.addEventListener("hashchange", visited);
+    window.addEventListener("popstate", visited);
+  }
+
+  /** Starts a new entry of the browser's history: the next preset's. The current one stays as it is. */
+  startEntry(): void {
+    this.write(false);
+    history.pushState(null, "", location.href);
+  }
+
   private write(exact: boolean): void {
-    history.replaceState(null, "", `#${encode(this.link(exact))}`);
+    const { preset, ...rest } = this.link(exact);
+    const fragment = encode({ ...rest, preset: null });
+    const path = preset === null ? location.pathname : waterUrl(preset);
+    history.replaceState(null, "", path + location.search + (fragment === "" ? "" : `#${fragment}`));
+    this.known = location.href;
   }
 }

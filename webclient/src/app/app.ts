@@ -1,16 +1,19 @@
 /** The page: connects the user's selection to what is drawn. */
-import { type Api, ApiError, type Preset, type PresetSummary } from "../api";
+import { type Api, ApiError, type Preset, type PresetSummary, type SceneSchema } from "../api";
 import { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
+import { Gallery } from "../gallery/gallery";
 import { CapabilityError } from "../gl/capabilities";
-import { CAMERA_POINTER } from "../plan/live";
-import { equal, type JsonObject, withValue } from "../scene/json";
+import { SceneEdits } from "../edits/edits";
+import { equal } from "../scene/json";
+import { Surfaces } from "../surfaces/surfaces";
+import { listenForDrops } from "../take/drop";
 import { makeTestHook } from "../testhook";
-import { byId, download, element } from "../ui/dom";
+import { TouchTool } from "../touch/tool";
+import { byId } from "../ui/dom";
 import { EffectList } from "../ui/effects";
 import { FrameStats } from "../ui/framestats";
-import { Gallery } from "../ui/gallery";
-import { icon, type IconName } from "../ui/icons";
+import { showHint } from "../ui/hint";
 import type { LoadingScreen } from "../ui/loading";
 import { SettingsPanel } from "../ui/settings";
 import type { StillImage } from "../ui/still";
@@ -22,11 +25,13 @@ import { AutoQuality, type TierCosts } from "./autoquality";
 import { Clock } from "./clock";
 import { planRequest, QUALITY_FIELD, splitAfterEdit, validSplit } from "./comparison";
 import { PlanLoader } from "./planloader";
-import { parseQuality, qualityTitle } from "./quality";
+import { qualityTitle } from "./quality";
 import { SceneEditor } from "./sceneeditor";
-import { DEFAULT_TIER, tierNames } from "./schema";
+import { DEFAULT_TIER } from "./schema";
+import { Sharing } from "./sharing";
 import { type Selection, selectionFromLink, Store } from "./store";
-import { decode, type LinkState } from "./url";
+import { addTools, copyLink, type PageParts } from "./tools";
+import type { LinkState } from "./url";
 import { Viewport } from "./viewport";
 
 const STATS_INTERVAL = 250;
@@ -35,7 +40,7 @@ const CLEARANCE = 0.3;
 
 export interface StartData {
   presets: readonly PresetSummary[];
-  openapi: JsonObject;
+  schema: SceneSchema;
   preset: Preset;
   link: LinkState;
 }
@@ -52,9 +57,13 @@ export class App {
   private readonly settings: SettingsPanel;
   private readonly editor: SceneEditor;
   private readonly accuracy: AccuracyTool;
+  private readonly surfaces: Surfaces;
+  private readonly sharing: Sharing;
   private readonly address: Address;
   private readonly gallery: Gallery;
   private readonly transport: Transport;
+  private readonly parts: PageParts;
+  private readonly touch: TouchTool;
   /** Indices of the loaders that are loading. */
   private readonly busy = new Set<number>();
   private lastTick = 0;
@@ -65,6 +74,8 @@ export class App {
   private expectedScale: number | null = null;
   /** Whether the selected preset has been drawn: until then its still covers the canvas and time stands. */
   private started = false;
+  /** Whether the hint was shown. */
+  private hinted = false;
   private readonly ready: Promise<void>;
   private resolveReady: () => void = () => undefined;
   private rejectReady: (error: unknown) => void = () => undefined;
@@ -73,7 +84,7 @@ export class App {
     private readonly api: Api,
     private readonly loadingScreen: LoadingScreen,
     private readonly still: StillImage,
-    { presets, openapi, preset, link }: StartData,
+    { presets, schema, preset, link }: StartData,
   ) {
     const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.store = new Store(selectionFromLink(preset, link));
@@ -86,20 +97,44 @@ export class App {
     this.viewport = this.makeViewport(canvas);
     this.viewport.setFixedScale(link.scale);
     this.controls = new CameraControls(canvas, link.camera ?? cameraFromScene(preset.scene), !reducedMotion);
-    const tiers = tierNames(openapi);
+    const { tiers } = schema;
     this.settings = this.makeSettings(tiers);
-    this.editor = new SceneEditor(api, openapi, tiers, this.store, this.settings.scene, byId("split-view"), (error) => this.failed(error));
+    this.editor = new SceneEditor(api, schema, this.store, this.settings.scene, byId("split-view"), (error) => this.failed(error));
     this.accuracy = this.makeAccuracyTool();
-    this.address = new Address(this.store, this.clock, this.controls, this.viewport, this.accuracy);
-    this.gallery = new Gallery(byId("gallery"), presets, (name) => void this.choosePreset(name));
+    this.surfaces = new Surfaces(() => this.sharing.context(() => this.surfaces.show(null)), {
+      toggled: (open) => {
+        this.viewChanged();
+        if (open === null) return;
+        this.settings.toggle(false);
+        this.accuracy.toggle(false);
+      },
+      failed: (error) => this.failed(error),
+    });
+    this.address = new Address(this.store, this.clock, this.controls, this.viewport, this.accuracy, this.surfaces);
+    this.sharing = new Sharing(api, this.store, this.clock, this.controls, this.viewport, this.loaders, {
+      presets: presets.map(({ name }) => name),
+      copyLink: () => copyLink(this.parts),
+      failed: (error) => this.failed(error),
+    });
+    listenForDrops(window, (file) => void this.sharing.restore(file).catch((error: unknown) => this.failed(error)));
+    this.gallery = new Gallery(byId("gallery"), byId("water-list"), presets, (name) => void this.choosePreset(name));
     this.transport = new Transport(byId("transport"), this.clock, () => this.store.now.preset.time, this.stats.root);
+    this.makeEdits();
+    this.touch = new TouchTool(canvas, this.store, this.clock, this.controls, {
+      plan: () => this.loaders[0].plan,
+      busy: () => this.busy.size > 0,
+      refused: (why) => this.toasts.show(`This picture shows no rings: ${why}.`),
+    });
+    const { address, toasts, touch, editor, sharing, surfaces, accuracy, settings } = this;
+    this.parts = { address, toasts, touch, editor, sharing, surfaces, accuracy, settings, failed: (error) => this.failed(error) };
     this.ready = new Promise((resolve, reject) => {
       this.resolveReady = resolve;
       this.rejectReady = reject;
     });
     this.ready.catch(() => undefined);
-    this.addTools();
+    addTools(this.parts);
     this.accuracy.toggle(link.accuracy === true);
+    this.surfaces.show(link.surface);
     this.settings.toggle(false);
     this.listen();
     window.seafoam = makeTestHook(api, this.viewport, this.ready, () => this.testState());
@@ -150,9 +185,18 @@ export class App {
     return new AccuracyTool((Panel) => new Panel(this.api, this.store, this.viewport, events), {
       toggled: (open) => {
         this.viewChanged();
-        if (open) this.settings.toggle(false);
+        if (!open) return;
+        this.settings.toggle(false);
+        this.surfaces.show(null);
       },
       failed: (error) => this.failed(error),
+    });
+  }
+
+  private makeEdits(): void {
+    new SceneEdits(this.settings.edits, this.api, this.store, {
+      pasted: (scene) => this.controls.set(cameraFromScene(scene)),
+      note: (text) => this.toasts.show(text),
     });
   }
 
@@ -171,7 +215,7 @@ export class App {
       this.still.hide();
       this.viewChanged();
     });
-    window.addEventListener("hashchange", () => void this.followLink(decode(location.hash)));
+    this.address.onVisit((link) => void this.followLink(link));
     setInterval(() => {
       const { quality, auto } = this.store.now;
       this.stats.show(this.viewport.timing(), this.clock.playing, qualityTitle(quality), auto);
@@ -206,6 +250,8 @@ export class App {
     this.started = true;
     this.still.fadeOut();
     this.loadingScreen.hide();
+    if (!this.hinted) showHint(byId("bar"), matchMedia("(pointer: coarse)").matches);
+    this.hinted = true;
     this.resolveReady();
     if (this.tierCosts === null) {
       this.api.tierCosts().then(
@@ -235,7 +281,9 @@ export class App {
 
   private planChanged(): void {
     this.effects.show(this.loaders[0].plan);
+    this.sharing.planChanged();
     this.limitCamera();
+    this.touch.planChanged();
     this.viewport.resetMeasurement(this.expectedScale);
     this.expectedScale = null;
   }
@@ -265,6 +313,7 @@ export class App {
     try {
       const preset = await this.api.preset(name);
       this.started = false;
+      this.address.startEntry();
       this.openPreset(preset);
     } catch (error) {
       this.still.hide();
@@ -296,61 +345,16 @@ export class App {
       this.store.set(selectionFromLink(preset, link));
       this.setFixedScale(link.scale);
       this.accuracy.toggle(link.accuracy === true);
+      this.surfaces.show(link.surface);
     } catch (error) {
       this.failed(error);
     }
   }
 
-  private addTools(): void {
-    const add = (name: IconName, label: string, run: () => void) => {
-      const button = element("button", { type: "button", class: "round", "data-tool": name, title: label, "aria-label": label }, icon(name));
-      button.addEventListener("click", run);
-      byId("tools").append(button);
-    };
-    add("compare", "Compare side by side", () => this.editor.toggleSplit());
-    add("download", "Save image as PNG", () => void this.save(this.viewport.png(this.viewState())));
-    add("link", "Copy link to this view", () => void this.copyLink());
-    add("accuracy", "Accuracy benchmark", () => this.accuracy.toggle(!this.accuracy.open, true));
-    add("settings", "Settings", () => {
-      this.settings.toggle();
-      this.editor.load();
-      if (this.settings.open) this.accuracy.toggle(false);
-    });
-  }
-
-  private async save(image: Promise<Blob>, suffix = ""): Promise<void> {
-    const name = `seafoam-${this.store.now.preset.name}-${this.clock.time.toFixed(2)}s${suffix}.png`;
-    try {
-      download(await image, name);
-    } catch (error) {
-      this.failed(error);
-    }
-  }
-
-  /** The current view, rendered by the server at the window's size. */
   private async saveServerFrame(): Promise<void> {
-    const { scene, quality } = this.store.now;
-    const { camera } = this.controls;
-    const { width, height } = this.viewport.canvas.getBoundingClientRect();
-    const request = {
-      scene: withValue(scene, CAMERA_POINTER, { ...camera, position: [...camera.position] }),
-      quality: parseQuality(quality),
-      time: this.clock.time,
-      width: Math.round(width),
-      height: Math.round(height),
-    };
     this.settings.setRendering(true);
-    await this.save(this.api.frame(request), "-server");
+    await this.sharing.save(this.sharing.serverFrame(), "-server");
     this.settings.setRendering(false);
-  }
-
-  private async copyLink(): Promise<void> {
-    try {
-      await this.address.copy();
-      this.toasts.show("Link copied.");
-    } catch {
-      this.toasts.show("Clipboard access denied. Copy the link from the address bar.");
-    }
   }
 
   /** Shows an error. The previous picture stays; if there is none, the unedited preset is tried. */

@@ -1,8 +1,8 @@
 /** Editing of the scene's fields: the settings' pane, loaded on first use, and the split view of one field. */
-import type { Api, Choice } from "../api";
+import type { Api, Choice, SceneSchema } from "../api";
 import { choiceControls } from "../panel/model";
 import type { ScenePane } from "../panel/pane";
-import { isObject, type Json, type JsonObject, withValue } from "../scene/json";
+import { isObject, type Json, withValue } from "../scene/json";
 import { type ComparableField, plainOptions, SplitView } from "../ui/splitview";
 import { preferredField, QUALITY_FIELD, splitAfterEdit, startSplit, validSplit } from "./comparison";
 import { qualityTitle } from "./quality";
@@ -16,8 +16,7 @@ export class SceneEditor {
 
   constructor(
     private readonly api: Api,
-    private readonly openapi: JsonObject,
-    private readonly tiers: readonly string[],
+    private readonly schema: SceneSchema,
     private readonly store: Store,
     private readonly paneContainer: HTMLElement,
     splitContainer: HTMLElement,
@@ -43,7 +42,7 @@ export class SceneEditor {
   /** Shows the selection; `rebuild`: the options of the pane's fields have changed. */
   show(rebuild = false): void {
     const { scene, split } = this.store.now;
-    const controls = this.pane && sceneControls(this.openapi, scene);
+    const controls = this.pane && sceneControls(this.schema, scene);
     if (controls) this.pane?.show(controls, scene, rebuild);
     this.splitView.show(split, this.comparableFields());
   }
@@ -68,13 +67,13 @@ export class SceneEditor {
   /** Every choice of the scene, and the quality. */
   private comparableFields(): ComparableField[] {
     const { scene, quality } = this.store.now;
-    const controls = sceneControls(this.openapi, scene);
+    const controls = sceneControls(this.schema, scene);
     const fields = (controls ? choiceControls(controls) : []).map((control) => ({
       field: control.pointer,
       title: control.label,
       options: control.kind === "choice" ? plainOptions(control.options) : this.optionsFrom(control.url),
     }));
-    const qualities = [...new Set([...this.tiers, quality])].map((name) => ({ name, title: qualityTitle(name) }));
+    const qualities = [...new Set([...this.schema.tiers, quality])].map((name) => ({ name, title: qualityTitle(name) }));
     return [...fields, { field: QUALITY_FIELD, title: "quality", options: qualities }];
   }
 

@@ -1,6 +1,7 @@
 /** The user's selection, with change events. Time and camera change every frame and are kept elsewhere. */
 import type { Preset } from "../api";
-import { apply, isObject, type JsonObject } from "../scene/json";
+import { apply, type Change, isObject, type JsonObject } from "../scene/json";
+import { toJson, TOUCHES_POINTER } from "../touch/touches";
 import { validSplit } from "./comparison";
 import { DEFAULT_TIER } from "./schema";
 import type { LinkState } from "./url";
@@ -26,7 +27,8 @@ export interface Selection {
 }
 
 export function selectionFromLink(preset: Preset, link: LinkState): Selection {
-  const edited = apply(preset.scene, link.changes);
+  const touches: Change[] = link.touches ? [[TOUCHES_POINTER, toJson(link.touches)]] : [];
+  const edited = apply(preset.scene, [...link.changes, ...touches]);
   const scene = isObject(edited) ? edited : preset.scene;
   return { preset, scene, quality: link.quality ?? DEFAULT_TIER, auto: link.quality === null, split: validSplit(scene, link.split) };
 }

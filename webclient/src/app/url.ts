@@ -1,11 +1,15 @@
 /** The page's state as the fragment of a link. */
 import type { CameraState } from "../camera/state";
 import { type Change, isObject, type Json } from "../scene/json";
+import { type SurfaceName, surfaceName } from "../surfaces/surfaces";
+import { decodeTouches, encodeTouches, type Touch } from "../touch/touches";
 import type { Split } from "./store";
 
 export interface LinkState {
   preset: string | null;
   changes: readonly Change[];
+  /** The scene's touches; null: the preset's. */
+  touches: readonly Touch[] | null;
   /** A tier, or settings as JSON. */
   quality: string | null;
   time: number | null;
@@ -17,17 +21,31 @@ export interface LinkState {
   scale: number | null;
   /** Whether the accuracy benchmark is open. */
   accuracy: boolean | null;
+  /** The surface that is open. */
+  surface: SurfaceName | null;
 }
 
 /** Prefix of the pointer of a removed key. */
 const REMOVED = "-";
 
 const MIN_SCALE = 0.05;
+/** Greatest length of a link's fragment while it carries touches, bytes: mail and chats cut longer ones. */
+const LINK_MOST = 2000;
 
 /** Shortest text of a float64. */
 const number = (x: number) => String(Object.is(x, -0) ? 0 : x);
 
+/** The fragment, without the oldest touches where it would be too long with them. */
 export function encode(state: LinkState): string {
+  for (let touches = state.touches ?? []; touches.length > 0; touches = touches.slice(1)) {
+    const text = encodeAll(state, touches);
+    // All but ASCII is escaped, so that characters are bytes.
+    if (text.length <= LINK_MOST) return text;
+  }
+  return encodeAll(state, []);
+}
+
+function encodeAll(state: LinkState, touches: readonly Touch[]): string {
   const parts = new Map<string, string>();
   const put = (key: string, value: string | null) => {
     if (value !== null) parts.set(key, value);
@@ -45,12 +63,14 @@ export function encode(state: LinkState): string {
     const pairs = state.changes.map(([pointer, value]) => (value === undefined ? [REMOVED + pointer, 0] : [pointer, value]));
     put("scene", JSON.stringify(Object.fromEntries(pairs)));
   }
+  put("touches", touches.length > 0 ? encodeTouches(touches) : null);
   if (state.split) {
     const { field, left, right, at } = state.split;
     put("split", [field, left, right, at.toFixed(3)].join("~"));
   }
   put("scale", state.scale === null ? null : number(state.scale));
   put("accuracy", state.accuracy ? "1" : null);
+  put("open", state.surface);
   // Characters that are legal in a fragment are not escaped, for readable links.
   const escape = (text: string) =>
     encodeURIComponent(text).replace(/%(2C|2F|3A|7B|7D|5B|5D|22)/g, (code) =>
@@ -73,6 +93,7 @@ export function decode(fragment: string): LinkState {
   return {
     preset: parts.get("preset") ?? null,
     changes: changes(parts.get("scene")),
+    touches: decodeTouches(parts.get("touches")),
     quality: parts.get("quality") ?? null,
     time: finite(parts.get("time")),
     paused: parts.has("paused") ? parts.get("paused") === "1" : null,
@@ -81,6 +102,7 @@ export function decode(fragment: string): LinkState {
     split: split(parts.get("split")),
     scale: scale(parts.get("scale")),
     accuracy: parts.get("accuracy") === "1" ? true : null,
+    surface: surfaceName(parts.get("open")),
   };
 }
 

@@ -11,9 +11,24 @@ const SPRINT_FACTOR = 4;
 const INERTIA = 0.11;
 const MIN_SPEED = 1e-4;
 
+/** A touch that begins this near to the left or right edge is the browser's: a swipe back or forward, CSS px. */
+const EDGE = 24;
+
 interface Point {
   x: number;
   y: number;
+}
+
+export type StrokePoint = Pick<PointerEvent, "clientX" | "clientY" | "pointerType">;
+
+/** What the main pointer, a single finger or the left button, draws with if it does not move the camera. */
+export interface Stroke {
+  /** Returns whether it takes the pointer; else that moves the camera. */
+  start(point: StrokePoint): boolean;
+  move(point: StrokePoint): void;
+  end(): void;
+  /** A second finger has come down: both move the camera. */
+  cancel(): void;
 }
 
 export class CameraControls {
@@ -22,6 +37,10 @@ export class CameraControls {
   /** Least heights, m: of an orbit, and of flying or diving. */
   surface = 0.5;
   bottom = 0.5;
+  /** Takes the main pointer; null: it moves the camera. */
+  stroke: Stroke | null = null;
+  /** The pointer that draws. */
+  private drawing: number | null = null;
   private readonly keys = new Set<string>();
   private readonly pointers = new Map<number, Point>();
   /** Pending rotation, rad. */
@@ -40,7 +59,7 @@ export class CameraControls {
     this.camera = camera;
     element.addEventListener("pointerdown", this.pointerDown);
     element.addEventListener("pointermove", this.pointerMove);
-    for (const type of ["pointerup", "pointercancel"] as const) element.addEventListener(type, (event) => this.pointers.delete(event.pointerId));
+    for (const type of ["pointerup", "pointercancel"] as const) element.addEventListener(type, this.pointerUp);
     element.addEventListener("wheel", this.wheel, { passive: false });
     element.addEventListener("keydown", this.keyDown);
     element.addEventListener("keyup", (event) => this.keys.delete(event.code));
@@ -121,12 +140,30 @@ export class CameraControls {
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
-    this.element.focus({ preventScroll: true });
+    if (event.pointerType === "touch" && Math.min(event.clientX, this.element.clientWidth - event.clientX) < EDGE) return;
     this.element.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (this.drawing !== null) {
+      this.stroke?.cancel();
+      this.drawing = null;
+    } else if (this.pointers.size === 1 && event.button === 0 && !event.shiftKey && this.stroke?.start(event)) {
+      this.drawing = event.pointerId;
+    }
+  };
+
+  private readonly pointerUp = (event: PointerEvent): void => {
+    this.pointers.delete(event.pointerId);
+    if (event.pointerId !== this.drawing) return;
+    this.drawing = null;
+    if (event.type === "pointerup") this.stroke?.end();
+    else this.stroke?.cancel();
   };
 
   private readonly pointerMove = (event: PointerEvent): void => {
+    if (event.pointerId === this.drawing) {
+      this.stroke?.move(event);
+      return;
+    }
     const last = this.pointers.get(event.pointerId);
     if (last === undefined) return;
     const now = { x: event.clientX, y: event.clientY };
@@ -140,18 +177,29 @@ export class CameraControls {
       const span = (t: Point) => Math.hypot(t.x - other.x, t.y - other.y);
       const metres = pivot(this.camera).distance * radians;
       this.moveTo(zoom(this.camera, span(last) / Math.max(span(now), 1), this.minHeight()));
-      this.moveTo(move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.minHeight()));
+      // Where one finger touches the water, two must turn the view too.
+      if (this.stroke) this.rotate(dx / 2, dy / 2, radians);
+      else this.moveTo(move(this.camera, (-dx / 2) * metres, (dy / 2) * metres, 0, this.minHeight()));
       this.notify();
-    } else if (event.buttons & 2 || (event.buttons & 1 && event.shiftKey)) {
+    } else if (this.pans(event)) {
       const metres = pivot(this.camera).distance * radians;
       this.moveTo(move(this.camera, -dx * metres, dy * metres, 0, this.minHeight()));
       this.notify();
     } else {
-      const sign = this.mode === "fly" ? -1 : -1.6;
-      this.turning.yaw += sign * dx * radians;
-      this.turning.pitch -= sign * dy * radians;
+      this.rotate(dx, dy, radians);
     }
   };
+
+  /** Whether a drag moves the eye sideways: with shift, or by the button that does not rotate. */
+  private pans({ buttons, shiftKey }: PointerEvent): boolean {
+    return (buttons & 4) !== 0 || ((buttons & 3) !== 0 && shiftKey) || ((buttons & 2) !== 0 && this.stroke === null);
+  }
+
+  private rotate(dx: number, dy: number, radians: number): void {
+    const sign = this.mode === "fly" ? -1 : -1.6;
+    this.turning.yaw += sign * dx * radians;
+    this.turning.pitch -= sign * dy * radians;
+  }
 
   private readonly wheel = (event: WheelEvent): void => {
     event.preventDefault();

@@ -10,7 +10,7 @@ export interface Mesh {
 
 export function meshKey(spec: MeshSpec): string {
   if (spec.rule === "grid") return `grid ${spec.rows} ${spec.columns}`;
-  return spec.rule === "points" ? `points ${spec.count}` : spec.rule;
+  return spec.rule === "fullscreen" ? spec.rule : `${spec.rule} ${spec.count}`;
 }
 
 /** Vertices (column/columns, row/rows), columns first, and two triangles a cell. */
@@ -41,7 +41,8 @@ export function gridData(rows: number, columns: number): { vertices: Float32Arra
 export function makeMesh(gl: WebGL2RenderingContext, spec: MeshSpec): Mesh {
   const array = gl.createVertexArray();
   if (spec.rule !== "grid") {
-    const [mode, count] = spec.rule === "points" ? [gl.POINTS, spec.count] : [gl.TRIANGLES, 3];
+    const mode = spec.rule === "points" ? gl.POINTS : gl.TRIANGLES;
+    const count = spec.rule === "points" ? spec.count : spec.rule === "quads" ? 6 * spec.count : 3;
     const draw = () => {
       gl.bindVertexArray(array);
       gl.drawArrays(mode, 0, count);

@@ -3,14 +3,14 @@ import type { FramePlan, Pass, Uniform } from "../generated/api";
 import type { ActiveUniform, Program } from "../gl/program";
 import type { Target } from "../gl/target";
 import type { Json } from "../scene/json";
-import { liveRule } from "./live";
-import { fill, type FrameState } from "./rules";
+import { isLive, liveRule } from "./live";
+import { fill, type FrameState, type Rule } from "./rules";
 
 interface BoundUniform {
   active: ActiveUniform;
   uniform: Uniform;
-  /** Whether some of its values are live fields of the scene. */
-  live: boolean;
+  /** Its rules with the live fields of the scene that was drawn last; null if none of them is live. */
+  live: { scene: Json | null; rules: readonly Rule[] } | null;
   values: Float32Array;
 }
 
@@ -48,7 +48,7 @@ export function bindInputs(
     const types = { float: gl.FLOAT, vec2: gl.FLOAT_VEC2, vec3: gl.FLOAT_VEC3, vec4: gl.FLOAT_VEC4, mat4: gl.FLOAT_MAT4 };
     if (types[uniform.type] !== active.type) throw new Error(`Pass ${pass.name}: uniform ${name} is not a ${uniform.type} in the program.`);
     const components = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }[uniform.type];
-    const live = uniform.rules.some((rule) => rule.rule === "constant" && typeof rule.field === "string");
+    const live = uniform.rules.some(isLive) ? { scene: null, rules: uniform.rules } : null;
     uniforms.push({ active, uniform, live, values: new Float32Array(components * uniform.count) });
   }
   return { uniforms, samplers };
@@ -56,7 +56,12 @@ export function bindInputs(
 
 export function uploadUniforms(gl: WebGL2RenderingContext, { uniforms }: Bindings, state: FrameState, scene: Json | null): void {
   for (const { active, uniform, live, values } of uniforms) {
-    fill(live ? uniform.rules.map((rule) => liveRule(rule, scene)) : uniform.rules, state, values);
+    if (live !== null && live.scene !== scene) {
+      // Pointers into the scene are followed once a change, not in every frame.
+      live.scene = scene;
+      live.rules = uniform.rules.map((rule) => liveRule(rule, scene));
+    }
+    fill(live?.rules ?? uniform.rules, state, values);
     upload(gl, active, values);
   }
 }

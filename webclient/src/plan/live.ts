@@ -15,12 +15,31 @@ export function planCovers(plan: FramePlan, planned: Json, requested: Json): boo
   );
 }
 
-/** A constant rule with the scene's numbers, if it names a field with as many; else the rule itself. */
+/** Whether a rule has numbers that follow the scene's fields. */
+export function isLive(rule: Rule): boolean {
+  return (rule.rule === "constant" && typeof rule.field === "string") || (rule.rule === "clamp" && (rule.terms ?? []).length > 0);
+}
+
+/** The rule with the scene's numbers, if the scene has all that it names; else as the plan says for where they are absent. */
 export function liveRule(rule: Rule, scene: Json | null): Rule {
-  if (rule.rule !== "constant" || typeof rule.field !== "string" || scene === null) return rule;
+  if (scene === null) return rule;
+  if (rule.rule === "clamp") return { ...rule, offset: offset(rule.terms ?? [], scene) ?? rule.offset };
+  if (rule.rule !== "constant" || typeof rule.field !== "string") return rule;
   const value = get(scene, rule.field);
+  if (value === undefined && rule.absent) return { ...rule, value: rule.absent };
   const numbers = Array.isArray(value) ? value : [value];
   return numbers.length === rule.value.length && numbers.every((n) => typeof n === "number")
     ? { ...rule, value: numbers }
     : rule;
+}
+
+/** The sum of the terms in their order, as the server adds them; null where the scene lacks one of their fields. */
+function offset(terms: readonly { field: string; factor: number }[], scene: Json): number | null {
+  let sum = 0;
+  for (const { field, factor } of terms) {
+    const value = get(scene, field);
+    if (typeof value !== "number") return null;
+    sum += factor * value;
+  }
+  return terms.length > 0 ? sum : null;
 }

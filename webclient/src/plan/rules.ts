@@ -74,7 +74,7 @@ export function evaluate(rule: Rule, state: FrameState): readonly number[] {
     case "phase":
       return [phase(rule.offset + rule.rate * state.time + (rule.k[0] * ox + rule.k[1] * oz))];
     case "wrap":
-      return [modulo(rule.k[0] * ox + rule.k[1] * oz + rule.offset, rule.period)];
+      return [modulo(rule.offset + (rule.rate ?? 0) * state.time + (rule.k[0] * ox + rule.k[1] * oz), rule.period)];
     case "loop":
       return [modulo(state.time + rule.offset, rule.period)];
     case "clamp": {

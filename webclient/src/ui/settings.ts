@@ -1,4 +1,5 @@
 /** Settings panel: quality, camera, the scene's fields and the list of effects. */
+import "./settings.css";
 import type { CameraControls, CameraMode } from "../camera/controls";
 import { element, fillSelect } from "./dom";
 import { icon } from "./icons";
@@ -22,6 +23,8 @@ const SCALES = [1, 0.75, 0.5, 0.35, 0.25];
 export class SettingsPanel {
   /** Container of the scene's pane. */
   readonly scene = element("div", { class: "scene" });
+  /** Container of undo, redo and the changes. */
+  readonly edits = element("div");
   private readonly quality = element("select", { id: "quality" });
   private readonly scale = element("select", { id: "scale" });
   private readonly mode = element("select", { id: "mode" });
@@ -67,9 +70,10 @@ export class SettingsPanel {
           row("field of view", "fov", this.fov, this.fovOutput),
         ),
         this.scene,
+        this.edits,
         effects.root,
         element("div", { class: "actions" }, this.frameButton, reset),
-        element("p", { class: "shortcuts" }, "Drag: rotate · W A S D, Q E: move · wheel or pinch: zoom · Shift + wheel: field of view"),
+        element("p", { class: "shortcuts" }, "Drag: touch the water · right drag or two fingers: rotate · W A S D, Q E: move · wheel or pinch: zoom · Shift + wheel: field of view · space: play · , and .: step a frame · /: list of waters · F: full screen · Ctrl+Z: undo"),
       ),
     );
     this.showFov();

@@ -1,4 +1,5 @@
 /** Messages that disappear after a while. */
+import "./messages.css";
 import { element } from "./dom";
 
 const DURATION = { note: 2600, error: 12000 };

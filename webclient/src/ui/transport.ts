@@ -3,9 +3,13 @@
  *
  * `movePosition` is for every frame: it sets transforms, which repaints nothing. `update` repaints, a few times a second.
  */
+import "./transport.css";
 import type { Clock } from "../app/clock";
 import { element } from "./dom";
 import { icon } from "./icons";
+
+/** One frame, s: the step of the keys , and . */
+const FRAME = 1 / 60;
 
 /** Length of the scrubber, s: it covers the current minute, since time is unbounded. */
 const WINDOW = 60;
@@ -16,7 +20,7 @@ export class Transport {
   private readonly scrub = element("input", { type: "range", min: 0, max: WINDOW, step: "any", "aria-label": "Time within the minute" });
   private readonly elapsed = element("i", { class: "elapsed" });
   private readonly position = element("i", { class: "position" });
-  private readonly timeInput = element("input", { type: "text", inputmode: "decimal", class: "time-input", "aria-label": "Time in seconds", title: "Time in seconds" });
+  private readonly timeInput = element("input", { type: "text", inputmode: "decimal", class: "time-input", "aria-label": "Time in seconds", title: "Time in seconds; the keys , and . step by a frame of 1/60 s" });
   private readonly speed = element("select", { "aria-label": "Speed", title: "Speed" });
   private scrubbing = false;
 
@@ -45,15 +49,30 @@ export class Transport {
       this.update();
     });
     this.speed.addEventListener("change", () => clock.setSpeed(Number(this.speed.value)));
-    document.addEventListener("keydown", (event) => {
-      const inControl = event.target instanceof HTMLElement && event.target.matches("input, select, button, textarea, [role=slider]");
-      if (event.code !== "Space" || inControl) return;
-      event.preventDefault();
-      clock.playing = !clock.playing;
+    // The exact time, which the field rounds otherwise; selected, for the next one to be typed over it.
+    this.timeInput.addEventListener("focus", () => {
+      this.timeInput.value = String(clock.time);
+      this.timeInput.select();
     });
+    this.timeInput.addEventListener("blur", () => this.update());
+    document.addEventListener("keydown", this.keyDown);
     clock.onChange(() => this.showState());
     this.showState();
   }
+
+  private readonly keyDown = (event: KeyboardEvent): void => {
+    const { target } = event;
+    const matches = (selector: string) => target instanceof HTMLElement && target.matches(selector);
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const frames = { ",": -1, ".": 1 }[event.key];
+    if (frames !== undefined && !matches("input:not([type=range]), select, textarea")) {
+      this.clock.playing = false;
+      this.clock.seek(frameAfter(this.clock.time, frames));
+    } else if (event.code === "Space" && !matches("input, select, button, textarea, a, summary, [role=slider]")) {
+      event.preventDefault();
+      this.clock.playing = !this.clock.playing;
+    }
+  };
 
   movePosition(): void {
     const share = this.secondsInMinute() / WINDOW;
@@ -84,4 +103,13 @@ export class Transport {
     this.speed.value = String(speed);
     this.update();
   }
+}
+
+/** The start of the next (1) or previous (-1) frame, s: from between two frames, the nearer one in that direction. */
+export function frameAfter(time: number, frames: number): number {
+  const exact = time / FRAME;
+  const nearest = Math.round(exact);
+  // A multiple of 1/60 is seldom a float64.
+  const start = Math.abs(exact - nearest) < 1e-4 ? nearest : frames > 0 ? Math.floor(exact) : Math.ceil(exact);
+  return (start + frames) / 60;
 }

@@ -13,10 +13,11 @@ from seafoam.api.context import Context, InContext
 from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import FrameParameters, FrameRequest, strictly
 from seafoam.api.planning import CompiledPlan, compile_scene
-from seafoam.api.routers.presets import PresetName, find_preset
+from seafoam.api.routers.presets import PresetName, find_preset, known_preset
 from seafoam.quality import TIERS
 from seafoam.render.encode import MEDIA_TYPES, FrameFormat
 from seafoam.render.service.jobs import Frame, FrameJob
+from seafoam.render.service.recipe import recipe_of
 
 router = APIRouter(prefix="/api", tags=["frames"])
 
@@ -78,7 +79,7 @@ async def get_frame(
         await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at=None, parameters=asked.changed)
     quality, chosen = await resolve(given, subject, context)
     context.settings.frame_limits.check(width, height, quality.samples_drawn)
-    job = FrameJob(scene, quality, time, asked.camera(scene.camera), width, height, format)
+    job = FrameJob(scene, quality, time, asked.camera(scene.camera), width, height, format, preset)
     compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None, parameters=asked.changed)
     tag, headers = await _identity(job, compiled, context)
     headers |= {"Cache-Control": REVALIDATE, **chosen}
@@ -91,13 +92,14 @@ async def get_frame(
 async def render_frame(asked: strictly(FrameRequest), request: Request, context: InContext) -> Response:  # type: ignore[valid-type]
     """Render a frame of a scene sent as JSON."""
     body: FrameRequest = asked
+    known_preset(body.preset)
     given = Asked(body.quality, body.budget_ms, body.width, body.height, parameter=False)
     if body.quality == "auto":
         await context.plans.run(compile_scene, body.scene, TIERS["standard"], scene_at="/scene")
     quality, chosen = await resolve(given, Subject.of_scene(body.scene), context)
     context.settings.frame_limits.check(body.width, body.height, quality.samples_drawn)
     camera = body.camera or body.scene.camera
-    job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, body.format)
+    job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, body.format, body.preset)
     compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
     tag, headers = await _identity(job, compiled, context)
     headers |= {"Cache-Control": NO_STORE, **chosen}
@@ -109,7 +111,9 @@ async def _identity(job: FrameJob, compiled: CompiledPlan, context: Context) -> 
     await context.pool.wait_until_settled()
     info = context.pool.info
     camera = job.camera.model_dump(mode="json")
-    tag = tag_of(compiled.sha256, job.time, camera, job.width, job.height, job.format, info)
+    # Only a PNG carries the recipe, which says more than the plan: also what the plan leaves out.
+    recipe = recipe_of(job, info) if job.format == "png" else None
+    tag = tag_of(compiled.sha256, job.time, camera, job.width, job.height, job.format, info, recipe)
     return tag, {"Seafoam-Plan": compiled.sha256, "Seafoam-Renderer": info["renderer"]}
 
 

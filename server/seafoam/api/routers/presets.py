@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 from seafoam.accuracy.model import ParameterInfo
 from seafoam.accuracy.parameters import every_parameter
 from seafoam.api.context import InContext
-from seafoam.api.errors import NotFoundError, problem_responses
+from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.planning import compile_scene
 from seafoam.api.threads import ThreadPool
@@ -56,6 +56,15 @@ def find_preset(name: str) -> Preset:
         return load_preset(name)
     except KeyError:
         raise NotFoundError(f"preset {name!r} was not found", "preset", preset_names()) from None
+
+
+def known_preset(name: str | None) -> None:
+    """Check the name in a body's member ``preset``. Raises :class:`BadRequestError` with the available names."""
+    if name is not None and name not in preset_names():
+        allowed = {"enum": list(preset_names())}
+        raise BadRequestError(
+            FieldProblem(pointer="/preset", detail=f"/preset: preset {name!r} was not found", allowed=allowed)
+        )
 
 
 @cache

@@ -41,6 +41,9 @@ STEM = 0.42
 """Distance of the bow at the water line from the middle, in boat lengths."""
 DRAUGHT = 0.08
 """Depth of the keel below the water line, in boat lengths."""
+HULLS: dict[str, tuple[float, float, float]] = {"sail": (0.15, 4.63, 0.1), "motor": (0.17, 2.515, 0.15)}
+"""Half breadth amidships, its fall with the square of the distance from the height of the greatest breadth, and that
+height, in boat lengths, as in ``boats/hull/hull.glsl``."""
 FAR = 1e8
 """Limit of the distance from a course's centre to the camera, along each axis, m: beyond what any picture shows."""
 
@@ -68,7 +71,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def shade_files(scene: Scene) -> tuple[Piece | SlotRef, ...]:
     """Files that shade a boat, in a program without water."""
-    return (SlotRef("sky"), "boats/hull/dark.glsl") if scene.light is None else (SlotRef("sky"), *LIGHT)
+    if scene.light is None:
+        return SlotRef("sky"), "boats/hull/dark.glsl"
+    return SlotRef("sky"), SlotRef("open sun"), *LIGHT
 
 
 def _consts(boats: tuple[Boat, ...], quality: Quality) -> dict[str, Const]:

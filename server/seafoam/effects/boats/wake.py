@@ -4,13 +4,24 @@ docs/formulae.md, section 15.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from seafoam.effects.boats.boat import COURSE
-from seafoam.effects.effect import Bound, Contribution, Effect, Inline, PassSpec, QualityParameter, SlotFile
+from seafoam.effects.effect import (
+    Bound,
+    Contribution,
+    Effect,
+    Inline,
+    PassSpec,
+    Piece,
+    QualityParameter,
+    SlotFile,
+    Source,
+)
 from seafoam.effects.waves.measured import BLOCK
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import Constant, Uniform, array, number, significant
-from seafoam.ocean.wakes import NEAR, Wake, wake_height, wake_slope, wakes
+from seafoam.ocean.wakes import NEAR, Wake, joint_height, joint_slope, wakes
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
@@ -20,28 +31,65 @@ AWAY = (0, 2, 4, 8)
 """Distances from a boat's middle, in boat lengths, from which on a bound of the wake's curvature is given: the
 curvature is greatest at the bow, where the window fades the wake in."""
 WAY = (COURSE, "boats/wake/way.glsl")
-READ = {"map": "wake", "bounds": "wake_bounds"}
+_PATTERN = "boats/wake/pattern.glsl"
+_PATTERN = "boats/wake/pattern.glsl"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of wakes: what makes them, and where on them a place is.
+
+    ``name``: of targets and programs; ``prefix``: of the GLSL functions; ``way``: files of the places. ``rename``:
+    pairs of names in the files of boats' wakes, so that two kinds can be in a shader.
+    """
+
+    name: str
+    prefix: str
+    title: str
+    still: str
+    """Why there are no waves."""
+    way: tuple[Piece, ...]
+    bounds: str
+    """Folder of the files of the bounds."""
+    bounds_need: tuple[Piece, ...] = ()
+    rename: tuple[tuple[str, str], ...] = ()
+
+    def file(self, path: str) -> Piece:
+        """A file of boats' wakes, for this kind."""
+        return Source(path, self.rename) if self.rename else path
+
+    def known(self, name: str) -> str:
+        """The name that this kind has for a name of boats' wakes."""
+        return dict(self.rename).get(name, name)
+
+
+BOATS = Kind("wake", "wakes", "wakes", "no boat moves, or none makes waves", WAY, "boats/wake")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if the scene has boats."""
-    if not scene.boats:
-        return None
+    return wakes_of(BOATS, wakes(scene.boats), quality) if scene.boats else None
+
+
+def wakes_of(kind: Kind, patterns: Sequence[Wake], quality: Quality) -> Contribution:
+    """The waves of at least one wake."""
     mapped = quality.wake == "map"
-    height, patterns = wake_height(scene.boats), wakes(scene.boats)
-    targets, passes = _map_passes(len(scene.boats), quality.wake_size) if mapped else ({}, ())
+    height = joint_height(patterns)
+    targets, passes = _map_passes(kind, len(patterns), quality.wake_size) if mapped else ({}, ())
+    read = {"u_wake_map": kind.name, "u_wake_bounds": f"{kind.name}_bounds"} if mapped else {}
+    uniforms = {**_form_uniforms(patterns), **({} if mapped else _bound_uniforms(patterns, height))}
     return Contribution(
-        why=f"wakes up to {height:.2g} m high",
-        slots=_slots(mapped=mapped),
+        why=f"{kind.title} up to {height:.2g} m high",
+        slots=_slots(kind, mapped=mapped),
         consts={"WAKE_SIZE": quality.wake_size, "WAKE_ASIDE": ASIDE, "WAKE_NEAR": NEAR, "WAKE_AWAY": AWAY},
-        uniforms={**_form_uniforms(patterns), **({} if mapped else _bound_uniforms(patterns, height))},
-        inputs={f"u_wake_{name}": TargetInput(target=target) for name, target in READ.items()} if mapped else {},
+        uniforms={kind.known(name): uniform for name, uniform in uniforms.items()},
+        inputs={kind.known(name): TargetInput(target=target) for name, target in read.items()},
         targets=targets,
         passes=passes,
-        bound=Bound(0.0, "no boat moves, or none makes waves") if height == 0.0 else None,
+        bound=Bound(0.0, kind.still) if height == 0.0 else None,
         max_height=height,
         min_height=-height,
-        max_slope=wake_slope(scene.boats),
+        max_slope=joint_slope(patterns),
         max_curvature=sum(significant(wake.curvature[0]) for wake in patterns),
         map_error=significant(sum(wake.map_error(wake.length / quality.wake_size) for wake in patterns))
         if mapped
@@ -50,16 +98,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _slots(*, mapped: bool) -> tuple[SlotFile, ...]:
-    pattern = ("boats/wake/map.glsl",) if mapped else ("boats/wake/pattern.glsl", "boats/wake/exact.glsl")
+def _slots(kind: Kind, *, mapped: bool) -> tuple[SlotFile, ...]:
+    """Waves and bounds. The pattern itself is the same for all kinds."""
+    at = kind.file(f"boats/wake/{'map' if mapped else 'exact'}.glsl")
+    needs = (*kind.way, at) if mapped else (*kind.way, _PATTERN, at)
+    bounds = f"{kind.bounds}/{'bounds' if mapped else 'declared_bounds'}.glsl"
     return (
-        SlotFile("waves", "boats/wake/waves.glsl", prefix="wakes", needs=(*WAY, *pattern)),
-        SlotFile("bounds", f"boats/wake/{'bounds' if mapped else 'declared_bounds'}.glsl", prefix="wakes"),
+        SlotFile("waves", kind.file("boats/wake/waves.glsl"), prefix=kind.prefix, needs=needs),
+        SlotFile("bounds", bounds, prefix=kind.prefix, needs=kind.bounds_need),
     )
 
 
 def _form_uniforms(patterns: Sequence[Wake]) -> dict[str, Uniform]:
-    """Of each wake: wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and its boat."""
+    """Of each wake: wavenumber (rad/m), amplitude (m; 0: none), length (m), cut-off (rad/m); and its maker."""
     forms = [
         (significant(of.k), of.boat.wake if of.shows else 0.0, significant(of.length), significant(of.shortest))
         for of in patterns
@@ -80,30 +131,39 @@ def _bound_uniforms(patterns: Sequence[Wake], height: float) -> dict[str, Unifor
     }
 
 
-def _map_passes(boats: int, size: int) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
-    """Targets and passes of the wakes' map, ``size`` texels long and half as wide per boat, and of its bounds."""
+def _map_passes(kind: Kind, count: int, size: int) -> tuple[dict[str, Target], tuple[PassSpec, ...]]:
+    """Targets and passes of the wakes' map, ``size`` texels long and half as wide per wake, and of its bounds."""
+    name, form = kind.name, kind.file("boats/wake/form.glsl")
+    blocks = FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * count)
     targets = {
-        "wake": Target(size=FixedSize(width=size, height=size // 2 * boats), format="RGBA16F", filter="linear"),
-        "wake_blocks": Target(size=FixedSize(width=size // BLOCK, height=size // 2 // BLOCK * boats), format="RGBA16F"),
-        "wake_bounds": Target(size=FixedSize(width=len(AWAY), height=boats), format="RGBA16F"),
+        name: Target(size=FixedSize(width=size, height=size // 2 * count), format="RGBA16F", filter="linear"),
+        f"{name}_blocks": Target(size=blocks, format="RGBA16F"),
+        f"{name}_bounds": Target(size=FixedSize(width=len(AWAY), height=count), format="RGBA16F"),
     }
-    pattern = ("lib/numbers.glsl", "boats/wake/form.glsl", "boats/wake/pattern.glsl", "boats/wake/map_pass.glsl")
-    block = Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n")
     return targets, (
-        PassSpec(name=f"wakes, {size} texels along", program="wake", fragment=pattern, target="wake"),
         PassSpec(
-            name="wakes, greatest of blocks",
-            program="wake_blocks",
-            fragment=(block, "boats/wake/form.glsl", "boats/wake/bounds_blocks_pass.glsl"),
-            target="wake_blocks",
-            inputs={"u_wake_map": TargetInput(target="wake")},
+            name=f"{kind.title}, {size} texels along",
+            program=name,
+            fragment=("lib/numbers.glsl", form, _PATTERN, kind.file("boats/wake/map_pass.glsl")),
+            target=name,
         ),
         PassSpec(
-            name="wakes, greatest of all",
-            program="wake_bounds",
-            fragment=("boats/wake/form.glsl", "boats/wake/bounds_join_pass.glsl"),
-            target="wake_bounds",
-            inputs={"u_wake_blocks": TargetInput(target="wake_blocks")},
+            name=f"{kind.title}, greatest of blocks",
+            program=f"{name}_blocks",
+            fragment=(
+                Inline(f"const int BOUNDS_BLOCK = {BLOCK};\n"),
+                form,
+                kind.file("boats/wake/bounds_blocks_pass.glsl"),
+            ),
+            target=f"{name}_blocks",
+            inputs={kind.known("u_wake_map"): TargetInput(target=name)},
+        ),
+        PassSpec(
+            name=f"{kind.title}, greatest of all",
+            program=f"{name}_bounds",
+            fragment=(form, kind.file("boats/wake/bounds_join_pass.glsl")),
+            target=f"{name}_bounds",
+            inputs={kind.known("u_wake_blocks"): TargetInput(target=f"{name}_blocks")},
         ),
     )
 

@@ -4,11 +4,12 @@ import math
 from dataclasses import dataclass, replace
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile, TextureUse
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile, Source, TextureUse
 from seafoam.effects.foam.living import carries
+from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
-from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, significant, vector
+from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, rounded, significant, vector
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
@@ -16,8 +17,11 @@ from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
 from seafoam.textures import FRONT_NODES, FrontIntegral, front_fading, front_full
 
+PATCH_CHANGE = 25.0
+"""Time in which the patches of a front change, s."""
 LEAST_RATE = 1e-3
 """Least mean frequency of the waves as drifting water meets them, rad/s."""
+_SEED = 64 * 91
 
 
 @dataclass(frozen=True)
@@ -107,7 +111,14 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
             uniforms["u_front_orbit"] = _orbits(scene)
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
-    needs = (_phase_file(scene), *_saturation_files("front_gate", "front_seen", f"way_{carry}"))
+    patchy = front.variation > 0.0 and _gated(front)
+    needs: tuple[Source | str, ...] = (
+        _phase_file(scene),
+        *_saturation_files("front_gate", "front_seen", f"way_{carry}"),
+    )
+    needs = (*needs, *(PERLIN_3 if patchy else ()), *_saturation_files("front_patches" if patchy else "front_even"))
+    if patchy:
+        uniforms |= _patches(scene, front)
     return Contribution(
         why=f"foam of {_waves(scene)} left by the last three fronts, {decay:g} s to 1/e",
         slots=(SlotFile("saturation", "foam/saturation/front_living.glsl", prefix="front", needs=needs),),
@@ -118,6 +129,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
             "FRONT_CREST": math.pi / 2.0,
             "FRONT_BORN": born,
             "FRONT_LIFE": life,
+            **({"FRONT_SEED": _SEED} if patchy else {}),
             "FRONT_WHOLE": significant(born + life * -math.expm1((born - 2.0 * math.pi) / life)),
         },
         uniforms={
@@ -127,6 +139,16 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
             "u_front_group": _group(front),
         },
     )
+
+
+def _patches(scene: Scene, front: FrontSaturation) -> dict[str, Uniform]:
+    """The noise of the patches, which drifts as foam does, and their size (m) and strength."""
+    drift_x, drift_z = foam_drift(scene)
+    speed, heading = math.hypot(drift_x, drift_z), math.atan2(drift_z, drift_x)
+    return {
+        "u_front_patch_phase": drifting_noise(front.variation_size, speed, heading, PATCH_CHANGE),
+        "u_front_patch": vector(rounded((front.variation_size, front.variation))),
+    }
 
 
 def _waves(scene: Scene) -> str:
@@ -237,7 +259,12 @@ def _relief(scene: Scene, spatial: float) -> float:
 
 def front_limit(front: FrontSaturation, scene: Scene) -> float:
     """Return the greatest front saturation: the limit, which every front reaches, or 0 if the group threshold is 1."""
-    return SATURATION_CAP if scene.waves and front.group[0] < 1.0 else 0.0
+    return SATURATION_CAP if scene.waves and (front.group[0] < 1.0 or front.variation > 0.0) else 0.0
 
 
-EFFECT = Effect("front foam", contribute, saturation=SaturationSource(FrontSaturation, front_limit))
+EFFECT = Effect(
+    "front foam",
+    contribute,
+    saturation=SaturationSource(FrontSaturation, front_limit),
+    afloat=("u_front_phase",),
+)

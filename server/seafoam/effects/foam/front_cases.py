@@ -58,6 +58,17 @@ _HARD = (
         coarse_apart="what is drawn is rounding",
     ),
     HardCase(
+        name="patches anywhere, at any time",
+        scene=Scene(
+            waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),
+            foam=Foam(saturation=(FrontSaturation(group=(0.3, 0.9), decay=3.0, variation=0.3, variation_size=5.0),)),
+        ),
+        guard="the camera's position in the noise is reduced in float64 (framegraph/evaluation.py)",
+        without="in float32 patches jump by whole cells at 1e9 s and 1e7 m",
+        times=(-1e9, 1e9),
+        camera=Camera(position=(-1e7, 3.0, 1e7), yaw=1.0, pitch=-0.3),
+    ),
+    HardCase(
         name="a gate without width",
         scene=Scene(
             waves=(ParametricWave(amplitude=0.3), ParametricWave(amplitude=0.3, direction=0.5)),

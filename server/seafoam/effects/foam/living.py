@@ -81,4 +81,4 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-EFFECT = Effect("foam that lives", contribute, fields=("/foam/life",))
+EFFECT = Effect("foam that lives", contribute, fields=("/foam/life",), afloat=("u_windrow_phase",))

@@ -265,6 +265,14 @@ EFFECT = Effect(
     "foam look",
     contribute,
     fields=("/foam",),
+    afloat=(
+        "u_mask_offset",
+        "u_mask_phase",
+        "u_cell_offset",
+        "u_cell_index",
+        "u_foam_offset",
+        "u_foam_second_offset",
+    ),
     parameters=(
         QualityParameter("/mask", "format of the mask's thresholds", ("u8", "half", "u16"), "precision"),
         QualityParameter("/foam_taps", "mask texels averaged under minification", (4, 16), "filtering"),

@@ -157,7 +157,7 @@ _HARD = (
         name="black foam over the brightest glitter",
         scene=Scene(
             foam=Foam(saturation=(HeightSaturation(base=-0.99, full=0.01),), mask_tile=1000.0, fade=0.1, albedo=0.0),
-            water=Water(roughness=0.03),
+            water=Water(roughness=0.01),
             light=Light(sun_elevation=0.3, exposure=10.0, visibility=1e6),
         ),
         guard="foam amount clamped to [0, 1] (foam/look/filtered.glsl)",

@@ -1,19 +1,24 @@
-"""Foam behind boats. docs/formulae.md, section 15."""
+"""Foam behind boats, and behind stones in a current. docs/formulae.md, sections 15 and 16."""
 
 import math
 
+from seafoam.effects.boats.boat import HULLS
 from seafoam.effects.boats.wake import WAY
 from seafoam.effects.bounds import SATURATION_CAP
-from seafoam.effects.effect import Bound, Contribution, Effect, SaturationSource, SlotFile
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile
 from seafoam.effects.noise import VALUE_NOISE
-from seafoam.framegraph.rules import Constant, array, significant
-from seafoam.ocean.wakes import LEAST_SPEED
+from seafoam.effects.waves.standing import WAY as STONE_WAY
+from seafoam.effects.waves.standing import places
+from seafoam.framegraph.rules import Constant, Uniform, array, significant
+from seafoam.ocean.wakes import LEAST_SPEED, Wake, stone_wakes
 from seafoam.quality import Quality
+from seafoam.scene.current import Current
 from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
 
 HULL_SPEED = 1.25
 """Speed over the square root of the length, √m/s, at which the bow's foam reaches its full amount."""
+_STILL = "no boat moves, and no stone stands in a current"
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -25,9 +30,19 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     if wake_limit(wake, scene) == 0.0:
         return Contribution(
-            why="no boat moves",
-            bound=Bound(0.0, "no boat moves"),
+            why=_STILL,
+            bound=Bound(0.0, _STILL),
         )
+    filtered = scene.foam.look == "filtered"
+    torn = "foam/saturation/torn.glsl" if filtered else "foam/saturation/torn_exact.glsl"
+    consts: dict[str, Const] = {"WAKE_CAP": 1.0 if filtered else SATURATION_CAP}
+    if scene.current is not None and _stones(scene):
+        slot = SlotFile(
+            "saturation", "foam/saturation/stones.glsl", prefix="stones", needs=(*VALUE_NOISE, torn, *STONE_WAY)
+        )
+        why = f"foam behind stones, {wake.life:g} s to 1/e"
+        foam = Contribution(why=why, slots=(slot,), consts=consts, uniforms=_stone_amounts(scene.current, wake))
+        return foam.joined(places(scene.current))
     amounts = []
     for boat in scene.boats:
         moves = boat.speed >= LEAST_SPEED
@@ -37,24 +52,57 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 wake.amount if moves else 0.0,
                 significant(wake.life * max(boat.speed, LEAST_SPEED)),
                 significant(wake.bow * share * share) if moves else 0.0,
-                0.0,
+                significant(wake.contact * share) if moves else 0.0,
             )
         )
-    filtered = scene.foam.look == "filtered"
-    torn = "foam/saturation/torn.glsl" if filtered else "foam/saturation/torn_exact.glsl"
     return Contribution(
         why=f"foam behind boats, {wake.life:g} s to 1/e",
-        slots=(SlotFile("saturation", "foam/saturation/wake.glsl", prefix="wake", needs=(*VALUE_NOISE, torn, *WAY)),),
-        consts={"WAKE_CAP": 1.0 if filtered else SATURATION_CAP},
-        uniforms={"u_wake_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts))},
+        slots=(
+            SlotFile(
+                "saturation",
+                "foam/saturation/wake.glsl",
+                prefix="wake",
+                needs=(*VALUE_NOISE, torn, *WAY, f"foam/saturation/wake_contact{'' if wake.contact else '_none'}.glsl"),
+            ),
+        ),
+        consts=consts,
+        uniforms={
+            "u_wake_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts)),
+            **(_hulls(scene) if wake.contact else {}),
+        },
     )
 
 
+def _hulls(scene: Scene) -> dict[str, Uniform]:
+    """Each hull's half breadth, its fall with depth, and the height of the greatest breadth, in boat lengths."""
+    forms = [HULLS[boat.kind] for boat in scene.boats]
+    return {"u_contact_hull": array("vec3", [Constant(value=form) for form in forms], len(forms))}
+
+
+def _stones(scene: Scene) -> tuple[Wake, ...]:
+    """The wakes of the stones that white water stands at. Boats are at anchor where there are any."""
+    return tuple(wake for wake in stone_wakes(scene.current) if wake.boat.speed >= LEAST_SPEED)
+
+
+def _stone_amounts(current: Current, wake: WakeSaturation) -> dict[str, Uniform]:
+    """As of boats, each stone a hull of its breadth."""
+    amounts = []
+    for stone in current.stones:
+        speed = current.speed
+        share = min(speed / (HULL_SPEED * math.sqrt(4.0 * stone.radius)), 1.0)
+        amounts.append(
+            (significant(wake.amount * share), significant(wake.life * speed), significant(wake.bow * share), 0.0)
+        )
+    return {"u_stone_foam": array("vec4", [Constant(value=value) for value in amounts], len(amounts))}
+
+
 def wake_limit(wake: WakeSaturation, scene: Scene) -> float:
-    """Return the greatest wake saturation: 0 if no boat moves."""
+    """Return the greatest wake saturation: 0 if no boat moves, and no stone stands in a current."""
+    if _stones(scene):
+        return min(len(_stones(scene)) * (1.2 * wake.amount + 1.3 * wake.bow), SATURATION_CAP)
     if not any(boat.speed >= LEAST_SPEED for boat in scene.boats):
         return 0.0
-    return min(len(scene.boats) * (1.2 * wake.amount + 1.7 * wake.bow), SATURATION_CAP)
+    return min(len(scene.boats) * (1.2 * (wake.amount + wake.contact) + 1.7 * wake.bow), SATURATION_CAP)
 
 
 EFFECT = Effect("wake foam", contribute, saturation=SaturationSource(WakeSaturation, wake_limit))

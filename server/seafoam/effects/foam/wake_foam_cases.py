@@ -28,6 +28,17 @@ _HARD = (
         # An arc tangent that is off by 3e-6 moves the end of the wake, and bubbles at their threshold with it.
         bounds=Bounds(mean=1.0, share=0.01),
     ),
+    HardCase(
+        name="white water along a heeled hull, from its keel line to far abeam",
+        scene=Scene(
+            boats=(_BOAT.model_copy(update={"heel": 0.6}), _BOAT.model_copy(update={"kind": "motor", "bearing": 2.6})),
+            foam=Foam(saturation=(WakeSaturation(amount=0.0, bow=0.0, contact=4.0),), look="textured"),
+        ),
+        guard="distance at least that beyond stem and transom, where the sides go on without a hull "
+        "(foam/saturation/wake_contact.glsl)",
+        without="0.23 % of samples off by more than 2 levels, the worst by 241: white water far astern and ahead",
+        camera=Camera(position=(0.0, 20.0, -20.0), pitch=-math.pi / 2, fov=1.4),
+    ),
 )
 
 CASES = {"wake foam": Cases(invisible=_INVISIBLE, hard=_HARD)}

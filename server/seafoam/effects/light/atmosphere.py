@@ -1,14 +1,13 @@
-"""Irradiances and optical depths of sun, moon, clouds and sky. docs/formulae.md, sections 6 and 9."""
+"""Irradiances and optical depths of sun, moon and sky. docs/formulae.md, sections 6 and 9."""
 
 import math
 from functools import lru_cache
-from statistics import NormalDist
 
 import numpy as np
 
-from seafoam.ocean.arrays import Floats
+from seafoam.ocean import skylight
 from seafoam.scene.light import Light
-from seafoam.scene.sky import Clouds, Direction, direction
+from seafoam.scene.sky import Direction, direction
 
 Rgb = tuple[float, float, float]
 
@@ -50,8 +49,11 @@ def air_mass(height: float) -> float:
 
 def path(light: Light, height: float) -> Rgb:
     """Optical depth of the air between sea level and a lamp at this sine of elevation."""
-    mass = air_mass(height)
-    red, green, blue = ((tau + mie_depth(light)) * mass for tau in RAYLEIGH)
+    if light.sky is not None:
+        red, green, blue = skylight.atmosphere(mie_depth(light), light.sky.haze).depth(height)
+    else:
+        mass = air_mass(height)
+        red, green, blue = ((tau + mie_depth(light)) * mass for tau in RAYLEIGH)
     return red, green, blue
 
 
@@ -60,9 +62,11 @@ def sun(light: Light) -> Direction:
     return direction(*light.sun)
 
 
-def sun_power(light: Light) -> float:
-    """Irradiance of the sunlight that the air scatters; fades after sunset."""
-    return SUN_POWER * math.exp(12.0 * min(sun(light)[1], 0.0))
+def sun_power(light: Light) -> Rgb:
+    """Irradiance above the atmosphere of the sunlight in a layered sky, as an eye adapted to dusk sees it."""
+    gain = skylight.adapted(sun(light)[1])
+    red, green, blue = (power * gain for power in skylight.SUN_POWER)
+    return red, green, blue
 
 
 def moon(light: Light) -> Direction | None:
@@ -105,6 +109,12 @@ def direct(light: Light) -> Rgb:
         red, green, blue = (
             power * math.exp(-tau) for power, tau in zip(moon_power(light), path(light, toward[1]), strict=True)
         )
+    elif light.sky is not None:
+        height = sun(light)[1]
+        shown = skylight.disc_shown(height)
+        red, green, blue = (
+            power * shown * math.exp(-tau) for power, tau in zip(skylight.SUN_POWER, path(light, height), strict=True)
+        )
     else:
         height = sun(light)[1]
         up = smooth(-0.02, 0.02, height)
@@ -112,83 +122,30 @@ def direct(light: Light) -> Rgb:
     return red, green, blue
 
 
-def cloud_mean(clouds: Clouds | None) -> float:
-    """Mean fraction of the light from above that clouds absorb."""
-    return 0.0 if clouds is None else clouds.cover * (1.0 - math.exp(-0.5 * clouds.thickness))
-
-
-def cloud_start(clouds: Clouds) -> float:
-    """Noise value above which there is cloud: the normal quantile of the cover, at mid-edge."""
-    cover = min(max(clouds.cover, 1e-4), 1.0 - 1e-4)
-    return -NormalDist().inv_cdf(cover) - 0.25 * clouds.softness
-
-
-def cloud_light(light: Light) -> Rgb:
-    """Irradiance of the lamp at the height of the clouds: through half the air, and until later after sunset."""
-    if moon_is_lamp(light):
-        toward = moon(light)
-        assert toward is not None
-        red, green, blue = (
-            power * math.exp(-0.5 * tau) for power, tau in zip(moon_power(light), path(light, toward[1]), strict=True)
-        )
-    else:
-        height = sun(light)[1]
-        up = smooth(-0.06, 0.02, height)
-        red, green, blue = (SUN_POWER * math.exp(-0.5 * tau) * up for tau in path(light, height))
-    return red, green, blue
-
-
-def _glow(light: Light, toward: Direction, power: Rgb | float, least: float, d: Floats) -> Floats:
-    """Radiance (..., 3) that a clear sky scatters from one lamp, in directions ``d`` (..., 3)."""
-    sky = light.sky
-    assert sky is not None
-    height = np.maximum(d[..., 1], 0.0)[..., None]
-    gamma = (d @ np.array(toward))[..., None]
-    rayleigh, mie, haze = np.array(RAYLEIGH), mie_depth(light), sky.haze * 0.02 / (height + 0.02)
-    mass = 1.0 / (height + 0.09)
-    depth = (rayleigh + mie) * mass + haze
-    forward = (1.0 - ASYMMETRY**2) / (4.0 * math.pi * (1.0 + ASYMMETRY**2 - 2.0 * ASYMMETRY * gamma) ** 1.5)
-    once = (rayleigh * mass * 3.0 / (16.0 * math.pi) * (1.0 + gamma**2) + (mie * mass + haze) * forward) / depth
-    passed = np.array(path(light, toward[1]))
-    full = np.asarray(power)
-    here = full * np.exp(-passed * (0.08 + 0.7 * np.exp(-height / 0.12))) + least
-    result: Floats = (here * once + (full * np.exp(-0.08 * passed) + least) * 0.04) * (1.0 - np.exp(-depth))
+def glows(light: Light) -> dict[str, tuple[Direction, skylight.Glow]]:
+    """Return direction and glow in a clear layered sky of each lamp that lights it: ``sun``, and ``moon``."""
+    assert light.sky is not None
+    haze = mie_depth(light), light.sky.haze
+    toward = sun(light)
+    result = {"sun": (toward, skylight.glow(*haze, toward[1], sun_power(light), skylight.NIGHT))}
+    other, power = moon(light), moon_power(light)
+    if other is not None and min(power) > 0.0:
+        result["moon"] = (other, skylight.glow(*haze, other[1], power))
     return result
 
 
 @lru_cache(maxsize=64)
 def clear_irradiance(light: Light) -> Rgb:
-    """Irradiance of the clear sky on level water, by the midpoint rule in sin² of the elevation (96 × 96)."""
-    height = np.sqrt((np.arange(_NODES) + 0.5) / _NODES)
-    level = np.sqrt(1.0 - height * height)
-    turn = (np.arange(_NODES) + 0.5) * (2.0 * math.pi / _NODES)
-    d = np.stack(
-        (level[:, None] * np.cos(turn), np.repeat(height[:, None], _NODES, axis=1), level[:, None] * np.sin(turn)), -1
-    )
-    total = _glow(light, sun(light), sun_power(light), NIGHT, d)
-    toward = moon(light)
-    if toward is not None:
-        total = total + _glow(light, toward, moon_power(light), 0.0, d)
-    red, green, blue = (float(value) for value in math.pi * total.mean(axis=(0, 1)))
-    return red, green, blue
-
-
-def cloud_sky(light: Light) -> Rgb:
-    """Radiance of the skylight on clouds, mean over all directions."""
-    red, green, blue = (0.6 / math.pi * value for value in clear_irradiance(light))
-    return red, green, blue
-
-
-def irradiance(light: Light) -> Rgb:
-    """Irradiance of sky and clouds on level water."""
-    clear = clear_irradiance(light)
-    clouds = light.sky.clouds if light.sky is not None else None
-    if clouds is None:
-        return clear
-    cover = cloud_mean(clouds)
-    lit = 0.3 * (0.15 + 0.85 * math.exp(-0.25 * clouds.thickness))
-    red, green, blue = (
-        (1.0 - cover) * blue_sky + cover * math.pi * (lit * sunny + 0.8 * grey)
-        for blue_sky, sunny, grey in zip(clear, cloud_light(light), cloud_sky(light), strict=True)
-    )
+    """Irradiance of the clear sky on level water, by the midpoint rule (96 × 96)."""
+    # Equal steps in the root of the height: the sky changes fastest at the horizon.
+    root = (np.arange(_NODES) + 0.5) / _NODES
+    height = np.repeat((root * root)[:, None], _NODES, axis=1)
+    turn = np.cos((np.arange(_NODES) + 0.5) * (math.pi / _NODES))
+    along = np.sqrt(1.0 - height * height) * turn
+    total = np.zeros(3)
+    for toward, glow in glows(light).values():
+        gamma = along * math.hypot(toward[0], toward[2]) + height * toward[1]
+        rings = skylight.radiance(glow, height, along, gamma, ASYMMETRY).mean(axis=1)
+        total += root**3 @ rings * (4.0 * math.pi / _NODES)
+    red, green, blue = (float(value) for value in total)
     return red, green, blue

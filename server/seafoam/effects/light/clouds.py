@@ -1,12 +1,14 @@
-"""Clouds: a layer of gradient noise over a round earth. docs/formulae.md, section 9."""
+"""Clouds: layers of gradient noise over a round earth. docs/formulae.md, section 9."""
+
+import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, QualityParameter, SlotFile
-from seafoam.effects.light import atmosphere
-from seafoam.effects.noise import PERLIN_3, drifting_noise
-from seafoam.framegraph.rules import number, rounded, significant, vector
+from seafoam.effects.light import atmosphere, overcast
+from seafoam.effects.noise import CELLS, PERLIN_2, PERLIN_3, drifting_noise
+from seafoam.framegraph.rules import Phase, array, number, rounded, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
-from seafoam.scene.sky import Clouds
+from seafoam.scene.sky import Cirrus, Clouds
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -17,26 +19,34 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     clouds = light.sky.clouds
     lamp = atmosphere.moon(light) if atmosphere.moon_is_lamp(light) else atmosphere.sun(light)
     assert lamp is not None
+    means = overcast.cloud_means(light, clouds)
+    rain = (SlotFile("rain", "light/clouds/rain.glsl"),) if clouds.rain > 0.0 else ()
     return Contribution(
         why=f"clouds over {100 * clouds.cover:.0f} % of the sky",
         slots=(
             SlotFile(
                 "clouds",
                 "light/clouds/layer.glsl",
-                needs=PERLIN_3,
+                needs=(*PERLIN_3, "light/clouds/way.glsl"),
             ),
+            *rain,
         ),
         consts={"CLOUD_OCTAVES": quality.cloud_octaves, "CLOUD_SEED": 64 * clouds.seed},
         uniforms={
             "u_cloud_phase": drifting_noise(clouds.size, clouds.wind, clouds.wind_direction, clouds.change),
             "u_cloud_shape": vector(
-                rounded((clouds.height, clouds.size, atmosphere.cloud_start(clouds), clouds.thickness))
+                rounded((clouds.height, clouds.size, overcast.cloud_start(clouds), clouds.thickness))
             ),
+            "u_cloud_mean": vector(rounded(means[0])),
+            "u_cloud_parted": vector(rounded(means[1])),
+            "u_cloud_far": vector(rounded(overcast.cloud_far(light, clouds))),
+            "u_cloud_tall": number(clouds.depth, None if clouds.shadows > 0.0 else "/light/sky/clouds/depth"),
+            "u_cloud_rain": number(clouds.rain, "/light/sky/clouds/rain"),
             "u_cloud_softness": number(clouds.softness),
-            "u_cloud_mean": number(significant(atmosphere.cloud_mean(clouds))),
+            "u_cloud_edge": vector(rounded(overcast.cloud_edge(clouds))),
             "u_cloud_toward": vector(rounded(lamp)),
-            "u_cloud_light": vector(rounded(atmosphere.cloud_light(light))),
-            "u_cloud_sky": vector(rounded(atmosphere.cloud_sky(light))),
+            "u_cloud_light": vector(rounded(overcast.cloud_light(light, clouds.height))),
+            "u_cloud_sky": vector(rounded(overcast.cloud_sky(light))),
         },
         bound=_bound(clouds),
     )
@@ -48,6 +58,39 @@ def _bound(clouds: Clouds) -> Bound | None:
     return Bound(0.0, "clouds have no thickness") if clouds.thickness == 0.0 else None
 
 
+def cirrus(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if the sky has high clouds."""
+    light = scene.light
+    if light is None or light.sky is None or light.sky.cirrus is None:
+        return None
+    of = light.sky.cirrus
+    heading = (math.cos(of.direction), math.sin(of.direction))
+    return Contribution(
+        why=f"high clouds over {100 * of.cover:.0f} % of the sky",
+        slots=(SlotFile("cirrus", "light/clouds/cirrus.glsl", needs=(*PERLIN_2, "light/clouds/way.glsl")),),
+        consts={"CIRRUS_SEED": 64 * of.seed},
+        uniforms={
+            "u_cirrus_phase": array("float", tuple(_streak(of, heading, *part) for part in _STREAKS), 4),
+            "u_cirrus_shape": vector(rounded((of.height, of.size, overcast.cirrus_start(of), of.thickness))),
+            "u_cirrus_along": vector(rounded(heading)),
+            "u_cirrus_light": vector(rounded(overcast.cloud_light(light, of.height))),
+            "u_cirrus_sky": vector(rounded(overcast.cloud_sky(light))),
+        },
+        bound=Bound(0.0, "high clouds cover no part of the sky") if of.cover * of.thickness == 0.0 else None,
+    )
+
+
+_STREAKS = ((True, 1.0 / 8.0), (False, 1.0), (True, 0.125), (False, 0.25))
+"""Axes of the noise of streaks and of their patches: along the streaks or across, and cells per size."""
+
+
+def _streak(of: Cirrus, heading: tuple[float, float], along: bool, share: float) -> Phase:
+    k = 2.0 * math.pi / (CELLS * of.size) * share
+    axis = heading if along else (-heading[1], heading[0])
+    return Phase(offset=0.0, rate=-k * of.wind if along else 0.0, k=(k * axis[0], k * axis[1]))
+
+
+CIRRUS = Effect("high clouds", cirrus, fields=("/light/sky/cirrus",))
 EFFECT = Effect(
     "clouds",
     contribute,

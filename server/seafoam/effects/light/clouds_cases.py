@@ -6,11 +6,28 @@ from seafoam.effects.effect import Cases, HardCase
 from seafoam.scene.camera import Camera
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
-from seafoam.scene.sky import Clouds, Sky
+from seafoam.scene.sky import Cirrus, Clouds, Sky
 
 _THIN = Sky(clouds=Clouds(thickness=0.0))
 
 _INVISIBLE = (Scene(light=Light(sky=_THIN)), Scene(light=Light(sky=Sky(clouds=Clouds(cover=0.0)))))
+
+_NO_STREAKS = (
+    Scene(light=Light(sky=Sky(cirrus=Cirrus(cover=0.0)))),
+    Scene(light=Light(sky=Sky(cirrus=Cirrus(thickness=0.0)))),
+)
+
+_HARD_STREAKS = (
+    HardCase(
+        name="high clouds anywhere, at any time",
+        scene=Scene(light=Light(exposure=-2.0, sky=Sky(cirrus=Cirrus(cover=0.7)))),
+        guard="the camera's position in the noise is reduced in float64, along the streaks and across "
+        "(framegraph/evaluation.py)",
+        without="in float32 streaks jump by whole cells at 1e9 s",
+        times=(-1e9, 0.0, 1e9),
+        camera=Camera(position=(1e7, 3.0, -1e7), pitch=0.3),
+    ),
+)
 
 _HARD = (
     HardCase(
@@ -44,6 +61,17 @@ _HARD = (
         camera=Camera(position=(0.0, 3.0, 0.0), pitch=0.5),
     ),
     HardCase(
+        name="rain all around, looked up to from below",
+        scene=Scene(
+            light=Light(
+                exposure=-2.0, sky=Sky(clouds=Clouds(cover=0.95, thickness=20.0, height=400.0, depth=5000.0, rain=10.0))
+            )
+        ),
+        guard="the level part of a look is at least 0.001 of it (light/clouds/rain.glsl)",
+        without="0/0 straight up",
+        camera=Camera(position=(0.0, 3.0, 0.0), pitch=1.4, fov=1.5),
+    ),
+    HardCase(
         name="a hundred thousand little clouds",
         scene=Scene(light=Light(exposure=-2.0, sky=Sky(clouds=Clouds(height=15000.0, size=500.0, cover=0.5)))),
         guard="octaves that a sample does not resolve are replaced by their mean (lib/noise/perlin_3.glsl)",
@@ -52,4 +80,7 @@ _HARD = (
     ),
 )
 
-CASES = {"clouds": Cases(invisible=_INVISIBLE, hard=_HARD)}
+CASES = {
+    "clouds": Cases(invisible=_INVISIBLE, hard=_HARD),
+    "high clouds": Cases(invisible=_NO_STREAKS, hard=_HARD_STREAKS),
+}

@@ -4,7 +4,7 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
-from seafoam.effects.light.light import sun_disc, sun_irradiance
+from seafoam.effects.light.light import brightest_sun, sun_disc
 from seafoam.framegraph.rules import Uniform, number, vector
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
@@ -29,7 +29,7 @@ def brightest_glint(scene: Scene) -> float:
     # The peak of the specular lobe for a level surface at grazing angle, where cv equals the roughness; the factor 4
     # covers surfaces whose roughness includes unresolved waves.
     sigma = scene.water.roughness
-    brightest: float = max(sun_irradiance(scene.light)) * math.exp2(scene.light.exposure)
+    brightest: float = max(brightest_sun(scene.light)) * math.exp2(scene.light.exposure)
     return brightest * max(1.0 / (math.pi * sigma**3), 1.0 / 6.8e-5)
 
 

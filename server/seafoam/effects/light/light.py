@@ -5,9 +5,11 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 from seafoam.effects.effect import Contribution, Effect, SlotFile
-from seafoam.effects.light import atmosphere
+from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, Rgb, air_mass, mie_depth
+from seafoam.effects.light.glow import glow_source, glow_uniforms
 from seafoam.framegraph.rules import number, significant, vector
+from seafoam.ocean import skylight
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
@@ -44,17 +46,26 @@ def sun_direction(light: Light) -> Rgb:
 
 def sun_irradiance(light: Light) -> Rgb:
     """Return E_s, the lamp's irradiance on a surface that faces it, less the mean absorption of clouds."""
-    clear = 1.0 if light.sky is None else 1.0 - atmosphere.cloud_mean(light.sky.clouds)
+    clear = 1.0 if light.sky is None else 1.0 - overcast.cloud_mean(light.sky.clouds)
     return _rgb(clear * value for value in atmosphere.direct(light))
 
 
+def brightest_sun(light: Light) -> Rgb:
+    """Return the greatest irradiance of the lamp anywhere: in the gaps between clouds that throw shadows."""
+    gap = overcast.gap_light(None if light.sky is None else light.sky.clouds)
+    return _rgb(gap * value for value in sun_irradiance(light))
+
+
 def sun_disc(light: Light) -> Rgb:
-    """Return the radiance of the sun's disc, at most :data:`_MAX_DISC`."""
-    if light.sky is None:
-        irradiance = sun_irradiance(light)
-    else:
+    """Return the radiance of the sun's disc, at most :data:`_MAX_DISC`; under a layered sky it keeps its colour."""
+    if light.sky is not None:
         # The shader applies the clouds where they cover the disc; the moon's disc is drawn separately.
-        irradiance = (0.0, 0.0, 0.0) if atmosphere.moon_is_lamp(light) else atmosphere.direct(light)
+        if atmosphere.moon_is_lamp(light):
+            return 0.0, 0.0, 0.0
+        passed = [value / SUN_POWER for value in atmosphere.direct(light)]
+        # Of a range that a picture can hold: a disc as red as it is dim.
+        return _rgb(_MAX_DISC * math.sqrt(max(passed)) * share for share in passed)
+    irradiance = sun_irradiance(light)
     return _rgb(min(value / _DISC_SOLID_ANGLE, _MAX_DISC) for value in irradiance)
 
 
@@ -85,7 +96,7 @@ def air_parts(light: Light) -> dict[str, list[float]]:
 def sky_irradiance(light: Light) -> Rgb:
     """Return E_sky, the irradiance of the whole sky on level water, by the midpoint rule (96 × 96 directions)."""
     if light.sky is not None:
-        return _rgb(atmosphere.irradiance(light))
+        return _rgb(overcast.irradiance(light))
     sun = sun_direction(light)
     parts = air_parts(light)
     count = 96
@@ -119,9 +130,14 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         sky: tuple[SlotFile, ...] = (SlotFile("sky", "light/sky/analytic.glsl", needs=("light/sky/exposure.glsl",)),)
         air = {f"u_air_{name}": vector(_rgb(value)) for name, value in air_parts(light).items()}
     else:
-        toward = atmosphere.sun(light)
+        glow = atmosphere.glows(light)["sun"]
+        dusk = glow[0][1] > skylight.DEEP_NIGHT
         sky = (
-            SlotFile("layered", "light/sky/layered.glsl", needs=("light/sky/exposure.glsl",)),
+            SlotFile(
+                "layered",
+                glow_source("sun") if dusk else "light/sky/night.glsl",
+                needs=("light/sky/exposure.glsl", "light/sky/layered.glsl"),
+            ),
             SlotFile("sky", "light/sky/whole.glsl"),
             SlotFile("sky main", "light/sky/main_layered.glsl"),
         )
@@ -129,9 +145,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_haze_depth": number(light.sky.haze),
             "u_rayleigh_depth": vector(RAYLEIGH),
             "u_mie_depth": number(significant(mie_depth(light))),
-            "u_sky_sun": vector(_rgb(list(toward))),
-            "u_sky_sun_path": vector(_rgb(list(atmosphere.path(light, toward[1])))),
-            "u_sky_sun_power": number(significant(atmosphere.sun_power(light))),
+            **(glow_uniforms("sun", *glow) if dusk else {}),
         }
     return Contribution(
         why=f"sun {math.degrees(light.sun[1]):.0f}° above the horizon, sky, haze",
@@ -142,7 +156,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 "light/shade/lit.glsl",
                 needs=("lib/refraction.glsl", *ILLUMINATION, "light/shade/optics.glsl"),
             ),
-            SlotFile("tone", "output/tone/filmic.glsl"),
+            SlotFile("tone", f"output/tone/{light.tone}.glsl"),
         ),
         uniforms={
             "u_sun_direction": vector(_rgb(sun_direction(light))),

@@ -4,6 +4,7 @@ import math
 
 from seafoam.effects.effect import Bound, Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere
+from seafoam.effects.light.glow import glow_source, glow_uniforms
 from seafoam.effects.noise import HASH, PERLIN_2
 from seafoam.framegraph.rules import number, rounded, significant, vector
 from seafoam.quality import Quality
@@ -30,17 +31,17 @@ def moon(scene: Scene, quality: Quality) -> Contribution | None:
     )
     radius = atmosphere.MOON_RADIUS * model.size
     face = atmosphere.MOON_FACE * atmosphere.MOON_POWER * model.brightness
+    glows = atmosphere.glows(light)
     lit = 100.0 * math.sqrt(atmosphere.moon_phase(light))
     return Contribution(
         why=f"moon {math.degrees(model.elevation):.0f}° above the horizon, {lit:.0f} % illuminated",
         slots=(
-            SlotFile("moon", "light/sky/moon_glow.glsl"),
+            *((SlotFile("moon", glow_source("moon")),) if "moon" in glows else ()),
             SlotFile("moon disc", "light/sky/moon_disc.glsl", needs=PERLIN_2),
         ),
         uniforms={
             "u_moon_direction": vector(rounded(toward)),
-            "u_moon_path": vector(rounded(atmosphere.path(light, toward[1]))),
-            "u_moon_power": vector(rounded(atmosphere.moon_power(light))),
+            **(glow_uniforms("moon", *glows["moon"]) if "moon" in glows else {}),
             "u_moon_right": vector(rounded(right)),
             "u_moon_up": vector(rounded(up)),
             "u_moon_radius": number(significant(radius)),

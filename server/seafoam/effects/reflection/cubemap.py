@@ -5,10 +5,13 @@ import math
 from seafoam.effects.effect import Bound, Contribution, Effect, PassSpec, QualityParameter, SlotFile, SlotRef
 from seafoam.effects.light.light import ILLUMINATION, air_light, sky_irradiance, sun_irradiance
 from seafoam.effects.noise import VALUE_NOISE
+from seafoam.effects.shore.land import LAND_LIGHT, soil_files
+from seafoam.effects.shore.maps import MAXIMA
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
 from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore
 
 SHORE = (
     "shore/place.glsl",
@@ -18,11 +21,15 @@ SHORE = (
     *VALUE_NOISE,
     "shore/ground.glsl",
     "shore/march.glsl",
-    "shore/maxima.glsl",
+    *MAXIMA,
 )
 """Files that give the land's height and colour."""
-LIT_LAND = (*ILLUMINATION, "lib/refraction.glsl", "shore/land_lit.glsl", "reflection/land.glsl")
-"""Files that light the land along any ray."""
+
+
+def lit_land(shore: Shore) -> tuple[str, ...]:
+    """Files that light the land along any ray."""
+    look = (*soil_files(shore), LAND_LIGHT[shore.detail > 0.0])
+    return (*ILLUMINATION, "lib/refraction.glsl", *look, "reflection/land.glsl")
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -30,19 +37,18 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     light = scene.light
     if light is None or light.reflection != "cubemap":
         return None
-    shore = scene.shore is not None
+    shore = scene.shore
+    scenery: tuple[str, ...] = ("reflection/open.glsl",)
+    if shore is not None:
+        scenery = (*SHORE, *lit_land(shore), "reflection/land_around.glsl")
     if quality.cube == "exact":
-        scenery: tuple[str, ...] = ("reflection/open.glsl",)
-        if shore:
-            scenery = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
         return Contribution(
             why="reflects sky and land, traced for each sample",
             slots=(SlotFile("reflection", "reflection/exact.glsl", needs=scenery),),
             bound=_bound(scene, light),
         )
-    land = (*SHORE, *LIT_LAND, "reflection/land_around.glsl")
     inputs: dict[str, TextureInput | TargetInput] = {}
-    if shore:
+    if shore is not None:
         inputs["u_shore_floor"] = TextureInput(texture="shore_floor")
     return Contribution(
         why=f"reflects sky{' and land' if shore else ''} from a cube map of six faces of {quality.cube_size}²",
@@ -66,7 +72,9 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "lib/numbers.glsl",
                     "lib/camera.glsl",
                     SlotRef("sky"),
-                    *(land if shore else ("reflection/open.glsl",)),
+                    SlotRef("open sun"),
+                    SlotRef("sunlight"),
+                    *scenery,
                     "lib/cube_face.glsl",
                     "reflection/cube.glsl",
                     "reflection/cube_pass.glsl",

@@ -13,7 +13,7 @@ from seafoam.effects.effect import (
     SlotRef,
     constant_function,
 )
-from seafoam.effects.reflection.cubemap import LIT_LAND, SHORE
+from seafoam.effects.reflection.cubemap import SHORE, lit_land
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
@@ -75,6 +75,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                     "lib/numbers.glsl",
                     "lib/camera.glsl",
                     SlotRef("sky"),
+                    SlotRef("open sun"),
+                    SlotRef("sunlight"),
                     *boats,
                     *_land(scene),
                     "reflection/met.glsl",
@@ -89,7 +91,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
 
 def _land(scene: Scene) -> tuple[Piece, ...]:
     """Files that intersect and light land."""
-    return (_NO_LAND,) if scene.shore is None else (*SHORE, *LIT_LAND, "reflection/land_met.glsl")
+    return (_NO_LAND,) if scene.shore is None else (*SHORE, *lit_land(scene.shore), "reflection/land_met.glsl")
 
 
 def _objects(scene: Scene) -> str:

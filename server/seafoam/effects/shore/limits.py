@@ -12,6 +12,7 @@ from seafoam.effects.shore.maps import MASK_WAVES, blur_deviation
 from seafoam.framegraph.rules import significant
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.seabed import floor_grid, smoothstep
+from seafoam.ocean.travel import travel_grid
 from seafoam.quality import Quality
 from seafoam.scene.shore import Shore
 from seafoam.textures import ROWS, shore_profiles
@@ -44,7 +45,8 @@ def limits(shore: Shore, quality: Quality) -> Limits:
     """Bounds of a shore; those of its waves without the mask's pauses, exposure and ridges, which only lower them."""
     default = Shore()
     # What the bounds do not depend on is set to its default, so that such shores share one measurement.
-    same = {name: getattr(default, name) for name in ("place", "sand", "rock", "plants", "plants_from", "reef")}
+    look = ("place", "sand", "rock", "plants", "plants_from", "reef", "detail", "shadows")
+    same = {name: getattr(default, name) for name in look}
     return _measured(shore.model_copy(update=same), quality.shore_map, quality.shore_floor, quality.shore_profile)
 
 
@@ -85,8 +87,8 @@ class _WaveFields:
     """Smoothed water depth, m; negative on land."""
     height: Floats
     """Greatest wave height, m."""
-    turns_per_metre: Floats
-    """Periods of the phase per metre of distance, 1/m."""
+    turns: Floats
+    """Gradient of the phase, (texels, texels, 2) periods/m; between texels it is no steeper."""
     skew: Floats
     """Row of the profile table over its last row: 0 symmetric, 1 the skew of a breaking wave."""
 
@@ -102,15 +104,26 @@ def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> _WaveFields:
     # Green's law where the wave has not broken.
     shoal = np.where(depth >= breaking_depth, (breaking_depth / np.maximum(depth, breaking_depth)) ** 0.25, broken)
     inland = smoothstep(-1.2 * max(surf.height, 0.05) / shore.slope, 0.0, distance)
-    least_depth = max(0.3 * surf.height, 0.05)
-    speed_squared = GRAVITY * (least_depth + shore.slope * np.maximum(distance, 0.0))
     return _WaveFields(
         distance,
         depth,
         height=surf.height * shoal * inland * (1.0 - smoothstep(0.45 * shore.deep, 0.9 * shore.deep, depth)),
-        turns_per_metre=1.0 / (surf.period * np.sqrt(speed_squared)),
+        turns=_phase_gradient(shore, distance, map_texels),
         skew=1.0 - smoothstep(breaking_depth, 2.5 * breaking_depth, depth),
     )
+
+
+def _phase_gradient(shore: Shore, distance: Floats, map_texels: int) -> Floats:
+    """Gradient of the waves' phase, (texels, texels, 2) periods/m."""
+    texel, surf = shore.size / map_texels, shore.surf
+    if surf.refraction:
+        return 1.05 * _gradient(travel_grid(shore, map_texels)[..., 0], texel)
+    toward = _gradient(distance, texel)
+    # The gradient of a smoothed distance is about 1; between texels it may be a little more.
+    toward *= 1.05 / np.maximum(np.hypot(toward[..., :1], toward[..., 1:]), 1.0)
+    speed_squared = GRAVITY * (max(0.3 * surf.height, 0.05) + shore.slope * np.maximum(distance, 0.0))
+    result: Floats = toward / (surf.period * np.sqrt(speed_squared))[..., None]
+    return result
 
 
 def _coast_distance(shore: Shore, heights: Floats) -> Floats:
@@ -133,19 +146,16 @@ def _steepest_waves(shore: Shore, fields: _WaveFields, texel: float, nodes: int)
     waves[::2, ::2] = fields.height[::2, ::2] > 0.05 * surf.height
     if not waves.any():
         return 0.0, 0.0
-    height, toward = fields.height[waves][:, None], _gradient(fields.distance, texel)[waves]
+    height, turns = fields.height[waves][:, None], fields.turns[waves]
     height_slope, skew_slope = _gradient(fields.height, texel)[waves], _gradient(fields.skew, texel)[waves]
-    # The gradient of a smoothed distance is about 1; between texels it may be a little more.
-    toward *= 1.05 / np.maximum(np.hypot(toward[:, :1], toward[:, 1:]), 1.0)
     table = shore_profiles(nodes, surf.skew, surf.sharpness).astype(np.float64)
     row, share = _table_rows(fields.skew[waves])
     by_phase = (np.roll(table, -1, axis=1) - table) * nodes
     by_skew = np.diff(table, axis=0) * (ROWS - 1)
     value = table[row] * (1.0 - share) + table[row + 1] * share
     phase_slope = by_phase[row] * (1.0 - share) + by_phase[row + 1] * share
-    turns_per_metre = fields.turns_per_metre[waves]
     components = [
-        height * (by_skew[row] * skew_slope[:, i : i + 1] - phase_slope * (toward[:, i] * turns_per_metre)[:, None])
+        height * (by_skew[row] * skew_slope[:, i : i + 1] - phase_slope * turns[:, i : i + 1])
         + value * height_slope[:, i : i + 1]
         for i in (0, 1)
     ]
@@ -154,11 +164,12 @@ def _steepest_waves(shore: Shore, fields: _WaveFields, texel: float, nodes: int)
     slope = float(np.hypot(*components).max()) + 0.5 * surf.height * mask_slope
     # The second derivative is greatest in troughs, across the crests; height and skew change far more slowly.
     bends = np.maximum(np.roll(table, -1, axis=1) - 2.0 * table + np.roll(table, 1, axis=1), 0.0).max(axis=1)
-    turns = np.hypot(toward[:, 0], toward[:, 1]) * turns_per_metre
+    steepest_turns = np.hypot(turns[:, 0], turns[:, 1])
     steepest_phase = np.abs(phase_slope).max(axis=1)
-    by_profile = np.maximum(bends[row], bends[row + 1]) * nodes**2 * turns**2 * height[:, 0]
-    by_height = 2.0 * steepest_phase * turns * np.hypot(*height_slope.T)
-    curvature = float((by_profile + by_height).max()) + 2.0 * mask_slope * float((steepest_phase * turns).max())
+    by_profile = np.maximum(bends[row], bends[row + 1]) * nodes**2 * steepest_turns**2 * height[:, 0]
+    by_height = 2.0 * steepest_phase * steepest_turns * np.hypot(*height_slope.T)
+    by_mask = 2.0 * mask_slope * float((steepest_phase * steepest_turns).max())
+    curvature = float((by_profile + by_height).max()) + by_mask
     return slope, curvature
 
 

@@ -16,6 +16,9 @@ MASK_WAVES = ((83.0, 0.4, 31.0), (57.0, 2.1, 23.0), (119.0, 3.6, 43.0), (71.0, 5
 GROUND = ("shore/square.glsl", "shore/spline.glsl", "shore/floor.glsl")
 """The height field. Its files do not declare the camera's position, so that the map's passes are drawn once."""
 
+MAXIMA = ("shore/land_maxima.glsl", "shore/maxima.glsl")
+"""The tree of the land's maxima."""
+
 MARCH_GROUND: tuple[Piece, ...] = (
     "surface/begin.glsl",
     "shore/ground.glsl",
@@ -23,7 +26,7 @@ MARCH_GROUND: tuple[Piece, ...] = (
     refine("refine_ground", "shore_floor", "vec4"),
 )
 """Files that march along a ray to the ground."""
-FIND_LAND: tuple[Piece, ...] = (*MARCH_GROUND, "shore/maxima.glsl", "shore/find_land.glsl")
+FIND_LAND: tuple[Piece, ...] = (*MARCH_GROUND, *MAXIMA, "shore/find_land.glsl")
 """Files that find the land that a ray from the camera meets."""
 
 
@@ -45,11 +48,11 @@ def map_targets(quality: Quality, land_cells: int) -> dict[str, Target]:
     }
 
 
-def map_passes(shore: Shore, quality: Quality) -> tuple[PassSpec, ...]:
-    """The passes that draw the maps, in order."""
+def map_passes(shore: Shore, quality: Quality, sunlit_from: tuple[str, ...]) -> tuple[PassSpec, ...]:
+    """The passes that draw the maps, in order; ``sunlit_from``: files of the heights from which the sun is seen."""
     flood, nearest = _flood_passes(quality.shore_map)
     distance = _pass("distance", (*GROUND, "shore/distance_pass.glsl"), "shore_rough", {"u_nearest": nearest})
-    return (*_land_passes(), *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
+    return (*_land_passes(sunlit_from), *flood, distance, *_blur_passes(shore, quality.shore_map), _wave_pass(shore))
 
 
 def _pass(
@@ -58,22 +61,24 @@ def _pass(
     target: str,
     read: dict[str, str] | None = None,
     uniforms: dict[str, Uniform] | None = None,
+    textures: tuple[str, ...] = (),
 ) -> PassSpec:
-    """A pass that reads the height field and the targets ``read``: sampler -> target."""
+    """A pass that reads the height field, the targets ``read``: sampler -> target, and more of the shore's textures."""
+    more = {f"u_{texture}": TextureInput(texture=texture) for texture in textures}
     targets = {sampler: TargetInput(target=source) for sampler, source in (read or {}).items()}
     return PassSpec(
         name=f"shore: {name}",
         program=f"shore_{name.split(',')[0].replace(' ', '_')}",
         fragment=files,
         target=target,
-        inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **targets},
+        inputs={"u_shore_floor": TextureInput(texture="shore_floor"), **more, **targets},
         uniforms=uniforms or {},
     )
 
 
-def _land_passes() -> tuple[PassSpec, ...]:
+def _land_passes(sunlit_from: tuple[str, ...]) -> tuple[PassSpec, ...]:
     """Maxima of the land's height, level by level, and of each cell with its neighbours."""
-    around = ("shore/tree.glsl", "shore/around_pass.glsl")
+    around = ("shore/tree.glsl", *sunlit_from, "shore/around_pass.glsl")
     return (
         _pass("highest land", ("shore/tree.glsl", "shore/maxima_pass.glsl"), "land_cells"),
         _pass("highest land around", around, "land_maxima", {"u_land_cells": "land_cells"}),
@@ -119,9 +124,10 @@ def _blur_passes(shore: Shore, texels: int) -> list[PassSpec]:
 def _wave_pass(shore: Shore) -> PassSpec:
     """Phase, height and skew of the shore's waves at a place, and the share of the open sea's waves there."""
     surf = shore.surf
+    way = "refracted" if surf.refraction else "normal"
     return _pass(
         "map",
-        ("lib/numbers.glsl", "shore/map_pass.glsl"),
+        ("lib/numbers.glsl", "shore/map_begin.glsl", f"shore/arrives_{way}.glsl", "shore/map_pass.glsl"),
         "shore_map",
         {"u_smooth": "shore_smooth"},
         {
@@ -133,12 +139,13 @@ def _wave_pass(shore: Shore) -> PassSpec:
             "u_surf_variation": number(surf.variation),
             "u_surf_heading": vector((significant(math.cos(surf.heading)), significant(math.sin(surf.heading)))),
             "u_surf_exposure": number(surf.exposure),
-            **_mask_uniforms(),
+            **mask_uniforms(),
         },
+        ("shore_travel",) if surf.refraction else (),
     )
 
 
-def _mask_uniforms() -> dict[str, Uniform]:
+def mask_uniforms() -> dict[str, Uniform]:
     """Wavevectors and phases of :data:`MASK_WAVES`."""
     vectors: list[Rule] = []
     phases: list[Rule] = []

@@ -5,8 +5,10 @@ import math
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, QualityParameter, SlotFile, TextureUse
 from seafoam.effects.noise import VALUE_NOISE
+from seafoam.effects.shore.land import LAND_LIGHT, shallow_files, soil_consts, soil_files, soil_uniforms, wet_files
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
-from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, blur_deviation, map_passes, map_targets
+from seafoam.effects.shore.maps import FIND_LAND, GROUND, MARCH_GROUND, MAXIMA, blur_deviation, map_passes, map_targets
+from seafoam.effects.shore.shadow import NO_SHADOWS, SUNLIT_FROM, throws
 from seafoam.effects.water.seafloor import bed_sun
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.framegraph.resources import TargetInput, TextureInput
@@ -17,7 +19,7 @@ from seafoam.ocean.rings import ring_slope
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.shore import Shore
-from seafoam.textures import ROWS, ShoreFloor, ShoreProfiles
+from seafoam.textures import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel
 
 PERIOD = 2.0**18
 """Side of the square in which the shore repeats, m: farther than any camera sees."""
@@ -36,12 +38,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     cells = min(LAND_CELLS, quality.shore_floor)
     return Contribution(
         why=f"{shore.kind}, {shore.size:g} m square" + (f", waves of {surf.height:g} m" if surf.height > 0.0 else ""),
-        slots=_slots(lit=scene.light is not None),
-        consts=_consts(shore, quality, cells),
+        slots=_slots(shore, lit=scene.light is not None),
+        consts={**_consts(shore, quality, cells), **soil_consts(shore, quality)},
         uniforms={
             **_place(shore),
             **_bound_uniforms(bounds, steepest, curvature),
             **_look_uniforms(shore),
+            **soil_uniforms(shore),
             "u_shore_time": array("float", [Phase(offset=0.0, rate=-2.0 * math.pi / surf.period, k=(0.0, 0.0))], 1),
             "u_shore_swash": number(significant(0.3 * surf.height)),
             **({} if scene.light is None else bed_sun(scene.light)),
@@ -54,12 +57,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         },
         textures={
             "shore_floor": TextureUse(ShoreFloor(shore=shore, texels=quality.shore_floor), wrap="clamp_to_edge"),
+            **_travel(shore, quality),
             "shore_profiles": TextureUse(
                 ShoreProfiles(nodes=quality.shore_profile, skew=surf.skew, sharpness=surf.sharpness)
             ),
         },
         targets=map_targets(quality, cells),
-        passes=map_passes(shore, quality),
+        passes=map_passes(shore, quality, SUNLIT_FROM if throws(scene) else NO_SHADOWS),
         min_ground=-shore.deep,
         bound=_bound(scene, shore, bounds.land_top),
         max_height=surf.height,
@@ -69,12 +73,18 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     )
 
 
-def _slots(*, lit: bool) -> tuple[SlotFile, ...]:
+def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
     waves = ("shore/place.glsl", *GROUND, *VALUE_NOISE, "shore/field.glsl")
     # Water without light takes its colour by the same file, but does not fill the slot of the water's body.
-    through = ("lib/refraction.glsl", "shore/ground.glsl", *(() if lit else ("shore/body.glsl",)))
-    colour = ("shore/ground.glsl", f"shore/land_{'lit' if lit else 'flat'}.glsl")
-    start = ("surface/pyramid.glsl", "shore/ground.glsl", "shore/maxima.glsl")
+    through = (
+        "lib/refraction.glsl",
+        "shore/ground.glsl",
+        *shallow_files(shore),
+        *(() if lit else ("shore/body.glsl",)),
+    )
+    light = LAND_LIGHT[shore.detail > 0.0] if lit else "shore/land_flat.glsl"
+    colour = ("shore/ground.glsl", *soil_files(shore), *wet_files(shore), light)
+    start = ("surface/pyramid.glsl", "shore/ground.glsl", *MAXIMA)
     floor = ("water/seafloor/even.glsl", "shore/bed.glsl")
     underwater = (
         SlotFile("reach", "shore/reach.glsl", needs=MARCH_GROUND),
@@ -90,6 +100,13 @@ def _slots(*, lit: bool) -> tuple[SlotFile, ...]:
         SlotFile("start", "shore/start.glsl", prefix="land", needs=start),
         *(underwater if lit else ()),
     )
+
+
+def _travel(shore: Shore, quality: Quality) -> dict[str, TextureUse]:
+    """The travel time of a swell that the depth refracts."""
+    if not shore.surf.refraction:
+        return {}
+    return {"shore_travel": TextureUse(ShoreTravel(shore=shore, texels=quality.shore_map), wrap="clamp_to_edge")}
 
 
 def _consts(shore: Shore, quality: Quality, cells: int) -> dict[str, Const]:
@@ -177,6 +194,7 @@ EFFECT = Effect(
     parameters=(
         QualityParameter("/shore_map", "texels of the distance map", (64, 128, 256, 512), "geometry"),
         QualityParameter("/shore_floor", "texels of the height field", (64, 128, 256, 512), "geometry"),
+        QualityParameter("/land_octaves", "octaves of the land's detail", (3, 4, 5, 6, 7), "geometry"),
         QualityParameter("/refraction_steps", "steps of the refracted ray", (1, 2, 4, 8, 16), "geometry"),
         QualityParameter("/shore_profile", "nodes of the wave profile table", (32, 64, 128, 256), "geometry"),
     ),

@@ -121,6 +121,31 @@ _HARD = (
         camera=Camera(position=(-9999942.0, 7.0, 9999909.0), yaw=1.4, pitch=-0.2),
         times=(-1e9, 1e9),
     ),
+    _case(
+        "a swell that the depth bends, over a beach all but level",
+        "speeds as over at least 5 cm of water, on land as well (ocean/travel.py)",
+        "with speeds of 0 on land the time there is infinite, and NaN where it is interpolated",
+        kind="island",
+        slope=0.02,
+        surf=Surf(height=0.1, period=2.0, exposure=1.0, refraction=True),
+        times=(0.0, 1e9),
+    ),
+    _case(
+        "rugged land of full detail, seen along the ground",
+        "footprints of no width are taken as 1e-9 m wide; octaves under them as whole (shore/soil.glsl)",
+        "0/0 for a footprint of no width",
+        relief=1.0,
+        height=60.0,
+        slope=1.0,
+        plants_from=0.0,
+        camera=Camera(position=(-42.0, 2.0, 9.0), yaw=1.4, pitch=0.1),
+    ),
+    _case(
+        "smooth land",
+        "none needed: without detail neither octaves nor a film of water are in the program (effects/shore/land.py)",
+        "there is no guard to remove",
+        detail=0.0,
+    ),
     replace(
         _case(
             "eye inside a hill",
@@ -141,4 +166,6 @@ _HARD = (
     ),
 )
 
-CASES = {"shore": Cases(invisible=_INVISIBLE, hard=_HARD)}
+_SMOOTH = Scene(shore=_SMALL.model_copy(update={"detail": 0.0}), foam=_FOAM, light=_LIGHT)
+
+CASES = {"shore": Cases(invisible=_INVISIBLE, hard=_HARD, variants=(_SMOOTH,))}

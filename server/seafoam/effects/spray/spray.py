@@ -1,49 +1,44 @@
-"""Spray: drops in the air, as points. docs/formulae.md, section 13."""
+"""Spray: water in the air, as quadrilaterals whose optical depths add up. docs/formulae.md, section 13."""
 
 import math
-from dataclasses import dataclass
-from typing import Literal
 
+from seafoam.effects.boats.boat import TRACE
 from seafoam.effects.effect import (
     ABOVE,
     Bound,
     Const,
     Contribution,
     Effect,
+    Inline,
+    Part,
     PassSpec,
+    Piece,
     QualityParameter,
     SlotRef,
+    Source,
     TextureUse,
 )
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.noise import HASH
 from seafoam.effects.shore.maps import FIND_LAND
-from seafoam.effects.waves.parametric import max_profile_slope
-from seafoam.framegraph.passes import Points
-from seafoam.framegraph.resources import TextureInput
-from seafoam.framegraph.rules import Constant, Loop, Uniform, Wrap, array, number, significant, vector
-from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.dispersion import angular_frequency
-from seafoam.ocean.rocks import ROCKS, rocks
+from seafoam.effects.spray.births import Births, births
+from seafoam.framegraph.passes import Quads
+from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, TargetInput, TextureInput, ViewportSize
+from seafoam.framegraph.rules import Uniform, Viewport, array, number, significant, vector
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
-from seafoam.scene.waves import ParametricWave
-from seafoam.textures import SprayRocks
+from seafoam.textures import SprayStrands
+from seafoam.textures.spray import STRANDS
 
-EPOCHS = 65536
-"""Number of lives, or of surf periods, after which the same drops are emitted again."""
-_DELAY = 1.5
-"""Longest time between the arrival of a crest and the start of a drop, s."""
-
-
-@dataclass(frozen=True)
-class _Emission:
-    """What throws drops up. ``fastest``: upper bound of their starting speed, m/s; ``words``: the same, to be read."""
-
-    source: Literal["rocks", "waves", "none"]
-    words: str
-    fastest: float = 0.0
+COLUMNS = 128
+"""Drops in a row of their table."""
+_PARTS = 3
+"""Texels of the table for each drop."""
+FINER = 3.7
+"""Scale of the finer strands."""
+WINDOW = 0.4
+"""Share of the strands' texture that a drop shows across."""
 
 
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
@@ -51,55 +46,33 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     spray = scene.spray
     if spray is None:
         return None
-    emission = _emission(scene, spray)
-    uniforms = _flight_uniforms(spray)
-    consts: dict[str, Const] = {"SPRAY_WIDER": math.sqrt(DROPS / quality.spray_count)}
-    textures: dict[str, TextureUse] = {}
-    cycle = spray.life
-    if emission.source == "rocks" and scene.shore is not None:
-        cycle = scene.shore.surf.period
-        uniforms |= _rock_uniforms(spray, cycle)
-        consts |= {"SPRAY_ROCKS": ROCKS, "SPRAY_DELAY": _DELAY}
-        textures["spray_rocks"] = TextureUse(SprayRocks(shore=scene.shore, steep=spray.steep), wrap="clamp_to_edge")
-    elif emission.source == "waves":
-        uniforms |= _wave_uniforms(scene, spray)
-    if emission.source != "none":
-        uniforms["u_spray_time"] = array("float", [Loop(period=cycle), Loop(period=cycle * EPOCHS)], 2)
-    invisible = emission.source == "none" or emission.fastest <= spray.threshold
-    return Contribution(
-        why=f"drops from {emission.source}",
-        consts=consts,
-        uniforms=uniforms,
-        textures=textures,
-        passes=() if emission.source == "none" else (_drop_pass(scene, quality, emission),),
-        bound=Bound(0.0, emission.words) if invisible else None,
+    found = births(scene, quality, spray)
+    if found.invisible:
+        return Contribution(why="", bound=Bound(0.0, found.words))
+    contribution = Contribution(
+        why=f"drops from {found.words}",
+        consts={**_consts(quality), "SPRAY_BEAT": found.beat},
+        uniforms=_uniforms(spray),
+        textures={"spray_strands": TextureUse(SprayStrands(), filter=MIPMAPPED)},
+        targets=_targets(quality),
     )
+    return contribution.joined(found.part, Part(passes=_passes(scene, quality, found)))
 
 
-def fastest_rise(scene: Scene) -> float:
-    """Upper bound of the speed at which parametric waves raise the surface, m/s: all of them at once, in one place."""
-    return sum(angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
+def _consts(quality: Quality) -> dict[str, Const]:
+    return {
+        # As much water: fewer drops alone leave gaps, and are thinner for being wider.
+        "SPRAY_WIDER": significant(math.pow(DROPS / quality.spray_count, 0.625)),
+        "SPRAY_THINNER": significant(math.pow(DROPS / quality.spray_count, -0.25)),
+        "SPRAY_COLUMNS": COLUMNS,
+        "SPRAY_ROWS": quality.spray_count // COLUMNS,
+        "SPRAY_STRANDS": STRANDS,
+        "SPRAY_WINDOW": WINDOW,
+        "SPRAY_FINER": FINER,
+    }
 
 
-def _emission(scene: Scene, spray: Spray) -> _Emission:
-    shore = scene.shore
-    if shore is not None:
-        if shore.surf.height == 0.0 or len(rocks(shore, spray.steep)) == 0:
-            return _Emission("none", "no surf breaks on any rock")
-        # At the coast waves are at most 1.2 times their breaking height, by Green's law.
-        fastest = spray.speed * math.sqrt(GRAVITY * 1.2 * shore.surf.height / 0.3)
-        return _Emission("rocks", f"surf on rocks starts drops at {fastest:.2g} m/s at most", fastest)
-    if not _raised(scene):
-        return _Emission("none", "neither parametric waves nor surf to throw drops up")
-    fastest = fastest_rise(scene)
-    return _Emission("waves", f"the water rises at {fastest:.2g} m/s at most", fastest)
-
-
-def _raised(scene: Scene) -> list[ParametricWave]:
-    return [wave for wave in scene.waves if wave.amplitude > 0.0]
-
-
-def _flight_uniforms(spray: Spray) -> dict[str, Uniform]:
+def _uniforms(spray: Spray) -> dict[str, Uniform]:
     wind = (
         significant(spray.wind * math.cos(spray.wind_direction)),
         significant(spray.wind * math.sin(spray.wind_direction)),
@@ -109,60 +82,104 @@ def _flight_uniforms(spray: Spray) -> dict[str, Uniform]:
         "u_spray_size": number(spray.size, "/spray/size"),
         "u_spray_mist": number(spray.mist, "/spray/mist"),
         "u_spray_drag": number(spray.drag, "/spray/drag"),
-        "u_spray_life": number(spray.life),
         "u_spray_speed": number(spray.speed),
         "u_spray_threshold": number(spray.threshold),
     }
 
 
-def _rock_uniforms(spray: Spray, period: float) -> dict[str, Uniform]:
-    # A drop's life ends before the next crest arrives.
-    return {"u_spray_life": number(min(spray.life, period - _DELAY)), "u_spray_period": number(period)}
-
-
-def _wave_uniforms(scene: Scene, spray: Spray) -> dict[str, Uniform]:
-    side, waves = 2.0 * spray.reach, _raised(scene)
-    rates = [Constant(value=(angular_frequency(wave),)) for wave in waves]
+def _targets(quality: Quality) -> dict[str, Target]:
+    table = Target(size=FixedSize(width=COLUMNS, height=_PARTS * quality.spray_count // COLUMNS), format="RGBA32F")
+    side = math.isqrt(quality.samples)
     return {
-        "u_spray_reach": number(spray.reach),
-        "u_spray_eye": array("vec2", [Wrap(k=(1.0, 0.0), period=side), Wrap(k=(0.0, 1.0), period=side)], 1),
-        "u_parametric_rate": array("float", rates, len(waves)),
+        "spray_births": table,
+        "spray_air": table,
+        "spray_thick": Target(size=ViewportSize(scale=side), format="RGBA16F"),
     }
 
 
-def _drop_pass(scene: Scene, quality: Quality, emission: _Emission) -> PassSpec:
-    """The drops, as points blended over the picture."""
-    light = ("spray/unlit.glsl",) if scene.light is None else (*ILLUMINATION, "spray/lit.glsl")
-    on_rocks = emission.source == "rocks"
-    hidden = (*FIND_LAND, "spray/over_land.glsl") if on_rocks else ("spray/over_water.glsl",)
-    return PassSpec(
+_COMMON: tuple[Piece | SlotRef, ...] = ("lib/numbers.glsl", "lib/camera.glsl")
+_TABLE: tuple[Piece | SlotRef, ...] = (HASH, "spray/flight.glsl", "spray/table.glsl")
+_BIRTHS: dict[str, TextureInput | TargetInput] = {"u_spray_births": TargetInput(target="spray_births")}
+
+
+def _passes(scene: Scene, quality: Quality, found: Births) -> tuple[PassSpec, ...]:
+    """Births, where drops are now, their optical depths, and what these hide."""
+    births_pass = PassSpec(
+        name="births of drops",
+        program="spray_births",
+        fragment=(*_COMMON, HASH, "spray/flight.glsl", "spray/thrown.glsl", *found.files, "spray/births_pass.glsl"),
+        target="spray_births",
+        inputs=found.inputs,
+        stage="after",
+    )
+    over = PassSpec(
         name="spray",
-        program="spray",
-        vertex=(
-            "lib/numbers.glsl",
-            "lib/camera.glsl",
+        program="spray_over",
+        fragment=(*_COMMON, "lib/place.glsl", "spray/thick_pass.glsl"),
+        target=ABOVE,
+        inputs={"u_spray_thick": TargetInput(target="spray_thick")},
+        stage="after",
+        blend="over",
+    )
+    return births_pass, _air_pass(scene, quality), _water_pass(scene, quality), over
+
+
+def _air_pass(scene: Scene, quality: Quality) -> PassSpec:
+    """Where drops are now, what of them is seen, and their light."""
+    lit: tuple[Piece | SlotRef, ...] = (*ILLUMINATION, "spray/lit.glsl")
+    file = "spray/over_water.glsl" if scene.shore is None else "spray/over_land.glsl"
+    over: tuple[Piece | SlotRef, ...] = (file,)
+    if scene.boats:
+        over = (*TRACE, Source(file, (("spray_hidden", "spray_hidden_openly"),)), "spray/past_boats.glsl")
+    land: tuple[Piece | SlotRef, ...] = () if scene.shore is None else FIND_LAND
+    return PassSpec(
+        name="drops in the air",
+        program="spray_air",
+        fragment=(
+            *_COMMON,
             SlotRef("waves"),
             SlotRef("find"),
             SlotRef("sky"),
-            *light,
-            HASH,
-            "spray/flight.glsl",
-            f"spray/{emission.source}.glsl",
-            *hidden,
-            "spray/vertex.glsl",
+            SlotRef("open sun"),
+            *(("spray/unlit.glsl",) if scene.light is None else lit),
+            *_TABLE,
+            *land,
+            *over,
+            "spray/air_pass.glsl",
         ),
-        fragment=("spray/drop.glsl",),
-        target=ABOVE,
-        mesh=Points(count=quality.spray_count),
-        inputs={"u_spray_rocks": TextureInput(texture="spray_rocks")} if on_rocks else {},
+        target="spray_air",
+        inputs=_BIRTHS,
+        # Rays are those of the picture, not of the table.
+        uniforms={"u_viewport": array("vec2", (Viewport(of="picture", times=math.isqrt(quality.samples)),), 1)},
         stage="after",
-        blend="over",
+    )
+
+
+def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
+    """The drops' quadrilaterals."""
+    sun: tuple[Piece, ...] = (Inline("uniform vec3 u_sun_direction;\n"), "spray/sunward_lit.glsl")
+    sunward = ("spray/sunward_none.glsl",) if scene.light is None else sun
+    return PassSpec(
+        name="water in the air",
+        program="spray",
+        vertex=(*_COMMON, *_TABLE, "spray/form.glsl", *sunward, "spray/vertex.glsl"),
+        fragment=("spray/drop.glsl",),
+        target="spray_thick",
+        mesh=Quads(count=quality.spray_count),
+        inputs={
+            **_BIRTHS,
+            "u_spray_air": TargetInput(target="spray_air"),
+            "u_spray_strands": TextureInput(texture="spray_strands"),
+        },
+        stage="after",
+        blend="add",
+        clear=True,
     )
 
 
 EFFECT = Effect(
     "spray",
     contribute,
-    fields=("/spray",),
+    fields=("/spray", "/spray/bursts"),
     parameters=(QualityParameter("/spray_count", "spray drops", (2048, 4096, 8192, 16384), "geometry"),),
 )

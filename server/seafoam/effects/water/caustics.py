@@ -336,6 +336,7 @@ EFFECT = Effect(
     "caustics",
     contribute,
     fields=("/light/caustics",),
+    afloat=("u_caustic_place",),
     parameters=(
         QualityParameter("/caustics", "caustics", ("grid", "photons"), "geometry"),
         QualityParameter("/caustics_size", "texels of the caustic map", (128, 256, 512, 1024), "filtering"),

@@ -129,5 +129,6 @@ EFFECT = Effect(
     "parametric waves",
     contribute,
     fields=("/waves",),
+    afloat=("u_parametric_phase",),
     parameters=(QualityParameter("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
 )

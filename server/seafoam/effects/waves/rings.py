@@ -63,6 +63,14 @@ def _ring_uniforms(shown: Sequence[Train], origins: Iterable[tuple[Rule, Rule]])
     }
 
 
+def ring_uniforms(scene: Scene, name: str) -> dict[str, Uniform]:
+    """State and shape of the scene's rings around the camera, as uniforms whose names begin with ``name``."""
+    every = trains(scene)
+    shown = tuple(train for train in every if train.ring.life > 0.0) or every
+    made = _ring_uniforms(shown, (_from_camera(*train.ring.place) for train in shown))
+    return {key.replace("u_ring", name): uniform for key, uniform in made.items()}
+
+
 @dataclass(frozen=True)
 class _Square:
     """A level square: its corner of least x and z, and its side, m."""

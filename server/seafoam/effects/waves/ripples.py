@@ -7,14 +7,15 @@ from seafoam.effects.bounds import slope_sensitivity
 from seafoam.effects.effect import Bound, Contribution, Effect, Part, PassSpec, QualityParameter, SlotFile, Source
 from seafoam.effects.noise import PERLIN_3, drifting_noise
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
-from seafoam.framegraph.rules import Constant, Phase, Uniform, array, in_tile, number, rounded, significant
-from seafoam.ocean.ripples import BANDS, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
+from seafoam.framegraph.rules import Constant, Phase, Uniform, Wrap, array, in_tile, number, rounded, significant
+from seafoam.ocean.ripples import BANDS, SHIFTS, TURN, WAVES_PER_TILE, Ripple, ripple_cascades, tiles
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 
 _PER_BAND = WAVES_PER_TILE // BANDS
 """Ripples of a band."""
+_TILES = 2
 
 
 def ripple_phases(waves: Sequence[Ripple], *, at_camera: bool = False) -> Uniform:
@@ -33,11 +34,19 @@ def _wave_data(waves: Sequence[Ripple], first_band: int = 0) -> list[Constant]:
     ]
 
 
+def _copies(cascades: tuple[tuple[Ripple, ...], ...]) -> int:
+    return len(cascades) // _TILES
+
+
 def _bands(cascades: tuple[tuple[Ripple, ...], ...]) -> Uniform:
-    """Geometric mean of the wavenumbers, rad/m, and mean square slope of each band."""
-    bands = [waves[i : i + _PER_BAND] for waves in cascades for i in range(0, WAVES_PER_TILE, _PER_BAND)]
+    """Geometric mean of the wavenumbers, rad/m, and mean square slope of each band, with that of its copy."""
+    copies = _copies(cascades)
+    bands = [waves[i : i + _PER_BAND] for waves in cascades[:_TILES] for i in range(0, WAVES_PER_TILE, _PER_BAND)]
     values = [
-        (math.exp(sum(math.log(wave.k) for wave in band) / _PER_BAND), sum(0.5 * wave.slope**2 for wave in band))
+        (
+            math.exp(sum(math.log(wave.k) for wave in band) / _PER_BAND),
+            copies * sum(0.5 * wave.slope**2 for wave in band),
+        )
         for band in bands
     ]
     return array("vec2", [Constant(value=rounded(value)) for value in values], len(bands))
@@ -50,12 +59,13 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         return None
     repeats = scene.light is not None and scene.light.caustics is not None
     cascades, sides = ripple_cascades(ripples, repeats), tiles(repeats)
-    count = WAVES_PER_TILE * len(sides)
+    count, copies = WAVES_PER_TILE * len(cascades), _copies(cascades)
     summed = quality.ripples == "exact"
-    how = "summed at each sample" if summed else f"drawn into {len(sides)} tiles in each frame"
+    twice = ", read twice" if copies == 2 else ""
+    how = "summed at each sample" if summed else f"drawn into {len(sides)} tiles in each frame{twice}"
     contribution = Contribution(
         why=f"{count} ripples, {how}",
-        consts={"RIPPLE_WAVES": WAVES_PER_TILE},
+        consts={"RIPPLE_WAVES": WAVES_PER_TILE, "RIPPLE_COPIES": copies},
         uniforms={"u_ripples_band": _bands(cascades)},
         bound=_bound(scene, ripples),
     )
@@ -85,7 +95,7 @@ def _slopes(file: str, ripples: Ripples) -> Part:
 def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Part:
     """Ripples that are summed at each sample."""
     waves = [wave for cascade in cascades for wave in cascade]
-    data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * i)]
+    data = [entry for i, cascade in enumerate(cascades) for entry in _wave_data(cascade, BANDS * (i % _TILES))]
     return Part(
         uniforms={
             "u_ripples_wave": array("vec4", data, len(waves)),
@@ -97,9 +107,12 @@ def _sum(cascades: tuple[tuple[Ripple, ...], ...]) -> Part:
 def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], size: int) -> Part:
     """A map of the slopes of each tile, ``size`` texels along each side."""
     target = Target(size=FixedSize.square(size), format="RGBA16F", filter="linear", wrap="repeat")
+    places = [rule for side in sides for rule in in_tile(side)]
+    if _copies(cascades) == 2:
+        places += [rule for side, shift in zip(sides, SHIFTS, strict=True) for rule in _in_copy(side, shift)]
     return Part(
         uniforms={
-            "u_ripples_offset": array("vec2", [rule for side in sides for rule in in_tile(side)], len(sides)),
+            "u_ripples_offset": array("vec2", places, len(cascades)),
             "u_ripples_size": array("float", [Constant(value=(side,)) for side in sides], len(sides)),
         },
         inputs={f"u_ripples_{i}": TargetInput(target=f"ripples_{i}") for i in range(len(sides))},
@@ -116,9 +129,15 @@ def _maps(cascades: tuple[tuple[Ripple, ...], ...], sides: tuple[float, ...], si
                     "u_ripples_tile": number(side),
                 },
             )
-            for i, (side, waves) in enumerate(zip(sides, cascades, strict=True))
+            for i, (side, waves) in enumerate(zip(sides, cascades, strict=False))
         ),
     )
+
+
+def _in_copy(side: float, shift: tuple[float, float]) -> tuple[Wrap, Wrap]:
+    """The camera's place in the turned copy of a tile, in sides."""
+    along = TURN[0] / side, TURN[1] / side
+    return Wrap(k=along, offset=shift[0]), Wrap(k=(-along[1], along[0]), offset=shift[1])
 
 
 def _bound(scene: Scene, ripples: Ripples) -> Bound | None:
@@ -137,6 +156,7 @@ EFFECT = Effect(
     "ripples",
     contribute,
     fields=("/water/ripples", "/water/ripples/gusts"),
+    afloat=("u_ripples_offset", "u_ripples_phase"),
     parameters=(
         QualityParameter("/ripples", "ripples", ("tile", "exact"), "geometry"),
         QualityParameter("/ripples_size", "texels of the ripple tile", (64, 128, 256, 512), "geometry"),

@@ -3,6 +3,7 @@
 import cmath
 import math
 from collections.abc import Sequence
+from typing import Literal
 
 from seafoam.effects.bounds import max_surface_height, min_surface_height, waves_bound
 from seafoam.effects.effect import (
@@ -35,14 +36,20 @@ the reference was no smaller (swell 4.78 instead of 4.56 levels, explosion 24.3 
 twice as long."""
 NEWTON = 2
 """Newton steps that invert the horizontal displacement at a texel."""
+READ, READ_ALONE = 0.57735, 0.75
+"""Side of a trilinear read of slopes over that of the footprint: of the same variance, and of the least error where one
+sample stands for a pixel. Against 256 samples of seas of 4 to 15 m/s, single ones had 1.26 to 1.55 and 0.91 to 1.32
+times the error of 16."""
 RESAMPLED = ("lib/cubic_spline.glsl", "waves/sea/resample_pass.glsl")
 """Files that find the rest position of the water at a place, and what moves with it."""
 
 
-def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[PassSpec, ...], str]:
+def transform(
+    name: str, first: str, second: str, size: int, stage: Literal["before", "after"] = "before"
+) -> tuple[tuple[PassSpec, ...], str]:
     """Return passes that transform the blocks of ``first``, alternating with ``second``, and the target of the result.
 
-    ``size``: side of a block, texels. ``name``: in the passes' names.
+    ``size``: side of a block, texels. ``name``: in the passes' names. ``stage``: before or after the surface.
     """
     radices = {64: (8, 8), 32: (8, 4), 128: (8, 4, 4), 256: (8, 8, 4), 512: (8, 8, 8)}[size]
     passes = []
@@ -61,6 +68,7 @@ def transform(name: str, first: str, second: str, size: int) -> tuple[tuple[Pass
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
                     },
                     uniforms={"u_fft": vector((float(size), float(span), float(axis)))},
+                    stage=stage,
                 )
             )
             source, destination = destination, source
@@ -151,7 +159,8 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     contribution = Contribution(
         why=_why(sea, tiles, quality.sea_size),
         slots=_slots(scene, quality, len(tiles)),
-        consts=_consts(sea, tiles, quality.sea_size),
+        consts={**_consts(sea, tiles, quality.sea_size), "SEA_READ": READ if quality.samples > 1 else READ_ALONE},
+        chosen_consts={"SEA_READ": READ},
         bound=waves_bound(
             scene, sum(tile.max_slope for tile in tiles), max_surface_height(scene) - min_surface_height(scene)
         ),
@@ -323,6 +332,7 @@ EFFECT = Effect(
     "sea",
     contribute,
     fields=("/sea",),
+    afloat=tuple(f"u_sea_offset_{index}" for index in range(4)),
     parameters=(
         QualityParameter("/sea_size", "texels of a sea tile", (64, 128, 256, 512), "geometry"),
         QualityParameter("/sea_tiles", "sea tiles", (2, 3, 4), "geometry"),

@@ -5,6 +5,7 @@ another above its sheer. A ray is inside a convex solid on one interval of its l
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -41,6 +42,8 @@ class Fleet:
     """All boats of a scene at one time."""
 
     poses: tuple[Pose, ...]
+    open_sun: Callable[[Floats, tuple[Floats, Floats]], Floats] | None = None
+    """Share (r,) of the sunlight at places (r, 3), with footprints, that land and clouds leave; None: all."""
 
     def trace(self, o: Floats, d: Floats, least: float = 0.0) -> Hit:
         """First hits of rays o + t d, o and d (r, 3), with t ≥ ``least`` m; t is infinite where there is none."""
@@ -69,6 +72,12 @@ class Fleet:
             nearest.boat[rows] = number
         return nearest
 
+    def sunlight(self, place: Floats, sun: Floats) -> Floats:
+        """Share of the sunlight that boats leave to places (r, 3), (r,): none under a hull, some through a sail."""
+        hit = self.trace(place, np.repeat(sun[None, :], place.shape[0], axis=0))
+        result: Floats = np.where(np.isinf(hit.t), 1.0, np.where(hit.part == SAIL, UNDER_SAIL, 0.0))
+        return result
+
     def light(self, of: Air, o: Floats, d: Floats, hit: Hit) -> Floats:
         """Radiance toward where rays come from, before haze; (r, 3), for rays that hit."""
         result = np.zeros_like(d)
@@ -89,6 +98,9 @@ class Fleet:
                 from_here = from_here + 3e-3 * pose.boat.length * side[:, None] * n[lit]
                 other = self.trace(from_here, np.repeat(of.sun[None, :], lit.size, axis=0))
                 share[lit] *= np.where(np.isinf(other.t), 1.0, np.where(other.part == SAIL, UNDER_SAIL, 0.0))
+                if self.open_sun is not None:
+                    none = np.zeros((lit.size, 2))
+                    share[lit] *= self.open_sun(from_here, (none, none))
             bounced = BOUNCED * (of.sky_irradiance + of.sun_irradiance * max(float(of.sun[1]), 0.0))
             irradiance = of.sun_irradiance * share[:, None] + sky_light(of, n[:, 1])
             irradiance = irradiance + bounced * (0.5 - 0.5 * n[:, 1])[:, None]
@@ -197,7 +209,8 @@ class _Boat:
         square = float(n @ n)
         u, v = np.cross(at, foot) @ n / square, np.cross(luff, at) @ n / square
         met = ~flat & (t >= self.least) & (t < self.t) & (u >= 0.0) & (v >= 0.0)
-        met &= u + v <= 1.0 + 4.0 * roach * u * v
+        # The rounded leech ends where u or v is 1; far beyond, its product would hold again.
+        met &= (u <= 1.0) & (v <= 1.0) & (u + v <= 1.0 + 4.0 * roach * u * v)
         belly = 0.5 * (2.0 * np.minimum(v / np.maximum(1.0 - u, 0.05), 1.0) - 0.8)
         normal = n / math.sqrt(square) + belly[:, None] * (foot / np.linalg.norm(foot))
         normal *= np.where(dot(normal, self.d) > 0.0, -1.0, 1.0)[:, None]

@@ -7,7 +7,7 @@ import numpy as np
 
 from seafoam.ocean.wakes import Wake, wake_height, wake_slope, wakes
 from seafoam.reference.boats.floating import HULL_SPEED, Course, course
-from seafoam.reference.boats.form import STEM
+from seafoam.reference.boats.form import FORMS, STEM
 from seafoam.reference.foam.torn import Feet, spread, torn, torn_step
 from seafoam.reference.noise import KEY, value
 from seafoam.reference.types import Bools, Floats, smoothstep
@@ -16,12 +16,10 @@ from seafoam.scene.foam import WakeSaturation
 from seafoam.scene.models import Scene
 
 
-@dataclass(frozen=True)
-class WakeSet:
-    """The wakes of a scene's boats, as a part of its surface."""
+class WakeBounds:
+    """Bounds of several wakes as a part of the surface."""
 
     wakes: tuple[Wake, ...]
-    courses: tuple[Course, ...]
     top: float
     slope: float
 
@@ -37,17 +35,28 @@ class WakeSet:
     def shape(self) -> float:
         return min((1.0 / wake.shortest for wake in self.wakes if wake.shows), default=math.inf)
 
+
+@dataclass(frozen=True)
+class WakeSet(WakeBounds):
+    """The wakes of a scene's boats, as a part of its surface."""
+
+    boats: tuple[Boat, ...]
+    wakes: tuple[Wake, ...]
+    courses: tuple[Course, ...]
+    top: float
+    slope: float
+
     def height(self, x: Floats, z: Floats) -> Floats:
         total = np.zeros_like(x)
         for wake, at in zip(self.wakes, self.courses, strict=True):
-            behind, aside, _, _ = along(wake.boat, at, x, z)
+            behind, aside, _, _ = along(wake.boat.length, at, x, z)
             total += pattern(wake, behind, np.abs(aside))[0]
         return total
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         h_x, h_z = np.zeros_like(x), np.zeros_like(x)
         for wake, at in zip(self.wakes, self.courses, strict=True):
-            behind, aside, on_behind, on_aside = along(wake.boat, at, x, z)
+            behind, aside, on_behind, on_aside = along(wake.boat.length, at, x, z)
             _, rise, spread = pattern(wake, behind, np.abs(aside))
             spread = spread * np.where(aside < 0.0, -1.0, 1.0)
             h_x += rise * on_behind[0] + spread * on_aside[0]
@@ -57,25 +66,15 @@ class WakeSet:
     def foam(self, source: WakeSaturation, x: Floats, z: Floats, cap: float, feet: Feet | None) -> Floats:
         """f of the boats' foam at (x, z), m from the origin, averaged over footprints; (r,) in [0, cap]."""
         total = np.zeros_like(x)
-        for wake, at in zip(self.wakes, self.courses, strict=True):
-            boat = wake.boat
+        for boat, at in zip(self.boats, self.courses, strict=True):
             if boat.speed < 0.5:
                 continue
             size = boat.length
-            behind, aside, on_behind, on_aside = along(boat, at, x, z)
+            behind, aside, on_behind, on_aside = along(size, at, x, z)
             b, s = behind / size, np.abs(aside) / size
             past = np.maximum(b - 0.86, 0.0)
             on_x, on_z = (x + at.centre[0]) / size, (z + at.centre[1]) / size
-            t_x, t_z = 0.8 * on_x - 0.6 * on_z, 0.6 * on_x + 0.8 * on_z
-            noises = [
-                (0.4, 0.31 * size, value(KEY, on_x / 0.31, on_z / 0.31)),
-                (0.35, 0.11 * size, value(KEY, t_x / 0.11, t_z / 0.11)),
-                (0.25, 0.037 * size, value(KEY, on_x / 0.037, on_z / 0.037)),
-            ]
-            if feet is None:
-                patches = smoothstep(0.25, 0.72, np.sum([part * noise for part, _, noise in noises], axis=0))
-            else:
-                patches = torn_step(0.25, 0.72, *torn(noises, feet))
+            patches = wake_patches(on_x, on_z, size, feet)
             width = 0.085 + 0.055 * np.sqrt(past)
             q = np.clip((s - 0.5 * width) / (0.65 * width), 0.0, 1.0)
             band = (1.0 - q * q * (3.0 - 2.0 * q)) * smoothstep(-0.06, 0.04, b - 0.86)
@@ -91,13 +90,59 @@ class WakeSet:
                 wider = 1.0 + 2.0 * v_s / (0.02 + 0.025 * ahead) ** 2
                 bell = np.exp(-np.minimum(off * off / wider + 1.3 * ahead, 80.0)) / np.sqrt(wider)
                 thrown = torn_step(-0.01, 0.06, b, v_b) * bell
-            share = min(boat.speed / (HULL_SPEED * math.sqrt(size)), 1.0) ** 2
-            total += source.amount * band * age * (0.3 + 0.9 * patches) + source.bow * share * thrown * (0.3 + patches)
+            share = min(boat.speed / (HULL_SPEED * math.sqrt(size)), 1.0)
+            total += source.amount * band * age * (0.3 + 0.9 * patches)
+            total += source.bow * share**2 * thrown * (0.3 + patches)
+            total += source.contact * share * contact(boat, at, x, z, patches, feet)
         return np.minimum(total, cap)
 
 
+def wake_patches(on_x: Floats, on_z: Floats, size: float, feet: Feet | None) -> Floats:
+    """Share of torn foam at places in lengths of ``size`` m, averaged over footprints; (r,) in [0, 1]."""
+    t_x, t_z = 0.8 * on_x - 0.6 * on_z, 0.6 * on_x + 0.8 * on_z
+    noises = [
+        (0.4, 0.31 * size, value(KEY, on_x / 0.31, on_z / 0.31)),
+        (0.35, 0.11 * size, value(KEY, t_x / 0.11, t_z / 0.11)),
+        (0.25, 0.037 * size, value(KEY, on_x / 0.037, on_z / 0.037)),
+    ]
+    if feet is None:
+        return smoothstep(0.25, 0.72, np.sum([part * noise for part, _, noise in noises], axis=0))
+    return torn_step(0.25, 0.72, *torn(noises, feet))
+
+
+def contact(boat: Boat, at: Course, x: Floats, z: Floats, patches: Floats, feet: Feet | None) -> Floats:
+    """Density of the white water along a hull's water line, averaged over footprints; (r,) in [0, 1.2].
+
+    ``patches``: share of torn foam at each place, in [0, 1].
+    """
+    size, form = boat.length, FORMS[boat.kind]
+    (c_x, c_z), (a_x, a_z) = at.place, at.heading
+    ahead = ((x - c_x) * a_x + (z - c_z) * a_z) / size
+    right = ((z - c_z) * a_x - (x - c_x) * a_z) / size
+    c, s = math.cos(boat.heel), math.sin(boat.heel)
+    # How far level water at each place is from the hull's sides, in breadth.
+    up = s * right - form.widest
+    lack = form.fine * (ahead + 0.12) ** 2 + form.flare * up**2 + c * np.abs(right) - form.beam
+    by_ahead = 2.0 * form.fine * (ahead + 0.12)
+    by_right = 2.0 * form.flare * s * up + c * np.where(right < 0.0, -1.0, 1.0)
+    change = np.hypot(by_ahead, by_right)
+    away, by_ahead, by_right = lack / change, by_ahead / change, by_right / change
+    half = form.beam - form.flare * form.widest**2
+    stem = math.sqrt(half / form.fine) - 0.12
+    past = np.maximum(ahead - stem, -0.45 - ahead)
+    by_ahead, by_right = np.where(past > away, 1.0, by_ahead), np.where(past > away, 0.0, by_right)
+    away = np.maximum(away, past)
+    aft = np.clip((stem - ahead) / (stem + 0.45), 0.0, 1.0)
+    width = 2.0 * form.beam * (0.05 + 0.1 * aft) * (0.5 + patches)
+    gradient = (by_ahead * a_x - by_right * a_z, by_ahead * a_z + by_right * a_x)
+    variance = np.zeros_like(x) if feet is None else spread(gradient, feet) / size**2
+    band = torn_step(-width, np.zeros_like(x), away, variance) - torn_step(0.4 * width, 1.4 * width, away, variance)
+    result: Floats = (1.0 - 0.6 * aft) * band * (0.3 + 0.9 * patches)
+    return result
+
+
 def along(
-    boat: Boat, at: Course, x: Floats, z: Floats
+    length: float, at: Course, x: Floats, z: Floats
 ) -> tuple[Floats, Floats, tuple[Floats, Floats], tuple[Floats, Floats]]:
     """Distance of places behind the bow along the course and outward from it (m), and the gradients of both."""
     from_x, from_z = x + at.centre[0], z + at.centre[1]
@@ -107,7 +152,7 @@ def along(
     angle = np.mod(angle + 0.3, 2.0 * math.pi) - 0.3
     share = at.turn * at.radius / (far * far)
     return (
-        at.radius * angle + STEM * boat.length,
+        at.radius * angle + STEM * length,
         out - at.radius,
         (share * from_z, -share * from_x),
         (from_x / far, from_z / far),
@@ -171,4 +216,4 @@ def wake_set(scene: Scene, time: float, origin: tuple[float, float]) -> WakeSet:
     """The wakes of a scene's boats at a time (s) around an origin (x, z) in m."""
     patterns = wakes(scene.boats)
     courses = tuple(course(boat, time, origin) for boat in scene.boats)
-    return WakeSet(patterns, courses, wake_height(scene.boats), wake_slope(scene.boats))
+    return WakeSet(scene.boats, patterns, courses, wake_height(scene.boats), wake_slope(scene.boats))

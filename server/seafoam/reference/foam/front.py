@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from seafoam.reference.foam.patches import FrontPatches
 from seafoam.reference.types import Floats, smoothstep
 from seafoam.reference.waves.parametric import WaveSet
 from seafoam.scene.foam import FrontSaturation
@@ -40,6 +41,8 @@ class History:
     """(x, z) m/s."""
     carried: bool
     """Whether the waves' orbits move it to and fro."""
+    patches: FrontPatches | None = None
+    """Where fronts foam more, and less; None: the same everywhere."""
 
 
 STILL = History((0.0, 0.0), False)
@@ -233,24 +236,31 @@ class _Decay:
 class _Fronts:
     """The gates of past fronts, in water that rests at (x, z) and drifts.
 
-    ``since``: phase since the last front, rad in [0, 2π].
+    ``since``: phase since the last front, rad in [0, 2π]. ``more``: what patches add to the sum of the waves, (r,).
     """
 
     def __init__(
-        self, waves: WaveSet, x: Floats, z: Floats, drift: tuple[float, float], group: tuple[float, float]
+        self,
+        waves: WaveSet,
+        x: Floats,
+        z: Floats,
+        drift: tuple[float, float],
+        group: tuple[float, float],
+        more: Floats,
     ) -> None:
         self.thetas = waves.theta(x, z)
         self.rates = waves.omega - waves.kx * drift[0] - waves.kz * drift[1]
         self.weights = group_weights(waves)
         self.mean_rate = max(float(self.weights @ self.rates), LEAST_RATE)
         self.group = group
+        self.more = more
 
     def strength(self, ago: Floats) -> Floats:
         """The gate as it was ``ago`` rad of the mean phase before; of the shape of ``ago``."""
         seconds = ago / self.mean_rate
         phases = zip(self.weights, self.rates, self.thetas, strict=True)
         signal = sum(weight * np.exp(1j * (theta - rate * seconds)) for weight, rate, theta in phases)
-        return gate(np.abs(signal), self.group)
+        return gate(np.abs(signal) + self.more, self.group)
 
     def last(self, since: Floats, left: float) -> tuple[Floats, Floats]:
         """Strength of the foam of the last front and of the one before. ``left``: of foam after a turn."""
@@ -276,7 +286,9 @@ def living_front(
     sum_of = group(waves, x, z, 0.5 * math.pi)
     gradient = phase_gradient(sum_of)
     carried_x, carried_z = waves.carry(x, z) if history.carried else (np.zeros_like(x), np.zeros_like(x))
-    fronts = _Fronts(waves, x + carried_x, z + carried_z, history.drift, source.group)
+    rest_x, rest_z = x + carried_x, z + carried_z
+    more = np.zeros_like(x) if history.patches is None else history.patches(rest_x, rest_z, footprints)
+    fronts = _Fronts(waves, rest_x, rest_z, history.drift, source.group, more)
     life = fronts.mean_rate * decay
     decaying = _Decay(2.0 * math.atan2(1.0, math.log(source.intensity)), life)
     # The phase where the water rests, to first order.
@@ -291,7 +303,7 @@ def living_front(
     across = np.hypot(gradient[:, 0], gradient[:, 1])
     width = phase_width(gradient, *footprints)
     psi, width = seen_phases(psi, width, along, across, over, away, waves.relief, 0.5 * math.pi)
-    following = np.maximum(gate(sum_of.rho, source.group), math.exp(-TURN / life) * here)
+    following = np.maximum(gate(sum_of.rho + more, source.group), math.exp(-TURN / life) * here)
     return _mean_over_fronts(decaying, np.mod(psi, TURN), np.maximum(width, 1e-5), (before, here, following))
 
 

@@ -6,36 +6,53 @@ Colours are linear RGB along the last axis, directions unit vectors (x, y, z) al
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
-from statistics import NormalDist
+from functools import cached_property, lru_cache
 
 import numpy as np
 
+from seafoam.ocean.skylight import (
+    DARK,
+    EVEN,
+    EVEN_TINT,
+    HAZE,
+    HAZE_TINT,
+    NIGHT,
+    SUN_POWER,
+    Exponents,
+    Glow,
+    Series,
+    adapted,
+    atmosphere,
+    disc_shown,
+    glow,
+)
+from seafoam.reference.light import clouds
+from seafoam.reference.light.clouds import EYE, CloudLayer, HighClouds, Spread
 from seafoam.reference.noise import fractal, pcg, share
 from seafoam.reference.types import Floats, dot, smoothstep, unit
-from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.light import Light
-from seafoam.scene.sky import Clouds, Day, Moon
+from seafoam.scene.sky import Day, Moon
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
+RAYLEIGH_HEIGHT, MIE_HEIGHT = 8000.0, 1200.0
+"""Scale heights of molecules and of haze, m."""
 MIE_LEAST, MIE_PER_TURBIDITY = 0.01, 0.04
 FORWARD = 0.76
-SUN_POWER = 20.0
+CLOUD_POWER = 20.0
 MOON_POWER = 0.2 * np.array([0.75, 0.9, 1.2])
 MOON_RADIUS = 0.0045
 MOON_FACE = 2.5
-NIGHT = 0.002
-FLAT = 0.04
-EARTH = 6.371e6
-CELLS = 256
-OCTAVES = 6
-EYE, MIRROR = 1e-3, 0.012
-"""Blur of clouds seen directly and reflected by water, rad."""
-SUN_SOLID_ANGLE = 6.8e-5
+MOLECULES = np.array([6.54e-6, 1.405e-5, 3.16e-5])
+"""Scattering by molecules at the sea, 1/m."""
+HAZE_COLOUR = np.array([0.826, 1.0, 1.225])
+CONTRAST = 3.912
 DISC_MOST = 3000.0
 STAR_CELLS = 64
 NODES, TURNS = 192, 384
+TAP_AIR, TAP_CLOUDS = 0.8, 1.15
+"""Distance of a mirrored sky's two directions from their mean, and its clouds' deviation, over the spread."""
 
 
 def sun_angles(day: Day) -> tuple[float, float]:
@@ -59,8 +76,29 @@ def toward(azimuth: float, elevation: float) -> Floats:
     return np.array([level * math.cos(azimuth), math.sin(elevation), level * math.sin(azimuth)])
 
 
+def two_looks(d: Floats, deviation: Floats) -> tuple[Floats, Floats]:
+    """Return the unit vectors above and below d (r, 3) that stand for directions that deviate up and down, (r,) rad."""
+    level = np.hypot(d[:, 0], d[:, 2])
+    heading = d[:, [0, 2]] / np.maximum(level, 1e-6)[:, None]
+    up = np.column_stack((-d[:, 1] * heading[:, 0], level, -d[:, 1] * heading[:, 1]))
+    up *= TAP_AIR * np.minimum(deviation, d[:, 1])[:, None]
+    return unit(d + up), unit(d - up)
+
+
 def _step(low: float, high: float, x: float) -> float:
     return float(smoothstep(low, high, x))
+
+
+def _logarithm(green: Exponents, tint: Exponents, of: Series, x: Floats, s: Floats) -> Floats:
+    """Sums of c x^i s^j at (...,): of green, and of red and blue with what they add; (..., 3)."""
+    powers = [np.ones_like(x), x, x * x, x**3, x**4, x**5], [np.ones_like(s), s, s * s, s**3]
+
+    def summed(exponents: Exponents, coefficients: Floats) -> Floats:
+        result: Floats = np.stack([powers[0][i] * powers[1][j] for i, j in exponents], axis=-1) @ coefficients
+        return result
+
+    middle, beside = summed(green, of.green), summed(tint, of.tint)
+    return np.stack((middle + beside[..., 0], middle, middle + beside[..., 1]), axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +111,8 @@ class Lamp:
     """(3,) optical depth of the air along its light's path to the sea."""
     power: Floats
     """(3,) irradiance above the air."""
-    least: float
+    glow: Glow
+    """Coefficients of the sky that it lights."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,21 +127,40 @@ class Sky:
     """(3,) unit vector toward the lamp that lights water and clouds."""
     clear_direct: Floats
     """(3,) its irradiance at the sea under a clear sky."""
-    cloud_light: Floats
-    """(3,) its irradiance at the height of clouds."""
-    place: tuple[float, float, float]
-    """The camera's position in the clouds' noise, cells."""
-    eye_y: float
+    cloud_light: Callable[[float], Floats]
+    """(3,) its irradiance at an altitude, m."""
+    time: float
+    eye: tuple[float, float, float]
+    """The camera's position, m."""
+
+    @cached_property
+    def clouds(self) -> CloudLayer | None:
+        """The layer of clouds, if there is one."""
+        of = None if self.light.sky is None else self.light.sky.clouds
+        if of is None:
+            return None
+        place = clouds.place(of, self.time, self.eye)
+        return CloudLayer(of, self.lit_by, self.cloud_light(of.height), self._ambient, place, self.eye[1])
+
+    @cached_property
+    def high(self) -> HighClouds | None:
+        """The high clouds, if there are any."""
+        of = None if self.light.sky is None else self.light.sky.cirrus
+        if of is None:
+            return None
+        place = clouds.streak_place(of, self.time, self.eye)
+        return HighClouds(of, self.lit_by, self.cloud_light(of.height), self._ambient, place, self.eye[1])
 
     @property
-    def clouds(self) -> Clouds | None:
-        return None if self.light.sky is None else self.light.sky.clouds
+    def _ambient(self) -> Floats:
+        """Radiance of the skylight on clouds; (3,)."""
+        result: Floats = 0.6 / math.pi * self.clear_irradiance
+        return result
 
     @property
     def taken(self) -> float:
         """Mean share of the light from above that clouds block."""
-        clouds = self.clouds
-        return 0.0 if clouds is None else clouds.cover * (1.0 - math.exp(-0.5 * clouds.thickness))
+        return 0.0 if self.clouds is None else self.clouds.taken
 
     @property
     def direct(self) -> Floats:
@@ -115,75 +173,61 @@ class Sky:
         result: Floats = (RAYLEIGH + self.mie) / (up + 0.09) + self.haze * 0.02 / (up + 0.02)
         return result
 
-    def clear(self, d: Floats) -> Floats:
-        """Radiance of the cloudless air toward d; (..., 3)."""
-        up = np.maximum(d[..., 1], 0.0)[..., None]
-        depth = self.depth(d[..., 1])
-        grey = self.mie / (up + 0.09) + self.haze * 0.02 / (up + 0.02)
+    def clear(self, d: Floats, look: Floats | None = None) -> Floats:
+        """Radiance of the cloudless air toward d; (..., 3). ``look``: toward which its haze scatters, if not d."""
+        x = 0.1 / (np.maximum(d[..., 1], 0.0) + 0.1)
         total = np.zeros(d.shape)
         for lamp in self.lamps:
-            gamma = dot(d, lamp.direction)[..., None]
-            rayleigh = 3.0 / (16.0 * math.pi) * (1.0 + gamma * gamma)
+            level = math.hypot(lamp.direction[0], lamp.direction[2])
+            s = (d[..., 0] * lamp.direction[0] + d[..., 2] * lamp.direction[2]) / max(level, 1e-12)
+            gamma = dot(d if look is None else look, lamp.direction)[..., None]
             forward = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
-            once = (RAYLEIGH / (up + 0.09) * rayleigh + grey * forward) / depth
-            passed = 0.08 + 0.7 * np.exp(-up / 0.12)
-            here = lamp.power * np.exp(-lamp.path * passed) + lamp.least
-            above = lamp.power * np.exp(-0.08 * lamp.path) + lamp.least
-            total += here * once + FLAT * above
-        result: Floats = total * (1.0 - np.exp(-depth))
+            total += np.exp2(_logarithm(EVEN, EVEN_TINT, lamp.glow.even, x, s))
+            total += np.exp2(_logarithm(HAZE, HAZE_TINT, lamp.glow.haze, x, s)) * forward
+        return total
+
+    def passed(self, way: Floats) -> Floats:
+        """Share of light that passes through (r,) m of air near the sea; (r, 3)."""
+        haze = max(CONTRAST / self.light.visibility - float(MOLECULES[1]), 0.0)
+        result: Floats = np.exp(-way[:, None] * (haze * HAZE_COLOUR + MOLECULES))
         return result
 
-    def layer(self, d: Floats, blur: float) -> tuple[Floats, Floats, Floats]:
-        """The clouds toward d (r, 3): their radiance (r, 3), and the share of the sky that they cover and hide (r,)."""
-        clouds = self.clouds
-        count = d.shape[0]
-        light, cover, hidden = np.zeros((count, 3)), np.zeros(count), np.zeros(count)
-        if clouds is None:
-            return light, cover, hidden
-        seen = smoothstep(0.01, 0.08, d[:, 1]) * (1.0 - _step(0.5, 0.9, self.eye_y / clouds.height))
-        at = np.flatnonzero(seen > 0.0)
-        if at.size == 0:
-            return light, cover, hidden
-        look = d[at]
-        high = clouds.height - self.eye_y
-        along = EARTH * look[:, 1]
-        rest = 2.0 * EARTH * high + high * high
-        way = rest / (along + np.sqrt(along * along + rest))
-        width = blur * way / clouds.size * (EARTH + high) / (along + way)
-        place = np.column_stack((look[:, [0, 2]] * (way / clouds.size)[:, None], np.zeros(at.size))) + self.place
-        density = self._density(clouds, fractal(place, width, OCTAVES, 64 * clouds.seed))
-        level = 0.18 / max(math.hypot(self.lit_by[0], self.lit_by[2]), 1e-6)
-        shift = np.array([level * self.lit_by[0], level * self.lit_by[2], 0.0])
-        before = self._density(clouds, fractal(place + shift, width, OCTAVES - 2, 64 * clouds.seed))
-        unresolved = smoothstep(0.15, 0.6, width)
-        through = np.exp(-clouds.thickness * density)
-        hides = seen[at] * ((1.0 - through) * (1.0 - unresolved) + self.taken * unresolved)
-        gamma = dot(look, self.lit_by)
-        edge = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
-        lit = 0.3 * (0.15 + 0.85 * np.exp(-0.5 * clouds.thickness * before)) + 0.3 * edge * through
-        bright = self.cloud_light * lit[:, None] + self.cloud_sky * (1.0 - 0.4 * density)[:, None]
-        covers = hides * np.exp(-0.8 * self.depth(look[:, 1])[:, 0])
-        light[at], cover[at], hidden[at] = bright * covers[:, None], covers, hides
-        return light, cover, hidden
+    def behind_clouds(self, air: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
+        """The light ``air`` (r, 3) of the sky toward d (r, 3) with clouds in front, and what share they hide (r,)."""
+        hidden = np.zeros(d.shape[0])
+        if self.high is not None:
+            light, cover, hidden = self.high.toward(d, spread, self.depth)
+            air = air * (1.0 - cover)[:, None] + light
+        if self.clouds is None:
+            return air, hidden
+        light, cover, hides = self.clouds.toward(d, spread, self.depth)
+        behind: Floats = air * (1.0 - cover)[:, None] + light
+        return self.clouds.in_rain(behind, 1.0 - (1.0 - hidden) * (1.0 - hides), d, spread)
 
-    @staticmethod
-    def _density(clouds: Clouds, noise: Floats) -> Floats:
-        share_covered = min(max(clouds.cover, 1e-4), 1.0 - 1e-4)
-        start = -NormalDist().inv_cdf(share_covered) - 0.25 * clouds.softness
-        return smoothstep(start, start + clouds.softness, noise)
-
-    def seen(self, d: Floats, blur: float) -> Floats:
+    def seen(self, d: Floats) -> Floats:
         """Radiance of air and clouds toward d (r, 3); (r, 3)."""
-        light, cover, _ = self.layer(d, blur)
-        result: Floats = self.clear(d) * (1.0 - cover)[:, None] + light
-        return result
+        return self.behind_clouds(self.clear(d), d, _eye(d))[0]
+
+    def before(self, d: Floats) -> Floats:
+        """Radiance of deep haze before the horizon, seen along d (r, 3); (r, 3)."""
+        level = unit(d * np.array([1.0, 0.0, 1.0]))
+        return self.behind_clouds(self.clear(level, d), level, _eye(level))[0]
+
+    def mirrored(self, d: Floats, spread: tuple[Floats, Floats]) -> Floats:
+        """Radiance toward directions about d (r, 3), with standard deviations (r,) up and down, and aside, rad; (r, 3).
+
+        Two directions stand for all in the air, whose light varies most along the horizon; clouds are filtered.
+        """
+        high, low = two_looks(d, spread[0])
+        air = 0.5 * (self.clear(high) + self.clear(low))
+        return self.behind_clouds(air, d, (TAP_CLOUDS * spread[0], spread[1]))[0]
 
     def whole(self, d: Floats, pixel: Floats) -> Floats:
         """Radiance toward d (r, 3) with sun, moon and stars, for samples ``pixel`` (r,) rad wide; (r, 3)."""
-        light, cover, hidden = self.layer(d, EYE)
+        light, hidden = self.behind_clouds(self.clear(d), d, _eye(d))
         face, inside = self.moon_disc(d)
         beyond = self.sun_disc(d) + face + self.stars(d, pixel) * (1.0 - inside)[:, None]
-        result: Floats = self.clear(d) * (1.0 - cover)[:, None] + light + (1.0 - hidden)[:, None] * beyond
+        result: Floats = light + (1.0 - hidden)[:, None] * beyond
         return result
 
     def sun_disc(self, d: Floats) -> Floats:
@@ -192,7 +236,8 @@ class Sky:
             return np.zeros(d.shape)
         away = d - self.lamps[0].direction
         inside = 1.0 - smoothstep(0.0045**2, 0.0055**2, dot(away, away))
-        result: Floats = np.minimum(self.clear_direct / SUN_SOLID_ANGLE, DISC_MOST) * inside[:, None]
+        passed = self.clear_direct / CLOUD_POWER
+        result: Floats = DISC_MOST * math.sqrt(float(passed.max())) * passed * inside[:, None]
         return result
 
     def moon_disc(self, d: Floats) -> tuple[Floats, Floats]:
@@ -254,11 +299,6 @@ class Sky:
         return result
 
     @property
-    def cloud_sky(self) -> Floats:
-        """Radiance of the ambient light of clouds; (3,)."""
-        return 0.6 / math.pi * self.clear_irradiance
-
-    @property
     def clear_irradiance(self) -> Floats:
         """Irradiance of a clear sky on level water; (3,)."""
         return _integrated(self)
@@ -269,9 +309,7 @@ class Sky:
         clouds = self.clouds
         if clouds is None:
             return self.clear_irradiance
-        lit = 0.3 * (0.15 + 0.85 * math.exp(-0.25 * clouds.thickness))
-        overcast = math.pi * (lit * self.cloud_light + 0.8 * self.cloud_sky)
-        result: Floats = self.clear_irradiance + self.taken * (overcast - self.clear_irradiance)
+        result: Floats = self.clear_irradiance + clouds.taken * (math.pi * clouds.radiance - self.clear_irradiance)
         return result
 
 
@@ -291,6 +329,10 @@ def _integrated(of: Sky) -> Floats:
     return result
 
 
+def _eye(d: Floats) -> tuple[Floats, Floats]:
+    return np.full(d.shape[0], EYE[0]), np.full(d.shape[0], EYE[1])
+
+
 def _axes(moon: Moon) -> tuple[Floats, Floats, Floats]:
     """Direction toward the moon, and its right and up; (3,) unit vectors."""
     to_moon = toward(moon.azimuth, moon.elevation)
@@ -305,37 +347,35 @@ def layered_sky(light: Light, time: float, eye: tuple[float, float, float]) -> S
     azimuth, elevation = (light.sun_azimuth, light.sun_elevation) if light.day is None else sun_angles(light.day)
     mie = MIE_LEAST + MIE_PER_TURBIDITY * (light.turbidity - 1.0)
 
-    def path(height: float) -> Floats:
-        result: Floats = (RAYLEIGH + mie) / (max(height, 0.0) + 0.03)
-        return result
+    def lamp(at: Floats, power: Floats, least: tuple[float, float, float]) -> Lamp:
+        height = float(at[1])
+        red, green, blue = (float(value) for value in power)
+        path = np.array(atmosphere(mie, sky.haze).depth(height))
+        return Lamp(at, path, power, glow(mie, sky.haze, height, (red, green, blue), least))
 
     to_sun = toward(azimuth, elevation)
     low = float(to_sun[1])
-    lamps = [Lamp(to_sun, path(low), np.full(3, SUN_POWER * math.exp(12.0 * min(low, 0.0))), NIGHT)]
+    lamps = [lamp(to_sun, np.array(SUN_POWER) * adapted(low), NIGHT)]
     by_moon = False
     if sky.moon is not None:
         to_moon = _axes(sky.moon)[0]
         lit = 0.5 - 0.5 * float(dot(to_sun, to_moon))
         shows = lit**2 * _step(0.06, 0.12, -low) * _step(-0.02, 0.02, float(to_moon[1]))
-        lamps.append(Lamp(to_moon, path(float(to_moon[1])), MOON_POWER * sky.moon.brightness * shows, 0.0))
+        lamps.append(lamp(to_moon, MOON_POWER * sky.moon.brightness * shows, DARK))
         by_moon = low < -0.06
     if by_moon:
         lit_by = lamps[1].direction
         direct = lamps[1].power * np.exp(-lamps[1].path)
-        up_there = lamps[1].power * np.exp(-0.5 * lamps[1].path)
+        above, height = lamps[1].power, float(lit_by[1])
     else:
         lit_by = to_sun
-        direct = SUN_POWER * np.exp(-lamps[0].path) * _step(-0.02, 0.02, low)
-        up_there = SUN_POWER * np.exp(-0.5 * lamps[0].path) * _step(-0.06, 0.02, low)
-    place = (0.0, 0.0, 0.0)
-    if sky.clouds is not None:
-        of = sky.clouds
-        turn = 2.0 * math.pi / (CELLS * of.size)
-        drift = (of.wind * math.cos(of.wind_direction), of.wind * math.sin(of.wind_direction))
-        cells = CELLS / (2.0 * math.pi)
-        place = (
-            cells * reduced((turn, eye[0]), (-turn * drift[0], time)),
-            cells * reduced((turn, eye[2]), (-turn * drift[1], time)),
-            cells * reduced((2.0 * math.pi / (CELLS * of.change), time)),
-        )
-    return Sky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, place, eye[1])
+        direct = np.array(SUN_POWER) * np.exp(-lamps[0].path) * disc_shown(low)
+        above, height = np.full(3, CLOUD_POWER * _step(-0.06, 0.02, low)), low
+
+    def up_there(altitude: float) -> Floats:
+        """The lamp's light through the molecules and the haze above an altitude, which thin with different heights."""
+        depth = RAYLEIGH * math.exp(-altitude / RAYLEIGH_HEIGHT) + mie * math.exp(-altitude / MIE_HEIGHT)
+        result: Floats = above * np.exp(-depth / (max(height, 0.0) + 0.03))
+        return result
+
+    return Sky(light, mie, sky.haze, tuple(lamps), lit_by, direct, up_there, time, eye)

@@ -1,4 +1,4 @@
-"""Section 6: sun, sky, water body, foam and haze. Section 7: the tone curve.
+"""Section 6: sun, sky, water body, foam and haze.
 
 Colours are linear RGB along the last axis, directions unit vectors (x, y, z) along the last axis.
 """
@@ -7,13 +7,17 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from seafoam.reference.light.atmosphere import EYE, MIRROR, Sky, layered_sky, sun_angles
+from seafoam.reference.light.atmosphere import Sky, layered_sky, sun_angles, two_looks
 from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.light import Light
 from seafoam.scene.water import Water
+
+if TYPE_CHECKING:
+    from seafoam.reference.shore.soil import Soil
 
 RAYLEIGH = np.array([0.055, 0.108, 0.215])
 MIE_LEAST = 0.01
@@ -39,7 +43,6 @@ LAKE_COLOUR = np.array([0.98, 0.97, 0.7])
 LAKE_STRENGTH = 0.6
 GLITTER_MOST = 1e4
 CONTRAST = 3.912
-WET_ROUGHNESS2 = 0.02
 SKY_NODES = 192
 SKY_TURNS = 384
 
@@ -62,11 +65,22 @@ class Air:
 
     def sky(self, d: Floats) -> Floats:
         """sky(d) without the disc; (..., 3). Directions below the horizon have the horizon's air mass."""
-        return sky(self, d) if self.above is None else self.above.seen(d, EYE)
+        return sky(self, d) if self.above is None else self.above.seen(d)
 
-    def mirrored(self, d: Floats) -> Floats:
-        """The sky reflected by water; (r, 3)."""
-        return sky(self, d) if self.above is None else self.above.seen(d, MIRROR)
+    def mirrored(self, d: Floats, spread: tuple[Floats, Floats], unresolved: Floats | None = None) -> Floats:
+        """The sky reflected by water toward directions about d (r, 3), with standard deviations (r,) up and down, and
+        aside, rad; (r, 3).
+
+        ``unresolved`` (r,): the deviation up and down by slopes that a sample does not resolve alone, by which the
+        plain sky is blurred; default: 0, as in frames of the reference, which resolve all.
+        """
+        if self.above is not None:
+            return self.above.mirrored(d, spread)
+        if unresolved is None:
+            return sky(self, d)
+        high, low = two_looks(d, unresolved)
+        result: Floats = 0.5 * (sky(self, high) + sky(self, low))
+        return result
 
     @property
     def sky_irradiance(self) -> Floats:
@@ -142,6 +156,9 @@ def sky_light(of: Air, up: Floats) -> Floats:
     return result
 
 
+Mirror = Callable[[Floats, tuple[Floats, Floats]], Floats]
+"""Light (r, 3) from directions about (r, 3), of standard deviations (r,) up and down, and aside, rad."""
+
 Glint = Callable[[Floats, Floats, Floats, float], Floats]
 """Reflection of the sun (r, 3) from d, n, cv and σ², the arguments of :func:`glint`."""
 
@@ -154,20 +171,22 @@ def water(
     n: Floats,
     H: Floats,
     bed: tuple[Floats, Floats] | None = None,
-    mirrored: Callable[[Floats], Floats] | None = None,
+    mirrored: Mirror | None = None,
     sun: Glint | None = None,
     lit: tuple[Floats, Floats, Floats] | None = None,
     saturation: Floats | None = None,
     past: Floats | None = None,
+    open_sun: Floats | None = None,
 ) -> Floats:
     """Radiance of the water toward the camera, before haze; (r, 3).
 
     d (r, 3) points away from the camera, n (r, 3) is the unit normal with ripples, H (r,) the height, ``span`` the
     least and the greatest height of the surface, m. ``bed``: length of the path through the water to a shore's floor
-    and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light from directions (r, 3) above the water;
-    default: the sky's. ``sun``: replaces the smooth glint. ``lit``: a level floor with its own lighting: its radiance
-    (r, 3), the length of the path up from it, and its depth, (r,) m. ``saturation`` (r,): of the foam, whose bubbles
-    make the water milky. ``past`` (r,): the share of sunlight that foam beside the place does not block; default: 1.
+    and back (r,) m, and the floor's reflectance (r, 3). ``mirrored``: light from directions about (r, 3) above the
+    water, of standard deviations (r,); default: the sky's. ``sun``: replaces the smooth glint. ``lit``: a level
+    floor with its own lighting: its radiance (r, 3), the length of the path up from it, and its depth, (r,) m.
+    ``saturation`` (r,): of the foam, whose bubbles make the water milky. ``past`` (r,): the share of sunlight that
+    foam beside the place and all that throws shadows do not block; ``open_sun`` (r,): the latter; default: 1.
     """
     sigma2 = body.roughness**2
     nv = np.maximum(-dot(n, d), 0.0)
@@ -177,10 +196,13 @@ def water(
     within = _body(of, body, entering, H, cv, bed, lit)
     if saturation is not None and body.aeration > 0.0:
         within = _aerated(body, entering, cv, within, saturation)
-    inner = (1.0 - mirror) * (within + _crest(of, body, span, d, H))
+    direct = 1.0 if open_sun is None else open_sun[:, None]
+    inner = (1.0 - mirror) * (within + direct * _crest(of, body, span, d, H))
+    # A slope turns the reflected ray by twice its angle; across the plane of incidence less, as the look is flatter.
+    spread = np.full(cv.shape, math.sqrt(2.0 * sigma2)), math.sqrt(2.0 * sigma2) * cv
     seen = of.mirrored if mirrored is None else mirrored
     glinting = partial(glint, of) if sun is None else sun
-    return inner + mirror * seen(_reflected(d, n, sigma2)) + glinting(d, n, cv, sigma2)
+    return inner + mirror * seen(_reflected(d, n, sigma2), spread) + direct * glinting(d, n, cv, sigma2)
 
 
 def foam(of: Air, albedo: float, N: Floats, past: Floats | None = None) -> Floats:
@@ -192,35 +214,33 @@ def foam(of: Air, albedo: float, N: Floats, past: Floats | None = None) -> Float
     return result
 
 
-def land(of: Air, albedo: Floats, wet: Floats, d: Floats, n: Floats) -> Floats:
-    """Radiance of ground of reflectance (r, 3) and wetness (r,), before haze; (r, 3). d, n: (r, 3) unit vectors."""
-    nv = np.maximum(-dot(n, d), 0.0)
-    mirror = wet * 0.6 * fresnel(np.sqrt(nv * nv + WET_ROUGHNESS2 * (1.0 - nv * nv)))
-    bare = foam(of, 1.0, n) * albedo
-    result: Floats = bare + mirror[:, None] * (of.sky(_reflected(d, n, WET_ROUGHNESS2)) - bare)
+def land(of: Air, soil: "Soil", d: Floats, level: Floats, past: Floats | None = None) -> Floats:
+    """Radiance of land before haze; (r, 3). d and ``level``, the normals without detail: (r, 3) unit vectors.
+
+    ``past`` (r,): factor on the sun; default: 1.
+    """
+    nv = np.maximum(-dot(level, d), 0.0)
+    cv = np.sqrt(nv * nv + soil.roughness2 * (1.0 - nv * nv))
+    mirror = soil.film * fresnel(cv)
+    bare = foam(of, 1.0, soil.normal, past) * soil.albedo
+    result: Floats = bare + mirror[:, None] * (of.sky(_reflected(d, level, soil.roughness2)) - bare)
+    if soil.glints:
+        glints = soil.film if past is None else soil.film * past
+        result = result + glints[:, None] * glint(of, d, level, cv, soil.roughness2)
     return result
 
 
 def haze(of: Air, visibility: float, L: Floats, d: Floats, distance: Floats) -> Floats:
-    """L (r, 3) seen through (r,) m of air along d (r, 3): blended toward the sky at the horizon; (r, 3).
+    """L (r, 3) seen through (r,) m of air along d (r, 3): blended toward the sky at the horizon, or deep haze; (r, 3).
 
     For vertical rays, which have no horizon ahead, the horizon's direction is the zero vector.
     """
-    level = unit(d * np.array([1.0, 0.0, 1.0]))
-    through = np.exp(-CONTRAST * distance / visibility)[:, None]
-    result: Floats = L * through + of.sky(level) * (1.0 - through)
-    return result
-
-
-def tone(x: Floats) -> Floats:
-    """Narkowicz's curve of linear light x ≥ 0, clamped to [0, 1]; of the shape of ``x``."""
-    result: Floats = np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
-    return result
-
-
-def srgb(x: Floats) -> Floats:
-    """The sRGB curve of linear light in [0, 1]; of the shape of ``x``."""
-    result: Floats = np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.maximum(x, 0.0031308) ** (1.0 / 2.4) - 0.055)
+    if of.above is None:
+        through = np.exp(-CONTRAST * distance / visibility)[:, None]
+        air = sky(of, unit(d * np.array([1.0, 0.0, 1.0])))
+    else:
+        through, air = of.above.passed(distance), of.above.before(d)
+    result: Floats = L * through + air * (1.0 - through)
     return result
 
 

@@ -118,10 +118,10 @@ class FoamStage(FrameState):
         limited = np.clip(f, 0.0, 1.0)
         s = looks.faded(limited, foam.fade) if foam.octaves > 1 else limited
         # The converged frame resolves all windrows, so they are not filtered.
-        s = living.gathered(self.scene, self.time, self.origin, s, x, z)
+        s = living.gathered(self.scene, self.time, self.afloat, s, x, z)
         l_x, l_z = x + way[0] + beside[0], z + way[1] + beside[1]
         u, v = mask_place(l_x, l_z, foam, (0.0, 0.0))
-        at = living.drifted(self.scene, self.time, self.origin)
+        at = living.drifted(self.scene, self.time, self.afloat)
         feet = turned_footprint(foot_x, foam), turned_footprint(foot_y, foam)
         t = self._texture(l_x, l_z, foot_x, foot_y)
         free = np.ones_like(x)
@@ -161,14 +161,14 @@ class FoamStage(FrameState):
         feet = turned_footprint(foot_x, foam), turned_footprint(foot_y, foam)
         if foam.cells and foam_life(self.scene) is None:
             free = np.ones_like(x)
-            for corner in cells.corners(*cells.counted(x, z, foam, self.origin), filtered):
+            for corner in cells.corners(*cells.counted(x, z, foam, self.afloat), filtered):
                 own = np.flatnonzero(corner.weight > 0.0)
                 turned = corner.turned(feet[0])[own], corner.turned(feet[1])[own]
                 part = cells.part(f[own], corner.weight[own]) if filtered else f[own]
                 here = corner.u[own], corner.v[own]
                 free[own] *= 1.0 - self._amount(part, t[own], *here, turned, octaves)
             return 1.0 - free
-        return self._amount(f, t, *mask_place(x, z, foam, self.origin), feet, octaves)
+        return self._amount(f, t, *mask_place(x, z, foam, self.afloat), feet, octaves)
 
     def _carried(self, x: Floats, z: Floats) -> list[Copy]:
         """The copies of the mask that a flow advects; empty without one."""
@@ -210,8 +210,8 @@ class FoamStage(FrameState):
 
     def _texture_copy(self, tile: float, swapped: bool, x: Floats, z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
         texture = self.images.texture
-        u = tiles(self.origin[0], tile) + x / tile
-        v = tiles(self.origin[1], tile) + z / tile
+        u = tiles(self.afloat[0], tile) + x / tile
+        v = tiles(self.afloat[1], tile) + z / tile
         if swapped:
             u, v = v, u
         if not self.filtering:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +11,7 @@ from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer.assets import Assets
 from seafoam.reference.renderer.shade import Shader
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.spray import spray
+from seafoam.reference.spray import births, spray
 from seafoam.reference.types import Bools, Floats, Indices
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -59,13 +60,13 @@ def render(
         assets = Assets.for_scene(scene)
     view = cameras.view(scene.camera if camera is None else camera, width, height)
     shader = Shader(scene, time, view, width, height, samples, mode, assets)
-    discs = _discs(shader, time, height * samples)
+    flying = _drops(shader, time, height * samples, width * samples)
     pixels, grid = width * height, (height * samples, width * samples)
     rgb = np.empty((pixels, 3))
     alpha = np.empty(pixels)
     amount = np.empty((height, samples, width, samples))
     hit = np.empty((height, samples, width, samples), np.bool_)
-    spray_shape = (height, samples, width, samples) if discs is not None else (0, 0, 0, 0)
+    spray_shape = (height, samples, width, samples) if flying is not None else (0, 0, 0, 0)
     picture, clip_x, clip_y = np.empty((*spray_shape, 3)), np.empty(spray_shape), np.empty(spray_shape)
     jitter = np.random.default_rng(JITTER_SEED)
     step = max(1, CHUNK // samples**2)
@@ -75,15 +76,15 @@ def render(
         offset = jitter.random((*cells, 2)) if mode == "converged" else np.full((*cells, 2), 0.5)
         where, X, Y = _samples(index, width, height, samples, offset)
         colour, a, met = shader.shade(X.ravel(), Y.ravel())
-        if discs is not None:
+        if flying is not None:
             picture[where], clip_x[where], clip_y[where] = colour.reshape(*cells, 3), X, Y
         rgb[index] = colour.reshape(index.size, samples**2, 3).mean(axis=1)
         alpha[index] = a.reshape(index.size, samples**2).mean(axis=1)
         amount[where] = a.reshape(cells)
         hit[where] = met.reshape(cells)
-    if discs is not None:
+    if flying is not None:
         sampled = picture.reshape(*grid, 3)
-        spray.lay_over(sampled, clip_x.reshape(grid), clip_y.reshape(grid), discs)
+        spray.lay_over(sampled, clip_x.reshape(grid), clip_y.reshape(grid), flying)
         rgb[:] = sampled.reshape(height, samples, width, samples, 3).mean(axis=(1, 3)).reshape(pixels, 3)
     return Frame(
         rgb=rgb.reshape(height, width, 3),
@@ -111,15 +112,21 @@ def _samples(
     return (row, cell[:, None], column, cell), X, Y
 
 
-def _discs(state: Shader, time: float, rows: int) -> spray.Discs | None:
-    """The spray's drops as discs on a picture of ``rows`` samples; None without spray or under water."""
+def _drops(state: Shader, time: float, rows: int, columns: int) -> spray.Seen | None:
+    """The spray's drops on a picture of ``rows`` × ``columns`` samples; None without spray or under water."""
     settings, coast = state.scene.spray, state.coast
     if settings is None or state.covered:
         return None
-    if coast is None:
-        drops, life = spray.from_waves(settings, state.scene, state.waves, time, state.origin), settings.life
-    else:
-        drops, life = spray.from_rocks(settings, coast, time), spray.life_on_rocks(settings, coast)
+    flying = births.drops(state.scene, time, state.origin, state.view.ray_z[::2], coast)
     light = state.scene.light
-    shown = spray.Shown(state.air, 1.0 if light is None else light.visibility, state.exposure)
-    return spray.discs(settings, drops, life, state.view, rows, state.relief, coast, shown)
+    shown = spray.Shown(state.air, 1.0 if light is None else light.visibility, state.exposure, _reaching(state))
+    every = spray.beat(state.scene)
+    return spray.seen(settings, flying, every, state.view, rows, columns, state.relief, coast, state.fleet, shown)
+
+
+def _reaching(state: Shader) -> Callable[[Floats], Floats] | None:
+    """Share (n,) of the sun's light that reaches drops at (n, 3), m from the camera."""
+    open_sun, eye = state.open_sun, np.array([0.0, state.eye_y, 0.0])
+    if open_sun is None:
+        return None
+    return lambda away: open_sun(away + eye, (np.zeros((len(away), 2)), np.zeros((len(away), 2))))

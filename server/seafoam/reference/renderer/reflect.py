@@ -20,13 +20,16 @@ AROUND_BLUR = 0.012
 class ReflectionStage(FoamStage):
     """Radiance along reflected rays."""
 
-    def _mirror(self, place: Floats, r: Floats) -> Floats:
-        """Radiance that arrives from directions r (r, 3) at places (r, 3) on the water: sky, and what occludes it."""
+    def _mirror(self, place: Floats, r: Floats, spread: tuple[Floats, Floats]) -> Floats:
+        """Radiance that arrives from directions r (r, 3) at places (r, 3) on the water: sky, and what occludes it.
+
+        ``spread``: standard deviations (r,) of the directions about r from which the sky's light comes, rad.
+        """
         assert self.air is not None
         assert self.scene.light is not None
         if self.scene.light.reflection == "cubemap" and self.coast is not None:
-            return self._around(r)
-        seen = self.air.mirrored(r)
+            return self._around(r, spread)
+        seen = self.air.mirrored(r, spread)
         if self.scene.light.reflection != "planar":
             return seen
         to_land = np.full(r.shape[0], np.inf)
@@ -61,13 +64,17 @@ class ReflectionStage(FoamStage):
         assert self.air is not None
         assert self.scene.light is not None
         q_x, q_z = coast.place(at[:, 0], at[:, 2])
-        ground, g_x, g_z, _ = coast.ground(q_x, q_z)
+        height, g_x, g_z, _ = coast.ground(q_x, q_z)
         wide = np.column_stack((AROUND_BLUR * far, np.zeros(far.size)))
-        albedo = coast.albedo(q_x, q_z, wide, wide)
-        seen = light.land(self.air, albedo, coast.wet(ground), d, unit(intersect.normal(g_x, g_z)))
+        across = wide[:, ::-1]
+        soil = coast.soil(q_x, q_z, (wide, across), still=True)
+        reaches = None
+        if self.sunlight is not None:
+            reaches = self.sunlight(np.stack((at[:, 0], height, at[:, 2]), axis=-1), (wide, across))
+        seen = light.land(self.air, soil, d, unit(intersect.normal(g_x, g_z)), reaches)
         return light.haze(self.air, self.scene.light.visibility, seen, d, far)
 
-    def _around(self, r: Floats) -> Floats:
+    def _around(self, r: Floats, spread: tuple[Floats, Floats]) -> Floats:
         """Sky and land toward r (n, 3), from 1 m above water or ground, vertically below the camera; (n, 3)."""
         coast, air = self.coast, self.air
         assert coast is not None
@@ -78,7 +85,7 @@ class ReflectionStage(FoamStage):
         distance = intersect.land_crossing(coast.land, height, r, *coast.within(r))
         met = np.isfinite(distance)
         colour = np.empty_like(r)
-        colour[~met] = air.mirrored(r[~met])
+        colour[~met] = air.mirrored(r[~met], (spread[0][~met], spread[1][~met]))
         if met.any():
             d, far = r[met], distance[met]
             colour[met] = self._land_light(coast, far[:, None] * d, d, far)

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from seafoam.reference.boats import boat as fleets
+from seafoam.reference.foam import scattering
 from seafoam.reference.foam.front import CAP
 from seafoam.reference.light import light
 from seafoam.reference.renderer import camera as cameras
@@ -81,6 +82,11 @@ class Shader(UnderwaterStage):
                 feet = self.footprints(t, D, N)
                 lit = self.bed.seen(x, z, H, d, n, feet)
             place = np.stack((x, H, z), axis=-1)
+            open_sun = None
+            if self.sunlight is not None:
+                t = distance / np.sqrt(dot(D, D))
+                open_sun = self.sunlight(place, self.footprints(t, D, N))
+                past = (open_sun, open_sun) if past is None else (past[0] * open_sun, past[1] * open_sun)
             colour = light.water(
                 air,
                 scene.water,
@@ -89,15 +95,21 @@ class Shader(UnderwaterStage):
                 n,
                 H,
                 bed,
-                mirrored=lambda r: self._mirror(place, r),
+                mirrored=lambda r, spread: self._mirror(place, r, spread),
                 sun=self.sun,
                 lit=lit,
                 saturation=f,
                 past=None if past is None else past[0],
+                open_sun=open_sun,
             )
             if scene.foam is not None:
                 stiff = unit(intersect.normal(h_x + 0.5 * c_x, h_z + 0.5 * c_z))
-                white = light.foam(air, scene.foam.albedo, stiff, None if past is None else past[1])
+                shaded = None if past is None else past[1]
+                if scene.foam.scattering is not None and f is not None:
+                    glow, opaque = scattering.layer(air, scene.foam.scattering, scene.foam.albedo, stiff, d, f, shaded)
+                    white = glow + (1.0 - opaque)[:, None] * colour
+                else:
+                    white = light.foam(air, scene.foam.albedo, stiff, shaded)
                 colour = self._laid(colour, white, a)
             colour = light.haze(air, scene.light.visibility, colour, d, distance) * self.exposure
         return colour, np.minimum(a, 1.0)
@@ -121,9 +133,12 @@ class Shader(UnderwaterStage):
             amount = np.minimum(self._lying(f, x, z, *feet, way=still), 1.0)
         if self.air is None or scene.light is None:
             return np.repeat(amount[:, None], 3, axis=1), amount
-        colour = light.land(self.air, coast.albedo(q_x, q_z, *feet), coast.wet(height), d, unit(N))
+        reaches = None
+        if self.sunlight is not None:
+            reaches = self.sunlight(np.stack((x, height, z), axis=-1), feet)
+        colour = light.land(self.air, coast.soil(q_x, q_z, feet, still=False), d, unit(N), reaches)
         if scene.foam is not None:
-            white = light.foam(self.air, scene.foam.albedo, unit(N))
+            white = light.foam(self.air, scene.foam.albedo, unit(N), reaches)
             colour = colour + (white - colour) * amount[:, None]
         return light.haze(self.air, scene.light.visibility, colour, d, distance) * self.exposure, amount
 

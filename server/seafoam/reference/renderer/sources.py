@@ -13,6 +13,7 @@ from seafoam.extensions import TRUTHS
 from seafoam.ocean.stokes import foam_drift
 from seafoam.reference.foam.drift import drift_saturation
 from seafoam.reference.foam.front import CAP, History
+from seafoam.reference.foam.patches import FrontPatches
 from seafoam.reference.foam.saturation import front_source, height_saturation, joined, slope_saturation
 from seafoam.reference.renderer.state import FrameState
 from seafoam.reference.types import Floats
@@ -49,7 +50,9 @@ class SurfacePoints:
 
 
 def _front(of: FrameState, source: FrontSaturation, at: SurfacePoints) -> Floats:
-    history = History(foam_drift(of.scene), of.carries)
+    drift = foam_drift(of.scene)
+    patches = FrontPatches(source, at.time, at.origin, drift) if source.variation > 0.0 else None
+    history = History(drift, of.carries, patches)
     over = of.eye_y - at.height
     return front_source(source, of.fronts[source.constants], at.x, at.z, at.footprints, over, at.cap, history)
 
@@ -75,6 +78,8 @@ def _drift(of: FrameState, source: DriftSaturation, at: SurfacePoints) -> Floats
 
 
 def _wake(of: FrameState, source: WakeSaturation, at: SurfacePoints) -> Floats:
+    if of.stones is not None and of.stones.wakes:
+        return of.stones.foam(source, at.x, at.z, at.cap, at.footprints)
     return np.zeros_like(at.x) if of.wakes is None else of.wakes.foam(source, at.x, at.z, at.cap, at.footprints)
 
 

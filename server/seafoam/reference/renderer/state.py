@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 
 from seafoam.ocean.stokes import foam_life
 from seafoam.reference.boats import boat as fleets
+from seafoam.reference.boats.stones import stone_set
 from seafoam.reference.boats.wake import wake_set
 from seafoam.reference.foam.front import FRONT_CONSTANTS
 from seafoam.reference.light import light, sparkles
@@ -16,13 +18,16 @@ from seafoam.reference.renderer import camera as cameras
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.assets import Assets
 from seafoam.reference.renderer.relief import Part, Relief
+from seafoam.reference.renderer.sunlight import open_sun, sunlight
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats
 from seafoam.reference.water.seafloor import bed_of, under_of
+from seafoam.reference.waves.current import afloat
 from seafoam.reference.waves.gusts import GustField
 from seafoam.reference.waves.parametric import RippleSet, WaveSet, ripple_set, wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import sea_surface
+from seafoam.reference.waves.touch import touch_set
 from seafoam.scene.foam import FrontSaturation
 from seafoam.scene.models import Scene
 
@@ -53,36 +58,48 @@ class FrameState:
         self.eye_y = float(view.eye[1])
         self.origin = (float(view.eye[0]), float(view.eye[2]))
         eye = (self.origin[0], self.eye_y, self.origin[1])
+        self.afloat = afloat(scene, time, self.origin)
         self.air = None if scene.light is None else light.air(scene.light, time, eye)
         self.sun: light.Glint | None = None
         if scene.light is not None and self.air is not None:
             step = max(math.sqrt(float(side @ side)) for side in (self.delta_x, self.delta_y))
             self.sun = sparkles.sun(scene.light, self.air, time, step if self.filtering else 0.0)
-        self.waves = wave_set(scene, time, self.origin)
-        self.sea = sea_surface(scene, time, self.origin)
+        self.waves = wave_set(scene, time, self.afloat)
+        self.sea = sea_surface(scene, time, self.afloat)
         self.wakes = wake_set(scene, time, self.origin) if scene.boats else None
         parts: tuple[Part, ...] = (self.waves, ring_set(scene, time, self.origin))
         if self.wakes is not None:
             parts = (*parts, self.wakes)
+        self.stones = None if scene.current is None else stone_set(scene.current, self.origin)
+        if self.stones is not None:
+            parts = (*parts, self.stones)
         open_sea = Relief(parts if self.sea is None else (*parts, self.sea))
         self.coast = None if scene.shore is None else Coast(scene.shore, time, self.origin, open_sea)
         self.relief: Part = open_sea if self.coast is None else self.coast
         coast = self.coast
         ground = None if coast is None else lambda x, z: coast.ground(*coast.place(x, z))[0]
         self.fleet = fleets.fleet(scene, time, self.origin, self.relief.height, ground) if scene.boats else None
+        self.open_sun = open_sun(scene, self.air, self.coast)
+        if self.fleet is not None:
+            self.fleet = replace(self.fleet, open_sun=self.open_sun)
+        self.sunlight = sunlight(self.air, self.fleet, self.open_sun)
         self.gusts = GustField(scene.water.ripples, time, self.origin)
         repeats = scene.light is not None and scene.light.caustics is not None
-        self.ripples: RippleSet = ripple_set(scene.water.ripples, time, self.origin, repeats)
+        self.ripples: RippleSet = ripple_set(scene.water.ripples, time, self.afloat, repeats)
+        self.touches = touch_set(scene, time, self.origin)
         self.bed = bed_of(scene, self.air, time, self.origin)
         at_eye = float(self.relief.height(np.zeros(1), np.zeros(1))[0])
         self.covered = self.eye_y < at_eye
         self.under = scene.water.view_below and self.covered
         self.below = under_of(scene, self.air, time, self.origin, self.coast) if self.under else None
+        for floor in (self.bed, self.below):
+            if floor is not None:
+                floor.sun_reaches = self.sunlight
         front = None if scene.foam is None else scene.foam.source(FrontSaturation)
         self.fronts: dict[str, WaveSet] = {}
         if front is not None:
             spatial = FRONT_CONSTANTS[front.constants].spatial
-            self.fronts[front.constants] = wave_set(scene, time, self.origin, spatial)
+            self.fronts[front.constants] = wave_set(scene, time, self.afloat, spatial)
 
     @property
     def exposure(self) -> float:
@@ -95,6 +112,8 @@ class FrameState:
         if self.gusts.gusts is not None:
             gust = self.gusts(x, z)
             c_x, c_z = gust * c_x, gust * c_z
+        t_x, t_z = self.touches.gradient(x, z)
+        c_x, c_z = c_x + t_x, c_z + t_z
         if self.sea is None:
             return (met_x, met_z), (met_x, met_z), (c_x, c_z)
         # Rays intersect the bilinear sea; shading uses its spline.

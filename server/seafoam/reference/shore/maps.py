@@ -9,6 +9,7 @@ from scipy import ndimage
 
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.seabed import floor_grid
+from seafoam.ocean.travel import travel_grid
 from seafoam.reference.types import Bools, Floats, Indices, smoothstep
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.shore import Shore
@@ -153,10 +154,15 @@ def shore_map(shore: Shore, time: float) -> Floats:
     surf = shore.surf
     centres = ((np.arange(MAP) + 0.5) / MAP - 0.5) * shore.size
     x, z = np.meshgrid(centres, centres, indexing="xy")
-    steep = np.hypot(g_x, g_z)
-    ridge = step_between(0.3, 0.8, steep)
-    met = -(g_x * math.cos(surf.heading) + g_z * math.sin(surf.heading)) / np.maximum(steep, 1e-6)
-    exposed = 1.0 - surf.exposure + surf.exposure * step_between(-0.3, 0.7, met)
+    if surf.refraction:
+        arrived, left = np.moveaxis(travel_grid(shore, MAP), -1, 0)
+        periods = -arrived
+    else:
+        steep = np.hypot(g_x, g_z)
+        met = -(g_x * math.cos(surf.heading) + g_z * math.sin(surf.heading)) / np.maximum(steep, 1e-6)
+        left = 1.0 - surf.exposure + surf.exposure * step_between(-0.3, 0.7, met)
+        left = left * step_between(0.3, 0.8, steep)
+        periods = travel(shore, d)
     open_ = np.ones_like(d)
     if shore.kind == "lagoon":
         open_ = step_between(0.85 * shore.radius, 1.1 * shore.radius, np.hypot(x, z))
@@ -173,8 +179,8 @@ def shore_map(shore: Shore, time: float) -> Floats:
     rhythm = 1.0 - surf.variation * step_between(-0.8, 0.8, 0.5 * total)
     return np.stack(
         (
-            travel(shore, d),
-            surf.height * shoal * near * inland * ridge * exposed * open_ * rhythm,
+            periods,
+            surf.height * shoal * near * inland * left * open_ * rhythm,
             1.0 - step_between(breaks, 2.5 * breaks, depth),
             step_between(0.0, 0.6 * shore.deep, depth) * (0.1 + 0.9 * open_),
         ),

@@ -16,7 +16,8 @@ from seafoam.reference.light.light import INDEX
 from seafoam.reference.noise import KEY, value
 from seafoam.reference.renderer.relief import Part
 from seafoam.reference.shore.maps import FLOOR, MAP, NODES, PERIOD, SWASH, Spline, floor_spline, profiles, shore_map
-from seafoam.reference.types import Floats, dot, smoothstep
+from seafoam.reference.shore.soil import Soil, detailed, wetness
+from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.foam import SurfSaturation
 from seafoam.scene.shore import Shore
@@ -24,14 +25,17 @@ from seafoam.scene.shore import Shore
 GRAIN_CELL = 9.0
 
 GRAIN_OCTAVES = 5
+SHALLOW = (0.1, 0.6)
+"""Depths of the floor at which the look of soaked land starts to give way to that of the plain ground, and has, m."""
 
 GRAIN_STEP = 0.31
-
-FILM_ROUGHNESS2 = 0.02
 
 FALL_LEAST = 0.25
 
 REFRACTION_STEPS = 16
+
+PLAIN_FILM_ROUGHNESS2 = 0.02
+"""Mean square slope of the film of water on land without detail."""
 
 SAFE_STEPS = 20000
 
@@ -305,7 +309,14 @@ class Coast:
         for _ in range(REFRACTION_STEPS):
             at_x, at_z = q_x + r[:, 0] * under / fall, q_z + r[:, 2] * under / fall
             under = np.maximum(H - self.floor.value(at_x, at_z)[:, 0], 0.0)
-        return under * (1.0 + 1.0 / fall), self.albedo(at_x, at_z, foot_x, foot_y)
+        colour = self.albedo(at_x, at_z, foot_x, foot_y)
+        deep = smoothstep(*SHALLOW, -self.floor.value(at_x, at_z)[:, 0])
+        near = np.flatnonzero(deep < 1.0)
+        if self.shore.detail > 0.0 and near.size:
+            soaked = np.ones(near.size)
+            soil = detailed(self, at_x[near], at_z[near], (foot_x[near], foot_y[near]), (soaked, soaked), floor=True)
+            colour[near] = soil.albedo + deep[near, None] * (colour[near] - soil.albedo)
+        return under * (1.0 + 1.0 / fall), colour
 
     def albedo(self, q_x: Floats, q_z: Floats, foot_x: Floats, foot_y: Floats) -> Floats:
         """Reflectance of the ground; (r, 3)."""
@@ -325,6 +336,15 @@ class Coast:
             colour = colour + share[:, None] * (other - colour)
         result: Floats = colour * (1.0 - 0.45 * self.wet(height))[:, None]
         return result
+
+    def soil(self, q_x: Floats, q_z: Floats, feet: Feet, *, still: bool) -> Soil:
+        """What land looks like; ``still``: as wet as by its height alone."""
+        height, g_x, g_z, _ = self.ground(q_x, q_z)
+        by_height = self.wet(height), 0.6 * self.wet(height)
+        if self.shore.detail > 0.0:
+            return detailed(self, q_x, q_z, feet, by_height if still else wetness(self, q_x, q_z, height))
+        normal = unit(np.stack((-g_x, np.ones_like(g_x), -g_z), axis=-1))
+        return Soil(normal, self.albedo(q_x, q_z, *feet), by_height[1], PLAIN_FILM_ROUGHNESS2, glints=False)
 
     def wet(self, height: Floats) -> Floats:
         """Wetness of ground of a height (m): 1 where every wave reaches it; of the shape of ``height``."""

@@ -1,251 +1,351 @@
-"""Section 13: the drops of a scene's spray at a time: their positions, and the discs that samples see."""
+"""Section 13: drops in flight, their quadrilaterals on a picture, and what their water hides."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
 from seafoam.ocean.constants import GRAVITY
-from seafoam.ocean.rocks import rocks
+from seafoam.ocean.spray import BATCHES
+from seafoam.reference.boats.boat import Fleet
 from seafoam.reference.light import light
-from seafoam.reference.noise import pcg, share
 from seafoam.reference.renderer import intersect
 from seafoam.reference.renderer.camera import View
 from seafoam.reference.renderer.relief import Part
-from seafoam.reference.shore.maps import SWASH
+from seafoam.reference.sampling import bilinear
 from seafoam.reference.shore.shore import Coast
-from seafoam.reference.types import Bools, Floats, Indices, dot, smoothstep, unit
-from seafoam.reference.waves.parametric import WaveSet, angular_frequency, wave_derivative, wave_height
+from seafoam.reference.spray.drop import COLUMN, DRIFT, MIST, SHEET, Drops, number
+from seafoam.reference.spray.rocks import on_rocks
+from seafoam.reference.types import Floats, dot, smoothstep, unit
 from seafoam.scene.models import Scene
-from seafoam.scene.spray import DROPS, Spray
+from seafoam.scene.spray import Spray
+from seafoam.textures.spray import STRANDS, strand_levels
 
-EPOCHS = 65536
-DELAY = 1.5
-SPOT = 6.0
-JET = 1.5
-"""Sides of the squares of coast that emit drops at the same time and in the same way, m."""
-CANDIDATES = 4
-CREST_SLOPE2 = 0.02
-MIST_WEIGHT = 1.5
 NEAREST = 0.3
-WIDEST = 124.0
 NARROWEST = 0.75
-"""Radii, in samples."""
+"""Half the least width and length, samples."""
 BEHIND = 0.999
-_Words = NDArray[np.uint64]
-_LOW = np.uint64(0xFFFFFFFF)
+WINDOW = 0.4
+FINER = 3.7
+BRIGHTEST = 64.0
+ONWARD = 0.8
+"""Mean cosine of the light that drops send on."""
 
 
 @dataclass(frozen=True, eq=False)
-class Drops:
-    """Drops in the air, x and z relative to the camera; (n,) or (n, 3) each."""
-
-    birth: Floats
-    velocity: Floats
-    age: Floats
-    word: _Words
-
-    def of(self, chosen: Bools | Indices) -> Drops:
-        """A subset, in order."""
-        return Drops(self.birth[chosen], self.velocity[chosen], self.age[chosen], self.word[chosen])
-
-    def number(self, k: int) -> Floats:
-        """The k-th random number in [0, 1) of each drop."""
-        return _number(self.word, k)
-
-
-@dataclass(frozen=True, eq=False)
-class Discs:
-    """Discs on the picture, farthest first; (n,) each except the light."""
+class Seen:
+    """Drops on the picture, as quadrilaterals; (n,) each unless said otherwise."""
 
     X: Floats
     Y: Floats
     """Clip positions of their centres."""
-    radius: Floats
-    """Radii, in samples."""
-    opacity: Floats
-    light: Floats
+    along: Floats
+    """(n, 2) direction of flight on the picture, y up."""
+    half: Floats
+    """(n, 2) half the length and the width, samples."""
+    depth: Floats
+    """Optical depth of the middle."""
+    cover: Floats
+    soft: Floats
+    level: Floats
+    """Level of the strands' texture."""
+    fine: Floats
+    window: Floats
+    """(n, 3) first place in the texture, and texture along half the length."""
+    scattered: Floats
+    onward: Floats
     """Radiance (n, 3), exposed."""
-
-
-def _number(word: _Words, k: int) -> Floats:
-    return share(pcg((word + np.uint64(k)) & _LOW))
+    sun: Floats
+    """(n, 3) toward the sun: along, across, toward the eye."""
 
 
 class Shown:
     """How drops are lit, and seen through the air."""
 
-    def __init__(self, air: light.Air | None, visibility: float, exposure: float) -> None:
+    def __init__(
+        self,
+        air: light.Air | None,
+        visibility: float,
+        exposure: float,
+        reaches: Callable[[Floats], Floats] | None = None,
+    ) -> None:
         self.air = air
+        self.reaches = reaches
+        """Share (n,) of the sun's light that reaches drops at (n, 3), m from the camera; None: all."""
         self.visibility = visibility
         self.exposure = exposure
 
-    def __call__(self, away: Floats) -> Floats:
-        """Radiance of drops at (n, 3), m from the camera; (n, 3), exposed."""
+    def scattered(self, away: Floats, face: Floats) -> Floats:
+        """Light (n, 3) scattered all round by drops at (n, 3), m from the camera, on a side that faces so (n, 3)."""
         if self.air is None:
             return np.ones_like(away)
-        d = unit(away)
-        onward = np.maximum(dot(d, self.air.sun), 0.0) ** 6
-        sun = self.air.sun_irradiance * (0.6 + 0.9 * onward)[:, None]
-        scattered = (sun + 0.8 * self.air.sky_irradiance) / math.pi
+        sun = self.air.sun_irradiance * (self._reached(away) * (0.5 + 0.4 * dot(face, self.air.sun)))[:, None]
+        total = (sun + 0.9 * self.air.sky_irradiance) / math.pi
         distance = np.sqrt(dot(away, away))
-        result: Floats = light.haze(self.air, self.visibility, scattered, d, distance) * self.exposure
-        return result
+        result: Floats = light.haze(self.air, self.visibility, total, unit(away), distance) * self.exposure
+        return np.minimum(result, BRIGHTEST)
 
+    def onward(self, away: Floats) -> Floats:
+        """Light (n, 3) of the sun that drops at (n, 3) send on nearly as it came."""
+        if self.air is None:
+            return np.zeros_like(away)
+        g = ONWARD
+        phase = (1.0 - g * g) / (1.0 + g * g - 2.0 * g * dot(unit(away), self.air.sun)) ** 1.5 / (2.0 * math.pi)
+        distance = np.sqrt(dot(away, away))
+        through = np.exp(-light.CONTRAST / self.visibility * distance)
+        return np.minimum(
+            self.air.sun_irradiance * (self._reached(away) * phase * through)[:, None] * self.exposure, BRIGHTEST
+        )
 
-def _cycles(time: float, period: float) -> tuple[int, float]:
-    """Number of whole periods since time 0, and the fraction of the current one."""
-    passed = Fraction(time) / Fraction(period)
-    whole = math.floor(passed)
-    return whole, float(passed - whole)
+    def _reached(self, away: Floats) -> Floats:
+        return np.ones(len(away)) if self.reaches is None else self.reaches(away)
+
+    def sun(self, view: View, along: Floats) -> Floats:
+        """(n, 3) toward the sun: along directions of the picture (n, 2), across, and toward the eye."""
+        if self.air is None:
+            return np.zeros((len(along), 3))
+        aside = np.array([unit(axis) @ self.air.sun for axis in (view.ray_x, view.ray_y)])
+        across = np.stack((-along[:, 1], along[:, 0]), axis=-1)
+        eye = np.full(len(along), -float(self.air.sun @ view.ray_z))
+        return np.stack((along @ aside, across @ aside, eye), axis=-1)
 
 
 def flight(
     birth: Floats, velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]
 ) -> Floats:
     """Positions (n, 3) of drops ``age`` s after their start: ballistics with linear drag, τ and weight (n,) each."""
-    last = np.stack((np.full_like(age, wind[0]), -weight * tau, np.full_like(age, wind[1])), axis=-1)
+    last = _last(tau, weight, wind)
     result: Floats = birth + last * age[:, None] + (velocity - last) * (-tau * np.expm1(-age / tau))[:, None]
     return result
 
 
-def life_on_rocks(spray: Spray, coast: Coast) -> float:
-    """Lifetime of drops from rocks, s: they vanish before the next crest arrives."""
-    return min(spray.life, coast.shore.surf.period - DELAY)
+def speed(velocity: Floats, age: Floats, tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
+    """Velocities (n, 3), m/s."""
+    last = _last(tau, weight, wind)
+    result: Floats = last + (velocity - last) * np.exp(-age / tau)[:, None]
+    return result
 
 
-def from_rocks(spray: Spray, coast: Coast, time: float) -> Drops:
-    """Drops that the surf of a coast throws up."""
-    places = rocks(coast.shore, spray.steep)
-    if len(places) == 0 or coast.shore.surf.height == 0.0:
-        return _none()
-    index = np.arange(DROPS, dtype=np.uint64)
-    own = pcg(index)
-    rock = places[np.arange(DROPS) % len(places)]
-    out = rock[:, 2:]
-    along = np.stack((-out[:, 1], out[:, 0]), axis=-1)
-    q = rock[:, :2] + 2.0 * (_number(own, 0) - 0.5)[:, None] * along
-    field = coast.field.value(q[:, 0], q[:, 1])
-    period = coast.shore.surf.period
-    whole, left = _cycles(time, period)
-    turn = -left - field[:, 0]
-    wave = np.floor(turn).astype(np.int64) - whole
-    counted = (wave % EPOCHS).astype(np.uint64)
-    word = pcg(own ^ counted)
-    spot = np.floor(q / SPOT).astype(np.int64).astype(np.uint64) & _LOW
-    burst = pcg(pcg(pcg(spot[:, 0]) ^ spot[:, 1]) ^ counted)
-    delay = DELAY * (0.7 * _number(burst, 0) + 0.3 * _number(word, 1))
-    age = (1.0 - (turn - np.floor(turn))) * period - delay
-    strong = 0.3 + 0.7 * _number(burst, 1)
-    start = spray.speed * np.sqrt(GRAVITY * np.maximum(field[:, 1], 0.0) / SWASH) * strong
-    jet = np.floor(q / JET).astype(np.int64).astype(np.uint64) & _LOW
-    way = pcg(pcg(pcg(jet[:, 0]) ^ jet[:, 1]) ^ counted)
-    fast = start * (0.4 + 0.6 * _number(way, 0)) * (0.25 + 0.75 * _number(word, 2))
-    lean = 0.3 * _number(way, 1) + 0.2 * _number(word, 4) - 0.05
-    aside = 0.7 * _number(way, 2) + 0.3 * _number(word, 7) - 0.5
-    level = lean[:, None] * out + aside[:, None] * along
-    velocity = fast[:, None] * np.stack((level[:, 0], 0.8 + 0.2 * _number(word, 3), level[:, 1]), axis=-1)
-    birth = np.stack((q[:, 0] - coast.offset[0], field[:, 1], q[:, 1] - coast.offset[1]), axis=-1)
-    alive = (age >= 0.0) & (age < life_on_rocks(spray, coast)) & (start > spray.threshold)
-    return Drops(birth, velocity, age, word).of(alive)
+def _last(tau: Floats, weight: Floats, wind: tuple[float, float]) -> Floats:
+    return np.stack((np.full_like(tau, wind[0]), -weight * tau, np.full_like(tau, wind[1])), axis=-1)
 
 
-def from_waves(spray: Spray, scene: Scene, waves: WaveSet, time: float, origin: tuple[float, float]) -> Drops:
-    """Drops that the parametric waves of a scene throw up. ``waves``: those at this time, relative to ``origin``."""
-    omega = np.array([angular_frequency(wave) for wave in scene.waves])
-    if float(waves.amplitude.sum()) == 0.0:
-        return _none()
-    own = pcg(np.arange(DROPS, dtype=np.uint64))
-    whole, left = _cycles(time, spray.life)
-    turn = left + _number(own, 0)
-    passed = np.floor(turn)
-    age = (turn - passed) * spray.life
-    word = pcg(own ^ ((whole + passed.astype(np.int64)) % EPOCHS).astype(np.uint64))
-    side = 2.0 * spray.reach
-    eye = tuple(math.fmod(place, side) for place in origin)
-    best = np.full(DROPS, -1.0)
-    at, slope, height = np.zeros((DROPS, 2)), np.zeros((DROPS, 2)), np.zeros(DROPS)
-    for k in range(CANDIDATES):
-        p = np.stack([side * _number(word, 8 + 2 * k + i) - eye[i] for i in (0, 1)], axis=-1)
-        p -= side * np.floor(p / side + 0.5)
-        rise, tall, steep = np.zeros(DROPS), np.zeros(DROPS), np.zeros((DROPS, 2))
-        for i, theta in enumerate(waves.theta(p[:, 0], p[:, 1])):
-            then = theta - omega[i] * age
-            change = wave_derivative(then, waves.amplitude[i], waves.exponent[i])
-            tall += wave_height(then, waves.amplitude[i], waves.exponent[i])
-            steep -= change[:, None] * np.array([waves.kx[i], waves.kz[i]])
-            rise += change * omega[i]
-        faster = rise > best
-        best, height = np.where(faster, rise, best), np.where(faster, tall - waves.level, height)
-        at, slope = np.where(faster[:, None], p, at), np.where(faster[:, None], steep, slope)
-    onward = -slope * (best / np.maximum(dot(slope, slope), CREST_SLOPE2))[:, None]
-    aside = best[:, None] * (np.stack((_number(word, 2), _number(word, 3)), axis=-1) - 0.5)
-    level = onward * (0.4 + 0.6 * _number(word, 4))[:, None] + aside
-    upward = spray.speed * best * (0.4 + 0.6 * _number(word, 1))
-    velocity = np.stack((level[:, 0], upward, level[:, 1]), axis=-1)
-    birth = np.stack((at[:, 0], height, at[:, 1]), axis=-1)
-    born = (best > spray.threshold) & (np.hypot(at[:, 0], at[:, 1]) < spray.reach)
-    return Drops(birth, velocity, age, word).of(born)
+def falls(kind: Floats, tau: Floats) -> tuple[Floats, Floats]:
+    """Time constants of the drag (s) and accelerations (m/s²) of kinds of drops, (n,) each."""
+    drag = np.select([kind == DRIFT, kind == COLUMN], [0.5 * tau, 4.0 * tau], tau)
+    weight = np.select([kind == MIST, kind == DRIFT], [1.5, 2.5], GRAVITY)
+    return np.asarray(drag, np.float64), np.asarray(weight, np.float64)
 
 
-def discs(
-    spray: Spray, drops: Drops, life: float, view: View, rows: int, relief: Part, coast: Coast | None, shown: Shown
-) -> Discs:
-    """Discs of the drops on a picture of ``rows`` samples from top to bottom."""
-    mist = drops.number(5) < spray.mist
-    vary = drops.number(6)
+@dataclass(frozen=True, eq=False)
+class _Form:
+    radius: Floats
+    moment: Floats
+    longest: Floats
+    depth: Floats
+    cover: Floats
+    soft: Floats
+
+
+def _form(kind: Floats, age: Floats, life: Floats, vary: Floats, other: Floats) -> _Form:
+    """How drops (n,) have spread and torn at an age."""
+    x = np.maximum(age, 0.0) / life
+    ends, begins = 1.0 - smoothstep(0.55, 1.0, x), smoothstep(0.0, 0.06, x)
+    mist = (0.5 + 0.5 * vary) * (1.0 + 2.2 * x)
+    drift = (0.3 + 0.4 * vary) * (1.0 + 3.0 * x)
+    column = (0.6 + 0.8 * vary) * (1.0 + 1.6 * x)
+    sheet = (0.35 + 0.9 * vary * vary) * (1.0 + 1.4 * x)
+
+    def pick(*values: float | Floats) -> Floats:
+        full = [np.broadcast_to(np.asarray(value, np.float64), x.shape) for value in values]
+        chosen = np.select([kind == MIST, kind == DRIFT, kind == COLUMN], full[:3], full[3])
+        return np.asarray(chosen, np.float64)
+
+    torn = smoothstep(0.0, 0.6, x)
+    spread = smoothstep(0.05, 0.8, x)
+    return _Form(
+        radius=pick(mist, drift, column, sheet),
+        moment=pick(0.2, 0.5, 0.15, 0.15),
+        longest=pick(1.5, 6.0, 3.0, 2.5),
+        depth=pick(
+            0.9 * ends * begins / (0.4 + mist * mist),
+            0.6 * (1.0 - x) * ends * begins / (0.3 + drift),
+            1.8 * ends * smoothstep(0.0, 0.02, x) / (0.4 + 0.6 * column),
+            1.2 * ends * begins,
+        ),
+        cover=pick(0.85, 0.75, 1.1 - 0.8 * spread, (0.8 - 0.62 * torn) * (0.6 + 0.4 * other)),
+        soft=pick(0.7, 0.5, 0.3, 0.22),
+    )
+
+
+def beat(scene: Scene) -> float:
+    """Time between batches of drops, s; 0 at rocks, where none come in batches."""
+    spray = scene.spray
+    return 0.0 if spray is None or on_rocks(scene) else spray.life / BATCHES
+
+
+def seen(
+    spray: Spray,
+    drops: Drops,
+    every: float,
+    view: View,
+    rows: int,
+    columns: int,
+    relief: Part,
+    coast: Coast | None,
+    fleet: Fleet | None,
+    shown: Shown,
+) -> Seen:
+    """The drops on a picture of ``rows`` × ``columns`` samples. ``every``: time between batches, s."""
+    seed = drops.word >> np.uint64(8)
+    vary = number(seed, 6)
     wind = (spray.wind * math.cos(spray.wind_direction), spray.wind * math.sin(spray.wind_direction))
-    weight = np.where(mist, MIST_WEIGHT, GRAVITY)
-    place = flight(drops.birth, drops.velocity, drops.age, spray.drag * (0.6 + 0.8 * vary), weight, wind)
-    away = place - np.array([0.0, view.eye[1], 0.0])
+    tau, weight = falls(drops.kind, spray.drag * (0.6 + 0.8 * vary))
+    away = flight(drops.birth, drops.velocity, drops.age, tau, weight, wind) - np.array([0.0, view.eye[1], 0.0])
     depth = away @ view.ray_z
-    X, Y = (away @ axis / float(axis @ axis) / np.maximum(depth, 0.1) for axis in (view.ray_x, view.ray_y))
-    seen = (depth >= NEAREST) & (np.abs(X) <= 1.0) & (np.abs(Y) <= 1.0)
-    seen[seen] = ~_hidden(place[seen], away[seen], float(view.eye[1]), relief, coast)
-    grown = np.where(mist, 9.0 * (0.35 + vary) * (0.3 + drops.age), 0.3 + 1.2 * vary * vary * vary)
-    opacity = np.where(mist, 0.045, 0.9) * smoothstep(0.0, 0.05, drops.age) * smoothstep(NEAREST, 1.0, depth)
-    opacity *= 1.0 - smoothstep(0.4, 1.0, drops.age / life)
-    q = math.sqrt(float(view.ray_y @ view.ray_y))
-    radius = spray.size * grown[seen] * 0.5 * rows / (q * depth[seen])
-    wide = np.clip(radius, NARROWEST, WIDEST)
-    thin = opacity[seen] * np.minimum((radius / wide) ** 2, 1.0)
-    return Discs(X[seen], Y[seen], wide, thin, shown(away[seen]))
+    chosen = np.flatnonzero(depth >= NEAREST)
+    clear, over = _clear(away[chosen], float(view.eye[1]), 0.35 * drops.radius[chosen] + 0.02, relief, coast, fleet)
+    chosen, over, clear = chosen[clear > 0.0], over[clear > 0.0], clear[clear > 0.0]
+    drops, seed, away, depth, vary = drops.of(chosen), seed[chosen], away[chosen], depth[chosen], vary[chosen]
+    moving = speed(drops.velocity, drops.age, tau[chosen], weight[chosen], wind)
+    wait = np.select([drops.kind == SHEET, drops.kind == COLUMN], [0.35, 0.0], 0.9)
+    form = _form(drops.kind, drops.age - every * number(seed, 8) * wait, drops.life, vary, number(seed, 9))
+    X, Y, along, size = _ellipses(view, (columns, rows), away, moving, drops.radius, form, over)
+    half = np.maximum(size, NARROWEST)
+    thin = size.prod(axis=-1) / half.prod(axis=-1)
+    sharp = np.log2(0.5 * WINDOW * STRANDS / half[:, 1])
+    level = np.clip(sharp, 0.0, 5.0)
+    hides = 1.0 - np.exp(-form.depth * drops.strength * clear * smoothstep(NEAREST, 1.0, depth))
+    stretch = 0.5 * WINDOW * np.minimum(half[:, 0] / half[:, 1], 2.0)
+    return Seen(
+        X=X,
+        Y=Y,
+        along=along,
+        half=half,
+        depth=-np.log(1.0 - np.minimum(thin * hides, 0.999)),
+        cover=form.cover,
+        soft=form.soft + (1.0 - form.soft) * level / 5.0,
+        level=level,
+        fine=1.0 - np.clip((sharp + 2.0) / 2.0, 0.0, 1.0),
+        window=np.stack((number(seed, 10), number(seed, 11), stretch), axis=-1),
+        scattered=shown.scattered(away, _faces(drops.velocity)),
+        onward=shown.onward(away),
+        sun=shown.sun(view, along),
+    )
 
 
-def _hidden(place: Floats, away: Floats, eye_y: float, relief: Part, coast: Coast | None) -> Bools:
-    """Whether drops (n, 3) are below or behind water or ground; (n,)."""
-    x, y, z = place.T
-    under: Bools = y < relief.height(x, z)
+def _ellipses(
+    view: View, sides: tuple[int, int], away: Floats, moving: Floats, born: Floats, form: _Form, over: Floats
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """Clip positions X and Y of drops at (n, 3), directions on the picture (n, 2), half lengths and widths (n, 2).
+
+    ``sides``: columns and rows, in samples as lengths are; ``born``: radii at birth, ``over``: heights above water, m.
+    """
+    depth = away @ view.ray_z
+    axes = (view.ray_x, view.ray_y)
+    X, Y = (away @ axis / float(axis @ axis) / depth for axis in axes)
+    moves = np.stack(
+        [
+            (moving @ axis / float(axis @ axis) - clip * (moving @ view.ray_z)) / depth * 0.5 * side * form.moment
+            for axis, clip, side in zip(axes, (X, Y), sides, strict=True)
+        ],
+        axis=-1,
+    )
+    scale = 0.5 * sides[1] / (math.sqrt(float(view.ray_y @ view.ray_y)) * depth)
+    radius = born * form.radius
+    wide = np.minimum(radius, 0.5 * radius + over) * scale
+    moved = np.hypot(moves[:, 0], moves[:, 1])
+    longer = moved * np.minimum(over / np.maximum(np.abs(moving[:, 1]) * form.moment, 1e-3), 1.0)
+    along = np.where((moved > 1e-4)[:, None], moves / np.maximum(moved, 1e-300)[:, None], np.array([0.0, 1.0]))
+    size = np.stack((wide + np.minimum(longer, form.longest * wide), wide), axis=-1)
+    return X, Y, along, size
+
+
+def _faces(velocity: Floats) -> Floats:
+    """Where the water beside drops thrown so (n, 3) ends, outward of their flight: (n, 3)."""
+    level = velocity[:, ::2] / np.maximum(np.hypot(velocity[:, 0], velocity[:, 2]), 1e-3)[:, None]
+    return np.stack((0.8 * level[:, 0], np.full(len(level), 0.6), 0.8 * level[:, 1]), axis=-1)
+
+
+def _clear(
+    away: Floats, eye_y: float, soft: Floats, relief: Part, coast: Coast | None, fleet: Fleet | None
+) -> tuple[Floats, Floats]:
+    """What is seen of drops (n, 3): nothing of those below or behind water or ground, or behind a boat; in [0, 1].
+
+    And their heights over both, m.
+    """
+    x, z = away[:, 0], away[:, 2]
+    ground = relief.height(x, z)
     if coast is not None:
-        under |= y < coast.ground(*coast.place(x, z))[0]
-    above = np.flatnonzero(~under)
+        ground = np.maximum(ground, coast.ground(*coast.place(x, z))[0])
+    over = away[:, 1] + eye_y - ground
+    result = np.clip(over / soft, 0.0, 1.0)
+    above = np.flatnonzero(over > 0.0)
     d, far = unit(away[above]), np.sqrt(dot(away[above], away[above]))
     behind = intersect.first_crossing(relief, eye_y, d) < BEHIND * far
     if coast is not None:
         low, high = coast.within(d)
         behind |= intersect.land_crossing(coast.land, eye_y, d, low, np.minimum(high, BEHIND * far)) < BEHIND * far
-    under[above] = behind
-    return under
+    if fleet is not None:
+        behind |= fleet.trace(np.array([0.0, eye_y, 0.0]), d).t < BEHIND * far
+    result[above[behind]] = 0.0
+    return result, over
 
 
-def _none() -> Drops:
-    return Drops(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(0, np.uint64))
-
-
-def lay_over(picture: Floats, X: Floats, Y: Floats, over: Discs) -> None:
-    """Blend discs over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
+def lay_over(picture: Floats, X: Floats, Y: Floats, over: Seen) -> None:
+    """Lay drops over samples (H, W, 3), in place. X, Y (H, W): clip positions of the samples."""
     rows, columns = X.shape
+    thick, total = np.zeros((rows, columns)), np.zeros((rows, columns, 3))
     for i in range(over.X.size):
-        r = over.radius[i]
+        along = over.along[i]
+        across = np.array([-along[1], along[0]])
+        reach = np.abs(along) * over.half[i, 0] + np.abs(across) * over.half[i, 1] + 1.0
         middle = 0.5 * (over.X[i] + 1.0) * columns, 0.5 * (1.0 - over.Y[i]) * rows
-        left, right = (int(np.clip(math.floor(middle[0] + s * (r + 1.0)), 0, columns - 1)) for s in (-1.0, 1.0))
-        top, bottom = (int(np.clip(math.floor(middle[1] + s * (r + 1.0)), 0, rows - 1)) for s in (-1.0, 1.0))
+        if not all(-r < m < side + r for m, r, side in zip(middle, reach, (columns, rows), strict=True)):
+            continue
+        left, right = (int(np.clip(math.floor(middle[0] + s * reach[0]), 0, columns - 1)) for s in (-1.0, 1.0))
+        top, bottom = (int(np.clip(math.floor(middle[1] + s * reach[1]), 0, rows - 1)) for s in (-1.0, 1.0))
         here = (slice(top, bottom + 1), slice(left, right + 1))
-        across = (X[here] - over.X[i]) * 0.5 * columns / r
-        down = (Y[here] - over.Y[i]) * 0.5 * rows / r
-        cover = over.opacity[i] * (np.maximum(1.0 - across * across - down * down, 0.0) ** 2)[..., None]
-        picture[here] = picture[here] * (1.0 - cover) + over.light[i] * cover
+        right_of, above = (X[here] - over.X[i]) * 0.5 * columns, (Y[here] - over.Y[i]) * 0.5 * rows
+        a = (right_of * along[0] + above * along[1]) / over.half[i, 0]
+        b = (right_of * across[0] + above * across[1]) / over.half[i, 1]
+        square = a * a + b * b
+        within = square < 1.0
+        if within.any():
+            depth, colour = _water(over, i, a[within], b[within], square[within])
+            thick[here][within] += depth
+            total[here][within] += colour
+    wet = thick >= 1e-4
+    cover = 1.0 - np.exp(-thick[wet])
+    picture[wet] = picture[wet] * (1.0 - cover)[:, None] + total[wet] * (cover / thick[wet])[:, None]
+
+
+def _water(over: Seen, i: int, a: Floats, b: Floats, square: Floats) -> tuple[Floats, Floats]:
+    """Optical depth (n,) of a drop at places in it, and its light times that (n, 3)."""
+    u, v, stretch = over.window[i]
+    way_u, way_v = a * stretch, b * 0.5 * WINDOW
+    within = 1.0 - square
+    rank = strands(u + way_u, v + way_v, float(over.level[i]))
+    cover = np.clip((over.cover[i] * within - rank) / over.soft[i] + 0.5, 0.0, 1.0)
+    finer = strands(v + FINER * way_v, u - FINER * way_u, float(over.level[i]) + math.log2(FINER))
+    cover = cover + over.fine[i] * (np.clip((cover - finer) / 0.3 + 0.5, 0.0, 1.0) - cover)
+    depth = over.depth[i] * within * cover
+    along, across, eye = over.sun[i]
+    facing = 0.75 + 0.25 * (a * along + b * across + np.sqrt(within) * eye)
+    colour = over.scattered[i] * facing[:, None] + over.onward[i] * np.exp(-1.5 * depth)[:, None]
+    return depth, colour * depth[:, None]
+
+
+def strands(u: Floats, v: Floats, level: float) -> Floats:
+    """The strands' ranks at (u, v) in tiles, linear between texels and between levels; of u's shape."""
+    levels = strand_levels()
+    level = min(max(level, 0.0), len(levels) - 1.0)
+    low = int(level)
+    near = bilinear(levels[low], u, v)
+    if level == low:
+        return near
+    result: Floats = near + (bilinear(levels[low + 1], u, v) - near) * (level - low)
+    return result

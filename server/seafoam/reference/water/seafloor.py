@@ -8,6 +8,7 @@ B-spline over the texels around the point where it lands.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
@@ -17,6 +18,7 @@ from seafoam.reference.light.light import BACKSCATTER, ENTERS, GLITTER_MOST, IND
 from seafoam.reference.noise import corner
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.types import Floats, dot, unit
+from seafoam.reference.waves.current import afloat
 from seafoam.reference.waves.parametric import reduced
 from seafoam.scene.light import Caustics, Light
 from seafoam.scene.models import Scene
@@ -139,8 +141,10 @@ class Seabed:
         self.water: Water = water
         self.depth = 1e6 if water.depth is None else water.depth
         self.origin = origin
+        self.afloat = afloat(scene, time, origin)
         self.extinction = 1.0 / np.array(water.absorption_length) + water.scattering
         self.map: Floats | None = None
+        self.sun_reaches: Callable[[Floats, tuple[Floats, Floats]], Floats] | None = None
         if light.caustics is not None and water.ripples is not None and water.depth is not None:
             self.map = photon_map(scene, time)
             flat = landing(made, water.depth, np.zeros(1), np.zeros(1), INDEX)
@@ -163,7 +167,15 @@ class Seabed:
         """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
         if self.water.depth is None:
             return np.zeros((x.size, 3))
-        return self.lit(self.albedo(x, z, feet), self.sunlight(x, z), down)
+        return self.lit(self.albedo(x, z, feet), self.sunlight(x, z) * self._reached(x, z, down, feet), down)
+
+    def _reached(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
+        """Share (r, 1) of the sunlight that shadows leave to the floor at (x, z), ``down`` m under level water."""
+        if self.sun_reaches is None:
+            return np.ones((x.size, 1))
+        lean = self.air.sun / (INDEX * math.sqrt(1.0 - (1.0 - float(self.air.sun[1]) ** 2) / INDEX**2))
+        enters = np.stack((x + down * lean[0], np.zeros_like(x), z + down * lean[2]), axis=-1)
+        return self.sun_reaches(enters, feet)[:, None]
 
     def lit(self, albedo: Floats, sunlight: Floats, down: Floats) -> Floats:
         """Radiance (r, 3) of ground of an albedo (r, 3) under sunlight, given relative to that under level water (r,
@@ -181,8 +193,8 @@ class Seabed:
             return np.ones((x.size, 3))
         tile = tiles(True)[0]
         count = self.map.shape[0]
-        u = ((x - self.flat[0] + math.fmod(self.origin[0], tile)) / tile % 1.0) * count - 0.5
-        v = ((z - self.flat[1] + math.fmod(self.origin[1], tile)) / tile % 1.0) * count - 0.5
+        u = ((x - self.flat[0] + math.fmod(self.afloat[0], tile)) / tile % 1.0) * count - 0.5
+        v = ((z - self.flat[1] + math.fmod(self.afloat[1], tile)) / tile % 1.0) * count - 0.5
         i, j = np.floor(u).astype(np.int64), np.floor(v).astype(np.int64)
         s, t = (u - i)[:, None], (v - j)[:, None]
         corner = [[self.map[(j + b) % count, (i + a) % count] for a in (0, 1)] for b in (0, 1)]
@@ -276,7 +288,8 @@ class ShoreSeabed(Seabed):
 
     def light(self, x: Floats, z: Floats, down: Floats, feet: tuple[Floats, Floats]) -> Floats:
         """Radiance (r, 3) of the floor at (x, z), m from the origin, at a depth of ``down`` m."""
-        return self.lit(self.coast.albedo(*self.coast.place(x, z), *feet), np.ones((x.size, 3)), down)
+        lit = np.ones((x.size, 3)) * self._reached(x, z, down, feet)
+        return self.lit(self.coast.albedo(*self.coast.place(x, z), *feet), lit, down)
 
 
 def bed_of(scene: Scene, made: Air | None, time: float, origin: tuple[float, float]) -> Seabed | None:

@@ -104,7 +104,7 @@ def tile(of: Cascade, time: float, wanted: float, texels: int = TEXELS) -> Tile:
     choppiness = of.choppiness(wanted)
     scale = choppiness * texels / of.size
     p_z, p_x = np.meshgrid(np.arange(texels, dtype=np.float64), np.arange(texels, dtype=np.float64), indexing="ij")
-    splines = {name: _spline(getattr(field, name)) for name in ("h", "h_x", "h_z", "d_x", "d_z", "xx", "xz", "zz")}
+    splines = {name: coefficients(getattr(field, name)) for name in ("h", "h_x", "h_z", "d_x", "d_z", "xx", "xz", "zz")}
 
     def at(name: str, x: Floats, z: Floats) -> Floats:
         result: Floats = map_coordinates(splines[name], (z, x), order=3, mode="grid-wrap", prefilter=False)
@@ -301,6 +301,15 @@ def sea_surface(scene: Scene, time: float, origin: tuple[float, float], texels: 
     return SeaSurface(tiles, cascades(scene.sea, depth), origin, earlier, old)
 
 
+def raised_surface(scene: Scene, time: float, origin: tuple[float, float], texels: int = TEXELS) -> SeaSurface | None:
+    """The same without what only tilts the surface and without foam: for heights alone."""
+    if scene.sea is None or scene.sea.wind <= 0.0:
+        return None
+    raised = cascades(scene.sea, scene.water.depth)[:RAISED]
+    tiles = tuple(tile(of, time, scene.sea.choppiness, texels) for of in raised)
+    return SeaSurface(tiles, raised, origin, ())
+
+
 def whitecap_saturation(
     scene: Scene, foam: WhitecapSaturation, surface: SeaSurface | None, x: Floats, z: Floats
 ) -> Floats:
@@ -319,7 +328,7 @@ def whitecap_saturation(
     return np.minimum(total, 1.0)
 
 
-def _spline(values: Floats) -> Floats:
+def coefficients(values: Floats) -> Floats:
     """Coefficients of the periodic cubic B-spline through ``values``."""
     texels = values.shape[0]
     filtered = (2.0 + np.cos(2.0 * math.pi * np.fft.fftfreq(texels))) / 3.0

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.framegraph.evaluation import FrameState, evaluate
-from seafoam.framegraph.passes import Blend, Fullscreen, Grid, Pass, Points
+from seafoam.framegraph.passes import Blend, Grid, Mesh, Pass, Points, Quads
 from seafoam.framegraph.plan import FramePlan
-from seafoam.framegraph.resources import MIPMAPPED, FixedSize, Target, Texture, TextureInput
+from seafoam.framegraph.resources import MIPMAPPED, Target, Texture, TextureInput
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
@@ -91,14 +91,14 @@ class _Linked:
         self.program = program
         self._arrays: dict[Grid | None, tuple[Any, ...]] = {}
 
-    def draw(self, mesh: Fullscreen | Grid | Points) -> None:
+    def draw(self, mesh: Mesh) -> None:
         """Draw ``mesh`` with the program."""
         if isinstance(mesh, Grid):
             self._array(mesh).render(moderngl.TRIANGLES)
         elif isinstance(mesh, Points):
             self._array(None).render(moderngl.POINTS, vertices=mesh.count)
         else:
-            self._array(None).render(moderngl.TRIANGLES, vertices=3)
+            self._array(None).render(moderngl.TRIANGLES, vertices=6 * mesh.count if isinstance(mesh, Quads) else 3)
 
     def _array(self, mesh: Grid | None) -> moderngl.VertexArray:
         """Return the vertex array that feeds ``mesh``; None: no attributes."""
@@ -341,14 +341,14 @@ class Executor:
         return image
 
     def _target(self, name: str, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
-        size = _size(target, width, height)
+        size = target.size.of_picture(width, height)
         key = (name, size, target.format, target.depth, target.filter, target.wrap)
         found: tuple[Any, ...] = self._targets.get(key, partial(self._create, target, width, height))
         return found
 
     def _create(self, target: Target, width: int = 0, height: int = 0) -> tuple[Any, ...]:
         """Create a target for a picture of ``width`` × ``height`` pixels, which targets of fixed size ignore."""
-        created = self._framebuffer(_size(target, width, height), target.format, depth=target.depth)
+        created = self._framebuffer(target.size.of_picture(width, height), target.format, depth=target.depth)
         created[1].filter = _FILTERS[target.filter]
         created[1].repeat_x = created[1].repeat_y = target.wrap == "repeat"
         return created
@@ -364,13 +364,6 @@ class Executor:
             return self._context.framebuffer([color]), color
         buffer = self._context.depth_renderbuffer(size)
         return self._context.framebuffer([color], buffer), color, buffer
-
-
-def _size(target: Target, width: int, height: int) -> tuple[int, int]:
-    if isinstance(target.size, FixedSize):
-        return target.size.width, target.size.height
-    scale, part = target.size.scale, target.size.part
-    return -(-width * scale // (part * target.size.narrow)), -(-height * scale // part)
 
 
 def _member(program: moderngl.Program, name: str) -> moderngl.Uniform:

@@ -11,6 +11,7 @@ from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import Quality
 from seafoam.render.encode import FrameFormat, encode, needs_linear
+from seafoam.render.service.recipe import recipe_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 
@@ -29,6 +30,8 @@ class FrameJob:
     height: int
     """Pixels."""
     format: FrameFormat
+    preset: str | None = None
+    """Name of the preset that the scene began from; only the recipe has it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +121,7 @@ def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
         output="linear" if needs_linear(job.format) else "rgba8",
     )
     encoding = time.perf_counter()
-    content = encode(rendered.pixels, job.format)
+    content = encode(rendered.pixels, job.format, recipe_of(job, renderer.info))
     return Frame(
         content,
         {

@@ -1,0 +1,4 @@
+"""A scene to take home: the files that draw it without a server, as a zip archive.
+
+Not here: the player, which is built from ``webclient/src/export``.
+"""

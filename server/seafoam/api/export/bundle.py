@@ -1,0 +1,129 @@
+"""The files of a scene to take home: page, player, plan, programs, textures, uniforms, recipe.
+
+Pages opened from the file system may not fetch files, so the player's data are classic scripts: the plan and the recipe
+as JSON, each texture in base64. No path is made of what a request says: names are numbers and names of the plan,
+reduced to lower-case letters, digits and hyphens.
+"""
+
+import base64
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from seafoam.api.errors import ExportTooLargeError, NotBuiltError
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.framegraph.passes import Pass
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.shader import declared_uniforms
+from seafoam.render.service.jobs import FrameJob
+from seafoam.resources import data_dir
+from seafoam.textures import spec_of, texture
+
+TEXTURES_LIMIT = 1 << 26
+"""Bytes of all textures of a plan together."""
+PLAYER = ("index.html", "README.md", "LICENSE", "player.js")
+"""Files of the build that every archive has; the first two are templates."""
+_GLOBAL = "globalThis.seafoamData ??= { textures: {} };\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Export:
+    """What is taken home: the frame that the page opens with, its plan and its recipe."""
+
+    job: FrameJob
+    plan: FramePlan
+    plan_json: bytes
+    recipe: str
+    title: str
+
+
+def player_files() -> dict[str, bytes]:
+    """Return the player's files by name, from the built web client. Raises :class:`NotBuiltError`."""
+    folder = data_dir("webclient") / "export"
+    try:
+        return {name: (folder / name).read_bytes() for name in PLAYER}
+    except FileNotFoundError as error:
+        raise NotBuiltError(f"the player is not built: {Path(error.filename).name} is missing") from None
+
+
+def texture_bytes(plan: FramePlan) -> dict[str, bytes]:
+    """Return the bytes of the plan's textures by SHA-256. Raises :class:`ExportTooLargeError`."""
+    found: dict[str, bytes] = {}
+    for spec in plan.textures.values():
+        found[spec.sha256] = texture(spec_of(spec.url)).data
+        size = sum(map(len, found.values()))
+        if size > TEXTURES_LIMIT:
+            raise ExportTooLargeError(
+                f"the scene's textures have more than {TEXTURES_LIMIT >> 20} MiB: lower the quality's sizes"
+            )
+    return found
+
+
+def entries(export: Export, textures: dict[str, bytes], player: dict[str, bytes]) -> Iterator[tuple[str, bytes]]:
+    """Yield path and content of every file, in order."""
+    scripts = ["data/plan.js", "data/recipe.js"]
+    names = {
+        sha256: f"data/texture-{index:02d}-{slug(name)}.js"
+        for index, (sha256, name) in enumerate(_distinct(export.plan).items())
+    }
+    html = _filled(player["index.html"], export)
+    tags = "".join(f'    <script src="{path}"></script>\n' for path in (*scripts, *names.values()))
+    yield "index.html", html.replace("    <!-- data -->\n", tags).encode()
+    yield "README.md", _filled(player["README.md"], export).encode()
+    yield "LICENSE", player["LICENSE"]
+    yield "player.js", player["player.js"]
+    yield "data/plan.js", (_GLOBAL + "seafoamData.plan = ").encode() + export.plan_json + b";\n"
+    yield "data/recipe.js", f"{_GLOBAL}seafoamData.recipe = {export.recipe};\n".encode()
+    for sha256, path in names.items():
+        encoded = base64.b64encode(textures[sha256]).decode()
+        yield path, f'{_GLOBAL}seafoamData.textures["{sha256}"] =\n  "{encoded}";\n'.encode()
+    for index, (name, program) in enumerate(export.plan.programs.items()):
+        yield f"programs/{index:02d}-{slug(name)}.vert.glsl", program.vertex.text.encode()
+        yield f"programs/{index:02d}-{slug(name)}.frag.glsl", program.fragment.text.encode()
+    yield "uniforms.json", json.dumps(uniforms(export), indent=1).encode() + b"\n"
+
+
+def slug(name: str) -> str:
+    """Return a name reduced to lower-case letters, digits and single hyphens."""
+    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") or "unnamed"
+
+
+def uniforms(export: Export) -> list[dict[str, Any]]:
+    """Return each pass with the uniforms that its program declares: type, count, and float32 values in this frame."""
+    return [
+        {"pass": one.name, "program": one.program, "target": one.target, "uniforms": _values(export, one, index)}
+        for index, one in enumerate(export.plan.passes)
+    ]
+
+
+def _values(export: Export, one: Pass, index: int) -> dict[str, Any]:
+    plan, job = export.plan, export.job
+    width, height = job.width, job.height
+    if one.target != "screen":
+        width, height = plan.targets[one.target].size.of_picture(width, height)
+    state = FrameState(job.time, job.camera, job.width, job.height, width, height, index)
+    program = plan.programs[one.program]
+    declared = declared_uniforms(program.vertex) | declared_uniforms(program.fragment)
+    values = {}
+    for name in sorted(name for name, sampler in declared.items() if not sampler):
+        uniform = one.uniforms.get(name) or plan.uniforms.get(name)
+        if uniform is not None:
+            said = [float(value) for value in evaluate(uniform, state)]
+            values[name] = {"type": uniform.type, "count": uniform.count, "values": said}
+    return values
+
+
+def _distinct(plan: FramePlan) -> dict[str, str]:
+    """Return the first name of each of the plan's textures, by SHA-256: names with the same bytes share a file."""
+    first: dict[str, str] = {}
+    for name, spec in plan.textures.items():
+        first.setdefault(spec.sha256, name)
+    return first
+
+
+def _filled(template: bytes, export: Export) -> str:
+    """Return a template with the title and the hash of the plan. The title is a preset's, or fixed."""
+    return template.decode().replace("{{title}}", export.title).replace("{{plan}}", export.plan.sha256)

@@ -1,0 +1,55 @@
+"""``/api/export``: a scene to take home, as a zip archive that runs without a server."""
+
+from typing import Any
+
+from fastapi import APIRouter
+from starlette.responses import Response, StreamingResponse
+
+from seafoam.api.caching import NO_STORE
+from seafoam.api.context import InContext
+from seafoam.api.errors import problem_responses
+from seafoam.api.export.archive import zipped
+from seafoam.api.export.bundle import Export, entries, player_files, texture_bytes
+from seafoam.api.parameters import ExportRequest, quality_of, strictly
+from seafoam.api.planning import compile_scene
+from seafoam.api.routers.presets import known_preset
+from seafoam.render.service.jobs import FrameJob
+from seafoam.render.service.recipe import recipe_of
+from seafoam.scene.presets import load_preset
+
+router = APIRouter(prefix="/api", tags=["export"])
+
+ANY_RENDERER = {"renderer": "WebGL2", "version": "drawn by the browser that opens it"}
+_RESPONSES: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "A zip archive; its index.html draws the scene when it is opened from the file system. The same "
+        "request gives the same bytes",
+        "content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}},
+        "headers": {"Seafoam-Plan": {"description": "SHA-256 of the frame plan", "schema": {"type": "string"}}},
+    }
+}
+
+
+@router.post(
+    "/export", responses=_RESPONSES | problem_responses(413, 415, 422, 501, 503), response_class=StreamingResponse
+)
+async def export_scene(asked: strictly(ExportRequest), context: InContext) -> Response:  # type: ignore[valid-type]
+    """Pack a scene sent as JSON with its programs, textures, uniforms and a player."""
+    body: ExportRequest = asked
+    known_preset(body.preset)
+    quality = quality_of(body.quality)
+    compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
+    camera = body.camera or body.scene.camera
+    job = FrameJob(body.scene, quality, body.time, camera, body.width, body.height, "png", body.preset)
+    title = load_preset(body.preset).title if body.preset else "A scene"
+    made = Export(job, compiled.plan, compiled.content, recipe_of(job, ANY_RENDERER), title)
+    player = player_files()
+    # Before the first byte: what fails now is a problem, what fails later only a broken archive.
+    textures = await context.masks.run(texture_bytes, compiled.plan)
+    name = f"seafoam-{body.preset or 'scene'}.zip"
+    headers = {
+        "Content-Disposition": f'attachment; filename="{name}"',
+        "Cache-Control": NO_STORE,
+        "Seafoam-Plan": compiled.sha256,
+    }
+    return StreamingResponse(zipped(entries(made, textures, player)), headers=headers, media_type="application/zip")

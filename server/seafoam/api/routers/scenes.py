@@ -1,0 +1,59 @@
+"""``/api/schema``: the JSON schemas of scene and quality. ``/api/scenes``: scenes checked and completed."""
+
+import json
+import re
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query, Request
+from pydantic import BaseModel, Field
+
+from seafoam.api.context import InContext
+from seafoam.api.errors import problem_responses
+from seafoam.api.parameters import Parameters, strictly
+from seafoam.api.planning import compile_scene
+from seafoam.quality import TIERS, Tier
+from seafoam.scene.models import Scene
+
+router = APIRouter(prefix="/api", tags=["presets"])
+
+ROOTS = ("Scene", "Quality")
+_REFERENCE = re.compile(r'"#/components/schemas/(\w+)"')
+
+
+class Schemas(BaseModel):
+    """Schemas of what a client edits."""
+
+    tiers: list[Tier] = Field(description="Names of the quality tiers, fastest first")
+    components: dict[str, dict[str, Any]] = Field(
+        description="`schemas`: the JSON schemas of Scene, Quality and their parts, as in the OpenAPI document"
+    )
+
+
+def reduced(document: dict[str, Any]) -> dict[str, Any]:
+    """Return the schemas of scene and quality, and of all that they refer to, by name.
+
+    document: OpenAPI document of the application.
+    """
+    schemas = document["components"]["schemas"]
+    found: dict[str, Any] = {}
+    names = [name for name in ROOTS if name in schemas]
+    while names:
+        name = names.pop()
+        if name not in found:
+            found[name] = schemas[name]
+            names += _REFERENCE.findall(json.dumps(schemas[name]))
+    return dict(sorted(found.items()))
+
+
+@router.get("/schema", responses=problem_responses(422))
+async def get_schema(_: Annotated[Parameters, Query()], request: Request) -> Schemas:
+    """Get the JSON schemas of scene and quality alone, a third of the OpenAPI document."""
+    return Schemas(tiers=list(TIERS), components={"schemas": reduced(request.app.openapi())})
+
+
+@router.post("/scenes", responses=problem_responses(413, 415, 422, 501, 503))
+async def complete_scene(asked: strictly(Scene), context: InContext) -> Scene:  # type: ignore[valid-type]
+    """Check a scene sent as JSON, and return it with the default of every absent field."""
+    scene: Scene = asked
+    await context.plans.run(compile_scene, scene, TIERS["standard"], scene_at="")
+    return scene

@@ -1,0 +1,48 @@
+"""The land's look: its soil in detail or smooth, and how wet it is. docs/formulae.md, section 8."""
+
+from seafoam.effects.effect import Const, Source
+from seafoam.effects.noise import SLOPES
+from seafoam.framegraph.rules import Uniform, number, significant, vector
+from seafoam.quality import Quality
+from seafoam.scene.shore import Shore
+
+LAND_LIGHT = {False: "shore/land_lit.glsl", True: "shore/land_film.glsl"}
+"""The file that lights land, by whether it has detail."""
+
+FILM_DRIES, SAND_DRIES = 4.0, 40.0
+"""Times in which the film of water on sand and the sand dry to 1/e, s."""
+
+
+def soil_files(shore: Shore) -> tuple[str, ...]:
+    """Files of the land's material; the noise library and shore/ground.glsl come before them."""
+    if shore.detail <= 0.0:
+        return ("shore/soil_struct.glsl", "shore/soil_plain.glsl")
+    return (*SLOPES, "shore/soil_struct.glsl", "shore/soil.glsl")
+
+
+def wet_files(shore: Shore) -> tuple[str, ...]:
+    """Files of the wetness that the swash leaves on land."""
+    swash = shore.detail > 0.0 and shore.surf.height > 0.0
+    return ("shore/wet.glsl",) if swash else ("shore/wet_still.glsl",)
+
+
+def shallow_files(shore: Shore) -> tuple[str | Source, ...]:
+    """Files of the floor's colour; shore/ground.glsl comes before them."""
+    if shore.detail <= 0.0:
+        return ("shore/shallow_plain.glsl",)
+    return (*soil_files(shore), "shore/shallow.glsl")
+
+
+def soil_consts(shore: Shore, quality: Quality) -> dict[str, Const]:
+    return {"LAND_OCTAVES": quality.land_octaves} if shore.detail > 0.0 else {}
+
+
+def soil_uniforms(shore: Shore) -> dict[str, Uniform]:
+    if shore.detail <= 0.0:
+        return {}
+    period = shore.surf.period
+    return {
+        "u_land_detail": number(shore.detail),
+        "u_land_strand": number(significant(0.4 * shore.surf.height + 0.12)),
+        "u_land_dries": vector((significant(FILM_DRIES / period), significant(SAND_DRIES / period))),
+    }

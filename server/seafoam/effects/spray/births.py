@@ -1,0 +1,347 @@
+"""Where water is thrown into the air: crests of a sea and of single waves, surf on rocks, and bursts.
+
+docs/formulae.md, section 13.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, TextureUse
+from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
+from seafoam.effects.waves.parametric import max_profile_slope
+from seafoam.effects.waves.rings import ring_uniforms
+from seafoam.effects.waves.sea import drawn, fitted, gerstner_uniforms, loop_uniforms, transform
+from seafoam.framegraph.resources import FixedSize, Target, TargetInput, TextureInput
+from seafoam.framegraph.rules import (
+    Clamp,
+    Constant,
+    Loop,
+    Rule,
+    Uniform,
+    Wrap,
+    array,
+    number,
+    significant,
+    vector,
+)
+from seafoam.ocean.cascades import RAISED, Cascade
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.dispersion import angular_frequency
+from seafoam.ocean.rocks import ROCKS, rocks
+from seafoam.ocean.spray import (
+    BATCHES,
+    BESIDE,
+    CELLS,
+    CLUSTER,
+    EPOCHS,
+    LEVELS,
+    MOMENT,
+    PLACES,
+    SEA_TEXELS,
+    cell_sides,
+    crest_strength,
+    crest_velocity,
+    fold_limits,
+    torn_share,
+)
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore
+from seafoam.scene.spray import Spray
+from seafoam.scene.waves import ParametricWave
+from seafoam.textures import SprayRocks
+
+DELAY = 1.5
+"""Longest time between the arrival of a crest and the start of a drop, s."""
+_EYE_CELLS = 256.0
+"""Cells of a grid after which drops repeat."""
+_FAR = 1e8
+"""Limit of vectors from bursts to the camera, m."""
+
+
+@dataclass(frozen=True)
+class Births:
+    """What throws water up: files of the pass that draws births, and what they read.
+
+    ``words``: the same, to be read. ``beat``: time between batches, s; 0 at rocks, where there are none.
+    """
+
+    words: str
+    invisible: bool = False
+    files: tuple[Piece | SlotRef, ...] = ()
+    inputs: dict[str, TextureInput | TargetInput] = field(default_factory=dict)
+    part: Part = field(default_factory=Part)
+    beat: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Source:
+    """One kind of place. ``function``: in GLSL, of a drop's index."""
+
+    function: str
+    words: str
+    files: tuple[Piece | SlotRef, ...]
+    inputs: Mapping[str, TextureInput | TargetInput]
+    part: Part
+
+
+def births(scene: Scene, quality: Quality, spray: Spray) -> Births:
+    """Return everything that throws water up in a scene."""
+    steady, why = _ashore(scene, quality, spray) if scene.shore is not None else _open(scene, quality, spray)
+    burst = _bursts(spray)
+    sources = [source for source in (burst, steady) if source is not None]
+    if not sources:
+        return Births(why, invisible=True)
+    part = Part().joined(*(source.part for source in sources))
+    files: list[Piece | SlotRef] = []
+    for source in sources:
+        files += source.files
+    return Births(
+        words=" and ".join(source.words for source in sources),
+        files=(*files, _choice(sources, quality.spray_count)),
+        inputs={name: source for one in sources for name, source in one.inputs.items()},
+        part=part,
+        beat=0.0 if _on_rocks(scene, spray) else spray.life / BATCHES,
+    )
+
+
+def _choice(sources: list[_Source], count: int) -> Inline:
+    """The function that asks a drop's source; of two each has half of the drops."""
+    first, last = sources[0].function, sources[-1].function
+    asked = (
+        f"{first}(i, high, drop)"
+        if first == last
+        else f"i < {count // 2} ? {first}(i, high, drop) : {last}(i - {count // 2}, high, drop)"
+    )
+    return Inline(f"bool spray_born(int i, bool high, out Drop drop) {{\n    return {asked};\n}}\n")
+
+
+def fastest_rise(scene: Scene) -> float:
+    """Upper bound of the speed at which parametric waves raise the surface, m/s: all of them at once, in one place."""
+    return sum(angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
+
+
+def _raised(scene: Scene) -> list[ParametricWave]:
+    return [wave for wave in scene.waves if wave.amplitude > 0.0]
+
+
+def _ashore(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None, str]:
+    """Surf on rocks or, without rocks, on a beach; or why there is none."""
+    shore = scene.shore
+    assert shore is not None
+    if shore.surf.height == 0.0:
+        return None, "no surf on the shore"
+    return _rocks(scene, spray, shore) if _on_rocks(scene, spray) else _surf(scene, quality, spray, shore)
+
+
+def _on_rocks(scene: Scene, spray: Spray) -> bool:
+    """Whether there are rocks for surf to break on."""
+    return scene.shore is not None and scene.shore.surf.height > 0.0 and len(rocks(scene.shore, spray.steep)) > 0
+
+
+def _surf(scene: Scene, quality: Quality, spray: Spray, shore: Shore) -> tuple[_Source, str]:
+    """Surf on a beach."""
+    words = "surf on a beach"
+    files, inputs, own = _water_then(scene, quality, None)
+    consts: dict[str, Const] = {"SPRAY_MOMENT": MOMENT}
+    zero: dict[str, Uniform] = {"u_spray_crest_way": vector((1.0, 0.0)), "u_spray_torn": number(0.0)}
+    own = own.joined(_grids(spray), Part(consts=consts, uniforms={**zero, **_shore_uniforms(shore)}))
+    every = (SlotRef("waves"), *files, "spray/shore_then.glsl", "spray/breaking_surf.glsl", "spray/open.glsl")
+    return _Source("open_born", words, every, inputs, own), words
+
+
+def _rocks(scene: Scene, spray: Spray, shore: Shore) -> tuple[_Source | None, str]:
+    """Surf on rocks, or why it throws nothing."""
+    # At the coast waves are at most 1.2 times their breaking height, by Green's law.
+    fastest = spray.speed * math.sqrt(GRAVITY * 1.2 * shore.surf.height / 0.3)
+    words = f"surf on rocks starts drops at {fastest:.2g} m/s at most"
+    if fastest <= spray.threshold:
+        return None, words
+    period = shore.surf.period
+    part = Part(
+        consts={"SPRAY_ROCKS": ROCKS, "SPRAY_DELAY": DELAY},
+        uniforms={
+            "u_spray_surf_time": array("float", [Loop(period=period), Loop(period=period * EPOCHS)], 2),
+            **_shore_uniforms(shore),
+            # A drop's life ends before the next crest arrives.
+            "u_spray_surf_life": number(min(spray.life, period - DELAY)),
+        },
+        textures={"spray_rocks": TextureUse(SprayRocks(shore=shore, steep=spray.steep), wrap="clamp_to_edge")},
+    )
+    inputs: dict[str, TextureInput | TargetInput] = {"u_spray_rocks": TextureInput(texture="spray_rocks")}
+    earlier, turned = _earlier(scene)
+    files = (SlotRef("waves"), "spray/shore_then.glsl", *earlier, "spray/rocks.glsl")
+    return _Source("rock_born", words, files, inputs, part.joined(turned)), words
+
+
+def _shore_uniforms(shore: Shore) -> dict[str, Uniform]:
+    """What turns a shore's waves back in time."""
+    mask = mask_uniforms()
+    rates = [Constant(value=(significant(2.0 * math.pi / period),)) for _, _, period in MASK_WAVES]
+    return {
+        "u_spray_period": number(shore.surf.period),
+        "u_spray_variation": number(shore.surf.variation),
+        "u_spray_mask": mask["u_surf_mask"],
+        "u_spray_mask_phase": mask["u_surf_mask_phase"],
+        "u_spray_mask_rate": array("float", rates, len(MASK_WAVES)),
+    }
+
+
+def _open(scene: Scene, quality: Quality, spray: Spray) -> tuple[_Source | None, str]:
+    """Breaking waves of the open water, or why there are none."""
+    fastest, raised = fastest_rise(scene), _raised(scene)
+    fronts = bool(raised) and fastest > spray.threshold
+    tiles = drawn(scene, quality)[:RAISED]
+    limits = None if scene.sea is None or not tiles else fold_limits(scene.sea, spray, scene.water.depth)
+    if not fronts and limits is None:
+        rise = f"the water rises at {fastest:.2g} m/s at most" if raised else "no single waves"
+        return None, f"{rise}, and no sea whose waves could break"
+    words = " and ".join(
+        (["folds of the sea"] if limits else [])
+        + ([f"fronts that rise at {fastest:.2g} m/s at most"] if fronts else [])
+    )
+    files, inputs, own = _water_then(scene, quality, limits)
+    crest, torn, heading, strong = (0.0, 0.0), 0.0, 0.0, 0.0
+    if scene.sea is not None and tiles:
+        crest, torn = crest_velocity(scene.sea), torn_share(scene.sea, spray)
+        heading, strong = scene.sea.wind_direction, crest_strength(scene.sea)
+    uniforms = {
+        "u_spray_crest": vector((significant(crest[0]), significant(crest[1]))),
+        "u_spray_crest_way": vector((significant(math.cos(heading)), significant(math.sin(heading)))),
+        "u_spray_strong": number(significant(strong)),
+        "u_spray_torn": number(significant(torn)),
+    }
+    own = own.joined(_grids(spray), Part(uniforms=uniforms))
+    return _Source("open_born", words, (*files, "spray/breaking.glsl", "spray/open.glsl"), inputs, own), words
+
+
+def _water_then(
+    scene: Scene, quality: Quality, limits: tuple[float, float] | None
+) -> tuple[list[Piece | SlotRef], dict[str, TextureInput | TargetInput], Part]:
+    """Files of the open water at the births of batches, what they read, and their passes."""
+    earlier, own = _earlier(scene)
+    if scene.sea is None or not drawn(scene, quality):
+        return ["spray/sea_none.glsl", *earlier], {}, own
+    seas, target = _seas(scene, quality, drawn(scene, quality)[:RAISED], limits)
+    # A shore's files declare the places in the tiles.
+    places = [] if scene.shore is not None else [_SEA_PLACES]
+    files: list[Piece | SlotRef] = ["lib/cubic_spline.glsl", *places, "spray/sea_waves.glsl", *earlier]
+    return files, {"u_spray_seas": TargetInput(target=target)}, own.joined(seas)
+
+
+_SEA_PLACES = Inline(
+    "".join(f"uniform float u_sea_size_{tile};\nuniform vec2 u_sea_offset_{tile};\n" for tile in range(RAISED))
+)
+_NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n")
+
+
+def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Part]:
+    """Files of the single waves and rings of an earlier time, and their uniforms."""
+    raised = _raised(scene)
+    files: list[Piece | SlotRef] = (
+        ["waves/parametric.glsl", "spray/fronts.glsl"] if raised else ["spray/fronts_none.glsl"]
+    )
+    files += ["waves/rings/ring.glsl", "spray/rings_then.glsl"] if scene.rings else [_NO_RINGS]
+    uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
+    if raised:
+        rates = [Constant(value=(angular_frequency(wave),)) for wave in raised]
+        uniforms["u_parametric_rate"] = array("float", rates, len(raised))
+    return files, Part(uniforms=uniforms)
+
+
+def _grids(spray: Spray) -> Part:
+    """The grids in whose cells drops are born, and the times of batches."""
+    step = spray.life / BATCHES
+    sides = cell_sides(spray)
+    places: list[Rule] = []
+    for side in sides:
+        places += [Wrap(k=(1.0 / side, 0.0), period=_EYE_CELLS), Wrap(k=(0.0, 1.0 / side), period=_EYE_CELLS)]
+    return Part(
+        consts={
+            "SPRAY_BATCHES": BATCHES,
+            "SPRAY_LEVELS": LEVELS,
+            "SPRAY_CELLS": CELLS,
+            "SPRAY_PLACES": PLACES,
+            "SPRAY_CLUSTER": CLUSTER,
+            "SPRAY_BESIDE": BESIDE,
+        },
+        uniforms={
+            "u_spray_time": array("float", [Loop(period=step), Loop(period=step * EPOCHS)], 2),
+            "u_spray_step": number(step),
+            "u_spray_cell": array("float", [Constant(value=(side,)) for side in sides], LEVELS),
+            "u_spray_eye": array("vec2", places, LEVELS),
+            "u_spray_reach": number(spray.reach),
+        },
+    )
+
+
+def _seas(
+    scene: Scene, quality: Quality, tiles: tuple[Cascade, ...], limits: tuple[float, float] | None
+) -> tuple[Part, str]:
+    """The sea at the births of batches, and the target that holds it."""
+    sea = scene.sea
+    assert sea is not None
+    texels = min(fitted(sea, quality).sea_size, SEA_TEXELS)
+    chops = [tile.choppiness(sea.choppiness) for tile in tiles]
+    threshold, width = limits or (-1e3, 1.0)
+    block = Target(size=FixedSize(width=texels * len(tiles), height=texels * BATCHES), format="RGBA32F")
+    scale = [significant(chop * 2.0 * math.pi / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
+    shifts = [significant(chop * texels / tile.size) for chop, tile in zip(chops, tiles, strict=True)]
+    shared: dict[str, Uniform] = {
+        "u_spray_choppiness": vector((shifts[0], shifts[-1])),
+        "u_spray_limit": vector((significant(tiles[0].limit), significant(tiles[-1].limit))),
+        "u_spray_fold": vector((significant(threshold), significant(1.0 / width))),
+    }
+    own = {"u_spray_scale": vector((scale[0], scale[-1]))}
+    consts: dict[str, Const] = {"SPRAY_TEXELS": texels}
+    if sea.model == "gerstner":
+        gerstner = PassSpec(
+            name="waves at the births of drops",
+            program="spray_gerstner",
+            fragment=("lib/numbers.glsl", "waves/sea/gerstner.glsl", "spray/seas_gerstner_pass.glsl"),
+            target="spray_seas_a",
+            uniforms={**gerstner_uniforms(tiles, texels), **own},
+            stage="after",
+        )
+        return Part(consts=consts, uniforms=shared, targets={"spray_seas_a": block}, passes=(gerstner,)), "spray_seas_a"
+    spectrum = PassSpec(
+        name="spectrum at the births of drops",
+        program="spray_spectrum",
+        fragment=("lib/numbers.glsl", "waves/sea/spectrum.glsl", "spray/seas_spectrum_pass.glsl"),
+        target="spray_seas_a",
+        inputs={"u_sea_spectrum": TextureInput(texture="sea_spectrum")},
+        uniforms={**loop_uniforms(), **own},
+        stage="after",
+    )
+    transforms, result = transform("sea at the births of drops", "spray_seas_a", "spray_seas_b", texels, "after")
+    targets = {"spray_seas_a": block, "spray_seas_b": block}
+    return Part(consts=consts, uniforms=shared, targets=targets, passes=(spectrum, *transforms)), result
+
+
+def _bursts(spray: Spray) -> _Source | None:
+    """Blasts."""
+    bursts = spray.bursts
+    if not bursts:
+        return None
+    state: list[Rule] = []
+    for burst in bursts:
+        age: Rule = Clamp(offset=-burst.birth, rate=1.0, low=-1.0, high=1000.0)
+        if burst.every is not None:
+            age = Loop(period=burst.every, offset=-burst.birth)
+        state += [
+            Clamp(offset=-burst.place[0], k=(1.0, 0.0), low=-_FAR, high=_FAR),
+            Clamp(offset=-burst.place[1], k=(0.0, 1.0), low=-_FAR, high=_FAR),
+            age,
+            Constant(value=(burst.height,)),
+        ]
+    wide = [Constant(value=(burst.radius,)) for burst in bursts]
+    part = Part(
+        consts={"SPRAY_BURSTS": len(bursts)},
+        uniforms={
+            "u_spray_burst": array("vec4", state, len(bursts)),
+            "u_spray_burst_wide": array("float", wide, len(bursts)),
+        },
+    )
+    words = f"{len(bursts)} burst{'s' if len(bursts) > 1 else ''}"
+    return _Source("burst_born", words, ("spray/bursts.glsl",), {}, part)

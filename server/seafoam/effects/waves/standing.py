@@ -1,0 +1,90 @@
+"""Standing waves behind stones in a current: wakes, as of boats that move against it. docs/formulae.md, section 16."""
+
+import math
+
+from seafoam.effects.boats.wake import Kind, wakes_of
+from seafoam.effects.bounds import min_surface_height
+from seafoam.effects.effect import Contribution, Effect, Part, PlanError
+from seafoam.framegraph.rules import Clamp, Constant, Rule, array, number, significant, vector
+from seafoam.ocean.constants import GRAVITY
+from seafoam.ocean.wakes import stone_wakes
+from seafoam.quality import Quality
+from seafoam.scene.current import Current
+from seafoam.scene.models import Scene
+
+FAR = 1e8
+"""Limit of the distance from a stone to the camera, along each axis, m: beyond what any picture shows."""
+FASTEST = 0.7
+"""Greatest Froude number of the depth: up to it the waves are within 4 % of those in deep water."""
+
+WAY = ("waves/standing/way.glsl",)
+STONES = Kind(
+    "stones",
+    "stones",
+    "standing waves",
+    "the water flows too slowly, or no stone makes waves",
+    WAY,
+    "waves/standing",
+    ("waves/standing/within.glsl",),
+    (
+        ("BOAT_COUNT", "STONE_COUNT"),
+        ("WakeWay", "StoneWay"),
+        ("wake_way", "stone_way"),
+        ("wake_here", "stone_here"),
+        ("wake_sum", "stone_sum"),
+        ("wakes_waves", "stones_waves"),
+        ("wakes_shading", "stones_shading"),
+        ("u_boat_form", "u_stone_form"),
+        ("u_boat_course", "u_stone_course"),
+        ("u_wake", "u_stone"),
+        ("u_wake_boat", "u_stone_size"),
+        ("u_wake_map", "u_stone_map"),
+        ("u_wake_blocks", "u_stone_blocks"),
+        ("u_wake_bounds", "u_stone_bounds"),
+        ("u_wake_highest", "u_stone_highest"),
+    ),
+)
+
+
+def contribute(scene: Scene, quality: Quality) -> Contribution | None:
+    """Active if stones stand in a current."""
+    current = scene.current
+    if current is None or not current.stones:
+        return None
+    depth = scene.water.depth
+    if depth is not None and current.speed > FASTEST * math.sqrt(GRAVITY * depth):
+        most = FASTEST * math.sqrt(GRAVITY * depth)
+        raise PlanError("/current/speed", f"at most {most:.3g} m/s with stones in {depth:g} m of water")
+    # Somewhat lower still: maps are rounded.
+    lowest = significant(1.01 * min_surface_height(scene) - 0.01)
+    return wakes_of(STONES, stone_wakes(current), quality).joined(
+        places(current), Part(uniforms={"u_stone_lowest": number(lowest)})
+    )
+
+
+def places(current: Current) -> Part:
+    """Uniforms of the stones' places."""
+    stones = current.stones
+    courses: list[Rule] = []
+    for stone in stones:
+        courses += [
+            Clamp(offset=-stone.place[0], k=(1.0, 0.0), low=-FAR, high=FAR),
+            Clamp(offset=-stone.place[1], k=(0.0, 1.0), low=-FAR, high=FAR),
+            Constant(value=(0.0, 1e9)),
+        ]
+    forms = [
+        Constant(value=(significant(of.boat.length), stone.radius, significant(of.length), 0.0))
+        for stone, of in zip(stones, stone_wakes(current), strict=True)
+    ]
+    flow = significant(math.cos(current.direction)), significant(math.sin(current.direction))
+    return Part(
+        consts={"STONE_COUNT": len(stones)},
+        uniforms={
+            "u_stone_course": array("vec4", courses, len(stones)),
+            "u_stone_form": array("vec4", forms, len(stones)),
+            "u_stone_flow": vector(flow),
+        },
+    )
+
+
+EFFECT = Effect("standing waves", contribute, fields=("/current/stones",))

@@ -1,0 +1,219 @@
+"""Light that a clear atmosphere scatters, integrated over a round earth. docs/formulae.md, section 9.
+
+Rayleigh and Mie scattering and the absorption of ozone at 660, 545 and 445 nm for red, green and blue, single
+scattering along each view ray, and all further orders as of an isotropic medium (Hillaire 2020, "A Scalable and
+Production Ready Sky and Atmosphere Rendering Technique"). Scattering by molecules is Bruneton and Neyret's (2008) by
+the inverse fourth power of the wavelength; the layer of ozone is Bruneton's (2017). Lengths are km, and radiances are
+per unit of irradiance above the atmosphere.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from seafoam.ocean.arrays import Floats
+
+EARTH, TOP = 6360.0, 6460.0
+"""Radius of the ground and of the end of the atmosphere, km."""
+RAYLEIGH = np.array([6.54e-3, 14.05e-3, 31.6e-3])
+"""Scattering by molecules at the ground, 1/km."""
+OZONE = np.array([1.15e-3, 1.72e-3, 0.08e-3])
+"""Absorption by ozone at 25 km (Chappuis band), 1/km."""
+MIE_TINT = np.array([0.826, 1.0, 1.225])
+"""Extinction by haze relative to green: an Ångström exponent of 1."""
+MIE_ALBEDO = 0.96
+MIE_HEIGHT, HAZE_HEIGHT, RAYLEIGH_HEIGHT = 1.2, 0.6, 8.0
+"""Scale heights, km: of haze, of the low haze of ``sky.haze``, of molecules."""
+GROUND = 0.06
+"""Albedo of the sea."""
+SUN_RADIUS = 0.0047
+"""Angular radius of the sun, rad."""
+EYE = 0.02
+"""Height of the eye, km."""
+
+_HEIGHTS, _SLANTS = 40, 96
+_HORIZON_MASS = math.sqrt(0.5 * math.pi * EARTH / HAZE_HEIGHT)
+"""Air mass along the horizon of a layer of the low haze's scale height."""
+
+
+def _densities(height: Floats) -> Floats:
+    """Density relative to the greatest, of molecules, haze, low haze and ozone, at heights (...,) km; (..., 4)."""
+    up = np.maximum(height, 0.0)
+    return np.stack(
+        (
+            np.exp(-up / RAYLEIGH_HEIGHT),
+            np.exp(-up / MIE_HEIGHT),
+            np.exp(-up / HAZE_HEIGHT),
+            np.maximum(1.0 - np.abs(up - 25.0) / 15.0, 0.0),
+        ),
+        -1,
+    )
+
+
+def _to_top(radius: Floats, cosine: Floats) -> Floats:
+    """Distance to the end of the atmosphere from a radius (km) along a zenith cosine, km."""
+    result: Floats = -radius * cosine + np.sqrt(np.maximum(TOP**2 - radius**2 * (1.0 - cosine**2), 0.0))
+    return result
+
+
+def _horizon(radius: Floats) -> Floats:
+    """Zenith cosine of the ground's horizon seen from a radius (km)."""
+    result: Floats = -np.sqrt(np.maximum(1.0 - (EARTH / radius) ** 2, 0.0))
+    return result
+
+
+@lru_cache(maxsize=1)
+def _columns() -> Floats:
+    """Log of the columns of the four species, (heights, slants, 4), from roots of the height and of the slant."""
+    height = (TOP - EARTH) * np.linspace(0.0, 1.0, _HEIGHTS)[:, None] ** 2
+    radius = EARTH + height
+    low = _horizon(radius)
+    cosine = low + (1.0 - low) * np.linspace(0.0, 1.0, _SLANTS)[None, :] ** 2
+    way = _to_top(radius, cosine)
+    # Steps grow from the ends: dense air lies at the start, or for rays that first descend at the lowest point.
+    lowest = np.clip(-radius * cosine, 0.0, way)
+    total = np.zeros((_HEIGHTS, _SLANTS, 4))
+    for start, end in ((lowest, np.zeros_like(way)), (lowest, way)):
+        nodes, weights = np.polynomial.legendre.leggauss(24)
+        for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
+            s = start + (end - start) * node**2
+            h = np.sqrt(radius**2 + s**2 + 2.0 * radius * cosine * s) - EARTH
+            total += (weight * 2.0 * node * np.abs(end - start))[..., None] * _densities(h)
+    result: Floats = np.log(np.maximum(total, 1e-12))
+    return result
+
+
+def _column(radius: Floats, cosine: Floats) -> Floats:
+    """Columns of the four species to the end of the atmosphere, km; (..., 4). Rays below the horizon as along it."""
+    low = _horizon(radius)
+    x = np.sqrt(np.clip((radius - EARTH) / (TOP - EARTH), 0.0, 1.0)) * (_HEIGHTS - 1)
+    y = np.sqrt(np.clip((cosine - low) / (1.0 - low), 0.0, 1.0)) * (_SLANTS - 1)
+    i, j = np.minimum(x.astype(int), _HEIGHTS - 2), np.minimum(y.astype(int), _SLANTS - 2)
+    a, b = (x - i)[..., None], (y - j)[..., None]
+    table = _columns()
+    upper = table[i, j] * (1.0 - b) + table[i, j + 1] * b
+    lower = table[i + 1, j] * (1.0 - b) + table[i + 1, j + 1] * b
+    result: Floats = np.exp(upper * (1.0 - a) + lower * a)
+    return result
+
+
+def disc_shown(radius: Floats, cosine: Floats) -> Floats:
+    """Share of the sun's disc above the horizon, from a radius (km) and the zenith cosine of its centre; (...,)."""
+    edge = (np.clip((cosine - _horizon(radius)) / SUN_RADIUS, -1.0, 1.0) + 1.0) * 0.5
+    result: Floats = edge * edge * (3.0 - 2.0 * edge)
+    return result
+
+
+@dataclass(frozen=True)
+class Atmosphere:
+    """An atmosphere. ``mie``: optical depth of haze at the zenith; ``haze``: of the low haze along the horizon."""
+
+    mie: float
+    haze: float
+
+    @cached_property
+    def extinction(self) -> Floats:
+        """Extinction of the four species per unit of density, 1/km; (4, 3)."""
+        return np.stack(
+            (
+                RAYLEIGH,
+                self.mie / MIE_HEIGHT * MIE_TINT,
+                self.haze / (_HORIZON_MASS * HAZE_HEIGHT) * MIE_TINT,
+                OZONE,
+            )
+        )
+
+    def depth(self, height: float) -> tuple[float, float, float]:
+        """Optical depth between the eye and a lamp at this sine of elevation; below the horizon as along it."""
+        radius = np.array(EARTH + EYE)
+        red, green, blue = (float(value) for value in _column(radius, np.array(height)) @ self.extinction)
+        return red, green, blue
+
+    def transmittance(self, radius: Floats, cosine: Floats) -> Floats:
+        """Share of a sun's light that arrives at a radius (km) from a zenith cosine; (..., 3)."""
+        shows = disc_shown(radius, cosine)[..., None]
+        result: Floats = shows * np.exp(-_column(radius, cosine) @ self.extinction)
+        return result
+
+    def _scattering(self, height: Floats) -> tuple[Floats, Floats, Floats]:
+        """Scattering by molecules and by haze, and extinction, at a height (km), 1/km; (..., 3) each."""
+        dense = _densities(height)
+        each = dense[..., None] * self.extinction
+        mie: Floats = MIE_ALBEDO * (each[..., 1, :] + each[..., 2, :])
+        return each[..., 0, :], mie, each.sum(axis=-2)
+
+    @cached_property
+    def _further(self) -> Floats:
+        """Log of the radiance of light scattered twice or more, per unit of scattering; (heights, sun's cosines, 3)."""
+        height = (TOP - EARTH) * ((np.linspace(0.0, 13.0, 14) + 0.02) / 14.0) ** 2
+        sun = np.sign(np.linspace(-1.0, 1.0, 33)) * np.linspace(-1.0, 1.0, 33) ** 2
+        ups, up_weights = np.polynomial.legendre.leggauss(12)
+        around = (np.arange(6) + 0.5) * (math.pi / 6)
+        radius = (EARTH + height)[:, None, None, None]
+        s_up, v_up, turn = sun[None, :, None, None], ups[None, None, :, None], around[None, None, None, :]
+        between = v_up * s_up + np.sqrt(1.0 - v_up**2) * np.sqrt(1.0 - s_up**2) * np.cos(turn)
+        beneath = radius**2 * (1.0 - v_up**2) - EARTH**2
+        hits = (v_up < 0.0) & (beneath < 0.0)
+        way = np.where(hits, -radius * v_up - np.sqrt(np.maximum(-beneath, 0.0)), _to_top(radius, v_up))
+        shape = np.broadcast_shapes(way.shape, between.shape)
+        once, share = np.zeros((*shape, 3)), np.zeros((*way.shape, 3))
+        clear = np.ones_like(share)
+        nodes, weights = np.polynomial.legendre.leggauss(14)
+        for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
+            s, step = way * node**2, way * 2.0 * node * weight
+            there = np.sqrt(radius**2 + s**2 + 2.0 * radius * v_up * s)
+            up = (radius * s_up + s * between) / there
+            rayleigh, mie, lost = self._scattering(there - EARTH)
+            half = np.exp(-0.5 * lost * step[..., None])
+            clear = clear * half
+            sent = clear * (rayleigh + mie) * step[..., None]
+            once += sent * self.transmittance(there, up) / (4.0 * math.pi)
+            share += sent
+            clear = clear * half
+        ground_up = (radius * s_up + way * between) / EARTH
+        bounced = self.transmittance(np.full(shape, EARTH + 1e-3), ground_up) * np.maximum(ground_up, 0.0)[..., None]
+        once += np.where(hits[..., None], clear * GROUND / math.pi * bounced, 0.0)
+        share += np.where(hits[..., None], clear * GROUND, 0.0)
+        weight_of = (0.5 * up_weights)[:, None, None] / around.size
+        second = (once * weight_of).sum(axis=(2, 3))
+        ratio = (share * weight_of * around.size).sum(axis=(2, 3))
+        result: Floats = np.log(np.maximum(second / (1.0 - ratio), 1e-12))
+        return result
+
+    def _more(self, radius: Floats, cosine: Floats) -> Floats:
+        table = self._further
+        x = np.clip(np.sqrt(np.maximum(radius - EARTH, 0.0) / (TOP - EARTH)) * 14.0, 0.0, 13.0)
+        y = (np.sign(cosine) * np.sqrt(np.abs(cosine)) + 1.0) * 16.0
+        i, j = np.minimum(x.astype(int), 12), np.minimum(y.astype(int), 31)
+        a, b = (x - i)[..., None], (y - j)[..., None]
+        upper = table[i, j] * (1.0 - b) + table[i, j + 1] * b
+        lower = table[i + 1, j] * (1.0 - b) + table[i + 1, j + 1] * b
+        result: Floats = np.exp(upper * (1.0 - a) + lower * a)
+        return result
+
+    def sky(self, up: Floats, gamma: Floats, sun: float, steps: int = 40) -> tuple[Floats, Floats]:
+        """Radiance toward heights ``up`` (...,) of unit directions in [0, 1] at cosines ``gamma`` (...,) from the sun.
+
+        ``sun``: sine of the sun's elevation. The light of molecules and of further orders, and that of haze over its
+        phase function; (..., 3) each.
+        """
+        radius = EARTH + EYE
+        way = _to_top(np.full(up.shape, radius), up)
+        smooth, hazy = np.zeros((*up.shape, 3)), np.zeros((*up.shape, 3))
+        clear = np.ones_like(smooth)
+        phase = (3.0 / (16.0 * math.pi) * (1.0 + gamma**2))[..., None]
+        nodes, weights = np.polynomial.legendre.leggauss(steps)
+        for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
+            s, step = way * node**3, way * 3.0 * node**2 * weight
+            there = np.sqrt(radius**2 + s**2 + 2.0 * radius * up * s)
+            local = (radius * sun + s * gamma) / there
+            rayleigh, mie, lost = self._scattering(there - EARTH)
+            half = np.exp(-0.5 * lost * step[..., None])
+            clear = clear * half
+            arrives, more = self.transmittance(there, local), self._more(there, local)
+            smooth += clear * step[..., None] * (rayleigh * phase * arrives + (rayleigh + mie) * more)
+            hazy += clear * step[..., None] * mie * arrives
+            clear = clear * half
+        return smooth, hazy

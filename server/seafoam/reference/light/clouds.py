@@ -1,0 +1,379 @@
+"""Section 9: the layer of clouds. Colours are linear RGB along the last axis, directions unit vectors (x, y, z)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from statistics import NormalDist
+
+import numpy as np
+from scipy import special
+
+from seafoam.reference.noise import FINER, GAIN, SHIFT, STRENGTH, fractal, perlin
+from seafoam.reference.types import Floats, dot, smoothstep
+from seafoam.reference.waves.parametric import reduced
+from seafoam.scene.sky import Cirrus, Clouds
+
+Spread = tuple[Floats, Floats]
+Depth = Callable[[Floats], Floats]
+
+FORWARD = 0.76
+EARTH = 6.371e6
+CELLS = 256
+OCTAVES = 6
+WIDTH = 1.4
+"""Width at which a cell of noise fades, over the standard deviation of the place at which it is read."""
+SLICES = np.array([0.0, 0.4, 0.8])
+"""Heights of the slices of clouds, of their depth."""
+TAPER, STEP, CORE, DARK, RELIEF, OCTAVES_AHEAD = 0.9, 0.2, -1.2, 0.3, 0.3, 2
+"""Rise of the edge's noise from foot to top; cells toward the lamp; noise over which a core deepens; darkness of what
+diffuse light passes; shading by the rise toward the lamp; octaves of it."""
+AHEAD = (0.712, 0.382, 0.589)
+"""What noise toward the lamp has of the first octave here, of the finer ones, and of its own, by the correlation of
+gradient noise."""
+LATTICE, ROOT = 8192, 1.1347241384015194
+"""Points of the means over noise, and the root of x⁶ = x + 1."""
+SHADED = 0.85
+"""Share of the air under an overcast sky that no lamp lights."""
+STRETCH = 8.0
+RAIN_SIZES = (2.0, 5.0, 10.0)
+RAIN_SLANT, RAIN_SPREADS, RAIN_FADES, RAIN_LIGHT = (0.2, 0.1, -0.25), 0.06, 30000.0, 0.55
+EYE = (7e-4, 7e-4)
+"""Standard deviation of the directions from which an eye mixes clouds, up and down, and aside, rad."""
+
+
+@dataclass(frozen=True, eq=False)
+class CloudLayer:
+    """Clouds at one time over one camera position, under one lamp."""
+
+    clouds: Clouds
+    lit_by: Floats
+    """(3,) unit vector toward the lamp."""
+    light: Floats
+    """(3,) its irradiance at the height of clouds."""
+    sky: Floats
+    """(3,) radiance of their ambient light."""
+    place: tuple[float, float, float]
+    """The camera's position in the clouds' noise, cells."""
+    eye_y: float
+
+    @cached_property
+    def taken(self) -> float:
+        """Mean share of the light from above that clouds block: a column's opacity over the normal law of the noise."""
+        if self.clouds.cover == 0.0 or self.clouds.thickness == 0.0:
+            return 0.0
+        at, weights = _composite(np.linspace(-8.0, 8.0, 257))
+        weights = weights * np.exp(-0.5 * at * at)
+        return float(weights @ self._column(at)[0] / weights.sum())
+
+    @cached_property
+    def radiance(self) -> Floats:
+        """Mean radiance of clouds; (3,)."""
+        sunny, forward, grey = self.means.mean(axis=0)
+        result: Floats = (sunny + forward / (4.0 * math.pi)) * self.light + grey * self.sky
+        return result
+
+    @cached_property
+    def means(self) -> Floats:
+        """Means of what :meth:`_column` has of radiance, weighted by the opacity, of slices above each other and of
+        slices that have only the finer octaves in common; (2, 3)."""
+        return self._averaged[0]
+
+    @cached_property
+    def apart(self) -> float:
+        """Mean opacity of slices that have only the finer octaves in common, less that of slices above each other."""
+        return self._averaged[1]
+
+    @cached_property
+    def _averaged(self) -> tuple[Floats, float]:
+        if self.taken == 0.0:
+            return np.zeros((2, 3)), 0.0
+        fine, lower, here, upper, else_ = _lattice()
+        coarse = math.sqrt(1.0 - GAIN * GAIN)
+        ahead = AHEAD[0] * here + AHEAD[1] * fine + AHEAD[2] * else_
+        means, covers = [], []
+        for slices in ((here, here, here), (lower, here, upper)):
+            opaque, *shines = self._column(GAIN * fine + coarse * np.stack(slices), ahead)
+            covers.append(float(opaque.mean()))
+            means.append([float((opaque * one).sum() / opaque.sum()) for one in shines])
+        return np.array(means), covers[1] - covers[0]
+
+    @cached_property
+    def edge(self) -> tuple[float, float, float]:
+        """Mean and standard deviation of the noise over a slice's start, where its opacity rises, and :attr:`taken`
+        less the opacity of edges there that are widened by the variance 1."""
+        nodes, weights = np.polynomial.legendre.leggauss(64)
+        t = 0.5 * (nodes + 1.0)
+        rises = weights * t * (1.0 - t) * np.exp(-self.clouds.thickness / 3.0 * t * t * (3.0 - 2.0 * t))
+        rises = rises / rises.sum()
+        middle = float(rises @ t)
+        deviation = self.clouds.softness * math.sqrt(float(rises @ (t - middle) ** 2))
+        middle *= self.clouds.softness
+        wide = self._start + middle
+        wide = wide - wide * deviation / math.hypot(deviation, 1.0)
+        return middle, deviation, self.taken - float(self._column(wide[:, None])[0][0])
+
+    def toward(self, d: Floats, spread: Spread, depth: Depth) -> tuple[Floats, Floats, Floats]:
+        """Radiance of clouds toward d (r, 3): (r, 3), and the share of the sky that they cover and hide (r,).
+
+        ``spread``: standard deviations (r,) of the directions that are mixed, up and down, and aside, rad.
+        ``depth``: optical depth (..., 3) of the air along directions of height (...,).
+        """
+        clouds = self.clouds
+        under = 1.0 - float(smoothstep(0.5, 0.9, self.eye_y / clouds.height))
+        seen = under * smoothstep(0.01, 0.08, d[:, 1])
+        shaded = SHADED * self.taken
+        light = (under - seen)[:, None] * shaded * self.radiance
+        cover, hidden = (under - seen) * shaded, np.zeros(d.shape[0])
+        at = np.flatnonzero(seen > 0.0)
+        if at.size == 0:
+            return light, cover, hidden
+        look = d[at]
+        way, slant = way_to(look, clouds.height - self.eye_y)
+        wide = np.maximum(spread[0][at] / slant, spread[1][at])
+        noise, ahead, lost, parted, parted_lost = self._noise(look, way, slant, WIDTH * wide * way / clouds.size)
+        opaque, *shines = self._column(noise, ahead)
+        # Blurred clouds shine as their mean does.
+        means = self.means[0][:, None] + (self.means[1] - self.means[0])[:, None] * parted
+        sunny, forward, grey = np.stack(shines) + (means - np.stack(shines)) * np.sqrt(lost)
+        gamma = dot(look, self.lit_by)
+        sunny = sunny + forward * (1.0 - FORWARD**2) / (
+            4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5
+        )
+        hides = seen[at] * np.clip(opaque + self.edge[2] * lost**1.5 + self.apart * parted * parted_lost, 0.0, 1.0)
+        covers = hides * np.exp(-0.8 * (1.0 - shaded) * np.minimum(depth(look[:, 1])[:, 0], 60.0))
+        light[at] += (sunny[:, None] * self.light + grey[:, None] * self.sky) * covers[:, None]
+        cover[at] += covers
+        hidden[at] = hides
+        return light, cover, hidden
+
+    def in_rain(self, light: Floats, hidden: Floats, d: Floats, spread: Spread) -> tuple[Floats, Floats]:
+        """Light (r, 3) from behind the rain toward d (r, 3) with the rain's own, and the share (r,) that is hidden."""
+        clouds = self.clouds
+        high = clouds.height - self.eye_y
+        at = np.flatnonzero(d[:, 1] > 0.0)
+        if clouds.rain == 0.0 or high <= 0.0 or at.size == 0:
+            return light, hidden
+        level = np.maximum(np.hypot(d[at, 0], d[at, 2]), 1e-3)
+        heading = d[at][:, [0, 2]] / level[:, None]
+        depth = np.zeros(at.size)
+        for sizes in RAIN_SIZES:
+            far = sizes * clouds.size
+            up = far * d[at, 1] / (level * high)
+            slanted = np.column_stack((heading * sizes, np.zeros(at.size))) + (1.0 - up)[:, None] * np.array(RAIN_SLANT)
+            noise, _ = octaves(
+                slanted + self.place,
+                WIDTH * spread[1][at] * sizes + RAIN_SPREADS * np.maximum(1.0 - up, 0.0),
+                (0, 3),
+                64 * clouds.seed,
+            )
+            falls = smoothstep(0.0, 2.0, noise - max(float(self._start[0]), -0.6))
+            depth += np.where(up < 1.0, falls * (1.0 - smoothstep(0.2, 1.0, up)) * math.exp(-far / RAIN_FADES), 0.0)
+        left = np.ones(d.shape[0])
+        left[at] = np.exp(-clouds.rain * depth)
+        mixed: Floats = light * left[:, None] + RAIN_LIGHT * self.radiance * (1.0 - left)[:, None]
+        return mixed, 1.0 - (1.0 - hidden) * left
+
+    def passed(self, noise: Floats, lost: Floats) -> Floats:
+        """Transmittance (r,) of columns of noise (r,), which lacks the variance ``lost`` (r,): a normal law by the
+        noise, whose mean is one less :attr:`taken`."""
+        middle, variance, thickest = self._gap
+        x = (middle - noise) / np.sqrt(variance + lost)
+        result: Floats = thickest + (1.0 - thickest) * 0.5 * special.erfc(-x / math.sqrt(2.0))
+        return result
+
+    @cached_property
+    def _gap(self) -> tuple[float, float, float]:
+        """Middle and variance of the edge, where the transmittance falls, and that of the thickest clouds."""
+        thickest = math.exp(-self.clouds.thickness)
+        at = np.linspace(-8.0, 8.0, 20001)
+        rise = np.gradient(self._column(at)[0])
+        mean = float(rise @ at / rise.sum())
+        variance = float(rise @ (at - mean) ** 2 / rise.sum())
+        share = (1.0 - self.taken - thickest) / (1.0 - thickest)
+        clear = NormalDist().inv_cdf(min(max(share, 1e-6), 1.0 - 1e-6))
+        return clear * math.sqrt(1.0 + variance), variance, thickest
+
+    def base(self, noise: Floats) -> Floats:
+        """Density of the clouds' bases, in [0, 1], of unfiltered noise; of its shape."""
+        return smoothstep(self._start[0], self._start[0] + self.clouds.softness, noise)
+
+    @property
+    def _start(self) -> Floats:
+        """Noise above which there is cloud, in each slice; (3,)."""
+        covered = min(max(self.clouds.cover, 1e-4), 1.0 - 1e-4)
+        result: Floats = -NormalDist().inv_cdf(covered) - 0.25 * self.clouds.softness + TAPER * SLICES
+        return result
+
+    def _noise(self, look: Floats, way: Floats, slant: Floats, width: Floats) -> tuple[Floats, ...]:
+        """Noise of the slices (3, r) and toward the lamp (r,), narrowed by the lost variance (r,); how far the slices
+        are parted, and the share of their first octave that is lost, in [0, 1] (r,)."""
+        clouds = self.clouds
+        seed = 64 * clouds.seed
+        tall = clouds.depth / clouds.size
+        foot = np.column_stack((look[:, [0, 2]] * (way / clouds.size)[:, None], np.zeros(way.size))) + self.place
+        climb = np.column_stack((look[:, [0, 2]] * np.minimum(tall / slant, 0.9)[:, None], np.full(way.size, tall)))
+        middle = foot + SLICES[1] * climb
+        ahead = middle + STEP * self.lit_by[[0, 2, 1]]
+        coarse = [octaves(foot + share * climb, width, (0, 1), seed)[0] for share in SLICES]
+        lost = octaves(foot, width, (0, 1), seed)[1]
+        kept = (1.0 - lost) / (1.0 - GAIN * GAIN)
+        fine, less = octaves(middle, width, (1, OCTAVES), seed)
+        noise = np.stack(coarse) + fine
+        before = (
+            octaves(ahead, width, (0, OCTAVES_AHEAD), seed)[0]
+            + octaves(middle, width, (OCTAVES_AHEAD, OCTAVES), seed)[0]
+        )
+        lost = np.maximum(lost + less - 1.0, 0.0)
+        over, deviation, _ = self.edge
+        narrow = deviation / np.sqrt(deviation * deviation + lost)
+        mean = self._start[:, None] + over
+        parted = smoothstep(0.0, 1.7, np.sqrt(dot(climb, climb)))
+        return mean + (noise - mean) * narrow, mean[1] + (before - mean[1]) * narrow, lost, parted, 1.0 - kept
+
+    def _column(self, noise: Floats, ahead: Floats | None = None) -> tuple[Floats, Floats, Floats, Floats]:
+        """Opacity of a column of cloud, and its radiance per lamp, haze's scattering and sky; (r,).
+
+        ``noise``: of the slices (3, r), or of all of them (r,). ``ahead``: toward the lamp (r,); absent: the same.
+        """
+        soft, thick, start = self.clouds.softness, self.clouds.thickness, self._start[:, None]
+        noise = np.broadcast_to(noise, (3, noise.shape[-1]))
+        beside = noise[1] if ahead is None else ahead
+        density = smoothstep(0.0, 1.0, (noise - start) / soft)
+        shade = smoothstep(0.0, 1.0, (beside - start - 0.2 * TAPER) / soft)
+        core = np.maximum(noise - np.maximum(start + 0.5 * soft, CORE), 0.0)
+        deep = thick / 3.0 * density
+        above = thick * (np.array([[0.5], [0.33], [0.17]]) * density + 0.15 * core**2)
+        above[0] += deep[1] + deep[2]
+        above[1] += deep[2]
+        relief = np.clip(1.0 + RELIEF * (noise[1] - beside), 0.35, 1.25)
+        direct, diffuse = relief * np.exp(-0.5 * thick * shade), relief / (1.0 + DARK * above)
+        through = np.exp(-deep.sum(axis=0))
+        # A deck has as much less of a low lamp as it faces it less.
+        faced = math.sqrt(max(float(self.lit_by[1]), 0.0) + 0.03)
+        lit = 0.3 * (0.55 * direct + 0.45 * faced * diffuse)
+        least = np.array([[0.6], [0.8], [1.0]])
+        sky = (least + (1.0 - least) * direct) * (0.35 + 0.65 * diffuse)
+        before = np.exp(-np.stack((np.zeros_like(through), deep[0], deep[0] + deep[1])))
+        seen = before * (1.0 - np.exp(-deep))
+        opaque = 1.0 - through
+        whole = np.maximum(opaque, 1e-6)
+        return opaque, (seen * lit).sum(axis=0) / whole, 0.3 * through, (seen * sky).sum(axis=0) / whole
+
+
+@dataclass(frozen=True, eq=False)
+class HighClouds:
+    """Streaks of ice at one time over one camera position, under one lamp."""
+
+    cirrus: Cirrus
+    lit_by: Floats
+    light: Floats
+    sky: Floats
+    place: tuple[float, float, float, float]
+    """The camera's position in the noise of the streaks and of their patches, along and across, cells."""
+    eye_y: float
+
+    def toward(self, d: Floats, spread: Spread, depth: Depth) -> tuple[Floats, Floats, Floats]:
+        """As :meth:`CloudLayer.toward`."""
+        of = self.cirrus
+        light, cover, hidden = np.zeros_like(d), np.zeros(d.shape[0]), np.zeros(d.shape[0])
+        above = float(smoothstep(0.5, 0.9, self.eye_y / of.height))
+        seen = smoothstep(0.01, 0.1, d[:, 1]) * (1.0 - above)
+        at = np.flatnonzero(seen > 0.0)
+        if at.size == 0:
+            return light, cover, hidden
+        look = d[at]
+        way, slant = way_to(look, of.height - self.eye_y)
+        width = WIDTH * np.maximum(spread[0][at] / slant, spread[1][at]) * way / of.size
+        c, s = math.cos(of.direction), math.sin(of.direction)
+        along, across = (way / of.size) * (look[:, [0, 2]] @ np.array([[c, -s], [s, c]])).T
+        streak = np.column_stack((along / STRETCH, across)) + self.place[:2]
+        patches = np.column_stack((0.125 * along, 0.25 * across)) + self.place[2:]
+        broad = fractal(patches, 0.25 * width, 2, 64 * of.seed)
+        streak[:, 1] += 0.35 * broad
+        fine = fractal(3.0 * streak, 3.0 * width, 5, 64 * of.seed + 8)
+        start = -NormalDist().inv_cdf(min(max(of.cover, 1e-3), 1.0 - 1e-3)) - 1.2
+        density = smoothstep(0.0, 2.4, broad - start) * smoothstep(-1.2, 2.4, fine + 0.5 * broad)
+        hidden[at] = seen[at] * (1.0 - np.exp(-of.thickness * density))
+        cover[at] = hidden[at] * np.exp(-0.8 * np.minimum(depth(look[:, 1])[:, 0], 60.0))
+        gamma = dot(look, self.lit_by)
+        forward = (1.0 - FORWARD**2) / (4.0 * math.pi * (1.0 + FORWARD**2 - 2.0 * FORWARD * gamma) ** 1.5)
+        light[at] = ((0.2 + 0.3 * forward)[:, None] * self.light + self.sky) * cover[at, None]
+        return light, cover, hidden
+
+
+def way_to(look: Floats, high: float) -> tuple[Floats, Floats]:
+    """Distance to a layer ``high`` m above the eye along (r, 3), m, and the sine of the slant there; (r,) each."""
+    along = EARTH * look[:, 1]
+    rest = 2.0 * EARTH * high + high * high
+    way = rest / (along + np.sqrt(along * along + rest))
+    return way, (along + way) / (EARTH + high)
+
+
+def _composite(ends: Floats) -> tuple[Floats, Floats]:
+    """Nodes and weights of Gauss–Legendre quadrature between each two of ``ends`` (n,)."""
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    half = 0.5 * np.diff(ends)[:, None]
+    at = 0.5 * (ends[1:] + ends[:-1])[:, None] + half * nodes
+    return at.ravel(), (half * weights).ravel()
+
+
+@lru_cache(maxsize=1)
+def _lattice() -> Floats:
+    """Normal numbers (5, n): points of the additive recurrence by powers of the root of x⁶ = x + 1 (Roberts 2018)."""
+    steps = ROOT ** -np.arange(1.0, 6.0)
+    shares = np.mod(0.5 + np.outer(steps, np.arange(1, LATTICE + 1)), 1.0)
+    normal = [[NormalDist().inv_cdf(float(one)) for one in row] for row in np.clip(shares, 1e-9, 1.0 - 1e-9)]
+    return np.array(normal)
+
+
+def octaves(x: Floats, width: Floats, span: tuple[int, int], seed: int) -> tuple[Floats, Floats]:
+    """Octaves ``span`` of noise at (r, 3), filtered to a width (r,), cells, and the variance they lack of 1; (r,)."""
+    strength, place, scale, variance = STRENGTH[3], x, 1.0, 1.0 - GAIN * GAIN
+    total, lost = np.zeros(x.shape[0]), np.ones(x.shape[0])
+    for octave in range(span[1]):
+        kept = 1.0 - smoothstep(0.15, 0.6, width * scale)
+        if octave >= span[0]:
+            seen = np.flatnonzero(kept > 0.0)
+            total[seen] += strength * kept[seen] * perlin(place[seen], seed + octave)
+            lost -= variance * kept * kept
+        place = np.stack(
+            (
+                2.0 * place[:, 0] + place[:, 1] + SHIFT[0],
+                2.0 * place[:, 1] - place[:, 0] + SHIFT[1],
+                2.0 * place[:, 2] + SHIFT[2],
+            ),
+            axis=-1,
+        )
+        scale *= FINER
+        strength *= GAIN
+        variance *= GAIN * GAIN
+    return total, lost
+
+
+def place(of: Clouds, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float]:
+    """A camera position (m) in the clouds' noise at a time (s), cells."""
+    turn = 2.0 * math.pi / (CELLS * of.size)
+    drift = (of.wind * math.cos(of.wind_direction), of.wind * math.sin(of.wind_direction))
+    cells = CELLS / (2.0 * math.pi)
+    return (
+        cells * reduced((turn, eye[0]), (-turn * drift[0], time)),
+        cells * reduced((turn, eye[2]), (-turn * drift[1], time)),
+        cells * reduced((2.0 * math.pi / (CELLS * of.change), time)),
+    )
+
+
+def streak_place(of: Cirrus, time: float, eye: tuple[float, float, float]) -> tuple[float, float, float, float]:
+    """A camera position (m) in the noise of streaks and of their patches at a time (s), cells."""
+    c, s = math.cos(of.direction), math.sin(of.direction)
+    cells = CELLS / (2.0 * math.pi)
+
+    def at(share: float, along: bool) -> float:
+        turn = 2.0 * math.pi / (CELLS * of.size) * share
+        x, z = (c, s) if along else (-s, c)
+        drift = -turn * of.wind if along else 0.0
+        return cells * reduced((turn * x, eye[0]), (turn * z, eye[2]), (drift, time))
+
+    return at(1.0 / STRETCH, True), at(1.0, False), at(0.125, True), at(0.25, False)

@@ -1,0 +1,268 @@
+"""Section 13: drops that breaking waves throw up, in the open and on a beach."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+
+from seafoam.ocean.cascades import RAISED, cascades
+from seafoam.ocean.spray import (
+    BATCHES,
+    BESIDE,
+    CELLS,
+    CLUSTER,
+    EPOCHS,
+    LEVELS,
+    MOMENT,
+    PLACES,
+    SEA_TEXELS,
+    cell_sides,
+    crest_strength,
+    crest_velocity,
+    fold_limits,
+    torn_share,
+)
+from seafoam.reference.noise import pcg
+from seafoam.reference.renderer.relief import Part, Relief
+from seafoam.reference.shore.shore import Coast
+from seafoam.reference.spray.drop import DRIFT, MIST, SHEET, Drops, Words, cycles, number
+from seafoam.reference.spray.rocks import surf_then
+from seafoam.reference.types import Bools, Floats, dot, smoothstep
+from seafoam.reference.waves.parametric import angular_frequency, wave_derivative, wave_set
+from seafoam.reference.waves.rings import ring_set
+from seafoam.reference.waves.sea import coefficients, grids, raised_surface
+from seafoam.scene.models import Scene
+from seafoam.scene.spray import DROPS, Spray
+from seafoam.scene.waves import Sea
+
+CREST_SLOPE2 = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class _Sea:
+    """The sea at one birth: of each raised tile coefficients of displacement (m) and divergence, side, choppiness."""
+
+    tiles: tuple[tuple[Floats, Floats, Floats, float, float], ...]
+    origin: tuple[float, float]
+    threshold: float
+    width: float
+
+    @classmethod
+    def of(cls, scene: Scene, time: float, origin: tuple[float, float]) -> _Sea | None:
+        sea = scene.sea
+        limits = (
+            None
+            if sea is None or sea.wind <= 0.0 or scene.spray is None
+            else fold_limits(sea, scene.spray, scene.water.depth)
+        )
+        if sea is None or limits is None:
+            return None
+        tiles = []
+        for each in cascades(sea, scene.water.depth)[:RAISED]:
+            field = grids(each, time, SEA_TEXELS)
+            chop = each.choppiness(sea.choppiness)
+            parts = (field.d_x, field.d_z, chop * (field.xx + field.zz))
+            d_x, d_z, folds = (coefficients(part) for part in parts)
+            tiles.append((d_x, d_z, folds, each.size, chop))
+        return cls(tuple(tiles), origin, *limits)
+
+    def breaks(self, p: Floats) -> tuple[Floats, Floats]:
+        """How hard the sea breaks where water rests at p (n, 2), and where that water is."""
+        total, now = np.zeros(p.shape[:-1]), p
+        for i, (d_x, d_z, folds, size, chop) in enumerate(self.tiles):
+            place = [
+                np.floor((now[..., j] + math.fmod(self.origin[j], size)) / size * SEA_TEXELS + 0.5).astype(np.int64)
+                for j in (0, 1)
+            ]
+            at = place[1] % SEA_TEXELS, place[0] % SEA_TEXELS
+            total += folds[at]
+            if i == 0:
+                now = now + chop * np.stack((d_x[at], d_z[at]), axis=-1)
+        return (self.threshold - total) / self.width, now
+
+
+@dataclass(frozen=True, eq=False)
+class _Waters:
+    """The open water at one birth."""
+
+    scene: Scene
+    time: float
+    origin: tuple[float, float]
+    sea: _Sea | None
+    coast: Coast | None
+    """The shore now."""
+    now: float
+
+    def breaks(self, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """How hard the water breaks that rests at p (n, 2), where it is, the front's velocity (n, 3) and strength."""
+        if self.coast is not None:
+            return self._surf(self.coast, p)
+        crest = (0.0, 0.0) if self.scene.sea is None else crest_velocity(self.scene.sea)
+        folds, p = (np.zeros(p.shape[:-1]), p) if self.sea is None else self.sea.breaks(p)
+        strength = 0.0 if self.scene.sea is None else crest_strength(self.scene.sea)
+        strong, speed = np.full(folds.shape, strength), math.hypot(*crest) * strength
+        onward = np.stack(
+            (
+                np.full(folds.shape, crest[0]),
+                (0.2 + 0.3 * np.clip(folds, 0.0, 1.0)) * speed,
+                np.full(folds.shape, crest[1]),
+            ),
+            axis=-1,
+        )
+        if not self.scene.waves:
+            return folds, p, onward, strong
+        assert self.scene.spray is not None
+        waves = wave_set(self.scene, self.time, self.origin)
+        rise, slope = np.zeros(folds.shape), np.zeros((*folds.shape, 2))
+        for i, theta in enumerate(waves.theta(p[..., 0].ravel(), p[..., 1].ravel())):
+            change = wave_derivative(theta, waves.amplitude[i], waves.exponent[i]).reshape(folds.shape)
+            slope -= change[..., None] * np.array([waves.kx[i], waves.kz[i]])
+            rise += change * angular_frequency(self.scene.waves[i])
+        steep = 2.0 * (rise / max(self.scene.spray.threshold, 0.1) - 1.0)
+        level = -slope * (rise / np.maximum(dot(slope, slope), CREST_SLOPE2))[..., None]
+        fronts = np.stack((level[..., 0], rise, level[..., 1]), axis=-1)
+        front = steep > folds
+        return np.maximum(folds, steep), p, np.where(front[..., None], fronts, onward), np.where(front, 1.0, strong)
+
+    def _surf(self, coast: Coast, p: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """The same of surf on a beach."""
+        assert self.scene.spray is not None
+        shape, period = p.shape[:-1], coast.shore.surf.period
+        q = p.reshape(-1, 2) + np.array(coast.offset)
+        field, map_x, map_z = coast.field.all(q[:, 0], q[:, 1])
+        age = self.now - self.time
+        ends = [surf_then(coast, q, field, np.full(len(q), age + side * MOMENT), self.now) for side in (-1.0, 1.0)]
+        rise = (ends[0] - ends[1]) / (2.0 * MOMENT)
+        slope = np.stack((map_x[:, 0], map_z[:, 0]), axis=-1)
+        level = -slope / (np.maximum(dot(slope, slope), 1e-4) * period)[:, None]
+        steep = 2.0 * (rise / max(self.scene.spray.threshold, 0.1) - 1.0)
+        steep = np.where((np.abs(q) > 0.5 * coast.shore.size).any(axis=-1) | (field[:, 1] <= 0.0), 0.0, steep)
+        onward = np.stack((level[:, 0], rise, level[:, 1]), axis=-1)
+        return steep.reshape(shape), p, onward.reshape(*shape, 3), np.ones(shape)
+
+    def height(self, x: Floats, z: Floats) -> Floats:
+        """Height of the surface, m."""
+        raised = raised_surface(self.scene, self.time, self.origin)
+        parts: tuple[Part, ...] = (
+            wave_set(self.scene, self.time, self.origin),
+            ring_set(self.scene, self.time, self.origin),
+            *(() if raised is None else (raised,)),
+        )
+        relief = Relief(parts)
+        if self.coast is None:
+            return relief.height(x, z)
+        return Coast(self.coast.shore, self.time, self.origin, relief).height(x, z)
+
+
+def from_waves(
+    scene: Scene, time: float, origin: tuple[float, float], ahead: Floats, coast: Coast | None
+) -> Drops | None:
+    """Drops that breaking waves throw up, by index, with a strength of 0 where there is none; at a shore, its surf."""
+    spray = scene.spray
+    assert spray is not None
+    still = sum(wave.amplitude for wave in scene.waves) == 0.0
+    calm = coast is not None and coast.shore.surf.height == 0.0
+    if calm or (coast is None and still and _Sea.of(scene, time, origin) is None):
+        return None
+    step = spray.life / BATCHES
+    whole, left = cycles(time, step)
+    parts = [
+        _batch(scene, whole - batch, (left + batch) * step, time, origin, ahead, coast, batch)
+        for batch in range(BATCHES)
+    ]
+    index = np.concatenate([np.arange(batch, DROPS, BATCHES) for batch in range(BATCHES)])
+    joined = parts[0]
+    for part in parts[1:]:
+        joined = joined.joined(part)
+    return joined.of(np.argsort(index, kind="stable"))
+
+
+def _batch(
+    scene: Scene,
+    epoch: int,
+    age: float,
+    time: float,
+    origin: tuple[float, float],
+    ahead: Floats,
+    coast: Coast | None,
+    batch: int,
+) -> Drops:
+    """A batch of drops, born ``age`` s ago."""
+    spray = scene.spray
+    assert spray is not None
+    then = float(Fraction(time) - Fraction(age))
+    sea = None if coast is not None else scene.sea
+    folds = None if sea is None else _Sea.of(scene, then, origin)
+    waters = _Waters(scene, then, origin, folds, coast, time)
+    index = np.arange(batch, DROPS, BATCHES)
+    level = index // BATCHES % LEVELS
+    rest = index // (BATCHES * LEVELS)
+    side = np.array(cell_sides(spray))[level]
+    eye = np.stack([np.mod([float(Fraction(part) / Fraction(s)) for s in cell_sides(spray)], 256.0) for part in origin])
+    eye = eye.T[level]
+    cell = np.stack((rest % CELLS, rest // CELLS % CELLS), axis=-1)
+    cell = cell + np.floor(eye + 0.35 * CELLS * ahead - 0.5 * CELLS + 0.5).astype(np.int64)
+    member = rest // (CELLS * CELLS)
+    own = pcg((member // CLUSTER * LEVELS + level).astype(np.uint64))
+    for axis in (0, 1):
+        own = pcg(own ^ (cell[:, axis] & 255).astype(np.uint64))
+    cluster = pcg(own ^ np.uint64(epoch % EPOCHS))
+    word = pcg(cluster ^ (member % CLUSTER).astype(np.uint64))
+    looked = 16 + 2 * np.arange(PLACES)
+    chance = np.stack([number(cluster[:, None], looked + i) for i in (0, 1)], axis=-1)
+    rests = (cell[:, None] + chance - eye[:, None]) * side[:, None, None]
+    found = waters.breaks(rests)[0]
+    best = np.argmax(found, axis=1)
+    rows = np.arange(index.size)
+    heading = 0.0 if sea is None or sea.wind <= 0.0 else sea.wind_direction
+    way = np.array([math.cos(heading), math.sin(heading)])
+    beside = BESIDE * side[:, None] * (np.stack((number(word, 12), number(word, 13)), axis=-1) - 0.5) * (0.25, 1.0)
+    place = rests[rows, best] + beside[:, :1] * way + beside[:, 1:] * np.array([-way[1], way[0]])
+    most, at, onward, strong = waters.breaks(place)
+    far = np.hypot(at[:, 0], at[:, 1])
+    middle = 0.5 * spray.reach * np.exp2(level - LEVELS + 1.0)
+    strength = strong * smoothstep(0.25, 0.7, most) * _share(far, middle, level == 0)
+    strength = np.where(found[rows, best] > 0.0, strength, 0.0)
+    height = np.zeros(index.size)
+    born = strength > 0.0
+    height[born] = waters.height(at[born, 0], at[born, 1])
+    kind = _kinds(spray, sea, word)
+    return Drops(
+        birth=np.stack((at[:, 0], height, at[:, 1]), axis=-1),
+        velocity=_velocities(spray, onward, kind, cluster, word),
+        age=np.full(index.size, age),
+        life=np.full(index.size, spray.life),
+        radius=1.4 * spray.size * side * (0.4 + 0.6 * strong),
+        strength=strength,
+        kind=kind,
+        word=word,
+    )
+
+
+def _kinds(spray: Spray, sea: Sea | None, word: Words) -> Floats:
+    """Kinds of drops (n,)."""
+    torn = 0.0 if sea is None or sea.wind <= 0.0 else torn_share(sea, spray)
+    chosen = number(word, 5)
+    kinds: Floats = np.where(chosen < torn, DRIFT, np.where(chosen < torn + (1.0 - torn) * spray.mist, MIST, SHEET))
+    return kinds
+
+
+def _velocities(spray: Spray, onward: Floats, kind: Floats, cluster: Words, word: Words) -> Floats:
+    """Velocities (n, 3) of drops that fronts of velocities ``onward`` (n, 3) throw: a cluster flies together."""
+    rise = spray.speed * onward[:, 1] * np.where(kind == DRIFT, 0.4, 1.0)
+    upward = rise * (0.3 + 0.7 * number(cluster, 1)) * (0.3 + 0.7 * number(word, 1))
+    aside = 0.3 * (number(cluster, 2) + number(word, 2) - 1.0)
+    ahead_by = 0.8 + 0.2 * number(cluster, 4) + 0.2 * number(word, 4)
+    across = np.stack((-onward[:, 2], onward[:, 0]), axis=-1)
+    flat = onward[:, ::2] * ahead_by[:, None] + aside[:, None] * across
+    return np.stack((flat[:, 0], upward, flat[:, 1]), axis=-1)
+
+
+def _share(far: Floats, middle: Floats, nearest: Bools) -> Floats:
+    """Share of a place's drops that a grid has."""
+    steps = np.log2(np.maximum(far, 0.01) / middle)
+    result: Floats = np.where(nearest & (steps < 0.0), 1.0, np.maximum(1.0 - np.abs(steps), 0.0))
+    return result

@@ -1,0 +1,85 @@
+"""No preset's camera is under water by accident: at most 0.02 % of an hour, by the waves' float64 sums."""
+
+import math
+
+import numpy as np
+import pytest
+
+from seafoam.effects.bounds import max_surface_height
+from seafoam.ocean.cascades import BAND, RAISED, Cascade, cascades
+from seafoam.ocean.dispersion import angular_frequency, wavevector
+from seafoam.ocean.levels import wave_level
+from seafoam.ocean.rings import ring_height
+from seafoam.ocean.wakes import wake_height
+from seafoam.reference.types import Floats
+from seafoam.reference.waves.sea import sea_surface
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset, preset_names
+
+MOST = 2e-4
+"""Greatest share of an hour under water."""
+TIMES = np.arange(0.0, 3600.0, 0.5)
+KEPT = 0.9995
+"""Share of a tile's variance in the waves that are summed."""
+
+
+def tile_heights(of: Cascade, wanted: float, x: float, z: float, times: Floats) -> Floats:
+    """Height of a displaced tile over (x, z) at each time, m; six steps find the water displaced there."""
+    power = np.abs(of.h0).ravel() ** 2
+    order = np.argsort(power)[::-1]
+    kept = order[: int(np.searchsorted(np.cumsum(power[order]), KEPT * power.sum())) + 1]
+    rows, columns = np.unravel_index(kept, of.h0.shape)
+    step = 2.0 * math.pi / of.size
+    kx, kz = step * (columns - BAND), step * (rows - BAND)
+    k = np.maximum(np.hypot(kx, kz), 1e-300)
+    h0, rate = 2.0 * of.h0.ravel()[kept], 2.0 * math.pi * of.turns.ravel()[kept] / 2048.0
+    choppiness = of.choppiness(wanted)
+    result = np.empty_like(times)
+    for start in range(0, times.size, 400):
+        t = times[start : start + 400]
+        at_x, at_z = np.full(t.size, x), np.full(t.size, z)
+        moving = np.exp(-1j * rate[:, None] * t)
+        for _ in range(6):
+            wave = h0[:, None] * moving * np.exp(1j * (kx[:, None] * at_x + kz[:, None] * at_z))
+            result[start : start + 400] = wave.real.sum(axis=0)
+            at_x = x - choppiness * ((1j * kx / k)[:, None] * wave).real.sum(axis=0)
+            at_z = z - choppiness * ((1j * kz / k)[:, None] * wave).real.sum(axis=0)
+    return np.clip(result, -of.limit, of.limit)
+
+
+def heights(scene: Scene, x: float, z: float, times: Floats) -> Floats:
+    """Height of the water over (x, z) at each time, m; rings, wakes and surf by the most that they add."""
+    total = np.full(times.size, ring_height(scene) + wake_height(scene.boats))
+    if scene.shore is not None:
+        total += scene.shore.surf.height
+    for wave in scene.waves:
+        kx, kz = wavevector(wave, scene.water.depth)
+        theta = wave.phase + angular_frequency(wave) * times - kx * x - kz * z
+        total += wave.amplitude * (0.5 + 0.5 * np.sin(theta)) ** wave.exponent - wave_level(wave)
+    if scene.sea is not None and scene.sea.wind > 0.0:
+        for tile in cascades(scene.sea, scene.water.depth)[:RAISED]:
+            total += tile_heights(tile, scene.sea.choppiness, x, z, times)
+    return total
+
+
+def test_the_sums_are_the_reference_surface() -> None:
+    """At single times, to a tenth of the height's deviation: the largest waves alone are summed."""
+    scene = load_preset("storm").scene.model_copy(update={"waves": ()})
+    assert scene.sea is not None
+    tiles = cascades(scene.sea, scene.water.depth)[:RAISED]
+    deviation = math.sqrt(sum(tile.variance for tile in tiles))
+    for time in (0.0, 1733.5):
+        surface = sea_surface(scene, time, (0.0, 0.0), texels=256)
+        assert surface is not None
+        want = surface.height(np.array([3.0]), np.array([-7.0]))[0]
+        assert abs(heights(scene, 3.0, -7.0, np.array([time]))[0] - want) <= 0.1 * deviation
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_the_camera_stays_above_water(name: str) -> None:
+    scene = load_preset(name).scene
+    x, y, z = scene.camera.position
+    if y > max_surface_height(scene):
+        return
+    under = float((heights(scene, x, z, TIMES) >= y).mean())
+    assert under <= MOST, f"{name}: {100.0 * under:.2f} % of an hour under water"

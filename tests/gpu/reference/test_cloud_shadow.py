@@ -1,0 +1,104 @@
+"""Shadows of clouds: GLSL against float64, their mean, and that they lie where the sky's clouds hide the lamp."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from gpu.reference.test_shore import patched
+from seafoam.effects.light.overcast import gap_light
+from seafoam.planner import make_plan
+from seafoam.reference.light import light as sky
+from seafoam.reference.light.cloud_shadow import sunlight
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.sky import Clouds, Sky
+from support.exact import EXACT
+from support.pictures import draw
+from support.report import Report
+
+EYE = (120.0, 10.0, -340.0)
+SIDE = 100
+
+
+def _scene(**fields: object) -> Scene:
+    clouds = Clouds(size=1500.0, height=1200.0, thickness=8.0, seed=5, shadows=1.0).model_copy(update=fields)
+    light = Light(sun_elevation=0.5, sun_azimuth=0.8, exposure=-2.0, sky=Sky(clouds=clouds))
+    return Scene(light=light, camera=Camera(position=EYE))
+
+
+def _truth(scene: Scene, place: NDArray[np.float64], side: float) -> NDArray[np.float64]:
+    assert scene.light is not None
+    above = sky.air(scene.light, 3.0, EYE).above
+    assert above is not None
+    assert above.clouds is not None
+    feet = np.tile((side, 0.0), (len(place), 1)), np.tile((0.0, 0.5 * side), (len(place), 1))
+    return sunlight(above.clouds, place, feet)
+
+
+def _places(far: float) -> NDArray[np.float64]:
+    i = np.arange(1, SIDE * SIDE + 1)[:, None]
+    p = (np.mod(i * np.array([0.754877666, 0.569840291]), 1.0) - 0.5) * far
+    return np.stack((p[:, 0], np.full(len(p), 0.7), p[:, 1]), axis=-1)
+
+
+@pytest.mark.parametrize("side", [0.1, 300.0, 2000.0])
+def test_share_of_the_lamp(side: float, executor: Executor, report: Report) -> None:
+    scene = _scene()
+    main = f"""
+void main() {{
+    float i = floor(gl_FragCoord.y) * {SIDE}.0 + floor(gl_FragCoord.x) + 1.0;
+    vec2 p = (fract(i * vec2(0.754877666, 0.569840291)) - 0.5) * 20000.0;
+    Footprint fp = Footprint(vec2({side}, 0.0), vec2(0.0, {0.5 * side}));
+    o_color = vec4(sunlit(vec3(p.x, 0.7, p.y), fp), p, 0.0);
+}}
+"""
+    plan = patched(make_plan(scene, EXACT), main)
+    found = draw(executor, plan, scene.camera, time=3.0, size=(SIDE, SIDE), output="samples").reshape(-1, 4)
+    place = np.stack((found[:, 1], np.full(len(found), 0.7), found[:, 2]), axis=-1).astype(np.float64)
+    want = _truth(scene, place, side)
+    off = np.abs(found[:, 0] - want)
+    assert scene.light is not None
+    assert scene.light.sky is not None
+    most = gap_light(scene.light.sky.clouds)
+    report.add(
+        "Shadows of clouds, factor of the mean light of the lamp",
+        footprint=f"{side} m",
+        off=f"{np.quantile(off, 0.999):.1e}",
+        least=f"{want.min():.2f}",
+        most=f"{want.max():.2f} of {most:.2f}",
+    )
+    assert found[:, 0].min() >= 0.0
+    assert found[:, 0].max() <= most * 1.0001
+    assert np.quantile(off, 0.999) <= 2e-3
+
+
+@pytest.mark.parametrize("side", [0.1, 300.0, 1000.0, 1e5])
+@pytest.mark.parametrize("cover", [0.3, 0.6, 0.9])
+def test_mean_is_kept(cover: float, side: float, report: Report) -> None:
+    """Over many clouds the factor is 1 in the mean, whatever the footprint: energy is neither won nor lost."""
+    scene = _scene(cover=cover)
+    share = _truth(scene, _places(360.0 * 1500.0), side)
+    report.add("Mean of the shadows of clouds", cover=f"{cover}", footprint=f"{side} m", mean=f"{share.mean():.3f}")
+    assert share.mean() == pytest.approx(1.0, abs=0.03)
+    if side > 1e4:
+        assert share.std() < 1e-6
+
+
+def test_shadow_lies_where_clouds_hide_the_lamp() -> None:
+    """Seen from a place on the water, the lamp stands behind the cloud that shades the place."""
+    hidden, share = [], []
+    scene = _scene(softness=0.5, depth=0.0)
+    assert scene.light is not None
+    for x in np.linspace(-20000.0, 20000.0, 60):
+        eye = (float(x), 1.0, 0.4 * float(x))
+        above = sky.air(scene.light, 3.0, eye).above
+        assert above is not None
+        assert above.clouds is not None
+        lamp = above.lit_by[None, :]
+        hidden.append(float(above.behind_clouds(np.zeros((1, 3)), lamp, (np.full(1, 2e-3), np.full(1, 2e-3)))[1][0]))
+        none = np.zeros((1, 2))
+        share.append(float(sunlight(above.clouds, np.array([[0.0, 1.0, 0.0]]), (none, none))[0]))
+    shaded = np.array(share) * (1.0 - float(above.taken))
+    assert np.corrcoef(1.0 - np.array(hidden), shaded)[0, 1] > 0.9

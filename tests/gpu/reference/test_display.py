@@ -1,0 +1,86 @@
+"""The display of a finished frame, tone curves and glare, against their float64 forms (docs/formulae.md, section 7)."""
+
+import itertools
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.reference.light import display, glare
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.sky import Sky
+from seafoam.scene.water import Ripples, Water
+from support.report import Report
+
+SUN = Camera(position=(0.0, 3.0, 0.0), yaw=np.pi / 2, pitch=0.1, fov=0.7)
+
+
+def scene(**of_light: object) -> Scene:
+    """The sun over rippled water, in the middle of the picture."""
+    return Scene(light=Light(sun_elevation=0.1, sky=Sky(), **of_light), water=Water(ripples=Ripples()))
+
+
+def both(executor: Executor, of: Scene, size: tuple[int, int]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Linear frame and picture, levels; rows from the top."""
+    plan = make_plan(of, TIERS["standard"])
+    linear, shown = (
+        executor.render(plan, time=1.0, camera=SUN, width=size[0], height=size[1], output=output).pixels[..., :3]
+        for output in ("linear", "rgba8")
+    )
+    return linear.astype(np.float64), shown.astype(np.float64)
+
+
+@pytest.mark.parametrize("size", [(160, 90), (149, 83), (60, 34), (5, 3)])
+@pytest.mark.parametrize(("tone", "share"), [("filmic", 0.0), ("photographic", 0.0), ("photographic", 0.3)])
+def test_a_picture_is_its_linear_frame_by_the_formula(
+    executor: Executor, report: Report, size: tuple[int, int], tone: str, share: float
+) -> None:
+    linear, shown = both(executor, scene(tone=tone, glare=share), size)
+    spread = glare.spread(linear[::-1], share)[::-1]
+    want = 255.0 * display.srgb(display.tone(np.maximum(spread, 0.0), tone))
+    off = np.abs(shown - want)
+    report.add(
+        "A picture against its linear frame in float64",
+        size=f"{size[0]} x {size[1]}",
+        tone=tone,
+        glare=f"{share}",
+        worst=f"{off.max():.2f} levels",
+    )
+    # Half a level of rounding, and half floats of the levels.
+    assert off.max() <= (0.51 if share == 0.0 else 1.0)
+
+
+def test_glare_keeps_the_light() -> None:
+    """Of a frame whose rim is dark; what spreads is at most the share, and no level of it has a seam."""
+    frame = np.zeros((360, 640, 3))
+    frame[180:184, 320:324] = (900.0, 500.0, 100.0)
+    spread = glare.spread(frame, 0.3)
+    assert spread.sum() == pytest.approx(frame.sum(), rel=2e-3)
+    assert spread[181, 321] == pytest.approx(frame[181, 321], rel=0.3)
+    assert (spread >= -1e-9).all()
+    ring = [float(spread[182, 322 + r, 0]) for r in (8, 16, 32, 64)]
+    falls = [a / b for a, b in itertools.pairwise(ring)]
+    # Twice as far, a quarter as bright: between the steps of the levels.
+    assert all(2.0 < fall < 9.0 for fall in falls), falls
+
+
+def test_glare_of_even_light_is_that_light() -> None:
+    frame = np.full((90, 160, 3), 0.7)
+    np.testing.assert_allclose(glare.spread(frame, 0.5), frame, rtol=1e-12)
+
+
+def test_linear_frames_are_without_glare(executor: Executor) -> None:
+    plain, _ = both(executor, scene(), (96, 54))
+    spread, _ = both(executor, scene(glare=0.4), (96, 54))
+    assert (plain == spread).all()
+
+
+def test_without_glare_there_is_none_in_the_plan() -> None:
+    plan = make_plan(scene(), TIERS["standard"])
+    assert not any("glare" in name for name in (*plan.targets, *plan.programs))
+    assert "u_glare" not in plan.programs["present"].fragment.text

@@ -1,0 +1,72 @@
+"""Shadows of land against float64, and against rays to the sun (docs/formulae.md, section 8)."""
+
+import math
+
+import numpy as np
+import pytest
+
+from gpu.reference.test_shore import places, probe
+from seafoam.reference.light import light as sky
+from seafoam.reference.shore.shadow import LandShadow
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.light import Light
+from support.coasts import SEA, SHORE, coast
+from support.report import Report
+
+
+@pytest.mark.parametrize(("elevation", "azimuth"), [(0.08, 0.7), (0.25, -2.1), (0.6, 0.0)])
+def test_share_of_the_sun(elevation: float, azimuth: float, executor: Executor, report: Report) -> None:
+    shore = SHORE.model_copy(update={"shadows": True, "height": 40.0, "slope": 0.5, "relief": 0.5, "plants_from": 5.0})
+    scene = SEA.model_copy(
+        update={"shore": shore, "light": Light(sun_elevation=elevation, sun_azimuth=azimuth, exposure=-2.0)}
+    )
+    assert scene.light is not None
+    x, z = places(executor, scene)
+    place = np.stack((x, np.full_like(x, 0.3), z), axis=-1)
+    feet = np.tile((2.0, 0.5), (x.size, 1)), np.tile((-0.2, 1.0), (x.size, 1))
+    drawn = probe(
+        executor,
+        scene,
+        "Footprint fp = Footprint(vec2(2.0, 0.5), vec2(-0.2, 1.0));"
+        "o_color = vec4(sunlit(vec3(p.x, 0.3, p.y), fp), 0.0, 0.0, 0.0);",
+    )[:, 0]
+    land = coast(scene, 0.0)
+    sun = sky.air(scene.light).sun
+    want = LandShadow(land, sun).sunlight(place, feet)
+    # From a metre up toward the sun: nothing is met, or land.
+    way = np.repeat(sun[None, :], x.size, axis=0)
+    open_sky = land.crossing(x, place[:, 1], z, way, 1e4) >= 1e4
+    above = land.ground(*land.place(x, z))[0] < 0.0
+    off = np.abs(drawn - want)[above]
+    agrees = ((want > 0.5) == open_sky)[above]
+    report.add(
+        "Shadow of land over its water: off float64, and as rays to the middle of the sun say",
+        elevation=f"{elevation} rad",
+        shaded=f"{100.0 * (1.0 - open_sky[above].mean()):.1f} %",
+        off=f"{np.quantile(off, 0.999):.1e}",
+        agrees=f"{100.0 * agrees.mean():.2f} %",
+    )
+    assert drawn.min() >= 0.0
+    assert drawn.max() <= 1.0
+    assert 0.005 < 1.0 - open_sky[above].mean() < 0.9
+    assert np.quantile(off, 0.999) <= 0.02
+    assert agrees.mean() >= 0.99
+
+
+def test_shadow_is_as_long_as_the_sun_is_low() -> None:
+    """Behind an island, shadows end where a line toward the sun leaves its top: h/tan(elevation)."""
+    shore = SHORE.model_copy(update={"kind": "island", "shadows": True, "height": 20.0, "slope": 0.5})
+    land = coast(SEA.model_copy(update={"shore": shore}), 0.0)
+    ends = []
+    for elevation in (0.1, 0.2):
+        sun = np.array([math.cos(elevation), math.sin(elevation), 0.0])
+        x = np.linspace(-400.0, 0.0, 4001) - land.offset[0]
+        place = np.stack((x, np.zeros_like(x), np.full_like(x, -land.offset[1])), axis=-1)
+        feet = (np.zeros((x.size, 2)), np.zeros((x.size, 2)))
+        share = LandShadow(land, sun).sunlight(place, feet)
+        ends.append(float(x[np.flatnonzero(share < 0.5)[0]]) + land.offset[0])
+        q = np.linspace(-200.0, 200.0, 8001)
+        top = land.ground(q, np.zeros_like(q))[0]
+        expected = float((q - top / math.tan(elevation))[top > 0.0].min())
+        assert ends[-1] == pytest.approx(expected, abs=3.0)
+    assert ends[0] < ends[1] - 20.0

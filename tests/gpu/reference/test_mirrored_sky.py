@@ -1,0 +1,188 @@
+"""Mirrored skies: a blur keeps the mean, and a frame drawn once is near one of many samples (formulae, 6 and 9)."""
+
+import hashlib
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS, SurfaceQuality
+from seafoam.reference.light import light as reference_light
+from seafoam.reference.light.clouds import CloudLayer
+from seafoam.reference.renderer.frame import render
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.light import Light
+from seafoam.scene.models import Scene
+from seafoam.scene.sky import Cirrus, Clouds, Sky
+from seafoam.scene.waves import Sea
+from support.exact import EXACT
+from support.pictures import draw
+from support.probe import Probe
+from support.report import Report
+
+WIDTH, HEIGHT = 80, 45
+WATER = slice(int(0.41 * HEIGHT), HEIGHT)
+"""Rows below the horizon."""
+CAMERA = Camera(position=(0.0, 4.0, 0.0), yaw=0.3, pitch=-0.12)
+ALONG = Camera(position=(0.0, 4.0, 0.0), yaw=1.87, pitch=-0.12)
+"""Across a wind along x, and along it and toward the sun."""
+ALL = "return (1.0 - reflectance) * body + reflectance * reflected + sun_reaches * glitter_light(d, n, sigma2, cv);"
+MIRRORED = "return reflectance * reflected;"
+
+
+def mirror_alone(plan: FramePlan) -> FramePlan:
+    """A plan whose water shows what it mirrors, and neither its body nor the sun's glitter."""
+    programs = {}
+    for name, program in plan.programs.items():
+        text = program.fragment.text.replace(ALL, MIRRORED)
+        # The executor knows programs by it.
+        sha256 = hashlib.sha256(text.encode()).hexdigest()
+        fragment = program.fragment.model_copy(update={"text": text, "sha256": sha256})
+        programs[name] = program.model_copy(update={"fragment": fragment})
+    assert any(MIRRORED in program.fragment.text for program in programs.values())
+    return plan.model_copy(update={"programs": programs})
+
+
+def light_of(
+    executor: Executor, scene: Scene, finer: int = 1, camera: Camera = CAMERA, **quality: object
+) -> NDArray[np.float64]:
+    """Mirrored light (rows, columns, 3) of a picture's water, each pixel the mean of finer² of a larger picture."""
+    plan = mirror_alone(make_plan(scene, TIERS["standard"].model_copy(update={"target": "RGBA32F", **quality})))
+    size = (finer * WIDTH, finer * HEIGHT)
+    drawn = draw(executor, plan, camera, time=3.0, size=size, output="linear")[..., :3].astype(np.float64)
+    whole: NDArray[np.float64] = drawn.reshape(HEIGHT, finer, WIDTH, finer, 3).mean(axis=(1, 3))[WATER]
+    return whole
+
+
+def drawn_once(executor: Executor, scene: Scene, camera: Camera = CAMERA) -> tuple[float, float]:
+    """Energy of a frame drawn once over that of 256 samples of the resolved surface, less 1, and its root mean square
+    error over that of 16 such samples."""
+    resolved = SurfaceQuality(steps=384, tolerance=0.02, filter=False)
+    truth = light_of(executor, scene, 4, camera, samples=16, surface=resolved)
+    once = light_of(executor, scene, 1, camera)
+    sixteen = light_of(executor, scene, 1, camera, samples=16, surface=resolved)
+    apart, noise = (float(np.sqrt(np.mean((drawn - truth) ** 2))) for drawn in (once, sixteen))
+    return float(once.mean() / truth.mean() - 1.0), apart / noise
+
+
+@pytest.mark.parametrize(("wind", "elevation"), [(4.0, 0.12), (8.0, 0.8), (15.0, 0.35)])
+def test_small_hard_clouds_over_rough_water(executor: Executor, report: Report, wind: float, elevation: float) -> None:
+    sky = Sky(clouds=Clouds(cover=0.45, softness=0.3, size=600.0, height=1200.0))
+    scene = Scene(
+        light=Light(sun_elevation=elevation, sun_azimuth=0.6, visibility=1e6, exposure=-0.5, sky=sky),
+        sea=Sea(model="fft", wind=wind, fetch=60000.0),
+    )
+    energy, error = drawn_once(executor, scene)
+    report.add(
+        f"Mirrored small clouds, wind {wind:g} m/s, sun at {elevation:g} rad",
+        energy=f"{100 * energy:+.1f} %",
+        rmse_over_sixteen=f"{error:.2f}",
+    )
+    assert abs(energy) <= 0.02
+    assert error <= 1.5
+
+
+@pytest.mark.parametrize("wind", [4.0, 8.0, 15.0])
+@pytest.mark.parametrize("layered", [False, True], ids=["plain", "layered"])
+def test_clear_skies_over_rough_water(executor: Executor, report: Report, wind: float, layered: bool) -> None:
+    """By day, with a low sun and at dusk; looking along the wind at a low sun for the error alone."""
+    found = {}
+    sky, sea = Sky() if layered else None, Sea(wind=wind, fetch=60000.0)
+    for elevation, camera in ((0.8, CAMERA), (0.12, CAMERA), (-0.05, CAMERA), (0.12, ALONG)):
+        light = Light(sun_elevation=elevation, sun_azimuth=0.6, visibility=1e6, exposure=-0.5, sky=sky)
+        found[elevation, camera is ALONG] = drawn_once(executor, Scene(light=light, sea=sea), camera)
+    report.add(
+        f"Mirrored {'layered' if layered else 'plain'} clear sky, wind {wind:g} m/s, "
+        "sun at 0.8, 0.12 and -0.05 rad, and at 0.12 rad looking along the wind",
+        energy=" ".join(f"{100 * energy:+.1f} %" for energy, _ in found.values()),
+        rmse_over_sixteen=" ".join(f"{error:.2f}" for _, error in found.values()),
+    )
+    assert max(abs(energy) for (_, along), (energy, _) in found.items() if not along) <= 0.02
+    assert max(error for _, error in found.values()) <= 1.5
+
+
+@pytest.mark.parametrize("elevation", [0.8, 0.12, -0.05])
+def test_the_plain_sky_is_taken_at_two_looks(probe: Probe, elevation: float) -> None:
+    """As in float64, for any deviation, at the zenith and at the horizon."""
+    light = Light(sun_elevation=elevation, sun_azimuth=0.6, sky=None)
+    given = make_plan(Scene(light=light), TIERS["standard"]).uniforms
+    rng = np.random.default_rng(16)
+    r = np.column_stack((rng.normal(size=500), np.abs(rng.normal(size=500)), rng.normal(size=500)))
+    r[:2] = (0.0, 1.0, 0.0), (1.0, 1e-3, 0.0)
+    r = (r / np.linalg.norm(r, axis=1)[:, None]).astype(np.float32).astype(np.float64)
+    deviation = np.linspace(0.0, 0.4, 500).astype(np.float32).astype(np.float64)
+    names = ("u_sun_direction", *(f"u_air_{part}" for part in ("rayleigh", "mie", "even", "depth")))
+    uniforms = {name: given[name].rules[0].value for name in names}  # type: ignore[union-attr]
+    drawn = probe(
+        ["light/sky/analytic.glsl"],
+        "y.rgb = mirrored_sky(x.xyz, vec3(0.0, 0.0, x.w));",
+        np.column_stack((r, deviation)),
+        uniforms=uniforms,
+    )[:, :3]
+    want = reference_light.air(light).mirrored(r, (deviation, deviation), deviation)
+    assert np.abs(drawn / want - 1.0).max() <= 2e-5
+
+
+def layer(clouds: Clouds, elevation: float) -> CloudLayer:
+    above = reference_light.air(Light(sun_elevation=elevation, sky=Sky(clouds=clouds))).above
+    assert above is not None
+    assert above.clouds is not None
+    return above.clouds
+
+
+@pytest.mark.parametrize("cover", [0.2, 0.45, 0.8])
+@pytest.mark.parametrize(("thickness", "depth"), [(2.0, 0.0), (8.0, 0.0), (8.0, 700.0)])
+def test_a_blur_keeps_the_mean_of_clouds(report: Report, cover: float, thickness: float, depth: float) -> None:
+    """Cover and light of clouds over many places, blurred as water blurs them, against as they are."""
+    of = layer(Clouds(cover=cover, thickness=thickness, softness=0.5, size=600.0, depth=depth), 0.5)
+    rng = np.random.default_rng(8)
+    turn = rng.uniform(0.0, 2.0 * math.pi, 12_000)
+    height = rng.uniform(0.3, 0.9, turn.size)
+    level = np.sqrt(1.0 - height * height)
+    d = np.stack((level * np.cos(turn), height, level * np.sin(turn)), -1)
+    means = []
+    for width in (1e-4, 0.02, 0.06, 0.2):
+        light, cover_there, _ = of.toward(d, (np.full(turn.size, width),) * 2, lambda y: np.zeros((*y.shape, 3)))
+        means.append((float(cover_there.mean()), float(light.mean())))
+    sharp, blurred = np.array(means[0]), np.array(means[1:])
+    worst = np.abs(blurred - sharp) / np.array([1.0, float(of.light.mean()) / math.pi])
+    report.add(
+        f"Blurred clouds, cover {cover:g}, thickness {thickness:g}, {depth:g} m deep: largest change of the mean",
+        cover=f"{100 * worst[:, 0].max():.1f} %",
+        light=f"{100 * worst[:, 1].max():.1f} % of white",
+    )
+    assert worst.max() <= 0.035
+
+
+def test_thick_cover_is_not_one_grey() -> None:
+    """A whole cover: darkest and brightest tenth of its underside are a fifth apart or more."""
+    rng = np.random.default_rng(3)
+    d = np.column_stack((rng.uniform(-1.0, 1.0, 4000), np.full(4000, 0.7), rng.uniform(-1.0, 1.0, 4000)))
+    d /= np.linalg.norm(d, axis=1)[:, None]
+    for elevation in (0.12, 0.35, 0.8):
+        of = layer(Clouds(cover=1.0, thickness=8.0), elevation)
+        light, _, _ = of.toward(d, (np.full(4000, 7e-4),) * 2, lambda y: np.zeros((*y.shape, 3)))
+        dark, bright = np.quantile(light.mean(axis=1), (0.1, 0.9))
+        assert bright >= 1.2 * dark
+
+
+SKIES = {
+    "cirrus": Sky(cirrus=Cirrus(cover=0.6)),
+    "rain": Sky(clouds=Clouds(cover=0.9, thickness=20.0, height=900.0, rain=3.0)),
+    "both": Sky(cirrus=Cirrus(direction=-1.0), clouds=Clouds(cover=0.4, softness=0.4, size=900.0, depth=900.0)),
+}
+
+
+@pytest.mark.parametrize("name", SKIES)
+def test_layers_equal_their_float64_form(executor: Executor, name: str) -> None:
+    """Sky and level water that mirrors it, from a place far from the origin."""
+    scene = Scene(light=Light(sun_elevation=0.3, exposure=-1.5, sky=SKIES[name]))
+    camera = Camera(position=(2e4, 3.0, -1e4), pitch=0.05)
+    drawn = draw(executor, make_plan(scene, EXACT), camera, time=1e6, size=(48, 32), output="linear")[..., :3]
+    truth = render(scene, time=1e6, camera=camera, width=48, height=32).rgb
+    apart = 255.0 * np.abs(np.clip(drawn, 0.0, 1.0) - np.clip(truth, 0.0, 1.0))
+    assert apart.max() <= 0.3

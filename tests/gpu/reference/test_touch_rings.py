@@ -1,0 +1,136 @@
+"""Rings of touches: the shader's slopes against float64, and frames of seas, shores and rivers that were touched."""
+
+import numpy as np
+import pytest
+
+from seafoam.effects.waves.touch import EFFECT
+from seafoam.framegraph.evaluation import FrameState, evaluate
+from seafoam.framegraph.rules import afloat
+from seafoam.planner import make_plan
+from seafoam.reference import render as reference
+from seafoam.reference.waves.touch import touch_set
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.current import Current
+from seafoam.scene.foam import Foam, WhitecapSaturation
+from seafoam.scene.models import Scene
+from seafoam.scene.shore import Shore
+from seafoam.scene.touch import TOUCHES_MOST, Touch
+from seafoam.scene.water import Ripples, Water
+from seafoam.scene.waves import Sea
+from support.exact import EXACT, UNFILTERED
+from support.pictures import levels, samples
+from support.probe import Probe
+from support.report import Report
+
+FILES = ("lib/numbers.glsl", "waves/rings/ring.glsl", "waves/touch/rings.glsl")
+SIZE = (64, 36)
+FULL = "y.xyz = touches_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
+
+
+def train(time: float, place: tuple[float, float] = (0.0, 0.0), count: int = 14) -> tuple[Touch, ...]:
+    """What a finger leaves that was drawn over the water, and a strong touch beyond."""
+    near = tuple(
+        Touch(place=(place[0] + 0.4 * i - 2.5, place[1] - 4.5 - 0.15 * i), time=time - 2.4 + 0.15 * i)
+        for i in range(count)
+    )
+    return (*near, Touch(place=(place[0] + 3.0, place[1] - 14.0), time=time - 2.0, strength=0.12))
+
+
+@pytest.mark.parametrize("current", [None, Current(speed=2.0, direction=0.7)], ids=["still", "river"])
+@pytest.mark.parametrize(("time", "origin"), [(0.0, (0.0, 0.0)), (12.5, (1e7, -1e7)), (1e8, (-300.0, 4e5))], ids=str)
+def test_slopes_equal_float64_at_any_time_and_place(
+    probe: Probe, report: Report, time: float, origin: tuple[float, float], current: Current | None
+) -> None:
+    place = tuple(min(max(part, -1e7 + 20.0), 1e7 - 20.0) for part in origin)
+    scene = Scene(current=current, touches=train(time, (place[0], place[1])))
+    contribution = EFFECT.contribute(scene, UNFILTERED)
+    assert contribution is not None
+    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+    # The planner moves what floats in a current.
+    velocity = (0.0, 0.0) if current is None else current.velocity
+    uniforms = {name: evaluate(afloat(uniform, velocity), state) for name, uniform in contribution.uniforms.items()}
+    at = np.random.default_rng(3).uniform(-12.0, 12.0, (20000, 2)).astype(np.float32)
+    at += np.array([place[0] - origin[0], place[1] - origin[1] - 6.0], np.float32)
+    consts = {**contribution.consts, "SURFACE_FILTER": False}
+    got = probe(FILES, FULL, at, consts=consts, uniforms=uniforms)[:, :3].astype(np.float64)
+    want = np.column_stack(touch_set(scene, time, origin).gradient(*at.astype(np.float64).T))
+    away = np.abs(got[:, :2] - want).max()
+    report.add(
+        "Touches against float64, 15 rings, 20 000 places",
+        time=f"{time:g} s",
+        origin=f"{origin[0]:g} m",
+        current="none" if current is None else f"{current.speed:g} m/s",
+        slope=f"{1e6 * away:.2f} millionths of {np.abs(want).max():.2f}",
+    )
+    assert np.abs(want).max() > 0.1
+    assert away <= 1e-4
+    assert (got[:, 2] == 0.0).all(), "nothing is left out where nothing is filtered"
+
+
+def test_no_touch_and_a_touch_to_come_leave_the_water_level(probe: Probe) -> None:
+    for touches, time in (((Touch(time=5.0),), 4.9), ((Touch(strength=0.0),), 1.0), ((Touch(),), 9.0)):
+        contribution = EFFECT.contribute(Scene(touches=touches), UNFILTERED)
+        assert contribution is not None
+        state = FrameState(time, Camera(position=(0.0, 5.0, 0.0)), 1, 1, 1, 1, 0)
+        uniforms = {name: evaluate(uniform, state) for name, uniform in contribution.uniforms.items()}
+        at = np.random.default_rng(5).uniform(-12.0, 12.0, (2000, 2)).astype(np.float32)
+        consts = {**contribution.consts, "SURFACE_FILTER": False}
+        assert (probe(FILES, FULL, at, consts=consts, uniforms=uniforms) == 0.0).all()
+
+
+def test_what_a_footprint_takes_out_is_roughness(probe: Probe) -> None:
+    """Far off, the slopes are gone, and their mean square is where the glitter looks for it."""
+    contribution = EFFECT.contribute(Scene(touches=train(0.0)), UNFILTERED)
+    assert contribution is not None
+    state = FrameState(0.0, Camera(position=(0.0, 5.0, 0.0)), 1, 1, 1, 1, 0)
+    uniforms = {name: evaluate(uniform, state) for name, uniform in contribution.uniforms.items()}
+    at = np.random.default_rng(7).uniform(-6.0, 6.0, (4000, 2)).astype(np.float32) - np.array([0.0, 6.0], np.float32)
+    wide = FULL.replace("vec2(0.0), vec2(0.0)", "vec2(9.0, 0.0), vec2(0.0, 9.0)")
+    consts = {**contribution.consts, "SURFACE_FILTER": True}
+    sharp, blurred = (probe(FILES, body, at, consts=consts, uniforms=uniforms) for body in (FULL, wide))
+    assert np.abs(blurred[:, :2]).max() < 0.05 * np.abs(sharp[:, :2]).max()
+    assert sharp[:, 2].max() < 1e-6
+    # Crossing rings interfere, so the sum of squares is theirs only in the mean.
+    assert blurred[:, 2].mean() == pytest.approx((sharp[:, :2] ** 2).sum(axis=1).mean(), rel=0.5)
+
+
+WATERS = {
+    "sea": Scene(sea=Sea(wind=7.0), foam=Foam(saturation=(WhitecapSaturation(),))),
+    "shore": Scene(shore=Shore(kind="beach"), water=Water(ripples=Ripples())),
+    "river": Scene(current=Current(speed=1.2), water=Water(ripples=Ripples(), depth=1.5)),
+}
+
+
+@pytest.mark.parametrize("water", WATERS)
+def test_a_touched_water_is_the_references(executor: Executor, report: Report, water: str) -> None:
+    """The rings add to what is there, by as much as in float64, and change nothing where they are not."""
+    time, camera = 20.0, Camera(position=(0.0, 2.5, 0.0), pitch=-0.35)
+    if water == "shore":
+        camera = Camera(position=(0.0, 3.0, 60.0), pitch=-0.35)
+    place = (camera.position[0], camera.position[2])
+    plain = WATERS[water]
+    touched = plain.model_copy(update={"touches": train(time, place)})
+    before, after = (samples(executor, scene, EXACT, camera, time=time, size=SIZE) for scene in (plain, touched))
+    truth = reference(touched, time=time, width=SIZE[0], height=SIZE[1], camera=camera)
+    away, change = levels(after, truth.rgb), levels(after, before)
+    report.add(
+        "Touched water against the float64 reference, 64 × 36, levels of linear light",
+        water=water,
+        mean=f"{away.mean():.4f}",
+        over_2=f"{100 * (away > 2.0).mean():.2f} %",
+        changed=f"{100 * (change > 2.0).mean():.1f} %",
+    )
+    assert away.mean() <= 0.5
+    assert (away > 2.0).mean() <= 0.01
+    assert 0.02 < (change > 2.0).mean() < 0.9
+    assert (change[:3] == 0.0).all(), "the sky is as it was"
+
+
+def test_a_list_of_another_length_has_the_same_programs() -> None:
+    """As many touches as there may be, or one: the programs differ in nothing."""
+    one, many = (
+        make_plan(Scene(touches=train(0.0)[:count]), EXACT) for count in (1, min(TOUCHES_MOST, len(train(0.0))))
+    )
+    assert one.programs == many.programs
+    assert one.passes == many.passes

@@ -1,0 +1,61 @@
+/** A quality's picture beside its error map or the reference, with a movable split. */
+import { useCallback, useMemo, useState } from "preact/hooks";
+import type { QualityResult } from "./benchmark";
+import { Canvas } from "../charts/canvas";
+import { drawErrors, drawPicture, HEAT_GRADIENT } from "./colormap";
+import { errorMap, percentile } from "./errors";
+import type { Picture } from "./npy";
+
+/** The colour scale ends at this percentile of the standard quality's errors. */
+const LEGEND_PERCENTILE = 0.97;
+
+const SIDES = ["error", "reference"] as const;
+
+export function ErrorView({ shown, standard, truth }: { shown: QualityResult; standard: QualityResult; truth: Picture }) {
+  const [side, setSide] = useState<(typeof SIDES)[number]>("error");
+  const [split, setSplit] = useState("50");
+  const { picture, point } = shown;
+  const { width, height } = truth;
+  // The same scale for all qualities, so that they can be compared.
+  const max = useMemo(() => roundUp(percentile(errorMap(standard.picture, truth), LEGEND_PERCENTILE)), [standard, truth]);
+  const paintLeft = useCallback((canvas: HTMLCanvasElement) => drawPicture(canvas, picture), [picture]);
+  const paintRight = useCallback(
+    (canvas: HTMLCanvasElement) => {
+      if (side === "error") drawErrors(canvas, width, height, errorMap(picture, truth), max);
+      else drawPicture(canvas, truth);
+    },
+    [side, picture, truth, width, height, max],
+  );
+  return (
+    <figure class="error-view">
+      <figcaption>
+        <span>{point.label}</span>
+        <div class="toggle" role="group" aria-label="Compare with">
+          {SIDES.map((name) => (
+            <button type="button" key={name} aria-pressed={name === side} onClick={() => setSide(name)}>
+              {name}
+            </button>
+          ))}
+        </div>
+      </figcaption>
+      <div class="frame" style={{ "--at": `${split}%`, aspectRatio: `${width} / ${height}` }}>
+        <Canvas label={`Picture at quality ${point.label}`} paint={paintLeft} />
+        <Canvas class="right" label={side === "error" ? `Error map, 0 to ${max} levels` : "Float64 reference"} paint={paintRight} />
+        <div class="line" />
+        <input type="range" min={0} max={100} step={1} value={split} aria-label="Split position" onInput={(event) => setSplit(event.currentTarget.value)} />
+      </div>
+      <div class={`legend ${side === "error" ? "" : "idle"}`} style={{ "--ramp": HEAT_GRADIENT }}>
+        <span>0</span>
+        <i />
+        <span>{`≥ ${max} levels of 255`}</span>
+      </div>
+    </figure>
+  );
+}
+
+/** Next number of 1, 2 or 5 times a power of ten. */
+function roundUp(value: number): number {
+  if (!(value > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(value));
+  return ([1, 2, 5].find((step) => step * power >= value) ?? 10) * power;
+}

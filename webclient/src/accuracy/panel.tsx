@@ -1,0 +1,50 @@
+/** Accuracy benchmark panel: measures time and error of every quality on this GPU. */
+import "./style.css";
+import { render } from "preact";
+import type { Api } from "../api";
+import type { Store } from "../app/store";
+import type { Viewport } from "../app/viewport";
+import { element } from "../ui/dom";
+import { icon } from "../ui/icons";
+import { Session } from "./session";
+import { View } from "./view";
+
+export interface AccuracyEvents {
+  /** `quality`: a tier, or settings as JSON. */
+  selectQuality(quality: string): void;
+  close(): void;
+}
+
+export class AccuracyPanel {
+  private readonly root = element("aside", { id: "accuracy", "aria-label": "Accuracy benchmark", tabindex: -1 });
+  private readonly session: Session;
+
+  constructor(api: Api, store: Store, viewport: Viewport, events: AccuracyEvents) {
+    this.session = new Session(api, store, viewport, (quality) => events.selectQuality(quality));
+    const close = element("button", { type: "button", class: "plain", "aria-label": "Close accuracy benchmark" }, icon("close"));
+    close.addEventListener("click", () => events.close());
+    this.root.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") events.close();
+    });
+    const body = element("div", { class: "body" });
+    this.root.append(element("div", { class: "head" }, element("h2", {}, "Accuracy benchmark"), close), body);
+    this.root.inert = true;
+    document.getElementById("settings")?.after(this.root);
+    this.session.sweep.subscribe((sweep) => this.root.classList.toggle("wide", sweep !== null));
+    render(<View session={this.session} />, body);
+  }
+
+  toggle(open: boolean, focus: boolean): void {
+    const { session, root } = this;
+    if (open === session.open.value) return;
+    const hadFocus = root.contains(document.activeElement);
+    // A layout while closed, so that opening is animated.
+    root.getBoundingClientRect();
+    root.classList.toggle("open", open);
+    root.inert = !open;
+    document.body.classList.toggle("accuracy-open", open);
+    session.open.value = open;
+    if (open && focus) root.focus({ preventScroll: true });
+    if (!open && hadFocus) document.querySelector<HTMLElement>("#tools [data-tool=accuracy]")?.focus();
+  }
+}

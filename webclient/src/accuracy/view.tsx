@@ -1,0 +1,194 @@
+/** The accuracy benchmark's contents. */
+import { useMemo } from "preact/hooks";
+import { logAxis } from "../charts/axis";
+import type { Axes } from "../charts/uplot";
+import { equal } from "../scene/json";
+import { download } from "../ui/dom";
+import { BudgetForm } from "./budgetform";
+import { curvesOf } from "./curves";
+import { Diagram } from "./diagram";
+import { marksOf, type Measured, measuredHere, measuredThere, rowsOf } from "./diagramdata";
+import { ErrorView } from "./errorview";
+import { type Shown, toCsv, toJson } from "./exportdata";
+import { InsetsView } from "./insetsview";
+import { type MetricKey, metricOf, METRICS } from "./metrics";
+import { AllQualities, Benefits, Passes, Selected } from "./sections";
+import type { BenchmarkRun, Session } from "./session";
+import { SpectrumView } from "./spectrumview";
+
+export function View({ session }: { session: Session }) {
+  const { preset, scene } = session.selection.value;
+  const run = session.run.value;
+  const hasResults = (run?.result.measured.length ?? 0) > 0;
+  return (
+    <>
+      <p class="lead">
+        Renders <b>{preset.title}</b> at every quality on this GPU and compares each picture with a converged float64 reference.
+      </p>
+      {!equal(scene, preset.scene) && (
+        <p class="edited">The scene was edited. References exist for presets only: the benchmark measures {preset.title} unedited.</p>
+      )}
+      <Measuring session={session} />
+      <Diagrams session={session} run={run} />
+      {run && hasResults && <Results session={session} run={run} />}
+    </>
+  );
+}
+
+function Measuring({ session }: { session: Session }) {
+  const progress = session.progress.value;
+  const failure = session.failed.value;
+  const run = session.run.value;
+  return (
+    <div class="measuring">
+      <span role="status" class={failure !== null && progress === null ? "failed" : ""}>
+        {progress?.step ?? failure ?? (run ? summary(run) : "")}
+      </span>
+      <button type="button" class="small" onClick={() => session.toggleMeasuring()}>
+        {progress ? "Cancel" : "Measure again"}
+      </button>
+      {progress && <progress max={1} aria-label="Benchmark progress" {...(progress.share === null ? {} : { value: progress.share })} />}
+    </div>
+  );
+}
+
+function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null }) {
+  const metric = session.metric.value;
+  const sweep = session.sweep.value;
+  const { here, there, curves, axes } = useMemo(() => {
+    const hereData: Measured[] = run?.result.measured.map(measuredHere) ?? [];
+    const thereData = run && sweep ? measuredThere(sweep, run.result) : [];
+    const marks = { here: marksOf(hereData, metric), there: marksOf(thereData, metric) };
+    const times = new Map(hereData.map(({ point, time }) => [point.id, time]));
+    const time = (id: string) => times.get(id) ?? Infinity;
+    const both = [...marks.here, ...marks.there];
+    const { label, unit } = metricOf(metric);
+    const shared: Axes = {
+      x: logAxis(both.flatMap(({ low, time: middle, high }) => [low, middle, high])),
+      y: logAxis(both.map(({ error }) => error)),
+      xLabel: "frame time, ms",
+      yLabel: `${label}, ${unit}`,
+    };
+    return { ...marks, axes: shared, curves: run ? curvesOf(run.input.points, run.input.standard, time) : [] };
+  }, [run, sweep, metric]);
+  const common = {
+    ...{ curves, axes, current: session.current.value?.point.id ?? null, highlighted: session.highlighted.value },
+    ...{ emphasised: session.curve.value, fitting: session.fitting.value },
+    select: (id: string) => session.select(id),
+    highlight: (id: string | null) => (session.highlighted.value = id),
+  };
+  return (
+    <>
+      <Chooser session={session} curves={curves} />
+      <div class={`diagrams ${sweep ? "two" : ""}`}>
+        <Diagram kind="machine" title="Frame time and error of every quality" caption="This machine" marks={here} {...common} />
+        {sweep && (
+          <Diagram kind="server" title="Frame time and error on the server" caption={`The server: ${sweep.machine.renderer}`} marks={there} {...common} fitting={null} />
+        )}
+      </div>
+      <p class="key">
+        <i class="tiers" /> tiers <i class="front" /> Pareto front <i class="curve" /> one setting changed, bars from first to third quartile
+      </p>
+      {run && !session.busy.value && <ServerSwitch session={session} />}
+    </>
+  );
+}
+
+function Chooser({ session, curves }: { session: Session; curves: readonly { pointer: string; title: string }[] }) {
+  return (
+    <div class="chooser">
+      <label>
+        <span aria-hidden="true">Error</span>
+        <select aria-label="Error" value={session.metric.value} onChange={(event) => (session.metric.value = event.currentTarget.value as MetricKey)}>
+          {METRICS.map(({ key, label }) => (
+            <option value={key} key={key}>
+              {label}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label>
+        <span aria-hidden="true">Setting</span>
+        <select aria-label="Setting" value={session.curve.value} onChange={(event) => (session.curve.value = event.currentTarget.value)}>
+          <option value="">all</option>
+          {curves.map(({ pointer, title }) => (
+            <option value={pointer} key={pointer}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </label>
+    </div>
+  );
+}
+
+function ServerSwitch({ session }: { session: Session }) {
+  return (
+    <label class="server-switch">
+      <input type="checkbox" checked={session.withServer.value} onChange={(event) => void session.showServer(event.currentTarget.checked)} />
+      <span>
+        Server measurement beside it <span class="fine">{session.serverNote.value}</span>
+      </span>
+    </label>
+  );
+}
+
+function Results({ session, run }: { session: Session; run: BenchmarkRun }) {
+  const standard = session.standard.value;
+  if (standard === null) return null;
+  const current = session.current.value;
+  const shown = current ?? standard;
+  const { truth } = run.input;
+  return (
+    <>
+      <Selected shown={shown} standard={standard} isCurrent={current !== null} />
+      {!session.busy.value && <BudgetForm session={session} run={run} />}
+      <InsetsView session={session} run={run} shown={shown} standard={standard} />
+      <ErrorView shown={shown} standard={standard} truth={truth} />
+      <SpectrumView shown={shown} standard={standard} truth={truth} />
+      <Passes {...shown} />
+      <Benefits standard={standard} measured={run.result.measured} session={session} />
+      <AllQualities run={run} session={session} />
+      <Downloads session={session} run={run} />
+      <p class="fine">{methodNote(run, session.viewport.gpu.capabilities.renderer)}</p>
+    </>
+  );
+}
+
+function Downloads({ session, run }: { session: Session; run: BenchmarkRun }) {
+  const shown = (): Shown => {
+    const [width, height] = run.result.sizes.large;
+    const { renderer } = session.viewport.gpu.capabilities;
+    const sweep = session.sweep.value;
+    const server = sweep ? rowsOf(measuredThere(sweep, run.result), `server: ${sweep.machine.renderer}`) : [];
+    const rows = [...rowsOf(run.result.measured.map(measuredHere), `this machine: ${renderer}`), ...server];
+    return { preset: run.input.preset.name, width, height, method: methodNote(run, renderer), rows };
+  };
+  const save = (text: string, type: string, suffix: string) => download(new Blob([text], { type }), `seafoam-accuracy-${run.input.preset.name}.${suffix}`);
+  return (
+    <div class="actions">
+      <button type="button" onClick={() => save(toCsv(shown()), "text/csv", "csv")}>
+        Download CSV
+      </button>
+      <button type="button" onClick={() => save(toJson(shown()), "application/json", "json")}>
+        Download JSON
+      </button>
+    </div>
+  );
+}
+
+function summary({ result, input, stopReason, seconds }: BenchmarkRun): string {
+  const count = result.measured.length;
+  if (stopReason === null) return `${count} qualities measured in ${Math.round(seconds)} s`;
+  return `${stopReason} ${count} of ${input.points.length} qualities measured`;
+}
+
+function methodNote({ result, input: { info } }: BenchmarkRun, renderer: string): string {
+  const { large } = result.sizes;
+  const clock = result.byGpu ? "GPU timer queries" : "wall clock until a pixel is read back";
+  return (
+    `${renderer}. Times: medians of ${result.rounds} interleaved rounds at ${large[0]} × ${large[1]}, ${clock}. ` +
+    `Errors: linear light clipped at white, ${info.width} × ${info.height}, t = ${info.time} s, reference with ${info.samples} float64 samples a pixel; ` +
+    "FLIP: displayed pictures without glare, 67 pixels a degree."
+  );
+}

@@ -1,0 +1,58 @@
+/** uPlot with this page's look: axes with given ticks, no legend, no cursor. */
+import "uplot/dist/uPlot.min.css";
+import uPlot from "uplot";
+import { type Axis, tickLabels } from "./axis";
+
+export const INK = { text: "rgb(210 226 234 / 72%)", grid: "rgb(190 220 235 / 9%)", accent: "#f3c795", teal: "#7fc4c0", pale: "rgb(210 226 234 / 50%)" };
+/** Space around the plotted area, px. */
+export const MARGIN = { left: 54, right: 14, top: 12, bottom: 40 };
+const FONT = "11px ui-sans-serif, system-ui, sans-serif";
+/** Least distance of tick labels, px. */
+const SPACING = { x: 34, y: 17 };
+
+/** The package's enumeration exists in its types only. */
+const LOGARITHMIC = 3 as unknown as uPlot.Scale.Distr;
+
+export interface Axes {
+  x: Axis;
+  y: Axis;
+  xLabel: string;
+  yLabel: string;
+}
+
+export interface PlotSize {
+  width: number;
+  height: number;
+}
+
+/** Options for a plot with two axes. */
+export function plotOptions({ width, height }: PlotSize, axes: Axes, series: uPlot.Series[], draw?: (u: uPlot) => void): uPlot.Options {
+  const labels = {
+    x: tickLabels(axes.x, width - MARGIN.left - MARGIN.right, SPACING.x),
+    y: tickLabels(axes.y, height - MARGIN.top - MARGIN.bottom, SPACING.y),
+  };
+  const axis = (name: "x" | "y", label: string): uPlot.Axis => ({
+    ...{ scale: name, label, font: FONT, labelFont: FONT, stroke: INK.text, gap: 5 },
+    ...(name === "x" ? { size: 22, labelSize: MARGIN.bottom - 22 } : { size: 36, labelSize: MARGIN.left - 36 }),
+    ...{ grid: { stroke: INK.grid, width: 1 }, ticks: { show: false } },
+    splits: () => axes[name].ticks,
+    filter: (_, splits) => splits,
+    values: () => labels[name],
+  });
+  const scale = ({ logarithmic, low, high }: Axis): uPlot.Scale => ({ time: false, range: () => [low, high], ...(logarithmic ? { distr: LOGARITHMIC } : {}) });
+  return {
+    ...{ width, height, series, legend: { show: false }, cursor: { show: false }, select: { show: false, left: 0, top: 0, width: 0, height: 0 } },
+    padding: [MARGIN.top, MARGIN.right, 0, 0],
+    scales: { x: scale(axes.x), y: scale(axes.y) },
+    axes: [axis("x", axes.xLabel), axis("y", axes.yLabel)],
+    ...(draw ? { hooks: { draw: [draw] } } : {}),
+  };
+}
+
+/** Place of a value in the element, px from its left and top. */
+export function place({ width, height }: PlotSize, axes: Axes, x: number, y: number): { x: number; y: number } {
+  return {
+    x: MARGIN.left + (width - MARGIN.left - MARGIN.right) * axes.x.position(x),
+    y: height - MARGIN.bottom - (height - MARGIN.top - MARGIN.bottom) * axes.y.position(y),
+  };
+}

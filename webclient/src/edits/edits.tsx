@@ -1,0 +1,145 @@
+/** The edits of the scene: undo and redo, what differs from the preset, and the scene as JSON. */
+import "./edits.css";
+import { type Signal, signal } from "@preact/signals";
+import { render } from "preact";
+import { type Api, ApiError } from "../api";
+import { validSplit } from "../app/comparison";
+import type { Selection, Store } from "../app/store";
+import { apply, diff, get, isObject, type JsonObject } from "../scene/json";
+import { EditHistory } from "./history";
+import { PasteForm } from "./paste";
+import { shortText } from "./pasted";
+
+export interface SceneEditsEvents {
+  /** A scene from elsewhere was put in place; its camera is to be taken. */
+  pasted: (scene: JsonObject) => void;
+  /** A word on what was done. */
+  note: (text: string) => void;
+}
+
+export class SceneEdits {
+  private readonly history = new EditHistory();
+  /** The store's selection, for the view to follow. */
+  private readonly selection: Signal<Selection>;
+  private readonly pasting = signal(false);
+  private restoring = false;
+
+  constructor(
+    container: HTMLElement,
+    private readonly api: Api,
+    private readonly store: Store,
+    private readonly events: SceneEditsEvents,
+  ) {
+    this.selection = signal(store.now);
+    store.onChange((now, before) => {
+      if (now.scene === before.scene && now.preset === before.preset) return;
+      if (now.preset.name !== before.preset.name) this.history.clear();
+      else if (!this.restoring) this.history.record(before.scene, now.scene, performance.now());
+      this.selection.value = now;
+    });
+    document.addEventListener("keydown", this.keyDown);
+    render(<this.View />, container);
+  }
+
+  undo(): void {
+    this.restore(this.history.undo(this.store.now.scene));
+  }
+
+  redo(): void {
+    this.restore(this.history.redo(this.store.now.scene));
+  }
+
+  private restore(scene: JsonObject | null): void {
+    if (scene === null) return;
+    this.restoring = true;
+    this.put(scene);
+    this.restoring = false;
+  }
+
+  private put(scene: JsonObject): void {
+    this.store.set({ scene, split: validSplit(scene, this.store.now.split) });
+  }
+
+  private readonly keyDown = (event: KeyboardEvent): void => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    // Text fields undo their own typing.
+    if (event.target instanceof HTMLElement && event.target.matches("input:not([type=range]), textarea")) return;
+    const key = event.key.toLowerCase();
+    const redo = (key === "z" && event.shiftKey) || (key === "y" && !event.shiftKey);
+    if (!redo && key !== "z") return;
+    event.preventDefault();
+    if (redo) this.redo();
+    else this.undo();
+  };
+
+  private revert(pointer: string): void {
+    const { preset, scene } = this.store.now;
+    const reverted = apply(scene, [[pointer, get(preset.scene, pointer)]]);
+    if (isObject(reverted)) this.put(reverted);
+  }
+
+  private async copy(): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(JSON.stringify(this.store.now.scene, null, 2));
+      this.events.note("Scene copied as JSON.");
+    } catch {
+      this.events.note("Clipboard access denied.");
+    }
+  }
+
+  /** Puts a scene in place once the server has checked and completed it; returns what is wrong with it. */
+  private readonly paste = async (scene: JsonObject): Promise<string[]> => {
+    try {
+      const completed = await this.api.completeScene(scene);
+      this.pasting.value = false;
+      this.put(completed);
+      this.events.pasted(completed);
+      return [];
+    } catch (error) {
+      if (!(error instanceof ApiError)) throw error;
+      return error.details.length > 0 ? [...error.details] : [error.message];
+    }
+  };
+
+  private readonly View = () => {
+    const { preset, scene } = this.selection.value;
+    const changes = diff(preset.scene, scene);
+    return (
+      <>
+        <div class="edit-buttons">
+          <button type="button" disabled={!this.history.canUndo} title="Undo (Ctrl+Z)" onClick={() => this.undo()}>
+            Undo
+          </button>
+          <button type="button" disabled={!this.history.canRedo} title="Redo (Ctrl+Shift+Z)" onClick={() => this.redo()}>
+            Redo
+          </button>
+          <button type="button" title="Copy the scene as JSON" onClick={() => void this.copy()}>
+            Copy scene
+          </button>
+          <button type="button" aria-expanded={this.pasting.value} onClick={() => (this.pasting.value = !this.pasting.value)}>
+            Paste scene
+          </button>
+        </div>
+        {this.pasting.value && <PasteForm apply={this.paste} />}
+        <details class="disclosure changes">
+          <summary>{changes.length === 0 ? "no change from the preset" : `${changes.length} changed from the preset`}</summary>
+          <ul>
+            {changes.map(([pointer, value]) => (
+              <li key={pointer}>
+                <code>{pointer}</code>
+                <span>
+                  {shortText(get(preset.scene, pointer))} → {shortText(value)}
+                </span>
+                <button type="button" class="plain" aria-label={`Revert ${pointer}`} title="Revert" onClick={() => this.revert(pointer)}>
+                  <svg viewBox="0 0 24 24" aria-hidden="true">
+                    <path d="M5 12a7 7 0 1 0 2.300-5.200M5 4.500V9h4.500" />
+                  </svg>
+                </button>
+              </li>
+            ))}
+          </ul>
+        </details>
+      </>
+    );
+  };
+}

@@ -1,0 +1,43 @@
+/** A field for a scene as JSON, with what the server finds wrong with it. */
+import { useSignal } from "@preact/signals";
+import type { JsonObject } from "../scene/json";
+import { sceneIn } from "./pasted";
+
+interface PasteProps {
+  /** Resolves with what is wrong with the scene; empty if it was put in place. */
+  apply: (scene: JsonObject) => Promise<string[]>;
+}
+
+export function PasteForm({ apply }: PasteProps) {
+  const text = useSignal("");
+  const problems = useSignal<string[]>([]);
+  const submit = async (event: Event) => {
+    event.preventDefault();
+    try {
+      problems.value = await apply(sceneIn(text.value));
+    } catch (error) {
+      problems.value = [error instanceof SyntaxError ? `Not JSON: ${error.message}` : String(error)];
+    }
+  };
+  return (
+    <form class="paste" onSubmit={(event) => void submit(event)}>
+      <textarea
+        rows={6}
+        spellcheck={false}
+        aria-label="Scene as JSON"
+        aria-invalid={problems.value.length > 0}
+        placeholder='{"light": {"exposure": -1}}'
+        value={text.value}
+        onInput={(event) => (text.value = event.currentTarget.value)}
+      />
+      <div role="alert">
+        {problems.value.map((problem) => (
+          <p key={problem}>{problem}</p>
+        ))}
+      </div>
+      <button type="submit" class="primary" disabled={text.value.trim() === ""}>
+        Apply
+      </button>
+    </form>
+  );
+}

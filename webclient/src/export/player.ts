@@ -1,0 +1,74 @@
+/** The page of a scene taken home: draws from data in classic scripts, since pages on the file system may not fetch. */
+import { CameraControls } from "../camera/controls";
+import type { FramePlan } from "../generated/api";
+import { recipeOf, type Recipe, withRecipe } from "../take/recipe";
+import { byId, download } from "../ui/dom";
+import { Stage } from "./stage";
+
+interface SeafoamData {
+  plan: FramePlan;
+  recipe: Recipe;
+  /** SHA-256 -> base64 */
+  textures: Record<string, string>;
+}
+
+/** Least distance of the camera from the water's bounds, m. */
+const CLEARANCE = 0.3;
+
+function bytesOf(base64: string): ArrayBuffer {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}
+
+async function play({ plan, recipe, textures }: SeafoamData): Promise<void> {
+  const canvas = byId("canvas") as HTMLCanvasElement;
+  const still = location.hash === "#paused" || matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const bytes = ({ url, sha256 }: FramePlan["textures"][string]) => {
+    const text = textures[sha256];
+    return text === undefined ? Promise.reject(new Error(`The archive lacks the texture ${url}.`)) : Promise.resolve(bytesOf(text));
+  };
+  const stage = new Stage(canvas, { plan, bytes, time: recipe.time, camera: recipe.camera, playing: !still });
+  const controls = new CameraControls(canvas, recipe.camera, !still);
+  controls.surface = plan.top + CLEARANCE;
+  controls.bottom = Math.min(controls.surface, recipe.camera.position[1]);
+  stage.beforeFrame = (seconds) => {
+    const moved = controls.step(seconds) || stage.camera !== controls.camera;
+    stage.camera = controls.camera;
+    return moved;
+  };
+  stage.failed = fail;
+  const button = byId("play");
+  const show = () => {
+    button.textContent = stage.playing ? "Pause" : "Play";
+  };
+  button.addEventListener("click", () => {
+    stage.playing = !stage.playing;
+    show();
+  });
+  byId("save").addEventListener("click", () => void save(stage, recipe).catch(fail));
+  show();
+  await stage.load();
+  document.documentElement.dataset["state"] = "ready";
+}
+
+/** Saves the picture with its recipe, as the application does. */
+async function save(stage: Stage, recipe: Recipe): Promise<void> {
+  const { time, camera, canvas } = stage;
+  const png = await stage.png();
+  if (png === null) throw new Error("Nothing is drawn yet.");
+  const { width, height } = canvas;
+  const said = recipeOf({ ...recipe, time, camera, width, height });
+  download(await withRecipe(png, said), `seafoam-${recipe.preset ?? "scene"}-${time.toFixed(2)}s.png`);
+}
+
+function fail(error: unknown): void {
+  const message = error instanceof Error ? error.message : String(error);
+  byId("failure").textContent = message;
+  document.documentElement.dataset["state"] = "failed";
+}
+
+const data = (globalThis as { seafoamData?: SeafoamData }).seafoamData;
+if (data === undefined) fail(new Error("The folder data is missing: unpack the whole archive."));
+else play(data).catch(fail);

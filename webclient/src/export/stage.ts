@@ -1,0 +1,160 @@
+/** Plays one frame plan on a canvas: clock, camera, dynamic resolution. For pages that are not the whole application. */
+import { CPU_BUDGET, DynamicResolution, gpuBudget } from "../app/resolution";
+import type { CameraState } from "../camera/state";
+import type { FramePlan } from "../generated/api";
+import { type Gpu, openContext, openGpu } from "../gl/gpu";
+import { Executor, type LoadBytes } from "../plan/executor";
+
+/** First scale on a CPU. */
+const SOFTWARE_SCALE = 0.5;
+/** Interval for which the resolution is chosen on a GPU, ms. */
+const INTERVAL = 1000 / 60;
+const MAX_PIXEL_RATIO = 2;
+/** Delay after the last frame in motion before a still picture is drawn at full size, ms. */
+const SHARPENING_DELAY = 300;
+
+export interface StageStart {
+  plan: FramePlan;
+  bytes: LoadBytes;
+  /** s */
+  time: number;
+  camera: CameraState;
+  playing: boolean;
+}
+
+export class Stage {
+  camera: CameraState;
+  /** s */
+  time: number;
+  playing: boolean;
+  speed = 1;
+  /** False: neither draws nor advances. */
+  active = true;
+  /** Called before each frame with the seconds since the last one; returns whether the camera moved. */
+  beforeFrame: (seconds: number) => boolean = () => false;
+  failed: (error: unknown) => void = () => undefined;
+  /** Frames that were drawn. */
+  frames = 0;
+  private gpu: Gpu;
+  private executor: Executor | null = null;
+  private readonly resolution: DynamicResolution;
+  private pending: { fence: WebGLSync; start: number } | null = null;
+  private lastTick = 0;
+  private lastDone: number | null = null;
+  private lastDraw = 0;
+  /** Whether the canvas shows the current state at full size. */
+  private sharp = false;
+  private dirty = true;
+  private disposed = false;
+  private readonly resizes: ResizeObserver;
+
+  /** Throws a `CapabilityError` without WebGL 2. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly start: StageStart,
+  ) {
+    this.gpu = openGpu(openContext(canvas), new Set());
+    this.camera = start.camera;
+    this.time = start.time;
+    this.playing = start.playing;
+    const { software } = this.gpu.capabilities;
+    this.resolution = new DynamicResolution(software ? SOFTWARE_SCALE / Math.sqrt(start.plan.samples) : 1);
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.executor = this.pending = null;
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.gpu = openGpu(this.gpu.gl, new Set());
+      this.load().catch((error: unknown) => this.failed(error));
+    });
+    this.resizes = new ResizeObserver(() => this.redraw());
+    this.resizes.observe(canvas);
+  }
+
+  /** Loads the plan and starts drawing. */
+  async load(): Promise<void> {
+    const { plan, bytes } = this.start;
+    const executor = await Executor.load(this.gpu, plan, bytes, this.camera, true);
+    if (this.disposed) {
+      executor.dispose();
+      return;
+    }
+    this.executor = executor;
+    this.redraw();
+    this.lastTick = 0;
+    requestAnimationFrame((now) => this.tick(now, executor));
+  }
+
+  redraw(): void {
+    this.dirty = true;
+    this.sharp = false;
+  }
+
+  /** Draws at full size and returns a PNG; null before the plan is loaded. */
+  async png(): Promise<Blob | null> {
+    if (this.executor === null) return null;
+    this.draw(this.executor, 1);
+    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+  }
+
+  dispose(): void {
+    this.disposed = true;
+    this.resizes.disconnect();
+    this.executor?.dispose();
+    this.executor = null;
+    this.gpu.gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+
+  private tick(now: number, executor: Executor): void {
+    if (this.executor !== executor) return;
+    requestAnimationFrame((next) => this.tick(next, executor));
+    const seconds = this.lastTick === 0 ? 0 : Math.min(0.25, (now - this.lastTick) / 1000);
+    this.lastTick = now;
+    if (!this.active) return;
+    const cameraMoved = this.beforeFrame(seconds);
+    if (this.playing) this.time += seconds * this.speed;
+    if (cameraMoved || this.playing) this.redraw();
+    this.collect(now);
+    if (this.pending !== null) return;
+    const moving = cameraMoved || this.playing;
+    if (!moving) this.lastDone = null;
+    if (this.dirty) this.draw(executor, this.resolution.scale);
+    else if (!moving && !this.sharp && now - this.lastDraw > SHARPENING_DELAY) this.draw(executor, 1);
+  }
+
+  private draw(executor: Executor, scale: number): void {
+    const { gl } = this.gpu;
+    const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO) * scale;
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    // Setting a canvas's size clears it, even to the same size.
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    const start = performance.now();
+    executor.draw({ time: this.time, camera: this.camera, width, height, screen: null, scissor: null, scene: null });
+    this.frames += 1;
+    this.lastDraw = start;
+    this.dirty = false;
+    this.sharp = scale === 1;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    if (this.pending) gl.deleteSync(this.pending.fence);
+    this.pending = fence && { fence, start };
+  }
+
+  /** Takes the time of a frame that the GPU has finished. */
+  private collect(now: number): void {
+    const { gl, capabilities } = this.gpu;
+    if (this.pending === null || gl.getSyncParameter(this.pending.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return;
+    const elapsed = now - this.pending.start;
+    gl.deleteSync(this.pending.fence);
+    this.pending = null;
+    if (!this.playing) return;
+    const interval = this.lastDone === null ? null : now - this.lastDone;
+    this.lastDone = now;
+    if (interval === null) this.resolution.restartWindow();
+    else if (capabilities.software) this.resolution.addFrame(CPU_BUDGET, elapsed, interval);
+    // Fences are read once per display interval, so a frame that keeps up takes one or two.
+    else this.resolution.addFrame(gpuBudget(2.5 * INTERVAL), elapsed, elapsed);
+  }
+}

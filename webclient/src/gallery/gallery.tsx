@@ -1,0 +1,116 @@
+/** Gallery of presets: a strip of thumbnails by group, and a list with search and summaries above it. */
+import "./gallery.css";
+import { signal } from "@preact/signals";
+import { render } from "preact";
+import type { PresetSummary } from "../api";
+import { thumbnailUrl } from "../ui/still";
+import { PresetList } from "./list";
+import { grouped, indexAfter } from "./search";
+import { followsLink, waterUrl } from "./water";
+
+export class Gallery {
+  private readonly selected = signal("");
+  private readonly listOpen = signal(false);
+
+  /** `container`: of the strip; `listContainer`: of the list, which is hidden until it is opened. */
+  constructor(
+    private readonly container: HTMLElement,
+    listContainer: HTMLElement,
+    presets: readonly PresetSummary[],
+    private readonly onChoose: (name: string) => void,
+  ) {
+    render(
+      <Strip presets={presets} selected={this.selected} choose={this.choose} openList={() => this.toggleList(true)} listOpen={this.listOpen} />,
+      container,
+    );
+    render(
+      <PresetList presets={presets} selected={this.selected} open={this.listOpen} choose={this.choose} close={() => this.toggleList(false)} />,
+      listContainer,
+    );
+    document.addEventListener("keydown", (event) => {
+      const typing = event.target instanceof HTMLElement && event.target.matches("input, select, textarea");
+      if (event.key !== "/" || typing || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      this.toggleList(true);
+    });
+  }
+
+  select(name: string): void {
+    if (this.selected.value === name) return;
+    this.selected.value = name;
+    // Preact updates the attributes in a later task; the place of the thumbnail does not depend on them.
+    const thumbnail = this.container.querySelector<HTMLElement>(`[data-preset="${CSS.escape(name)}"]`);
+    const strip = thumbnail?.closest<HTMLElement>(".strip");
+    if (thumbnail && strip) strip.scrollLeft = thumbnail.offsetLeft - (strip.clientWidth - thumbnail.offsetWidth) / 2;
+  }
+
+  private toggleList(open: boolean): void {
+    if (this.listOpen.value === open) return;
+    this.listOpen.value = open;
+    if (!open) this.container.querySelector<HTMLElement>(".open-list")?.focus();
+  }
+
+  private readonly choose = (name: string): void => {
+    this.listOpen.value = false;
+    this.onChoose(name);
+  };
+}
+
+interface StripProps {
+  presets: readonly PresetSummary[];
+  selected: { value: string };
+  listOpen: { value: boolean };
+  choose: (name: string) => void;
+  openList: () => void;
+}
+
+function Strip({ presets, selected, listOpen, choose, openList }: StripProps) {
+  const moveFocus = (event: KeyboardEvent) => {
+    const options = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>("[role=option]")];
+    const index = indexAfter(event.key, options.findIndex((option) => option === document.activeElement), options.length);
+    if (index === null || event.ctrlKey || event.metaKey || event.altKey) return;
+    options[index]?.focus();
+    event.preventDefault();
+  };
+  // One option is in the tab order: the selected one, from which the arrow keys go on.
+  const tabStop = presets.some(({ name }) => name === selected.value) ? selected.value : presets[0]?.name;
+  return (
+    <>
+      <button
+        type="button"
+        class="round open-list"
+        title="Search and list all waters (/)"
+        aria-label="Search and list all waters"
+        aria-expanded={listOpen.value}
+        aria-controls="waters"
+        onClick={openList}
+      >
+        <svg viewBox="0 0 24 24" aria-hidden="true">
+          <path d="M10.500 4.500a6 6 0 1 0 0 12a6 6 0 1 0 0-12M15 15l5 5" />
+        </svg>
+      </button>
+      <div class="strip" role="listbox" aria-label="Presets" onKeyDown={moveFocus}>
+        {grouped(presets).map(({ heading, presets: members }) => (
+          <div role="group" aria-label={heading} key={heading}>
+            <em aria-hidden="true">{heading}</em>
+            {members.map(({ name, title, summary }) => (
+              <a
+                key={name}
+                href={waterUrl(name)}
+                role="option"
+                data-preset={name}
+                title={summary}
+                aria-selected={selected.value === name}
+                tabIndex={name === tabStop ? 0 : -1}
+                onClick={(event) => followsLink(event) || choose(name)}
+              >
+                <img src={thumbnailUrl(name)} alt="" width={240} height={135} loading="lazy" decoding="async" />
+                <span>{title}</span>
+              </a>
+            ))}
+          </div>
+        ))}
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,95 @@
+/** Canvases of the figures. */
+import { element } from "../../ui/dom";
+import { COLORS } from "./palette";
+
+export function context2d(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
+  const context = canvas.getContext("2d");
+  if (context === null) throw new Error("This browser has no 2D canvas.");
+  return context;
+}
+
+/** A plot in CSS pixels, sharp on any screen. */
+export class Plot {
+  readonly canvas: HTMLCanvasElement;
+  readonly context: CanvasRenderingContext2D;
+  width = 0;
+  height = 0;
+
+  constructor(label: string) {
+    this.canvas = element("canvas", { role: "img", "aria-label": label, class: "plot" });
+    this.context = context2d(this.canvas);
+  }
+
+  resize(width: number, height: number): void {
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.width = width;
+    this.height = height;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.canvas.style.width = `${width}px`;
+    this.canvas.style.height = `${height}px`;
+    this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  }
+
+  clear(): void {
+    this.context.clearRect(0, 0, this.width, this.height);
+  }
+
+  /** A curve through the values of a function of the pixel's column. */
+  curve(color: string, y: (x: number) => number, dash: number[] = []): void {
+    const { context } = this;
+    context.beginPath();
+    for (let x = 0; x <= this.width; x++) context.lineTo(x, y(x));
+    context.strokeStyle = color;
+    context.lineWidth = 2;
+    context.lineJoin = "round";
+    context.setLineDash(dash);
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  text(text: string, x: number, y: number, color: string = COLORS.text, align: CanvasTextAlign = "left"): void {
+    const { context } = this;
+    context.font = "12px ui-sans-serif, system-ui, sans-serif";
+    context.textAlign = align;
+    context.fillStyle = color;
+    context.fillText(text, x, y);
+  }
+
+  line(x0: number, y0: number, x1: number, y1: number, color: string = COLORS.faint): void {
+    const { context } = this;
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.strokeStyle = color;
+    context.lineWidth = 1;
+    context.stroke();
+  }
+}
+
+/** A picture of texels, each `scale` × `scale` pixels. */
+export class Texels {
+  readonly canvas: HTMLCanvasElement;
+  private readonly context: CanvasRenderingContext2D;
+  private image: ImageData;
+  /** Pixels, row by row. */
+  words: Uint32Array;
+
+  constructor(label: string) {
+    this.canvas = element("canvas", { role: "img", "aria-label": label, class: "texels" });
+    this.context = context2d(this.canvas);
+    this.image = new ImageData(1, 1);
+    this.words = new Uint32Array(this.image.data.buffer);
+  }
+
+  resize(width: number, height: number): void {
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.image = new ImageData(width, height);
+    this.words = new Uint32Array(this.image.data.buffer);
+  }
+
+  show(): void {
+    this.context.putImageData(this.image, 0, 0);
+  }
+}

@@ -1,0 +1,34 @@
+/** A square patch of a mask's pattern. */
+import type { Mask } from "../maths/mask";
+import { Texels } from "./canvas";
+import { BLEND, shade } from "./palette";
+
+export class Patch {
+  private readonly texels: Texels;
+  private side = 0;
+
+  /** side: texels. */
+  constructor(label: string, side: number) {
+    this.texels = new Texels(label);
+    this.resize(side);
+  }
+
+  resize(side: number): void {
+    this.side = side;
+    this.texels.resize(side, side);
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.texels.canvas;
+  }
+
+  /** Draws the amount of each texel, of its threshold and its number in the patch. */
+  draw({ size, values }: Mask, amount: (m: number, i: number) => number): void {
+    const { words } = this.texels;
+    for (let i = 0; i < words.length; i++) {
+      const m = values[Math.floor(i / this.side) * size + (i % this.side)] ?? 1;
+      words[i] = shade(BLEND, amount(m, i));
+    }
+    this.texels.show();
+  }
+}

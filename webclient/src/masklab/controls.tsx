@@ -1,0 +1,128 @@
+/** Choice of one mask: shipped, or a family with its parameters. */
+import type { ComponentChildren } from "preact";
+import { ASPECT_RANGE, type CustomMask, FAMILIES, type MaskChoice, SIGMA_RANGE, SIZES } from "./choice";
+import type { MaskInfo } from "./data";
+
+const TITLES: Record<(typeof FAMILIES)[number], string> = {
+  vac: "void and cluster",
+  blur: "filtered noise",
+  clump: "clumps",
+  bubble: "bubbles",
+  mix: "clustered bubbles",
+  lace: "lace",
+};
+const CUSTOM = ":custom";
+const FIRST: CustomMask = { family: "vac", sigma: 3, size: 128, seed: 1, aspect: 1, age: 0 };
+
+interface ControlsProps {
+  name: string;
+  choice: MaskChoice;
+  shipped: readonly { name: string; title: string }[];
+  /** What is shown now: the start of own parameters. */
+  info: MaskInfo | null;
+  change: (choice: MaskChoice) => void;
+}
+
+export function Controls({ name, choice, shipped, info, change }: ControlsProps) {
+  const custom = typeof choice === "string" ? null : choice;
+  const set = (part: Partial<CustomMask>) => change({ ...(custom ?? FIRST), ...part });
+  const family = FAMILIES.find((one) => one === info?.family);
+  return (
+    <div class="controls" role="group" aria-label={name}>
+      <Field label="Mask">
+        <select
+          aria-label={`${name}: mask`}
+          value={custom ? CUSTOM : (choice as string)}
+          onChange={(event) => {
+            const { value } = event.currentTarget;
+            // A shipped mask of 512 texels may take longer than a request may.
+            change(value === CUSTOM ? { ...FIRST, ...(family ? { family, sigma: family === "vac" ? FIRST.sigma : 4 } : {}) } : value);
+          }}
+        >
+          {shipped.map((one) => (
+            <option value={one.name} key={one.name}>
+              {one.title}
+            </option>
+          ))}
+          <option value={CUSTOM}>own parameters</option>
+        </select>
+      </Field>
+      {custom && (
+        <>
+          <Field label="Family">
+            <select aria-label={`${name}: family`} value={custom.family} onChange={(event) => set({ family: event.currentTarget.value as CustomMask["family"] })}>
+              {FAMILIES.map((one) => (
+                <option value={one} key={one}>
+                  {TITLES[one]}
+                </option>
+              ))}
+            </select>
+          </Field>
+          <Slider label="σ" name={`${name}: sigma, texels`} value={custom.sigma} range={SIGMA_RANGE} step={0.5} change={(sigma) => set({ sigma })} />
+          {custom.family === "lace" && (
+            <>
+              <Slider label="aspect" name={`${name}: aspect`} value={custom.aspect} range={ASPECT_RANGE} step={0.5} change={(aspect) => set({ aspect })} />
+              <Slider label="age" name={`${name}: age`} value={custom.age} range={[0, 1]} step={0.05} change={(age) => set({ age })} />
+            </>
+          )}
+          <Field label="Size">
+            <select aria-label={`${name}: size, texels`} value={custom.size} onChange={(event) => set({ size: Number(event.currentTarget.value) })}>
+              {SIZES.map((size) => (
+                <option value={size} key={size}>
+                  {size}
+                </option>
+              ))}
+            </select>
+          </Field>
+          <Field label="Seed">
+            <input
+              type="number"
+              aria-label={`${name}: seed`}
+              min={0}
+              step={1}
+              value={custom.seed}
+              onChange={(event) => set({ seed: Math.min(2 ** 32 - 1, Math.max(0, Math.round(event.currentTarget.valueAsNumber) || 0)) })}
+            />
+          </Field>
+        </>
+      )}
+    </div>
+  );
+}
+
+/** A control beside its name, which the control has as its own label. */
+export function Field({ label, children }: { label: string; children: ComponentChildren }) {
+  return (
+    <div class="field">
+      <span aria-hidden="true">{label}</span>
+      {children}
+    </div>
+  );
+}
+
+interface SliderProps {
+  label: string;
+  name: string;
+  value: number;
+  range: readonly [number, number];
+  step: number;
+  change: (value: number) => void;
+}
+
+export function Slider({ label, name, value, range: [low, high], step, change }: SliderProps) {
+  return (
+    <Field label={label}>
+      <input
+        type="range"
+        aria-label={name}
+        min={low}
+        max={high}
+        step={step}
+        value={value}
+        style={{ "--share": `${(100 * (value - low)) / (high - low)}%` }}
+        onInput={(event) => change(event.currentTarget.valueAsNumber)}
+      />
+      <output>{value}</output>
+    </Field>
+  );
+}

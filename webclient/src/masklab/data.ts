@@ -1,0 +1,80 @@
+/** A mask's data and measurements from the server. */
+import { signal } from "@preact/signals";
+import { useEffect, useMemo } from "preact/hooks";
+import { type Api, ApiError } from "../api";
+import { choiceText, type MaskChoice, maskPath } from "./choice";
+import type { Mask } from "./pattern";
+
+export interface MaskInfo {
+  name: string;
+  title: string;
+  summary: string;
+  family: string;
+  parameters: { sigma: number; size: number; seed: number; aspect: number | null; age: number | null };
+  sha256: string;
+  license: string;
+}
+
+export interface Spectrum {
+  isotropic_reference_db: number;
+  /** Cycles per texel. */
+  frequency: number[];
+  bins: number[];
+  greys: { grey: number; principal_frequency: number; raps: (number | null)[]; anisotropy_db: (number | null)[] }[];
+}
+
+export interface LoadedMask {
+  info: MaskInfo;
+  mask: Mask;
+  spectrum: Spectrum;
+}
+
+export interface MaskState {
+  loaded: LoadedMask | null;
+  busy: boolean;
+  /** In words. */
+  error: string | null;
+}
+
+/** Delay before a request, ms: a slider passes many values. */
+const DELAY = 250;
+
+async function load(api: Api, choice: MaskChoice, abort: AbortSignal): Promise<LoadedMask> {
+  const get = (resource?: string) => api.fetch(maskPath(choice, resource), { signal: abort });
+  // The first request makes the mask; the others find it in the server's cache.
+  const info = (await (await get()).json()) as MaskInfo;
+  const [values, spectrum] = await Promise.all([
+    get("data.u16").then((response) => response.arrayBuffer()),
+    get("spectrum").then((response) => response.json() as Promise<Spectrum>),
+  ]);
+  return { info, spectrum, mask: { size: info.parameters.size, values: new Uint16Array(values) } };
+}
+
+/** The mask of a choice, null of none; the mask before it stays until it is here. */
+export function useMask(api: Api, choice: MaskChoice | null): MaskState {
+  const state = useMemo(() => signal<MaskState>({ loaded: null, busy: true, error: null }), []);
+  const text = choice === null ? null : choiceText(choice);
+  useEffect(() => {
+    if (choice === null) return;
+    const abort = new AbortController();
+    const { loaded } = state.value;
+    state.value = { ...state.value, busy: true };
+    const run = async () => {
+      try {
+        state.value = { loaded: await load(api, choice, abort.signal), busy: false, error: null };
+      } catch (error) {
+        if (abort.signal.aborted) return;
+        const details = error instanceof ApiError ? error.details : [];
+        const message = error instanceof Error ? error.message : String(error);
+        state.value = { ...state.value, busy: false, error: details.length > 0 ? details.join("; ") : message };
+      }
+    };
+    const timer = setTimeout(() => void run(), loaded === null ? 0 : DELAY);
+    return () => {
+      clearTimeout(timer);
+      abort.abort();
+    };
+    // The text stands for the choice.
+  }, [api, text]);
+  return state.value;
+}

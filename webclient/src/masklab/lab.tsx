@@ -1,0 +1,128 @@
+/** The mask laboratory: one mask or two, their patterns, spectra, files and code. */
+import { signal } from "@preact/signals";
+import { useCallback, useEffect, useMemo } from "preact/hooks";
+import type { Api, Choice } from "../api";
+import { Canvas } from "../charts/canvas";
+import { choiceText, decodeState, encodeState, type LabState, type MaskChoice, type Show, SHOWS } from "./choice";
+import { Controls, Field, Slider } from "./controls";
+import { type LoadedMask, type MaskInfo, type MaskState, useMask } from "./data";
+import { coverage, drawShades, shades, threshold } from "./pattern";
+import { Spectra } from "./spectra";
+import { TakeHome } from "./takehome";
+
+const SHOW_TITLES: Record<Show, string> = { tile: "one tile", tiled: "2 × 2 tiles", detail: "detail where tiles meet" };
+/** Pattern after the mask itself was shown. */
+const GREY = 0.25;
+
+interface LabProps {
+  api: Api;
+  /** The server's address. */
+  base: string;
+  shipped: readonly Choice[];
+}
+
+export function Lab({ api, base, shipped }: LabProps) {
+  const state = useMemo(() => signal(decodeState(location.hash)), []);
+  useEffect(() => {
+    const follow = () => {
+      if (location.hash.slice(1) !== encodeState(state.value)) state.value = decodeState(location.hash);
+    };
+    window.addEventListener("hashchange", follow);
+    return () => window.removeEventListener("hashchange", follow);
+  }, [state]);
+  const set = (part: Partial<LabState>) => {
+    state.value = { ...state.value, ...part };
+    history.replaceState(null, "", `#${encodeState(state.value)}`);
+  };
+  const { left, right, grey, show } = state.value;
+  const first = useMask(api, left);
+  const second = useMask(api, right);
+  const beside = right === null ? null : second.loaded;
+  const masks = useMemo(() => [first.loaded, beside].filter((mask): mask is LoadedMask => mask !== null), [first.loaded, beside]);
+  return (
+    <>
+      <header>
+        <h1>Mask laboratory</h1>
+        <p>
+          Foam shows where its saturation exceeds the mask's threshold, so each grey level has a pattern of its own.
+        </p>
+        <a href="../">Back to the water</a>
+      </header>
+      <View state={state.value} set={set} />
+      <div class={`sides ${right === null ? "" : "two"}`}>
+        <Side name="First mask" choice={left} mask={first} shipped={shipped} grey={grey} show={show} change={(choice) => set({ left: choice })} />
+        {right !== null && (
+          <Side name="Second mask" choice={right} mask={second} shipped={shipped} grey={grey} show={show} change={(choice) => set({ right: choice })} />
+        )}
+      </div>
+      {masks.length > 0 && <Spectra masks={masks} grey={grey ?? GREY} />}
+      {first.loaded && <TakeHome choice={left} info={first.loaded.info} base={base} />}
+    </>
+  );
+}
+
+function View({ state: { left, right, grey, show }, set }: { state: LabState; set: (part: Partial<LabState>) => void }) {
+  return (
+    <div class="view" role="group" aria-label="View">
+      <label class="tick">
+        <input type="checkbox" checked={grey === null} onChange={(event) => set({ grey: event.currentTarget.checked ? null : GREY })} />
+        Mask itself
+      </label>
+      {grey !== null && <Slider label="Grey level" name="Grey level" value={grey} range={[0, 1]} step={1 / 64} change={(value) => set({ grey: value })} />}
+      <Field label="Show">
+        <select aria-label="Show" value={show} onChange={(event) => set({ show: event.currentTarget.value as Show })}>
+          {SHOWS.map((one) => (
+            <option value={one} key={one}>
+              {SHOW_TITLES[one]}
+            </option>
+          ))}
+        </select>
+      </Field>
+      <label class="tick">
+        <input
+          type="checkbox"
+          checked={right !== null}
+          onChange={(event) => set({ right: event.currentTarget.checked ? (choiceText(left) === "clump" ? "vac-24" : "clump") : null })}
+        />
+        Two side by side
+      </label>
+    </div>
+  );
+}
+
+interface SideProps {
+  name: string;
+  choice: MaskChoice;
+  mask: MaskState;
+  shipped: readonly Choice[];
+  grey: number | null;
+  show: Show;
+  change: (choice: MaskChoice) => void;
+}
+
+function Side({ name, choice, mask: { loaded, busy, error }, shipped, grey, show, change }: SideProps) {
+  return (
+    <section class="side" aria-label={name} aria-busy={busy}>
+      <Controls name={name} choice={choice} shipped={shipped} info={loaded?.info ?? null} change={change} />
+      {loaded && <Picture loaded={loaded} grey={grey} show={show} />}
+      <p class={`status ${error === null ? "" : "failed"}`} role="status">
+        {error ?? (busy ? "Making the mask…" : loaded ? told(loaded, grey) : "")}
+      </p>
+    </section>
+  );
+}
+
+function Picture({ loaded: { info, mask }, grey, show }: { loaded: LoadedMask; grey: number | null; show: Show }) {
+  const paint = useCallback((canvas: HTMLCanvasElement) => drawShades(canvas, shades(mask, grey, show)), [mask, grey, show]);
+  return (
+    <div class={`picture ${show}`}>
+      <Canvas label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} />
+    </div>
+  );
+}
+
+function told({ info, mask }: LoadedMask, grey: number | null): string {
+  const { sigma, size, seed }: MaskInfo["parameters"] = info.parameters;
+  const foam = grey === null ? "" : `; foam on ${(100 * coverage(threshold(mask, grey))).toFixed(2)} %`;
+  return `${info.family}, σ ${sigma}, ${size} × ${size} texels, seed ${seed}${foam}`;
+}

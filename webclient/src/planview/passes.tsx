@@ -1,0 +1,137 @@
+/** Passes of a plan: two graphs, of what is drawn once and of what is drawn in every frame, and a table. */
+import type { FramePlan, Pass } from "../generated/api";
+import { type Graph, type GraphNode, graphOf, targetText } from "./graph";
+
+const NODE = { width: 138, height: 52 };
+const GAP = { x: 30, y: 10 };
+const LONGEST_LABEL = 19;
+
+export interface PassesProps {
+  plan: FramePlan;
+  width: number;
+  height: number;
+  /** ms by pass; null: not measured. */
+  times: ReadonlyMap<Pass, number> | null;
+  choose: (program: string) => void;
+}
+
+const place = ({ column, row }: GraphNode) => ({ x: column * (NODE.width + GAP.x), y: row * (NODE.height + GAP.y) });
+const shortened = (text: string) => (text.length > LONGEST_LABEL ? `${text.slice(0, LONGEST_LABEL - 1)}…` : text);
+
+/** Sum of the times of these passes, ms; an empty text if none was measured. */
+function timeText(times: PassesProps["times"], passes: readonly (Pass | undefined)[]): string {
+  const known = passes.flatMap((pass) => (pass && times?.has(pass) ? [times.get(pass) ?? 0] : []));
+  return known.length === 0 ? "" : `${known.reduce((sum, time) => sum + time, 0).toFixed(3)} ms`;
+}
+
+function Node({ node, props: { plan, width, height, times, choose } }: { node: GraphNode; props: PassesProps }) {
+  const { x, y } = place(node);
+  const passes = node.passes.map((index) => plan.passes[index]);
+  const last = passes.at(-1);
+  const target = targetText(plan, last?.target ?? "screen", width, height);
+  const count = node.passes.length > 1 ? ` × ${node.passes.length}` : "";
+  return (
+    <g class="node" transform={`translate(${x} ${y})`} onClick={() => choose(node.program)}>
+      <title>{`${node.program}${count}: ${target.size}, ${target.format}`}</title>
+      <rect width={NODE.width} height={NODE.height} rx="8" />
+      <text x="10" y="18" class="name">
+        {shortened(node.program + count)}
+      </text>
+      <text x="10" y="32">
+        {target.size}
+      </text>
+      <text x="10" y="45">
+        {[target.format, timeText(times, passes)].filter(Boolean).join(" · ")}
+      </text>
+    </g>
+  );
+}
+
+function edge(from: GraphNode, to: GraphNode): string {
+  const a = place(from);
+  const b = place(to);
+  const [x1, y1, x2, y2] = [a.x + NODE.width, a.y + NODE.height / 2, b.x, b.y + NODE.height / 2];
+  const bend = Math.max(14, Math.abs(x2 - x1) / 2);
+  return `M${x1} ${y1}C${x1 + bend} ${y1} ${x2 - bend} ${y2} ${x2} ${y2}`;
+}
+
+function GraphPicture({ graph, label, props }: { graph: Graph; label: string; props: PassesProps }) {
+  const width = graph.columns * (NODE.width + GAP.x) - GAP.x;
+  const height = graph.rows * (NODE.height + GAP.y) - GAP.y;
+  return (
+    <div class="graph" tabIndex={0} role="group" aria-label={label}>
+      <svg style={{ width: width + 2, height: height + 2 }} viewBox={`-1 -1 ${width + 2} ${height + 2}`} role="img" aria-label={`${label}; the table below lists the same`}>
+        {graph.nodes.flatMap((node) => [...node.reads].map((source) => <path key={`${source.program} ${node.program}`} d={edge(source, node)} />))}
+        {graph.nodes.map((node) => (
+          <Node key={node.program} node={node} props={props} />
+        ))}
+      </svg>
+    </div>
+  );
+}
+
+function Row({ pass, props: { plan, width, height, times, choose } }: { pass: Pass; props: PassesProps }) {
+  const { size, format } = targetText(plan, pass.target, width, height);
+  const { blend, depth } = pass.state;
+  const state = [pass.eye === "any" ? "" : `${pass.eye} water`, blend === "none" ? "" : blend, depth ? "depth test" : ""].filter(Boolean).join(", ");
+  return (
+    <tr>
+      <td>{pass.name}</td>
+      <td>
+        <button type="button" onClick={() => choose(pass.program)}>
+          {pass.program}
+        </button>
+      </td>
+      <td>{pass.target}</td>
+      <td>{size}</td>
+      <td>{format}</td>
+      <td>{state}</td>
+      <td>{timeText(times, [pass])}</td>
+    </tr>
+  );
+}
+
+export function Passes(props: PassesProps) {
+  const { plan } = props;
+  const kinds = [
+    { when: "frame", title: "In every frame" },
+    { when: "setup", title: "Once: neither time nor camera enters" },
+  ] as const;
+  return (
+    <>
+      {kinds.map(({ when, title }) => {
+        const passes = plan.passes.filter((pass) => pass.when === when);
+        if (passes.length === 0) return null;
+        return (
+          <section key={when} class={`kind ${when}`}>
+            <h3>
+              {title}: {passes.length} {passes.length === 1 ? "pass" : "passes"}
+            </h3>
+            <GraphPicture graph={graphOf(plan, when)} label={title} props={props} />
+            <details>
+              <summary>Table of the passes</summary>
+              <div class="scroll" tabIndex={0} role="group" aria-label={`${title}, table`}>
+                <table>
+                  <thead>
+                    <tr>
+                      {["pass", "program", "target", "size", "format", "state", "time"].map((head) => (
+                        <th key={head} scope="col">
+                          {head}
+                        </th>
+                      ))}
+                    </tr>
+                  </thead>
+                  <tbody>
+                    {passes.map((pass, index) => (
+                      <Row key={index} pass={pass} props={props} />
+                    ))}
+                  </tbody>
+                </table>
+              </div>
+            </details>
+          </section>
+        );
+      })}
+    </>
+  );
+}

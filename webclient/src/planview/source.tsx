@@ -1,0 +1,73 @@
+/** The GLSL of a program, as the driver has it, with the names of its files. */
+import { useMemo } from "preact/hooks";
+import type { FramePlan, Shader } from "../generated/api";
+import type { Executor } from "../plan/executor";
+import { lines } from "./highlight";
+
+export type Stage = "vertex" | "fragment";
+
+export interface SourceProps {
+  plan: FramePlan;
+  executor: Executor | null;
+  gl: WebGL2RenderingContext;
+  program: string;
+  stage: Stage;
+  choose: (program: string, stage: Stage) => void;
+}
+
+/** The driver's text, or the plan's where the program is not compiled. */
+function sourceOf({ executor, gl, program, stage }: SourceProps, shader: Shader): { text: string; compiled: boolean } {
+  const held = executor?.programs.get(program);
+  const text = held ? gl.getShaderSource(held[stage]) : null;
+  return text === null ? { text: shader.text, compiled: false } : { text, compiled: true };
+}
+
+function Listing({ text, shader }: { text: string; shader: Shader }) {
+  const rows = useMemo(() => lines(text), [text]);
+  const files = new Map(shader.files.map(({ path, line }) => [line, path]));
+  return (
+    <pre class="glsl" tabIndex={0} aria-label="GLSL">
+      <code>
+        {rows.map((row, index) => (
+          <span class="line" key={index} data-file={files.get(index + 1)}>
+            {row.map(({ kind, text: part }, i) => (kind === "plain" ? part : <span key={i} class={kind}>{part}</span>))}
+          </span>
+        ))}
+      </code>
+    </pre>
+  );
+}
+
+export function Source(props: SourceProps) {
+  const { plan, program, stage, choose } = props;
+  const found = plan.programs[program];
+  if (found === undefined) return null;
+  const shader = found[stage];
+  const { text, compiled } = sourceOf(props, shader);
+  return (
+    <section>
+      <div class="actions tabs">
+        <label>
+          Program{" "}
+          <select value={program} onChange={(event) => choose(event.currentTarget.value, stage)}>
+            {Object.keys(plan.programs).map((name) => (
+              <option key={name} value={name}>
+                {name}
+              </option>
+            ))}
+          </select>
+        </label>
+        {(["vertex", "fragment"] as const).map((name) => (
+          <button type="button" key={name} aria-pressed={name === stage} onClick={() => choose(program, name)}>
+            {name}
+          </button>
+        ))}
+      </div>
+      <p>
+        {compiled ? "As the driver has it" : "As the plan has it: this camera does not need the program, so it is not compiled"}. {shader.files.length} files,{" "}
+        {new TextEncoder().encode(text).length.toLocaleString("en")} bytes, SHA-256 <code>{shader.sha256.slice(0, 12)}…</code>
+      </p>
+      <Listing text={text} shader={shader} />
+    </section>
+  );
+}

@@ -1,0 +1,160 @@
+/** "Frame plan": what runs for the current scene, why, what was left out, and the GLSL. */
+import { useSignal } from "@preact/signals";
+import { render } from "preact";
+import { useEffect } from "preact/hooks";
+import type { FramePlan, Pass } from "../generated/api";
+import { labelOf } from "../panel/model";
+import type { SurfaceContext } from "../surfaces/context";
+import { Head, TaskButton } from "../surfaces/parts";
+import { type Change, changesBetween } from "./changes";
+import { Passes } from "./passes";
+import { passTimes, reasonForNoTimes } from "./passtimes";
+import { Source, type Stage } from "./source";
+import "./style.css";
+
+const VIEWS = ["Passes", "Effects", "GLSL", "Changes"] as const;
+type View = (typeof VIEWS)[number];
+/** Quality of the preset's own plan. */
+const PRESET_TIER = "standard";
+
+const counted = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
+
+function Effects({ plan }: { plan: FramePlan }) {
+  return (
+    <>
+      <h3>Active: {plan.effects.length}</h3>
+      <ul class="notes">
+        {plan.effects.map(({ name, why, files }) => (
+          <li key={name}>
+            <b>{labelOf(name)}</b> {why}
+            {files.length > 0 && <small>{files.join(", ")}</small>}
+          </li>
+        ))}
+      </ul>
+      <h3>Skipped: {plan.skipped.length}</h3>
+      <ul class="notes skipped">
+        {plan.skipped.map(({ name, why, bound }) => (
+          <li key={name}>
+            <b>{labelOf(name)}</b> {why}
+            {typeof bound === "number" && <small>A pixel changes by at most {(255 * bound).toPrecision(2)} of 255.</small>}
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+function Changes({ context, plan }: { context: SurfaceContext; plan: FramePlan }) {
+  const changes = useSignal<Change[] | null>(null);
+  const { name, title } = context.selection().preset;
+  useEffect(() => {
+    let current = true;
+    context.api.presetPlan(name, PRESET_TIER).then((own) => {
+      if (current) changes.value = changesBetween(own, plan);
+    }, context.failed);
+    return () => {
+      current = false;
+    };
+  }, [name, plan]);
+  if (changes.value === null) return <p>Loading the preset's plan…</p>;
+  if (changes.value.length === 0) return <p>This plan is that of “{title}” at quality {PRESET_TIER}.</p>;
+  return (
+    <>
+      <p>
+        {changes.value.length} differences from the plan of “{title}” at quality {PRESET_TIER}.
+      </p>
+      <ul class="notes plan-changes">
+        {changes.value.map(({ what, name: changed, how, detail }) => (
+          <li key={`${what} ${changed}`} class={how}>
+            <b>
+              {what} {changed}
+            </b>{" "}
+            {how}
+            {detail && <small>{detail}</small>}
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+function Timing({ context, measure, measured }: { context: SurfaceContext; measure: () => Promise<void>; measured: boolean }) {
+  const reason = reasonForNoTimes(context.viewport.gpu);
+  if (reason !== null) return <p>Time of each pass: {reason}</p>;
+  return (
+    <div class="actions">
+      <TaskButton run={measure} failed={context.failed}>
+        {measured ? "Measure again" : "Measure the time of each pass"}
+      </TaskButton>
+    </div>
+  );
+}
+
+function Plan({ context }: { context: SurfaceContext }) {
+  const plan = useSignal(context.plan());
+  const view = useSignal<View>("Passes");
+  const source = useSignal<{ program: string; stage: Stage }>({ program: "surface", stage: "fragment" });
+  const times = useSignal<ReadonlyMap<Pass, number> | null>(null);
+  useEffect(
+    () =>
+      context.onChange(() => {
+        if (plan.value === context.plan()) return;
+        plan.value = context.plan();
+        times.value = null;
+      }),
+    [],
+  );
+  const current = plan.value;
+  if (current === null) return <p>Loading plan…</p>;
+  const { width, height } = context.viewport.canvas;
+  const measure = async () => {
+    const executor = context.executor();
+    if (executor === null) return;
+    const timed = { time: context.time(), camera: context.camera(), width, height };
+    times.value = await context.viewport.runExclusive(() => passTimes(context.viewport.gpu, executor, timed));
+    context.viewport.dirty = true;
+  };
+  const choose = (program: string, stage: Stage = "fragment") => {
+    source.value = { program, stage };
+    view.value = "GLSL";
+  };
+  const program = source.value.program in current.programs ? source.value.program : (Object.keys(current.programs)[0] ?? "");
+  const { length } = current.passes;
+  return (
+    <>
+      <p>
+        {counted(length, "pass", "passes")}, {counted(Object.keys(current.programs).length, "program")},{" "}
+        {counted(Object.keys(current.textures).length, "texture")}, {counted(current.samples, "sample")} per pixel, picture of {width} × {height}.
+      </p>
+      <div class="actions tabs" role="group" aria-label="View">
+        {VIEWS.map((name) => (
+          <button type="button" key={name} aria-pressed={name === view.value} onClick={() => (view.value = name)}>
+            {name}
+          </button>
+        ))}
+      </div>
+      {view.value === "Passes" && (
+        <>
+          <Timing context={context} measure={measure} measured={times.value !== null} />
+          <Passes plan={current} width={width} height={height} times={times.value} choose={choose} />
+        </>
+      )}
+      {view.value === "Effects" && <Effects plan={current} />}
+      {view.value === "GLSL" && (
+        <Source plan={current} executor={context.executor()} gl={context.viewport.gl} program={program} stage={source.value.stage} choose={choose} />
+      )}
+      {view.value === "Changes" && <Changes context={context} plan={current} />}
+    </>
+  );
+}
+
+export function mount(root: HTMLElement, context: SurfaceContext): () => void {
+  render(
+    <>
+      <Head title="Frame plan" close={() => context.close()} />
+      <Plan context={context} />
+    </>,
+    root,
+  );
+  return () => render(null, root);
+}

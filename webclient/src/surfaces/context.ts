@@ -1,0 +1,37 @@
+/** What a surface knows of the page and can do to it. */
+import type { Api } from "../api";
+import type { Selection } from "../app/store";
+import type { Viewport } from "../app/viewport";
+import type { CameraState } from "../camera/state";
+import type { FramePlan } from "../generated/api";
+import type { Executor } from "../plan/executor";
+import type { Recipe } from "../take/recipe";
+
+export interface SurfaceContext {
+  api: Api;
+  viewport: Viewport;
+  selection: () => Selection;
+  /** Plan of the picture, or of its left part; null until loaded. */
+  plan: () => FramePlan | null;
+  /** What draws the plan; null until loaded. */
+  executor: () => Executor | null;
+  time: () => number;
+  camera: () => CameraState;
+  playing: () => boolean;
+  /** The current view, at the size of the canvas. */
+  recipe: () => Recipe;
+  /** The canvas as PNG, with its recipe. */
+  png: () => Promise<Blob>;
+  /** Saves a file under the name of the preset and the time. */
+  save: (blob: Promise<Blob>, suffix: string) => Promise<void>;
+  copyLink: () => Promise<void>;
+  /** Restores the view that a picture's recipe describes. */
+  restore: (file: Blob) => Promise<void>;
+  failed: (error: unknown) => void;
+  /** Calls back when selection, plan, time or camera change, not in every frame of motion; returns what ends that. */
+  onChange: (listener: () => void) => () => void;
+  close: () => void;
+}
+
+/** Shows a surface in an element; returns what removes it. */
+export type Mount = (root: HTMLElement, context: SurfaceContext) => () => void;

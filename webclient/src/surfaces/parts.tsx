@@ -1,0 +1,53 @@
+/** Parts that the surfaces share. */
+import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import "./surface.css";
+
+export function Head({ title, close }: { title: string; close: () => void }) {
+  return (
+    <div class="sheet-head">
+      <h2>{title}</h2>
+      <button type="button" class="plain" aria-label={`Close ${title.toLowerCase()}`} onClick={close}>
+        <svg viewBox="0 0 24 24" aria-hidden="true">
+          <path d="M6.500 6.500l11 11M17.500 6.500l-11 11" />
+        </svg>
+      </button>
+    </div>
+  );
+}
+
+/** A button that is disabled while its task runs. */
+export function TaskButton({ run, children, failed }: { run: () => Promise<void>; children: ComponentChildren; failed: (error: unknown) => void }) {
+  const [running, setRunning] = useState(false);
+  const start = () => {
+    setRunning(true);
+    run()
+      .catch(failed)
+      .finally(() => setRunning(false));
+  };
+  return (
+    <button type="button" disabled={running} aria-busy={running} onClick={start}>
+      {children}
+    </button>
+  );
+}
+
+/** Text to copy. */
+export function CodeBlock({ label, text, failed }: { label: string; text: string; failed: (error: unknown) => void }) {
+  const [copied, setCopied] = useState(false);
+  const copy = async () => {
+    await navigator.clipboard.writeText(text);
+    setCopied(true);
+    setTimeout(() => setCopied(false), 2000);
+  };
+  return (
+    <div class="code-block">
+      <TaskButton run={copy} failed={failed}>
+        {copied ? "Copied" : `Copy ${label}`}
+      </TaskButton>
+      <pre tabIndex={0} aria-label={label}>
+        <code>{text}</code>
+      </pre>
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+/** Opens and closes surfaces beside the picture, one at a time; their code is loaded on first use. */
+import { element } from "../ui/dom";
+import type { Mount, SurfaceContext } from "./context";
+
+export type SurfaceName = "take" | "plan";
+
+const SURFACES: Record<SurfaceName, { title: string; load: () => Promise<{ mount: Mount }> }> = {
+  take: { title: "Take home", load: () => import("../take/surface") },
+  plan: { title: "Frame plan", load: () => import("../planview/surface") },
+};
+
+export function surfaceName(text: string | undefined): SurfaceName | null {
+  return text === "take" || text === "plan" ? text : null;
+}
+
+export interface SurfaceEvents {
+  toggled(open: SurfaceName | null): void;
+  failed(error: unknown): void;
+}
+
+export class Surfaces {
+  open: SurfaceName | null = null;
+  private unmount: (() => void) | null = null;
+  private sheet: HTMLElement | null = null;
+  /** Takes the focus when the surface closes. */
+  private opener: Element | null = null;
+  private context: Promise<SurfaceContext> | null = null;
+
+  constructor(
+    private readonly makeContext: () => Promise<SurfaceContext>,
+    private readonly events: SurfaceEvents,
+  ) {}
+
+  /** Opens a surface, or closes the open one. `focus`: the surface takes the keyboard focus. */
+  show(name: SurfaceName | null, focus = false): void {
+    if (name === this.open) return;
+    this.remove();
+    this.open = name;
+    this.events.toggled(name);
+    if (name === null) return;
+    const { title, load } = SURFACES[name];
+    this.opener = focus ? document.activeElement : null;
+    const sheet = element("section", { class: "sheet", role: "dialog", "aria-label": title, tabindex: -1, "data-surface": name });
+    this.sheet = sheet;
+    sheet.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.show(null);
+    });
+    document.body.append(sheet);
+    this.context ??= this.makeContext();
+    Promise.all([load(), this.context]).then(
+      ([{ mount }, context]) => {
+        if (this.sheet !== sheet) return;
+        this.unmount = mount(sheet, context);
+        if (focus) sheet.focus();
+      },
+      (error: unknown) => {
+        if (this.sheet === sheet) this.show(null);
+        this.events.failed(error);
+      },
+    );
+  }
+
+  private remove(): void {
+    const { sheet, opener } = this;
+    const hadFocus = sheet?.contains(document.activeElement) ?? false;
+    this.unmount?.();
+    sheet?.remove();
+    this.unmount = this.sheet = this.opener = null;
+    if (hadFocus && opener instanceof HTMLElement) opener.focus();
+  }
+}

@@ -1,0 +1,151 @@
+/**
+ * The recipe of a picture: everything that it depends on, as JSON in an iTXt chunk of its PNG (ISO 15948).
+ *
+ * The server writes the same members (server/seafoam/render/service/recipe.py).
+ */
+import { version } from "../../package.json";
+import type { Split } from "../app/store";
+import type { LinkState } from "../app/url";
+import { type CameraState, cameraFromScene } from "../camera/state";
+import { CAMERA_POINTER } from "../plan/live";
+import { diff, isObject, type Json, type JsonObject, withValue } from "../scene/json";
+import { withoutTouches } from "../touch/touches";
+
+const KEYWORD = "seafoam";
+const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+/** Bytes of the signature and of IHDR, which comes first. */
+const HEADER = 33;
+/** Length and type before a chunk's data, and the checksum after it, bytes. */
+const BEFORE = 8;
+const AFTER = 4;
+/** Version of the format. */
+const RECIPE = 1;
+/** Greatest |time|, s. */
+const TIME_LIMIT = 1e9;
+
+export interface Recipe {
+  recipe: number;
+  /** Version of the program. */
+  seafoam: string;
+  renderer: string;
+  /** Preset that the scene began from. */
+  preset: string | null;
+  scene: JsonObject;
+  /** A tier, or the settings that differ from tier standard. */
+  quality: Json;
+  camera: CameraState;
+  /** s */
+  time: number;
+  width: number;
+  height: number;
+  /** Two looks side by side, in pictures of the page. */
+  split: Split | null;
+}
+
+/** The file has no recipe, or not one that can be read; the message is for the user. */
+export class RecipeError extends Error {
+  override readonly name = "RecipeError";
+}
+
+/** A recipe of this version of the program. */
+export function recipeOf(parts: Omit<Recipe, "recipe" | "seafoam">): Recipe {
+  return { ...parts, recipe: RECIPE, seafoam: version };
+}
+
+/** The PNG with the recipe in a chunk after its header. */
+export async function withRecipe(png: Blob, recipe: Recipe): Promise<Blob> {
+  const bytes = new Uint8Array(await png.arrayBuffer());
+  const encoder = new TextEncoder();
+  // Keyword, not compressed, no language, no translated keyword.
+  const data = [...encoder.encode(KEYWORD), 0, 0, 0, 0, 0];
+  const text = encoder.encode(JSON.stringify(recipe));
+  const chunk = new Uint8Array(BEFORE + data.length + text.length + AFTER);
+  const view = new DataView(chunk.buffer);
+  view.setUint32(0, data.length + text.length);
+  chunk.set(encoder.encode("iTXt"), 4);
+  chunk.set(data, BEFORE);
+  chunk.set(text, BEFORE + data.length);
+  view.setUint32(chunk.length - AFTER, crc32(chunk.subarray(4, chunk.length - AFTER)));
+  return new Blob([bytes.slice(0, HEADER), chunk, bytes.slice(HEADER)], { type: "image/png" });
+}
+
+/** The recipe in a PNG; throws a `RecipeError` if there is none. */
+export async function readRecipe(file: Blob): Promise<Recipe> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  if (!SIGNATURE.every((byte, i) => bytes[i] === byte)) throw new RecipeError("This file is not a PNG picture.");
+  const text = textOf(bytes);
+  if (text === null) throw new RecipeError("This picture has no recipe. Pictures saved here, or rendered by the server, have one.");
+  let parsed: Json;
+  try {
+    parsed = JSON.parse(text) as Json;
+  } catch {
+    throw new RecipeError("The picture's recipe is damaged.");
+  }
+  return checked(parsed);
+}
+
+/** Text of the chunk with the keyword; null if there is none. */
+function textOf(bytes: Uint8Array): string | null {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const latin = new TextDecoder("latin1");
+  for (let at = SIGNATURE.length; at + BEFORE + AFTER <= bytes.length; ) {
+    const length = view.getUint32(at);
+    const end = at + BEFORE + length;
+    if (end + AFTER > bytes.length) return null;
+    if (latin.decode(bytes.subarray(at + 4, at + BEFORE)) === "iTXt") {
+      const data = bytes.subarray(at + BEFORE, end);
+      const start = latin.decode(data.subarray(0, KEYWORD.length + 5));
+      if (start === `${KEYWORD}\0\0\0\0\0`) return new TextDecoder().decode(data.subarray(KEYWORD.length + 5));
+    }
+    at = end + AFTER;
+  }
+  return null;
+}
+
+function checked(value: Json): Recipe {
+  if (!isObject(value) || value["recipe"] !== RECIPE) throw new RecipeError("The picture's recipe is of another version of the program.");
+  const { scene, quality, camera, time, preset, split } = value;
+  const position = isObject(camera) ? camera["position"] : null;
+  const isNumber = (candidate: Json | undefined) => typeof candidate === "number" && Number.isFinite(candidate);
+  const cameraIsValid =
+    isObject(camera) && Array.isArray(position) && position.length === 3 && position.every(isNumber) && ["yaw", "pitch", "roll", "fov"].every((angle) => isNumber(camera[angle]));
+  const qualityIsValid = typeof quality === "string" || isObject(quality);
+  const timeIsValid = typeof time === "number" && Math.abs(time) <= TIME_LIMIT;
+  if (!isObject(scene) || !cameraIsValid || !qualityIsValid || !timeIsValid) throw new RecipeError("The picture's recipe is damaged.");
+  const known = { preset: typeof preset === "string" ? preset : null, split: isSplit(split) ? split : null };
+  return { ...value, ...known } as unknown as Recipe;
+}
+
+function isSplit(value: Json | undefined): boolean {
+  return isObject(value) && typeof value["at"] === "number" && ["field", "left", "right"].every((name) => typeof value[name] === "string");
+}
+
+/** The link that restores a recipe, given the preset that it begins from: paused, at its time, from its camera. */
+export function linkOf(recipe: Recipe, preset: { name: string; scene: JsonObject }): LinkState {
+  const { quality, time, split } = recipe;
+  // The link has the camera apart from the scene's fields.
+  const scene = withValue(recipe.scene, CAMERA_POINTER, preset.scene["camera"]);
+  return {
+    preset: preset.name,
+    ...withoutTouches(diff(preset.scene, scene), recipe.scene),
+    quality: typeof quality === "string" ? quality : JSON.stringify(quality),
+    time,
+    paused: true,
+    speed: null,
+    camera: cameraFromScene({ camera: recipe.camera }),
+    split,
+    scale: null,
+    accuracy: null,
+    surface: null,
+  };
+}
+
+/** CRC-32 of ISO 15948, annex D. */
+export function crc32(bytes: Uint8Array): number {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
+  }
+  return ~crc >>> 0;
+}

@@ -1,0 +1,21 @@
+/** A hint on how to begin, which goes away by itself or with the visitor's first move. */
+import { element } from "./dom";
+
+const DURATION = 30_000;
+const FADE = 600;
+
+/** Shows the hint above the bar; `touch`: where fingers are the main pointer. */
+export function showHint(container: HTMLElement, touch: boolean): void {
+  const text = touch ? "Touch the water · two fingers look around" : "Touch the water · right drag to look around · W A S D to move · / lists all waters · F fills the screen";
+  const hint = element("p", { class: "hint" }, text);
+  container.prepend(hint);
+  const events = ["pointerdown", "keydown", "wheel"] as const;
+  const leave = () => {
+    events.forEach((type) => document.removeEventListener(type, leave));
+    clearTimeout(timer);
+    hint.classList.add("gone");
+    setTimeout(() => hint.remove(), FADE);
+  };
+  const timer = setTimeout(leave, DURATION);
+  events.forEach((type) => document.addEventListener(type, leave, { passive: true }));
+}

@@ -1,0 +1,35 @@
+/** Builds what leaves the page: the player of exported scenes (`--mode player`) and the element's package (`--mode element`). */
+import { copyFileSync, mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { defineConfig, type Plugin } from "vitest/config";
+
+const folder = import.meta.dirname;
+
+/** Copies the licence beside the built file. */
+const licence = (target: string): Plugin => ({
+  name: "licence",
+  writeBundle() {
+    mkdirSync(join(folder, target), { recursive: true });
+    copyFileSync(join(folder, "../LICENSE"), join(folder, target, "LICENSE"));
+  },
+});
+
+const LIBRARIES = {
+  // A classic script: pages opened from the file system may not load modules.
+  player: { entry: "src/export/player.ts", format: "iife", fileName: "player.js", outDir: "dist/export", licenceIn: "dist/export" },
+  element: { entry: "src/element/index.ts", format: "es", fileName: "seafoam-water.js", outDir: "element/dist", licenceIn: "element/dist" },
+} as const;
+
+export default defineConfig(({ mode }) => {
+  const { entry, format, fileName, outDir, licenceIn } = LIBRARIES[mode as keyof typeof LIBRARIES];
+  return {
+    publicDir: false,
+    build: {
+      target: "es2022",
+      outDir,
+      emptyOutDir: false,
+      lib: { entry: join(folder, entry), formats: [format], name: "seafoam", fileName: () => fileName },
+    },
+    plugins: [licence(licenceIn)],
+  };
+});
