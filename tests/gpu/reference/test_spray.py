@@ -340,7 +340,7 @@ def test_drops_end_on_water_and_ground() -> None:
     ground = np.maximum(coast.height(x, z), coast.ground(*coast.place(x, z))[0])
     for lift, clear in ((0.2, 1.0), (0.05, 0.5), (-0.05, 0.0)):
         place = np.column_stack([x, ground + lift, z])
-        seen, over = flying._clear(place - high, 300.0, np.full(x.size, 0.1), coast, coast)
+        seen, over = flying._clear(place - high, 300.0, np.full(x.size, 0.1), coast, coast, None)
         assert seen == pytest.approx(clear)
         assert over == pytest.approx(lift)
 
