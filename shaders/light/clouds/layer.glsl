@@ -20,24 +20,24 @@ const float CLOUD_CORE = -1.2;
 const float CLOUD_RELIEF = 0.3;
 const int CLOUD_AHEAD = 2;
 
-
-// Octaves of gradient noise after the first, as wide as a sample (cells); x: all, y: those that are not read toward the lamp. lost is less
-// by the variance that they have, of 1 in all.
-vec2 cloud_octaves(vec3 x, float width, int end, inout float lost) {
-    vec2 sum = vec2(0.0);
+// Octaves of gradient noise, as wide as a sample (cells); x: all, y: those after the first, z: those that are not read toward the lamp.
+// lost: the variance that they do not have, of 1.
+vec3 cloud_octaves(vec3 x, float width, int end, out float lost) {
+    vec3 sum = vec3(0.0);
     float strength = 4.2631;
     float variance = 0.6636;
-    for (int i = 1; i < end; ++i) {
-        x = vec3(2.0 * x.x + x.y + 0.37, 2.0 * x.y - x.x + 0.71, 2.0 * x.z + 0.53);
-        width *= 2.23606797749979;
-        strength *= 0.58;
-        variance *= 0.3364;
+    lost = 1.0;
+    for (int i = 0; i < end; ++i) {
         float kept = 1.0 - smoothstep(0.15, 0.6, width);
         if (kept <= 0.0) {
             break;
         }
-        sum += strength * kept * noise_3(x, uint(CLOUD_SEED + i)) * vec2(1.0, i >= CLOUD_AHEAD ? 1.0 : 0.0);
+        sum += strength * kept * noise_3(x, uint(CLOUD_SEED + i)) * vec3(1.0, i >= 1 ? 1.0 : 0.0, i >= CLOUD_AHEAD ? 1.0 : 0.0);
         lost -= variance * kept * kept;
+        x = vec3(2.0 * x.x + x.y + 0.37, 2.0 * x.y - x.x + 0.71, 2.0 * x.z + 0.53);
+        width *= 2.23606797749979;
+        strength *= 0.58;
+        variance *= 0.3364;
     }
     return sum;
 }
@@ -64,21 +64,19 @@ vec4 clouds(vec3 d, vec2 spread, out float hidden) {
     float tall = u_cloud_tall * cell;
     vec3 climb = vec3(d.xz * min(tall / slant, 0.9), tall);
     vec3 middle = place + 0.4 * climb;
-    vec3 ahead = middle + CLOUD_STEP * u_cloud_toward.xzy;
-    float kept = 1.0 - smoothstep(0.15, 0.6, width);
     vec4 noise = vec4(0.0);
-    float lost = 1.0 - 0.6636 * kept * kept;
-    if (kept > 0.0) {
-        noise.x = noise_3(place, uint(CLOUD_SEED));
-        noise.y = noise_3(middle, uint(CLOUD_SEED));
-        noise.z = noise_3(place + 0.8 * climb, uint(CLOUD_SEED));
-        // Toward the lamp: what lies there stands in its light.
-        noise.w = noise_3(ahead, uint(CLOUD_SEED));
-        noise *= 4.2631 * kept;
-        // What is finer is the same all the way through, and what is finest toward the lamp too.
-        float none = 0.0;
-        vec2 fine = cloud_octaves(middle, width, CLOUD_OCTAVES, lost);
-        noise += vec4(vec3(fine.x), fine.y + cloud_octaves(ahead, width, CLOUD_AHEAD, none).x);
+    float lost = 1.0;
+    // The last place is toward the lamp: what lies there stands in its light. What is finer than the first octave is the same all the way
+    // through, and what is finest toward the lamp too. One loop, so that the noise stands in the program once.
+    for (int i = 0; i < 4; ++i) {
+        vec3 at = i == 0 ? place : i == 1 ? middle : i == 2 ? place + 0.8 * climb : middle + CLOUD_STEP * u_cloud_toward.xzy;
+        float rest;
+        vec3 octaves = cloud_octaves(at, width, i == 1 ? CLOUD_OCTAVES : i == 3 ? CLOUD_AHEAD : 1, rest);
+        noise += octaves.x * vec4(equal(ivec4(i), ivec4(0, 1, 2, 3)));
+        if (i == 1) {
+            noise += vec4(octaves.y, 0.0, octaves.yz);
+            lost = rest;
+        }
     }
 
     // A mean over the lost noise: the edges, as much wider.
@@ -109,6 +107,7 @@ vec4 clouds(vec3 d, vec2 spread, out float hidden) {
     shines.y = 0.3 * left;
     // Blurred clouds shine as their mean does.
     float parted = smoothstep(0.0, 1.7, length(climb));
+    float kept = 1.0 - smoothstep(0.15, 0.6, width);
     shines = mix(shines, mix(u_cloud_mean, u_cloud_parted, parted), sqrt(lost));
     float more = u_cloud_edge.z * lost * sqrt(lost) + u_cloud_edge.w * parted * (1.0 - kept * kept);
     hidden = seen * clamp(1.0 - left + more, 0.0, 1.0);

@@ -25,8 +25,8 @@ vec3 in_rain(vec3 light, vec3 d, vec2 spread, inout float hidden) {
         }
         vec3 at = eye + vec3(d.xz / max(level, 1e-3) * far * cell, 0.0) + RAIN_SLANT * (1.0 - up);
         float width = CLOUD_WIDTH * spread.y * far * cell + RAIN_SPREADS * (1.0 - up);
-        float none = 0.0;
-        float noise = 4.2631 * (1.0 - smoothstep(0.15, 0.6, width)) * noise_3(at, uint(CLOUD_SEED)) + cloud_octaves(at, width, 3, none).x;
+        float rest;
+        float noise = cloud_octaves(at, width, 3, rest).x;
         float falls = smoothstep(0.0, 2.0, noise - max(u_cloud_shape.z, -0.6));
         depth += falls * (1.0 - smoothstep(0.2, 1.0, up)) * exp(-far / RAIN_FADES);
     }

@@ -12,12 +12,8 @@ float cloud_sunlit(vec3 place, Footprint fp) {
     // The footprint is a box, of a twelfth of its side's square in variance.
     float side2 = max(dot(fp.x, fp.x), dot(fp.y, fp.y)) * cell * cell / 12.0;
     float width = CLOUD_WIDTH * sqrt(side2 + u_cloud_sunward.w * u_cloud_sunward.w);
-    float kept = 1.0 - smoothstep(0.15, 0.6, width);
-    float noise = 0.0;
-    float lost = 1.0 - 0.6636 * kept * kept;
-    if (kept > 0.0) {
-        noise = 4.2631 * kept * noise_3(at, uint(CLOUD_SEED)) + cloud_octaves(at, width, CLOUD_SHADOW_OCTAVES, lost).x;
-    }
+    float lost;
+    float noise = cloud_octaves(at, width, CLOUD_SHADOW_OCTAVES, lost).x;
     // A mean over the lost noise, which is normal, as the edge is: as much wider.
     float x = clamp((u_cloud_gap.x - noise) * inversesqrt(u_cloud_gap.y + max(lost, 0.0)), -6.0, 6.0);
     float open = 1.0 / (1.0 + exp(-1.5976 * x - 0.07056 * x * x * x));
