@@ -21,6 +21,9 @@ PLANS := tests/fast/unit
 # What quick leaves to the whole run: float64 frames, sweeps, and processes that are started, killed and awaited.
 SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py)
 
+# Two groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of both.
+test-live test-rest quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
+
 .PHONY: demo test quick quick-plans quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 
 demo: setup

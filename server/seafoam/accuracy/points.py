@@ -69,7 +69,7 @@ def chains(scene: Scene, points: tuple[Point, ...]) -> list[tuple[str, Parameter
     return pairs
 
 
-@lru_cache(maxsize=2048)
+@lru_cache(maxsize=8192)
 def plan_sha256(scene: Scene, quality: Quality) -> str:
     """Return the hash of the plan."""
     return make_plan(scene, quality).sha256

@@ -3,6 +3,7 @@
 import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache, lru_cache
 
 from seafoam.effects.effect import Const, Inline, Piece, SlotFile, Source
@@ -34,6 +35,7 @@ def read_file(path: str) -> str:
     return (data_dir("shaders") / path).read_text(encoding="utf-8")
 
 
+@lru_cache(maxsize=1024)
 def source_text(source: Source) -> str:
     """Return the source of a file, its names replaced. Raises ``FileNotFoundError``."""
     text = read_file(source.path)
@@ -73,6 +75,22 @@ def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
 
     Only constants that occur in the source are defined.
     """
+    joined = tuple(pieces)
+    names = sorted(_body(joined).words & consts.keys())
+    return _shader(PROLOGUE + "".join(const_line(name, consts[name]) for name in names), joined)
+
+
+@dataclass(frozen=True)
+class _Body:
+    """Source after the constants. ``lines``: of each file, its path and the line breaks before it."""
+
+    text: str
+    words: frozenset[str]
+    lines: tuple[tuple[str, int], ...]
+
+
+@lru_cache(maxsize=512)
+def _body(pieces: tuple[Piece, ...]) -> _Body:
     parts: list[tuple[str, str]] = []
     seen: set[Source] = set()
     for piece in pieces:
@@ -83,15 +101,25 @@ def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
         if source not in seen:
             seen.add(source)
             parts.append((source.path, source_text(source)))
-    words = frozenset[str]().union(*(_words(text) for _, text in parts))
-    text = PROLOGUE + "".join(const_line(name, consts[name]) for name in sorted(words & consts.keys()))
-    files: list[SourceFile] = []
+    lines: list[tuple[str, int]] = []
+    count = 0
     for path, part in parts:
-        text += "\n"
+        count += 1
         if path:
-            files.append(SourceFile(path=path, line=text.count("\n") + 1))
-        text += part
-    return Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=tuple(files))
+            lines.append((path, count))
+        count += part.count("\n")
+    words = frozenset[str]().union(*(_words(part) for _, part in parts))
+    return _Body("".join(f"\n{part}" for _, part in parts), words, tuple(lines))
+
+
+@lru_cache(maxsize=512)
+def _shader(head: str, pieces: tuple[Piece, ...]) -> Shader:
+    """The shader of a prologue with its constants: plans of one scene at other qualities share most of theirs."""
+    body = _body(pieces)
+    text = head + body.text
+    first = head.count("\n") + 1
+    files = tuple(SourceFile(path=path, line=first + line) for path, line in body.lines)
+    return Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=files)
 
 
 @lru_cache(maxsize=1024)

@@ -63,13 +63,12 @@ vec4 clouds(vec3 d, vec2 spread, out float hidden) {
     // Three slices of the cloud, which stands on the layer: farther ones are higher. Its height is the noise's third dimension.
     float tall = u_cloud_tall * cell;
     vec3 climb = vec3(d.xz * min(tall / slant, 0.9), tall);
-    vec3 middle = place + 0.4 * climb;
     vec4 noise = vec4(0.0);
     float lost = 1.0;
     // The last place is toward the lamp: what lies there stands in its light. What is finer than the first octave is the same all the way
     // through, and what is finest toward the lamp too. One loop, so that the noise stands in the program once.
     for (int i = 0; i < 4; ++i) {
-        vec3 at = i == 0 ? place : i == 1 ? middle : i == 2 ? place + 0.8 * climb : middle + CLOUD_STEP * u_cloud_toward.xzy;
+        vec3 at = place + (i == 3 ? 0.4 * climb + CLOUD_STEP * u_cloud_toward.xzy : 0.4 * float(i) * climb);
         float rest;
         vec3 octaves = cloud_octaves(at, width, i == 1 ? CLOUD_OCTAVES : i == 3 ? CLOUD_AHEAD : 1, rest);
         noise += octaves.x * vec4(equal(ivec4(i), ivec4(0, 1, 2, 3)));

@@ -2,6 +2,7 @@
 
 import hashlib
 import shutil
+import textwrap
 from dataclasses import replace
 
 import pytest
@@ -12,10 +13,15 @@ from bench.radv import CompilerError, Figures
 from seafoam.framegraph.shader import Program
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.presets import preset_names
+from support.loops import longest_chain
 from support.report import Report
 
 HELD: tuple[Tier, ...] = ("draft", "standard")
 """The tiers that a GPU draws in motion; all four take twice as long, and the bench compiles them."""
+
+CHAIN = 10
+"""Loops in a row at most: llvmpipe counts the turns of all loops of a program in one integer, and LLVM's loop strength
+reduction takes twice as long for each loop that follows another without one inside. 9 take 3 s, 15 a minute."""
 
 GOOD = Figures(instructions=1000, vgprs=80, waves=12, spills=0, bytes=5000)
 
@@ -31,6 +37,36 @@ def test_no_program_gets_worse_for_a_gpu(report: Report) -> None:
     )
     lines = not_admitted(found, HELD)
     assert not lines, "\n".join([*lines, f"Where that is meant, write the table anew: {compiler.WRITE}"])
+
+
+def test_no_program_has_so_many_loops_in_a_row_that_llvm_takes_a_minute() -> None:
+    chains = {str(use): longest_chain(program.fragment.text) for use, program in uses(preset_names(), HELD).items()}
+    assert max(chains.values()) > 4
+    assert {use: chain for use, chain in chains.items() if chain > CHAIN} == {}
+
+
+def test_loops_in_a_row_are_counted_through_functions() -> None:
+    text = """
+    float noise(float x) {
+        for (int i = 0; i < 3; ++i) {
+            x += 1.0;
+        }
+        return x;
+    }
+    void main() {
+        noise(noise(0.0)); // for (;;) {
+        do {
+            noise(1.0);
+        } while (x > 0.0);
+        noise(1.0);
+        do {
+        } while (x > 0.0);
+        while (true) {
+        }
+    }
+    """
+    # Two, one with a loop inside, three.
+    assert longest_chain(textwrap.dedent(text)) == 3
 
 
 def test_the_table_knows_every_tier() -> None:
