@@ -48,7 +48,7 @@ def serve(
 
     options: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     try:
-        settings = Settings(**options)
+        settings = Settings(**options).served
     except ValidationError as error:
         refuse(error, Settings, lambda field: f"--{field}" if field in options else f"SEAFOAM_{field.upper()}")
     try:

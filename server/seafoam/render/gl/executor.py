@@ -28,7 +28,7 @@ from seafoam.textures import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
 
-Output = Literal["rgba8", "linear", "samples"]
+Output = Literal["rgba8", "rgba16", "linear", "samples"]
 
 TEXTURE_FORMATS = {
     "R8": (1, "f1"),
@@ -42,7 +42,20 @@ TEXTURE_FORMATS = {
 }
 """Components and moderngl dtype of each texture format."""
 
-_TARGET_FORMATS = {"RGBA16F": (4, "f2"), "RGBA32F": (4, "f4"), "RGBA8": (4, "f1"), "RG32UI": (2, "u4")}
+_TARGET_FORMATS = {
+    "RGBA16": (4, "nu2"),
+    "RGBA16F": (4, "f2"),
+    "RGBA32F": (4, "f4"),
+    "RGBA8": (4, "f1"),
+    "RG32UI": (2, "u4"),
+}
+_READ: dict[Output, tuple[str, Literal["f1", "nu2", "f4"], type[np.uint8 | np.uint16 | np.float32]]] = {
+    "rgba8": ("RGBA8", "f1", np.uint8),
+    "rgba16": ("RGBA16", "nu2", np.uint16),
+    "linear": ("RGBA8", "f4", np.float32),
+    "samples": ("RGBA8", "f4", np.float32),
+}
+"""Format of the displayed picture's target; moderngl dtype and type of what is read."""
 
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "none": (moderngl.ONE, moderngl.ZERO),
@@ -74,12 +87,12 @@ class ShaderError(RuntimeError):
 class Rendered:
     """A frame, top row first.
 
-    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``; float32 linear with A = foam coverage for ``linear``;
-    the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in
-    ``render`` (draw until finished) and ``read``.
+    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``, uint16 for ``rgba16``; float32 linear with A = foam
+    coverage for ``linear``; the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``:
+    seconds spent in ``render`` (draw until finished) and ``read``.
     """
 
-    pixels: NDArray[np.uint8] | NDArray[np.float32]
+    pixels: NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.float32]
     timings: dict[str, float]
 
 
@@ -161,7 +174,8 @@ class Executor:
         """
         self._own_thread()
         start = clock.perf_counter()
-        target_name = {"rgba8": "screen", "linear": plan.linear, "samples": "samples"}[output]
+        shown, dtype, kind = _READ[output]
+        target_name = {"linear": plan.linear, "samples": "samples"}.get(output, "screen")
         drawn = drawn_passes(plan, camera, width, height, target_name)
         setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
@@ -170,7 +184,7 @@ class Executor:
             if name not in setup
         }
         framebuffers["screen"] = self._targets.get(
-            ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
+            ("screen", width, height, shown), lambda: self._framebuffer((width, height), shown, depth=False)
         )
         framebuffers |= self._set_up(plan, drawn, camera)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
@@ -185,10 +199,9 @@ class Executor:
         self._context.finish()
         finished = clock.perf_counter()
         framebuffer = framebuffers[target_name][0]
-        dtype: Literal["f1", "f4"] = "f1" if output == "rgba8" else "f4"
         raw = framebuffer.read(components=4, alignment=1, dtype=dtype)
         shape = (framebuffer.height, framebuffer.width, 4)
-        pixels = np.frombuffer(raw, np.uint8 if output == "rgba8" else np.float32).reshape(shape)[::-1]
+        pixels = np.frombuffer(raw, kind).reshape(shape)[::-1]
         error = self._context.error
         if error != "GL_NO_ERROR":
             # Kept targets may have wrong content.

@@ -12,7 +12,7 @@ import numpy as np
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import NoRendererError
-from seafoam.render.service.jobs import Drawn, Frame, FrameJob, MeasureJob, Renderer, measure, render_frame
+from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Picture, Renderer, draw_frame, measure
 from seafoam.scene.models import Scene
 
 CANARY_SIDE = 16
@@ -96,14 +96,14 @@ def work_canary() -> Answer[dict[str, str]]:
         return Answer(os.getpid(), Failed(traceback.format_exc()))
 
 
-def work_frame(job: FrameJob, expires: float) -> Answer[Frame]:
-    """Render one frame, unless it has expired. expires: of ``time.time()``."""
+def work_frame(job: FrameJob, expires: float) -> Answer[Picture]:
+    """Render one frame, unless it has expired; the parent encodes it, beside the next. expires: of ``time.time()``."""
     if isinstance(_renderer, Unavailable):
         return Answer(os.getpid(), _renderer)
     if time.time() >= expires:
         return Answer(os.getpid(), Expired())
     try:
-        return Answer(os.getpid(), render_frame(_renderer, job))
+        return Answer(os.getpid(), draw_frame(_renderer, job))
     except Exception:
         return Answer(os.getpid(), Failed(traceback.format_exc()))
 

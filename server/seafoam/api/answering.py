@@ -1,0 +1,125 @@
+"""Answers with frames, the same for every address that has them."""
+
+import asyncio
+from collections.abc import Mapping
+from typing import Any
+from urllib.parse import urlencode
+
+from fastapi import Request
+from starlette.responses import Response
+
+from seafoam.api.caching import not_modified
+from seafoam.api.context import Context
+from seafoam.api.known import Identified
+from seafoam.api.planning import CompiledPlan
+from seafoam.render.encode import MEDIA_TYPES
+from seafoam.render.service.jobs import FrameJob
+from seafoam.render.service.source import Found
+
+STAGES = ("queue", "plan", "render", "read", "encode")
+CLIENT_CLOSED_REQUEST = 499
+"""nginx's status for a client that disconnected; it appears only in the log and the metrics."""
+_TEXT = {"type": "string"}
+FRAME_RESPONSES: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "The frame: an sRGB image; linear R, G, B and coverage as OpenEXR; or a linear float32 array "
+        "(height, width, 4) with foam coverage in the last channel",
+        "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
+        "headers": {
+            "ETag": {
+                "description": "Entity tag of the response bytes; it depends on the renderer too",
+                "schema": _TEXT,
+            },
+            "Server-Timing": {
+                "description": f"Time per stage, ms: {', '.join(STAGES)}; or `cache` with where the frame was: memory, "
+                "disk, or shared with another request",
+                "schema": _TEXT,
+            },
+            "Seafoam-Plan": {"description": "SHA-256 of the frame plan", "schema": _TEXT},
+            "Seafoam-Renderer": {"description": "Name of the GL renderer", "schema": _TEXT},
+            "Link": {"description": "The frame's immutable address (rel=canonical)", "schema": _TEXT},
+        },
+    }
+}
+NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
+    304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
+
+
+async def identify(
+    job: FrameJob, compiled: CompiledPlan, context: Context, headers: Mapping[str, str], plans_at: str
+) -> Identified:
+    """Find key and headers of a frame, and remember its plan. plans_at: relative address of ``/api/plans``."""
+    await context.pool.wait_until_settled()
+    plan = compiled.sha256
+    if not context.known.holds(plan):
+        await context.plans.run(context.known.remember, plan, job.scene, job.quality)
+    own = {
+        "Seafoam-Plan": plan,
+        "Seafoam-Renderer": context.pool.info["renderer"],
+        "Link": f'<{plans_at}/{_address(job, plan)}>; rel="canonical"',
+    }
+    return Identified(job, context.frames.key(job, plan), {**own, **headers})
+
+
+async def answer(
+    identified: Identified, request: Request, context: Context, *, conditional: bool = True, background: bool = False
+) -> Response:
+    """Answer with a frame. conditional: 304 if the client's copy is current. background: visitors go first."""
+    job, key = identified.job, identified.key
+    tag = f'"{key}"'
+    if conditional and (current := not_modified(request, tag, identified.headers)):
+        return current
+    content = context.frames.at_hand(key)
+    if content is not None:
+        timing = 'cache;desc="memory"'
+    else:
+        found = await _unless_gone(request, context, identified, background)
+        if found is None:
+            return Response(status_code=CLIENT_CLOSED_REQUEST)
+        content, timing = found.frame.content, _timing(found)
+        if found.origin == "drawn":
+            context.metrics.count_frame(found.frame, job.format)
+    return Response(
+        content,
+        headers={"ETag": tag, "Server-Timing": timing, **identified.headers},
+        media_type=MEDIA_TYPES[job.format],
+    )
+
+
+def _timing(found: Found) -> str:
+    if found.origin != "drawn":
+        return f'cache;desc="{found.origin}"'
+    return ", ".join(f"{stage};dur={1000 * found.frame.timings[stage]:.2f}" for stage in STAGES)
+
+
+def _address(job: FrameJob, plan: str) -> str:
+    """Return the address of a frame below ``/api/plans``, which names all that the picture depends on."""
+    camera = job.camera
+    x, y, z = camera.position
+    query: dict[str, Any] = {"width": job.width, "height": job.height, "x": x, "y": y, "z": z}
+    query |= {"yaw": camera.yaw, "pitch": camera.pitch, "roll": camera.roll, "fov": camera.fov}
+    if job.format in ("png", "webp") and not job.dither:
+        query["dither"] = "false"
+    if job.format == "exr" and job.precision != "half":
+        query["precision"] = job.precision
+    return f"{plan}/frames/{job.time!r}.{job.format}?{urlencode(query)}"
+
+
+async def _unless_gone(request: Request, context: Context, identified: Identified, background: bool) -> Found | None:
+    """Return the frame, or None if the client disconnected: the frame then leaves the queue."""
+    rendering = asyncio.ensure_future(context.frames.frame(identified.job, identified.key, background=background))
+    leaving = asyncio.ensure_future(_client_gone(request))
+    try:
+        await asyncio.wait({rendering, leaving}, return_when=asyncio.FIRST_COMPLETED)
+        return await rendering if rendering.done() else None
+    finally:
+        for task in (rendering, leaving):
+            if not task.done():
+                task.cancel()
+                await asyncio.gather(task, return_exceptions=True)
+
+
+async def _client_gone(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
