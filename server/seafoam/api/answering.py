@@ -1,7 +1,7 @@
 """Answers with frames, the same for every address that has them."""
 
 import asyncio
-from collections.abc import Mapping
+from collections.abc import Awaitable, Callable, Hashable, Mapping
 from typing import Any
 from urllib.parse import urlencode
 
@@ -44,6 +44,17 @@ FRAME_RESPONSES: dict[int | str, dict[str, Any]] = {
 NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
     304: {"description": "Not modified: the copy named by If-None-Match is current"}
 }
+
+
+async def asked_before(
+    context: Context, request: tuple[Hashable, ...], find: Callable[[], Awaitable[Identified]]
+) -> Identified:
+    """Return what a request asks for: as found before with the same renderer, or else by ``find``."""
+    identified = context.requests.get((request, *context.pool.info.values()))
+    if identified is None:
+        identified = await find()
+        context.requests.put((request, *context.pool.info.values()), identified)
+    return identified
 
 
 async def identify(

@@ -6,7 +6,7 @@ from fastapi import APIRouter, Path, Query, Request
 from starlette.responses import Response
 
 from seafoam.accuracy.sweep import Subject
-from seafoam.api.answering import FRAME_RESPONSES, NOT_MODIFIED, answer, identify
+from seafoam.api.answering import FRAME_RESPONSES, NOT_MODIFIED, answer, asked_before, identify
 from seafoam.api.auto import Asked, resolve
 from seafoam.api.caching import NO_STORE, REVALIDATE
 from seafoam.api.context import Context, InContext
@@ -45,13 +45,12 @@ async def get_frame(
     context: InContext,
 ) -> Response:
     """Render a frame of a preset. Parameters that are absent take the preset's values."""
-    key = ("frame", preset, format, asked, *context.pool.info.values())
-    # With quality auto the same request may be answered by another quality, once more is measured.
-    identified = None if asked.quality == "auto" else context.requests.get(key)
-    if identified is None:
+    if asked.quality == "auto":  # once more is measured, the same request is answered by another quality
         identified = await _identified(preset, format, asked, context)
-        if asked.quality != "auto":
-            context.requests.put(key, identified)
+    else:
+        identified = await asked_before(
+            context, ("frame", preset, format, asked), lambda: _identified(preset, format, asked, context)
+        )
     return await answer(identified, request, context)
 
 
@@ -106,15 +105,17 @@ async def get_thumbnail(
     context: InContext,
 ) -> Response:
     """Get a small frame of a preset at its own time. It is drawn when no other frame waits, within 60 s."""
-    key = ("thumbnail", preset, format, asked, *context.pool.info.values())
-    identified = context.requests.get(key)
-    if identified is None:
-        loaded = find_preset(preset)
-        height = max(1, round(asked.width * loaded.size[1] / loaded.size[0]))
-        quality, scene = TIERS["standard"], loaded.scene
-        context.settings.frame_limits.check(asked.width, height, quality.samples_drawn)
-        job = FrameJob(scene, quality, loaded.time, scene.camera, asked.width, height, format, preset)
-        compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None)
-        identified = await identify(job, compiled, context, {"Cache-Control": REVALIDATE}, "../../plans")
-        context.requests.put(key, identified)
+    identified = await asked_before(
+        context, ("thumbnail", preset, format, asked), lambda: _thumbnail(preset, format, asked.width, context)
+    )
     return await answer(identified, request, context, background=True)
+
+
+async def _thumbnail(preset: str, format: FrameFormat, width: int, context: Context) -> Identified:
+    loaded = find_preset(preset)
+    height = max(1, round(width * loaded.size[1] / loaded.size[0]))
+    quality, scene = TIERS["standard"], loaded.scene
+    context.settings.frame_limits.check(width, height, quality.samples_drawn)
+    job = FrameJob(scene, quality, loaded.time, scene.camera, width, height, format, preset)
+    compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None)
+    return await identify(job, compiled, context, {"Cache-Control": REVALIDATE}, "../../plans")

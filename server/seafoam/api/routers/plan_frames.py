@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Path, Query, Request
 from starlette.responses import Response
 
-from seafoam.api.answering import FRAME_RESPONSES, NOT_MODIFIED, answer, identify
+from seafoam.api.answering import FRAME_RESPONSES, NOT_MODIFIED, answer, asked_before, identify
 from seafoam.api.caching import IMMUTABLE
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import NotFoundError, problem_responses
@@ -37,11 +37,9 @@ async def get_plan_frame(
 
     Frames of presets and scenes name this address in their header Link.
     """
-    key = ("plan", plan, time, format, asked, *context.pool.info.values())
-    identified = context.requests.get(key)
-    if identified is None:
-        identified = await _identified(plan, time, format, asked, context)
-        context.requests.put(key, identified)
+    identified = await asked_before(
+        context, ("plan", plan, time, format, asked), lambda: _identified(plan, time, format, asked, context)
+    )
     return await answer(identified, request, context)
 
 

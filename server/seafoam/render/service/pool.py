@@ -172,11 +172,12 @@ class RenderPool:
         self._turns.add(turn)
         try:
             await self.wait_until_settled()
-            await self._take(self._desks, expires, turn)
+            # The worker first: one that waits in the background must not hold what a visitor needs.
+            await self._take(self._slots, expires, turn)
             try:
-                await self._take(self._slots, expires, turn)
+                await self._take(self._desks, expires, turn)
             except BaseException:
-                self._desks.release()
+                self._slots.release()
                 raise
         finally:
             self._turns.discard(turn)
@@ -231,7 +232,7 @@ class RenderPool:
         waiting, capacity = (
             (self.waiting_background, BACKGROUND_QUEUE) if turn.background else (self.waiting, self.queue)
         )
-        if waiting >= capacity and (self.state == "starting" or self._slots.locked() or self._desks.locked()):
+        if waiting >= capacity and (self.state == "starting" or self._slots.locked()):
             ahead = math.ceil(self._recent_seconds * (waiting + 1) / self.workers)
             raise QueueFullError(waiting, max(EARLIEST_RETRY, ahead))
 

@@ -23,6 +23,11 @@ def described(quality: Quality) -> str | dict[str, Any]:
     return tier or quality.model_dump(mode="json", exclude_defaults=True)
 
 
+def renderer_of(info: Mapping[str, str]) -> str:
+    """Return a renderer as recipes name it. info: its ``renderer`` and ``version``."""
+    return f"{info['renderer']}, {info['version']}"
+
+
 def recipe_of(job: "FrameJob", info: Mapping[str, str], plan: str) -> str:
     """Return a frame's recipe as JSON with sorted keys: the same job on the same renderer gives the same text.
 
@@ -33,7 +38,7 @@ def recipe_of(job: "FrameJob", info: Mapping[str, str], plan: str) -> str:
     document = {
         "recipe": RECIPE_VERSION,
         "seafoam": version("seafoam"),
-        "renderer": f"{info['renderer']}, {info['version']}",
+        "renderer": renderer_of(info),
         "plan": plan,
         "format": job.format,
         "preset": job.preset,
