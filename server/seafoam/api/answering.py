@@ -1,12 +1,13 @@
 """Answers with frames, the same for every address that has them."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Hashable, Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 from urllib.parse import urlencode
 
 from fastapi import Request
 from starlette.responses import Response
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from seafoam.api.caching import not_modified
 from seafoam.api.context import Context
@@ -46,21 +47,48 @@ NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
 }
 
 
-async def asked_before(
-    context: Context, request: tuple[Hashable, ...], find: Callable[[], Awaitable[Identified]]
-) -> Identified:
+async def asked_before(context: Context, request: Request, find: Callable[[], Awaitable[Identified]]) -> Identified:
     """Return what a request asks for: as found before with the same renderer, or else by ``find``."""
-    identified = context.requests.get((request, *context.pool.info.values()))
+    identified = context.requests.get(request.scope, context.pool.info)
     if identified is None:
         identified = await find()
-        context.requests.put((request, *context.pool.info.values()), identified)
+        context.requests.put(request.scope, context.pool.info, identified)
     return identified
 
 
+class Repeats:
+    """ASGI middleware: answers repeats of GET requests from memory, before they are routed, checked and planned.
+
+    It costs a tenth of what the whole way to the same answer does. What is not at hand goes that way.
+    """
+
+    def __init__(self, app: ASGIApp) -> None:
+        self.app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        response = None
+        if scope["type"] == "http" and scope["method"] == "GET":
+            context: Context = scope["app"].state.context
+            identified = context.requests.get(scope, context.pool.info)
+            if identified is not None:
+                response = at_hand(identified, Request(scope), context)
+                scope["route"] = identified.route  # by which requests are counted
+        await (response or self.app)(scope, receive, send)
+
+
+def at_hand(identified: Identified, request: Request, context: Context) -> Response | None:
+    """Return the answer to a GET if the client has it (304) or it is in memory, else None."""
+    if current := not_modified(request, f'"{identified.key}"', identified.headers):
+        return current
+    content = context.frames.at_hand(identified.key)
+    return None if content is None else _response(identified, content, 'cache;desc="memory"')
+
+
 async def identify(
-    job: FrameJob, compiled: CompiledPlan, context: Context, headers: Mapping[str, str], plans_at: str
+    job: FrameJob, compiled: CompiledPlan, request: Request, headers: Mapping[str, str], plans_at: str
 ) -> Identified:
     """Find key and headers of a frame, and remember its plan. plans_at: relative address of ``/api/plans``."""
+    context: Context = request.app.state.context
     await context.pool.wait_until_settled()
     plan = compiled.sha256
     if not context.known.holds(plan):
@@ -70,32 +98,24 @@ async def identify(
         "Seafoam-Renderer": context.pool.info["renderer"],
         "Link": f'<{plans_at}/{_address(job, plan)}>; rel="canonical"',
     }
-    return Identified(job, context.frames.key(job, plan), {**own, **headers})
+    return Identified(job, context.frames.key(job, plan), {**own, **headers}, request.scope["route"])
 
 
-async def answer(
-    identified: Identified, request: Request, context: Context, *, conditional: bool = True, background: bool = False
-) -> Response:
-    """Answer with a frame. conditional: 304 if the client's copy is current. background: visitors go first."""
-    job, key = identified.job, identified.key
-    tag = f'"{key}"'
-    if conditional and (current := not_modified(request, tag, identified.headers)):
-        return current
-    content = context.frames.at_hand(key)
-    if content is not None:
-        timing = 'cache;desc="memory"'
-    else:
-        found = await _unless_gone(request, context, identified, background)
-        if found is None:
-            return Response(status_code=CLIENT_CLOSED_REQUEST)
-        content, timing = found.frame.content, _timing(found)
-        if found.origin == "drawn":
-            context.metrics.count_frame(found.frame, job.format)
-    return Response(
-        content,
-        headers={"ETag": tag, "Server-Timing": timing, **identified.headers},
-        media_type=MEDIA_TYPES[job.format],
-    )
+async def answer(identified: Identified, request: Request, context: Context, *, background: bool = False) -> Response:
+    """Answer with a frame, or a GET with 304 if the client's copy is current. background: visitors go first."""
+    if request.method == "GET" and (response := at_hand(identified, request, context)):
+        return response
+    found = await _unless_gone(request, context, identified, background)
+    if found is None:
+        return Response(status_code=CLIENT_CLOSED_REQUEST)
+    if found.origin == "drawn":
+        context.metrics.count_frame(found.frame, identified.job.format)
+    return _response(identified, found.frame.content, _timing(found))
+
+
+def _response(identified: Identified, content: bytes, timing: str) -> Response:
+    headers = {"ETag": f'"{identified.key}"', "Server-Timing": timing, **identified.headers}
+    return Response(content, headers=headers, media_type=MEDIA_TYPES[identified.job.format])
 
 
 def _timing(found: Found) -> str:

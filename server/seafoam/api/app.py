@@ -14,6 +14,7 @@ from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddle
 
 from seafoam.accuracy.cache import cache_dir
 from seafoam.api import errors, pages
+from seafoam.api.answering import Repeats
 from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
 from seafoam.api.known import KnownPlans, Requests
@@ -107,6 +108,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
             Middleware(HeadAsGet),
             Middleware(SecurityHeaders),
             Middleware(MeasureRequests, metrics=metrics),
+            Middleware(Repeats),
             Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
             Middleware(LimitBody, limit=settings.max_body),
         ],

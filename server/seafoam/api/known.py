@@ -6,12 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from starlette.routing import BaseRoute
+from starlette.types import Scope
+
 from seafoam.planner import PlanError
 from seafoam.quality import Quality
 from seafoam.render.service.disk import DiskCache
 from seafoam.render.service.jobs import FrameJob, plan_hash
 from seafoam.scene.models import Scene
 
+ADDRESS_KEPT = 1024
+"""Bytes of a query; all parameters at full length have a third of it."""
 KEPT = 1024
 """Plans in memory; one is a few kilobytes of scene."""
 REQUESTS_KEPT = 4096
@@ -88,23 +93,30 @@ class Identified:
     job: FrameJob
     key: str
     headers: Mapping[str, str]
+    """All of the answer's but the content's own."""
+    route: BaseRoute
 
 
 class Requests:
-    """What requests were found to ask for, so that a repeat needs no plan; the least recently used go first."""
+    """What GET requests were found to ask for, by their address as it was sent, so that a repeat is neither checked nor
+    planned again; the least recently used go first.
+    """
 
     def __init__(self) -> None:
-        self._held: OrderedDict[Any, Identified] = OrderedDict()
+        self._held: OrderedDict[tuple[Any, ...], Identified] = OrderedDict()
 
-    def get(self, key: Any) -> Identified | None:
-        """Return what a request with this key asked for, or None."""
+    def get(self, scope: Scope, info: Mapping[str, str]) -> Identified | None:
+        """Return what this request asked for before, with the same renderer, or None."""
+        key = (scope["path"], scope["query_string"], *info.values())
         if key not in self._held:
             return None
         self._held.move_to_end(key)
         return self._held[key]
 
-    def put(self, key: Any, identified: Identified) -> None:
-        """Remember what a request asked for."""
-        self._held[key] = identified
+    def put(self, scope: Scope, info: Mapping[str, str], identified: Identified) -> None:
+        """Remember what a request asked for, unless its address is longer than any that is meant."""
+        if len(scope["query_string"]) > ADDRESS_KEPT:
+            return
+        self._held[(scope["path"], scope["query_string"], *info.values())] = identified
         if len(self._held) > REQUESTS_KEPT:
             self._held.popitem(last=False)

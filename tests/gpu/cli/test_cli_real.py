@@ -40,9 +40,9 @@ def test_serve_answers_without_delay_and_stops_when_told():
     )
     try:
         address = process.stdout.readline().split()[3]
-        with urllib.request.urlopen(f"{address}/healthz", timeout=20) as response:
+        with urllib.request.urlopen(f"{address}/healthz", timeout=60) as response:
             assert json.load(response) == {"status": "alive"}
-        with urllib.request.urlopen(f"{address}/api/presets", timeout=20) as response:
+        with urllib.request.urlopen(f"{address}/api/presets", timeout=60) as response:
             assert response.status == 200
     finally:
         process.send_signal(signal.SIGTERM)

@@ -46,15 +46,15 @@ async def get_frame(
 ) -> Response:
     """Render a frame of a preset. Parameters that are absent take the preset's values."""
     if asked.quality == "auto":  # once more is measured, the same request is answered by another quality
-        identified = await _identified(preset, format, asked, context)
+        identified = await _identified(preset, format, asked, request, context)
     else:
-        identified = await asked_before(
-            context, ("frame", preset, format, asked), lambda: _identified(preset, format, asked, context)
-        )
+        identified = await asked_before(context, request, lambda: _identified(preset, format, asked, request, context))
     return await answer(identified, request, context)
 
 
-async def _identified(preset: str, format: FrameFormat, asked: FrameParameters, context: Context) -> Identified:
+async def _identified(
+    preset: str, format: FrameFormat, asked: FrameParameters, request: Request, context: Context
+) -> Identified:
     loaded = find_preset(preset)
     width = loaded.size[0] if asked.width is None else asked.width
     height = loaded.size[1] if asked.height is None else asked.height
@@ -69,7 +69,7 @@ async def _identified(preset: str, format: FrameFormat, asked: FrameParameters, 
     camera = asked.camera(scene.camera)
     job = FrameJob(scene, quality, time, camera, width, height, format, preset, asked.dither, asked.precision)
     compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None, parameters=asked.changed)
-    return await identify(job, compiled, context, {"Cache-Control": REVALIDATE, **chosen}, "../plans")
+    return await identify(job, compiled, request, {"Cache-Control": REVALIDATE, **chosen}, "../plans")
 
 
 @router.post(
@@ -88,8 +88,8 @@ async def render_frame(asked: strictly(FrameRequest), request: Request, context:
     size = body.width, body.height
     job = FrameJob(body.scene, quality, body.time, camera, *size, body.format, body.preset, body.dither, body.precision)
     compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
-    identified = await identify(job, compiled, context, {"Cache-Control": NO_STORE, **chosen}, "plans")
-    return await answer(identified, request, context, conditional=False)
+    identified = await identify(job, compiled, request, {"Cache-Control": NO_STORE, **chosen}, "plans")
+    return await answer(identified, request, context)
 
 
 @router.get(
@@ -105,17 +105,15 @@ async def get_thumbnail(
     context: InContext,
 ) -> Response:
     """Get a small frame of a preset at its own time. It is drawn when no other frame waits, within 60 s."""
-    identified = await asked_before(
-        context, ("thumbnail", preset, format, asked), lambda: _thumbnail(preset, format, asked.width, context)
-    )
+    identified = await asked_before(context, request, lambda: _thumbnail(preset, format, asked.width, request, context))
     return await answer(identified, request, context, background=True)
 
 
-async def _thumbnail(preset: str, format: FrameFormat, width: int, context: Context) -> Identified:
+async def _thumbnail(preset: str, format: FrameFormat, width: int, request: Request, context: Context) -> Identified:
     loaded = find_preset(preset)
     height = max(1, round(width * loaded.size[1] / loaded.size[0]))
     quality, scene = TIERS["standard"], loaded.scene
     context.settings.frame_limits.check(width, height, quality.samples_drawn)
     job = FrameJob(scene, quality, loaded.time, scene.camera, width, height, format, preset)
     compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None)
-    return await identify(job, compiled, context, {"Cache-Control": REVALIDATE}, "../../plans")
+    return await identify(job, compiled, request, {"Cache-Control": REVALIDATE}, "../../plans")

@@ -27,7 +27,9 @@ async def get_plan_frame(
     plan: Annotated[
         str, Path(pattern="^[0-9a-f]{64}$", description="SHA-256 of a plan that this server has made: Seafoam-Plan")
     ],
-    time: Annotated[float, Path(ge=-TIME_LIMIT, le=TIME_LIMIT, allow_inf_nan=False, description="Time, s")],
+    time: Annotated[
+        float, Path(ge=-TIME_LIMIT, le=TIME_LIMIT, allow_inf_nan=False, description="Time, s", examples=[12.5])
+    ],
     format: Annotated[FrameFormat, Path(description=FORMATS)],
     asked: Annotated[PlanFrameParameters, Query()],
     request: Request,
@@ -37,14 +39,12 @@ async def get_plan_frame(
 
     Frames of presets and scenes name this address in their header Link.
     """
-    identified = await asked_before(
-        context, ("plan", plan, time, format, asked), lambda: _identified(plan, time, format, asked, context)
-    )
+    identified = await asked_before(context, request, lambda: _identified(plan, time, format, asked, request, context))
     return await answer(identified, request, context)
 
 
 async def _identified(
-    plan: str, time: float, format: FrameFormat, asked: PlanFrameParameters, context: Context
+    plan: str, time: float, format: FrameFormat, asked: PlanFrameParameters, request: Request, context: Context
 ) -> Identified:
     source = await context.plans.run(context.known.find, plan)
     if source is None:
@@ -56,4 +56,4 @@ async def _identified(
     size = asked.width, asked.height
     job = FrameJob(scene, quality, time, asked.camera, *size, format, None, asked.dither, asked.precision)
     compiled = await context.plans.run(compile_scene, scene, quality, scene_at=None)
-    return await identify(job, compiled, context, {"Cache-Control": IMMUTABLE}, "../..")
+    return await identify(job, compiled, request, {"Cache-Control": IMMUTABLE}, "../..")

@@ -15,13 +15,12 @@ from seafoam.render.encode.recipes import NoRecipeError
 from seafoam.render.encode.webp import encode_webp, recipe_in_webp
 
 __all__ = [
-    "ENCODERS", "FRAME_FORMATS", "MEDIA_TYPES", "PRECISIONS", "FrameFormat", "NoRecipeError", "Output", "Precision",
-    "encode", "output_of", "read_recipe",
+    "BYTES_PER_PIXEL", "ENCODERS", "FRAME_FORMATS", "MEDIA_TYPES", "FrameFormat", "NoRecipeError", "Output",
+    "Precision", "encode", "output_of", "read_recipe",
 ]  # fmt: skip
 
 FrameFormat = Literal["png", "webp", "exr", "npy"]
 FRAME_FORMATS: tuple[FrameFormat, ...] = get_args(FrameFormat)
-PRECISIONS: tuple[Precision, ...] = get_args(Precision)
 MEDIA_TYPES: dict[FrameFormat, str] = {
     "png": "image/png",
     "webp": "image/webp",
@@ -33,6 +32,7 @@ ENCODERS = {name: version(name) for name in ("isal", "Pillow", "OpenEXR", "numpy
 
 Output = Literal["rgba8", "rgba16", "linear"]
 _TYPES: dict[Output, type[np.generic]] = {"rgba8": np.uint8, "rgba16": np.uint16, "linear": np.float32}
+BYTES_PER_PIXEL: dict[Output, int] = {output: 4 * np.dtype(type).itemsize for output, type in _TYPES.items()}
 
 
 def output_of(format: FrameFormat, dither: bool) -> Output:

@@ -38,6 +38,11 @@ class FrameJob:
     precision: Precision = "half"
     """Numbers of ``exr``."""
 
+    @property
+    def output(self) -> Output:
+        """What a renderer must give for it."""
+        return output_of(self.format, self.dither)
+
 
 @dataclass(frozen=True, slots=True)
 class Picture:
@@ -143,7 +148,7 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
         camera=job.camera,
         width=job.width,
         height=job.height,
-        output=output_of(job.format, job.dither),
+        output=job.output,
     )
     timings = {"plan": planned - began, "render": rendered.timings["render"], "read": rendered.timings["read"]}
     return Picture(rendered.pixels, digest, dict(renderer.info), timings)

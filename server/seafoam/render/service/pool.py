@@ -31,7 +31,9 @@ from typing import Any, Literal
 
 from pebble import ProcessExpired, ProcessPool
 
+from seafoam.render.encode import BYTES_PER_PIXEL
 from seafoam.render.gl.executor import Executor
+from seafoam.render.service.canvas import Canvas, Canvases
 from seafoam.render.service.errors import (
     DeadlineError,
     QueueFullError,
@@ -122,6 +124,7 @@ class RenderPool:
         self._slots = Slots(workers)
         # One frame of each worker is encoded while it draws the next; more would only collect in memory.
         self._desks = Slots(2 * workers)
+        self._canvases = Canvases(2 * workers)
         self._encoders: ThreadPoolExecutor | None = None
         self._tasks: set[asyncio.Task[None]] = set()
 
@@ -142,6 +145,7 @@ class RenderPool:
         await asyncio.gather(*self._tasks, return_exceptions=True)
         if self._encoders is not None:
             self._encoders.shutdown(wait=False, cancel_futures=True)
+        self._canvases.close()
         processes, self._processes = self._processes, None
         if processes is not None:
             await asyncio.to_thread(_discard, processes)
@@ -183,27 +187,35 @@ class RenderPool:
             self._turns.discard(turn)
         # A renderer that hangs is not waited for longer in the background.
         expires = min(expires, time.time() + self.deadline)
+        canvas = self._canvases.take(job.width * job.height * BYTES_PER_PIXEL[job.output])
         try:
-            picture = await self._run(work_frame, (job, expires), expires)
+            sent = await self._run(work_frame, (job, expires, canvas.address), expires)
+            picture = Picture(canvas.received(sent.pixels), sent.plan, sent.info, sent.timings)
         except BaseException:
+            # Closed, since the worker may still write to it.
+            canvas.close()
             self._desks.release()
             raise
-        frame = await self._encode(picture, job, expires)
+        frame = await self._encode(picture, job, canvas, expires)
         worked = sum(frame.timings.values())
         self._recent_seconds += 0.2 * (worked - self._recent_seconds)
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
 
-    async def _encode(self, picture: Picture, job: FrameJob, expires: float) -> Frame:
-        """Encode in a thread; the desk is free when the thread is, whether or not the caller still waits."""
+    async def _encode(self, picture: Picture, job: FrameJob, canvas: Canvas, expires: float) -> Frame:
+        """Encode in a thread; desk and canvas are free when the thread is, whether or not the caller still waits."""
         assert self._encoders is not None
         loop = asyncio.get_running_loop()
         encoding = loop.run_in_executor(self._encoders, encode_frame, picture, job)
-        encoding.add_done_callback(lambda _: self._desks.release())
+        encoding.add_done_callback(lambda _: self._encoded(canvas))
         try:
             async with asyncio.timeout(max(0.0, expires - time.time())):
                 return await asyncio.shield(encoding)
         except TimeoutError:
             raise DeadlineError("timeout: the frame was drawn, but not encoded before its deadline") from None
+
+    def _encoded(self, canvas: Canvas) -> None:
+        self._canvases.give_back(canvas)
+        self._desks.release()
 
     async def measure(self, job: MeasureJob) -> tuple[Drawn, ...]:
         """Measure in a worker, in turn with the frames, without taking a place in their queue.
