@@ -1,7 +1,6 @@
 """PNG (ISO 15948): one row filter and ISA-L's deflate, in a fifth of the time that Pillow's zlib takes."""
 
 import struct
-import zlib
 from collections.abc import Iterator
 
 import numpy as np
@@ -57,4 +56,4 @@ def _chunks(content: bytes) -> Iterator[tuple[bytes, bytes]]:
 
 
 def _chunk(kind: bytes, data: bytes) -> bytes:
-    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(data, zlib.crc32(kind)))
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", isal_zlib.crc32(data, isal_zlib.crc32(kind)))
