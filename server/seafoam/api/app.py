@@ -44,6 +44,10 @@ NOT_WORTH_GZIP = (
     "font/*",
 )
 
+_ROUTERS = tuple(
+    each.router for each in (presets, scenes, plans, plan_frames, frames, accuracy, masks, textures, export)
+)
+
 _DESCRIPTION = """
 Water with halftoned foam, after Yingst, Alford and Parberry (2011).
 
@@ -74,25 +78,14 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        sweeps = sweep_service(settings, pool, asyncio.get_running_loop())
-        app.state.context = Context(
-            settings,
-            pool,
-            source,
-            KnownPlans(disk),
-            Requests(),
-            metrics,
-            plans=ThreadPool(2, 64),
-            masks=ThreadPool(1, 8),
-            sweeps=sweeps,
-        )
+        context = app.state.context = _context(settings, pool, source, metrics)
         await pool.start()
-        warming = asyncio.create_task(presets.warm(app.state.context.plans))
+        warming = asyncio.create_task(presets.warm(context.plans))
         yield
         warming.cancel()
         with suppress(asyncio.CancelledError, errors.BusyError):
             await warming
-        await asyncio.to_thread(sweeps.stop)
+        await asyncio.to_thread(context.sweeps.stop)
         await pool.stop()
         await source.close()
 
@@ -113,23 +106,28 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
             Middleware(LimitBody, limit=settings.max_body),
         ],
     )
-    for router in (
-        presets.router,
-        scenes.router,
-        plans.router,
-        plan_frames.router,
-        frames.router,
-        accuracy.router,
-        masks.router,
-        textures.router,
-        export.router,
-    ):
+    for router in _ROUTERS:
         app.include_router(router, responses=problem_responses(400, 500))
     app.include_router(health.router)
     errors.install(app)
     pages.install(app)
     _describe(app, settings)
     return app
+
+
+def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics) -> Context:
+    """Make what the handlers share; sweeps are measured on the running event loop."""
+    return Context(
+        settings,
+        pool,
+        source,
+        KnownPlans(source.disk),
+        Requests(),
+        metrics,
+        plans=ThreadPool(2, 64),
+        masks=ThreadPool(1, 8),
+        sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),
+    )
 
 
 def _describe(app: FastAPI, settings: Settings) -> None:

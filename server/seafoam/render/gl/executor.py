@@ -9,7 +9,7 @@ import time as clock
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -23,39 +23,11 @@ from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, create_context
+from seafoam.render.gl.formats import READ, TARGET_FORMATS, TEXTURE_FORMATS, Output
 from seafoam.scene.camera import Camera
 from seafoam.textures import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
-
-Output = Literal["rgba8", "rgba16", "linear", "samples"]
-
-TEXTURE_FORMATS = {
-    "R8": (1, "f1"),
-    "R8UI": (1, "u1"),
-    "R16UI": (1, "u2"),
-    "RG32UI": (2, "u4"),
-    "R16F": (1, "f2"),
-    "R32F": (1, "f4"),
-    "RG32F": (2, "f4"),
-    "RGBA32F": (4, "f4"),
-}
-"""Components and moderngl dtype of each texture format."""
-
-_TARGET_FORMATS = {
-    "RGBA16": (4, "nu2"),
-    "RGBA16F": (4, "f2"),
-    "RGBA32F": (4, "f4"),
-    "RGBA8": (4, "f1"),
-    "RG32UI": (2, "u4"),
-}
-_READ: dict[Output, tuple[str, Literal["f1", "nu2", "f4"], type[np.uint8 | np.uint16 | np.float32]]] = {
-    "rgba8": ("RGBA8", "f1", np.uint8),
-    "rgba16": ("RGBA16", "nu2", np.uint16),
-    "linear": ("RGBA8", "f4", np.float32),
-    "samples": ("RGBA8", "f4", np.float32),
-}
-"""Format of the displayed picture's target; moderngl dtype and type of what is read."""
 
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "none": (moderngl.ONE, moderngl.ZERO),
@@ -174,7 +146,7 @@ class Executor:
         """
         self._own_thread()
         start = clock.perf_counter()
-        shown, dtype, kind = _READ[output]
+        shown, dtype, kind = READ[output]
         target_name = {"linear": plan.linear, "samples": "samples"}.get(output, "screen")
         drawn = drawn_passes(plan, camera, width, height, target_name)
         setup = {step.target for step in plan.passes if step.when == "setup"}
@@ -369,7 +341,7 @@ class Executor:
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
         if max(size) > self.max_side:
             raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's limit of {self.max_side} pixels per side")
-        components, dtype = _TARGET_FORMATS[kind]
+        components, dtype = TARGET_FORMATS[kind]
         color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]
         color.repeat_x = color.repeat_y = False
