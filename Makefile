@@ -132,7 +132,8 @@ fronts: setup
 
 lock: $(VENV)/.installed
 	$(BIN)/pip install -q uv
-	$(BIN)/uv pip compile pyproject.toml --extra dev --extra reports --universal --python-version 3.11 --generate-hashes \
+	$(BIN)/uv pip compile pyproject.toml $(addprefix --extra ,dev reports notebook video) --universal \
+		--python-version 3.11 --generate-hashes \
 		--no-emit-index-url --no-header --upgrade -o requirements.lock
 
 clean:

@@ -1,4 +1,4 @@
-"""The command ``seafoam``: serve, render, accuracy, masks, doctor.
+"""The command ``seafoam``: serve, render, sequence, accuracy, masks, doctor.
 
 Invalid input prints one line that names the field and its allowed values, with exit code 2; a missing driver or tool
 prints one line with the remedy, with exit code 1. Commands import heavy modules themselves, because spawned render
@@ -18,6 +18,7 @@ import typer
 from typer.exceptions import TyperException
 
 from seafoam.cli.masks import masks
+from seafoam.cli.sequences import sequence
 from seafoam.cli.support import UNABLE, CommandError, Output, need_reports, refuse, size_of
 
 app = typer.Typer(
@@ -27,6 +28,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.add_typer(masks, name="masks")
+app.command()(sequence)
 
 OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""

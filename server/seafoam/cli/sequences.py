@@ -1,0 +1,117 @@
+"""The command ``seafoam sequence``."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from seafoam.cli.support import UNABLE, CommandError, size_of
+
+if TYPE_CHECKING:
+    from seafoam.sequences.making import Output as SequenceOutput
+    from seafoam.sequences.spec import SequenceSpec
+
+
+def sequence(
+    preset: Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Directory for frames, or a .mp4, .webp (lossless) or .zip file.")
+    ],
+    stop: Annotated[float, typer.Option(help="Time before which the last frame is, s.")],
+    start: Annotated[float | None, typer.Option(help="Time of the first frame, s [default: the preset's].")] = None,
+    fps: Annotated[float, typer.Option(help="Frames per second.")] = 24.0,
+    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels [default: the preset's].")] = None,
+    quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
+    look: Annotated[str | None, typer.Option(help="Foam look [default: the preset's].")] = None,
+    mask: Annotated[
+        str | None,
+        typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] [default: the preset's]."),
+    ] = None,
+    codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
+    again: Annotated[
+        bool, typer.Option("--again", help="Draw every frame again, ignoring those that are there.")
+    ] = False,
+) -> None:
+    """Render a sequence of frames. The same command goes on where an earlier run stopped."""
+    from seafoam.planner import PlanError
+
+    wanted = _output(output, codec)
+    pixels = None if size is None else size_of(size)
+    spec = _spec(preset, start, stop, fps, {"size": pixels, "quality": quality, "look": look, "mask": mask})
+    try:
+        typer.echo(_make(spec, wanted, again=again))
+    except PlanError as error:
+        raise CommandError(f"scene{error.pointer}: {error.message}") from error
+    except KeyboardInterrupt:
+        typer.echo("seafoam: interrupted; the same command goes on from here", err=True)
+        raise typer.Abort from None
+
+
+def _output(path: Path, codec: str) -> "SequenceOutput":
+    from seafoam.sequences.making import Kind, Output
+    from seafoam.sequences.video import CODECS
+
+    kinds: dict[str, Kind] = {"": "frames", ".mp4": "mp4", ".webp": "webp", ".zip": "zip"}
+    kind = kinds.get(path.suffix.lower())
+    if kind is None:
+        raise CommandError(f"--output: {path.name!r} must be a directory or end in .mp4, .webp, .zip")
+    chosen = next((name for name in CODECS if name == codec), None)
+    if chosen is None:
+        raise CommandError(f"--codec: must be one of {', '.join(CODECS)}, not {codec!r}")
+    return Output(path, kind, chosen)
+
+
+def _spec(preset: str, start: float | None, stop: float, fps: float, options: dict[str, object]) -> "SequenceSpec":
+    from seafoam.library.errors import InvalidRequestError
+    from seafoam.library.request import job_of
+    from seafoam.sequences.errors import OutputError
+    from seafoam.sequences.spec import sequence_of
+
+    given = {name: value for name, value in options.items() if value is not None}
+    try:
+        return sequence_of(job_of(preset, time=start, **given), stop, fps)  # type: ignore[arg-type]
+    except InvalidRequestError as error:
+        text = str(error)
+        option = text.replace("preset", "PRESET", 1) if text.startswith("preset") else f"--{text}"
+        raise CommandError(option.replace("--time:", "--start:", 1)) from error
+    except OutputError as error:
+        raise CommandError(f"--{error.field}: {error}") from error
+
+
+def _make(spec: "SequenceSpec", output: "SequenceOutput", *, again: bool) -> str:
+    """Make the sequence in this process, with a progress bar; return the line to print."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    from seafoam.extras import MissingExtraError
+    from seafoam.render.gl import executor as gl
+    from seafoam.sequences import making
+    from seafoam.sequences.errors import OutputError, SequenceError
+    from seafoam.sequences.workers import InProcess
+
+    console = Console(stderr=True)
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    try:
+        making.check_output(spec, output)
+        executor = gl.Executor()
+        with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+            task = bar.add_task("frames", total=spec.count)
+
+            def tell(progress: making.Progress) -> None:
+                bar.update(task, completed=progress.done, total=progress.total, description=progress.stage)
+
+            made = making.make_sequence(spec, output, InProcess(executor), tell=tell, again=again)
+    except OutputError as error:
+        raise CommandError(f"--{error.field}: {error}") from error
+    except SequenceError as error:
+        raise CommandError(f"--output: {error}; --again replaces it") from error
+    except (gl.NoRendererError, MissingExtraError) as error:
+        raise CommandError(str(error), UNABLE) from error
+    except OSError as error:
+        raise CommandError(f"--output: cannot write {output.path}: {error.strerror}", UNABLE) from error
+    job = spec.job
+    found = f", {made.found} of them were there" if made.found else ""
+    return (
+        f"{output.path}: {spec.count} frames of {job.width} × {job.height} at {spec.fps:g} a second{found}; "
+        f"{executor.info['renderer']}"
+    )
