@@ -19,7 +19,8 @@ from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.parameters import one_value_each
-from seafoam.api.routers import accuracy, export, frames, health, masks, plans, presets, scenes, textures
+from seafoam.api.routers import accuracy, export, frames, health, masks, plans, presets, scenes, sequences, textures
+from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.quality import QualityExtensions
@@ -37,6 +38,7 @@ NOT_WORTH_GZIP = (
     "application/zip",
     "image/*",
     "font/*",
+    "video/*",
 )
 
 _DESCRIPTION = """
@@ -68,8 +70,15 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         sweeps = sweep_service(settings, pool, asyncio.get_running_loop())
+        sequences_made = sequence_service(settings, pool, asyncio.get_running_loop())
         app.state.context = Context(
-            settings, pool, metrics, plans=ThreadPool(2, 64), masks=ThreadPool(1, 8), sweeps=sweeps
+            settings,
+            pool,
+            metrics,
+            plans=ThreadPool(2, 64),
+            masks=ThreadPool(1, 8),
+            sweeps=sweeps,
+            sequences=sequences_made,
         )
         await pool.start()
         warming = asyncio.create_task(presets.warm(app.state.context.plans))
@@ -78,6 +87,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         with suppress(asyncio.CancelledError, errors.BusyError):
             await warming
         await asyncio.to_thread(sweeps.stop)
+        await asyncio.to_thread(sequences_made.stop)
         await pool.stop()
 
     app = FastAPI(
@@ -101,6 +111,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         scenes.router,
         plans.router,
         frames.router,
+        sequences.router,
         accuracy.router,
         masks.router,
         textures.router,

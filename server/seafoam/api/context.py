@@ -10,11 +10,12 @@ from seafoam.api.metrics import Metrics
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.render.service.pool import RenderPool
+from seafoam.sequences.service import SequenceService
 
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Settings, render pool, metrics, thread pools of the web process, and the service that measures sweeps.
+    """Settings, render pool, metrics, thread pools of the web process, services for sweeps and for sequences.
 
     ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans.
     """
@@ -25,6 +26,7 @@ class Context:
     plans: ThreadPool
     masks: ThreadPool
     sweeps: SweepService
+    sequences: SequenceService
 
 
 def _context(request: Request) -> Context:

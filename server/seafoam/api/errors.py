@@ -36,6 +36,7 @@ from seafoam.render.service.errors import (
     RendererUnavailableError,
     RenderFailedError,
 )
+from seafoam.sequences.service import NotFinishedError
 
 log = logging.getLogger(__name__)
 
@@ -138,6 +139,7 @@ KINDS: dict[type[Exception], Kind] = {
     FailedError: Kind(500, "measurement-failed", "The measurement failed"),
     MissingExtraError: Kind(501, "not-installed", "A package that the answer needs is not installed"),
     NotBuiltError: Kind(501, "not-built", "A part of the server is not built"),
+    NotFinishedError: Kind(409, "not-finished", "The sequence is not finished"),
     BusyError: Kind(503, "busy", "The server is busy"),
     NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),
     QueueFullError: Kind(503, "queue-full", "The render queue is full"),

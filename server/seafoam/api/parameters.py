@@ -189,7 +189,8 @@ class PlanRequest(SceneRequest):
     )
 
 
-def _origin() -> Any:
+def preset_of_origin() -> Any:
+    """Return the field of a request that names the preset of its scene."""
     return Field(
         default=None,
         max_length=80,
@@ -212,7 +213,7 @@ class FrameRequest(SceneRequest):
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
     format: FrameFormat = Field(default="png", description="png, webp (lossless), or npy (linear float32)")
     camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
-    preset: str | None = _origin()
+    preset: str | None = preset_of_origin()
 
 
 class ExportRequest(SceneRequest):
@@ -232,4 +233,4 @@ class ExportRequest(SceneRequest):
         description="Height of the frame that the uniforms are listed for, pixels",
     )
     camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
-    preset: str | None = _origin()
+    preset: str | None = preset_of_origin()

@@ -75,7 +75,11 @@ def _spec(preset: str, start: float | None, stop: float, fps: float, options: di
         option = text.replace("preset", "PRESET", 1) if text.startswith("preset") else f"--{text}"
         raise CommandError(option.replace("--time:", "--start:", 1)) from error
     except OutputError as error:
-        raise CommandError(f"--{error.field}: {error}") from error
+        raise CommandError(f"{_option(error.field)}: {error}") from error
+
+
+def _option(field: str) -> str:
+    return "--size" if field in ("width", "height") else f"--{field}"
 
 
 def _make(spec: "SequenceSpec", output: "SequenceOutput", *, again: bool) -> str:
@@ -102,7 +106,7 @@ def _make(spec: "SequenceSpec", output: "SequenceOutput", *, again: bool) -> str
 
             made = making.make_sequence(spec, output, InProcess(executor), tell=tell, again=again)
     except OutputError as error:
-        raise CommandError(f"--{error.field}: {error}") from error
+        raise CommandError(f"{_option(error.field)}: {error}") from error
     except SequenceError as error:
         raise CommandError(f"--output: {error}; --again replaces it") from error
     except (gl.NoRendererError, MissingExtraError) as error:

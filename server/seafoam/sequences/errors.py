@@ -7,6 +7,10 @@ SequenceError
 └── StoppedError          cancelled; what is finished stays
 """
 
+from typing import Literal
+
+OutputField = Literal["width", "height", "fps", "stop"]
+
 
 class SequenceError(Exception):
     """Base class of errors that end a sequence. Finished frames stay on disk."""
@@ -17,9 +21,9 @@ class OtherSequenceError(SequenceError):
 
 
 class OutputError(SequenceError):
-    """The output cannot hold the sequence. ``field``: what to change."""
+    """The output cannot hold the sequence. ``field``: what to change; the text names it."""
 
-    def __init__(self, field: str, detail: str) -> None:
+    def __init__(self, field: OutputField, detail: str) -> None:
         super().__init__(detail)
         self.field = field
 

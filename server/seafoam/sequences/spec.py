@@ -72,10 +72,10 @@ class SequenceSpec:
 def sequence_of(job: FrameJob, stop: float, fps: float) -> SequenceSpec:
     """Return a checked sequence. Raises :class:`OutputError` that names ``fps`` or ``stop`` and what is allowed."""
     if not LEAST_FPS <= fps <= GREATEST_FPS:
-        raise OutputError("fps", f"must be {LEAST_FPS:g} to {GREATEST_FPS:g} frames a second, not {fps:g}")
+        raise OutputError("fps", f"fps must be {LEAST_FPS:g} to {GREATEST_FPS:g} frames a second, not {fps:g}")
     last = min(GREATEST_TIME, job.time + MOST_FRAMES / fps)
     if not job.time < stop <= last:
-        raise OutputError("stop", f"must be above the start and at most {last:.12g} s, not {stop:g}")
+        raise OutputError("stop", f"stop must be above the start and at most {last:.12g} s, not {stop:g}")
     return SequenceSpec(job, stop, fps)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from seafoam.extras import require
-from seafoam.sequences.errors import OutputError, SequenceError
+from seafoam.sequences.errors import OutputError, OutputField, SequenceError
 
 if TYPE_CHECKING:
     from av import VideoFrame, VideoStream
@@ -33,10 +33,12 @@ LEAST_SIDE = 64
 def check_video(width: int, height: int, codec: Codec) -> None:
     """Raise :class:`OutputError` for a size that the codec cannot have, MissingExtraError without PyAV."""
     require("video")
-    if width % 2 or height % 2:
-        raise OutputError("size", f"video needs an even width and height, not {width} × {height}")
-    if codec == "av1" and min(width, height) < LEAST_SIDE:
-        raise OutputError("size", f"AV1 needs at least {LEAST_SIDE} pixels along a side, not {width} × {height}")
+    sides: tuple[tuple[OutputField, int], ...] = (("width", width), ("height", height))
+    for field, side in sides:
+        if side % 2:
+            raise OutputError(field, f"{field} must be even in a video, not {side}")
+        if codec == "av1" and side < LEAST_SIDE:
+            raise OutputError(field, f"{field} must be at least {LEAST_SIDE} pixels in AV1, not {side}")
 
 
 def write_video(

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import BinaryIO
 
-from seafoam.sequences.errors import OutputError
+from seafoam.sequences.errors import OutputError, OutputField
 
 GREATEST_SIDE = 16383
 """Of a lossless WebP, pixels."""
@@ -25,8 +25,10 @@ def write_animation(file: BinaryIO, stills: Iterable[bytes], width: int, height:
     stills: lossless WebP files of width × height pixels. durations: of each, ms. Raises :class:`OutputError` where
     the format's limits are exceeded, ``ValueError`` for a still that is not simple lossless WebP.
     """
-    if max(width, height) > GREATEST_SIDE:
-        raise OutputError("size", f"WebP holds up to {GREATEST_SIDE} pixels along a side, not {width} × {height}")
+    sides: tuple[tuple[OutputField, int], ...] = (("width", width), ("height", height))
+    for field, side in sides:
+        if side > GREATEST_SIDE:
+            raise OutputError(field, f"{field} must be at most {GREATEST_SIDE} pixels in WebP, not {side}")
     file.write(b"RIFF\0\0\0\0WEBP")
     file.write(_chunk(b"VP8X", struct.pack("<B3x", _ANIMATED) + _24(width - 1) + _24(height - 1)))
     file.write(_chunk(b"ANIM", struct.pack("<IH", 0, 0)))
@@ -34,7 +36,7 @@ def write_animation(file: BinaryIO, stills: Iterable[bytes], width: int, height:
         place = _24(0) + _24(0) + _24(width - 1) + _24(height - 1)
         file.write(_chunk(b"ANMF", place + _24(duration) + bytes([_REPLACES]) + _lossless(still)))
         if file.tell() > GREATEST_BYTES:
-            raise OutputError("stop", "WebP holds up to 4 GiB: shorten the sequence or lower its size")
+            raise OutputError("stop", "stop: WebP holds up to 4 GiB: shorten the sequence or lower its size")
     size = file.tell()
     file.seek(4)
     file.write(struct.pack("<I", size - 8))
@@ -48,7 +50,7 @@ def durations_of(count: int, fps: float) -> list[int]:
     """
     ends = [round(1000 * index / fps) for index in range(count + 1)]
     if ends[1] > GREATEST_DURATION:
-        raise OutputError("fps", f"a frame of WebP lasts up to {GREATEST_DURATION // 1000} s: raise fps")
+        raise OutputError("fps", f"fps: a frame of WebP lasts up to {GREATEST_DURATION // 1000} s: raise fps")
     return [later - earlier for earlier, later in pairwise(ends)]
 
 

@@ -244,12 +244,19 @@ def test_a_video_that_fails_leaves_the_frames(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("size", "codec", "said"), [((25, 16), "h264", "even"), ((24, 17), "h264", "even"), ((62, 80), "av1", "64 pixels")]
+    ("size", "codec", "field", "said"),
+    [
+        ((25, 16), "h264", "width", "even"),
+        ((24, 17), "h264", "height", "even"),
+        ((62, 80), "av1", "width", "64 pixels"),
+    ],
 )
-def test_sizes_that_a_video_cannot_have(tmp_path: Path, size: tuple[int, int], codec: str, said: str) -> None:
+def test_sizes_that_a_video_cannot_have(
+    tmp_path: Path, size: tuple[int, int], codec: str, field: str, said: str
+) -> None:
     with pytest.raises(OutputError, match=said) as refused:
         make(Output(tmp_path / "a.mp4", "mp4", codec), spec(size=size))  # type: ignore[arg-type]
-    assert refused.value.field == "size"
+    assert refused.value.field == field
     assert list(tmp_path.iterdir()) == []
 
 
