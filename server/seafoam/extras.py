@@ -12,7 +12,7 @@ _NEEDS: dict[Extra, tuple[str, tuple[str, ...]]] = {
     "reports": ("plots and measurements of accuracy need", REPORTS),
     "notebook": ("the widget for notebooks needs", ("anywidget",)),
     "video": ("MP4 files need", ("av",)),
-    "cluster": ("work on several machines needs", ("distributed",)),
+    "cluster": ("work on several processes or machines needs", ("distributed",)),
 }
 """Extra -> the beginning of the error, and the modules of its packages."""
 

@@ -290,11 +290,16 @@ async def _invalid(request: Request, error: Exception) -> JSONResponse:
 async def _http(request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, HTTPException)
     detail = error.detail
+    headers = error.headers
     if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
         detail = f"method {request.method} is not allowed for this path"
+        # Starlette names the methods of the first route with this path alone.
+        path = getattr(request.scope.get("route"), "path_format", "")
+        methods = request.app.openapi()["paths"].get(path, {})
+        headers = {"Allow": ", ".join(sorted(method.upper() for method in methods))} if methods else headers
     elif error.status_code == HTTPStatus.NOT_FOUND:
         detail = f"{request.url.path} was not found"
-    return problem(request.url.path, error.status_code, detail, headers=error.headers)
+    return problem(request.url.path, error.status_code, detail, headers=headers)
 
 
 async def _unexpected(request: Request, error: Exception) -> JSONResponse:

@@ -1,5 +1,7 @@
 """The command ``seafoam sequence``."""
 
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -8,8 +10,20 @@ import typer
 from seafoam.cli.support import UNABLE, CommandError, size_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from seafoam.sequences.making import Output as SequenceOutput
     from seafoam.sequences.spec import SequenceSpec
+    from seafoam.sequences.workers import Workers
+
+
+@dataclass(frozen=True)
+class _Fleet:
+    """Who draws. workers: processes here, if there is no scheduler."""
+
+    workers: int
+    scheduler: str | None
+    mixed: bool
 
 
 def sequence(
@@ -28,6 +42,15 @@ def sequence(
         typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] [default: the preset's]."),
     ] = None,
     codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
+    workers: Annotated[
+        int, typer.Option(min=1, max=256, help="Processes on this machine; several need the extra cluster.")
+    ] = 1,
+    scheduler: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://host:8786, whose workers draw.")
+    ] = None,
+    mixed: Annotated[
+        bool, typer.Option("--mixed", help="Allow workers with different renderers: their frames differ in levels.")
+    ] = False,
     again: Annotated[
         bool, typer.Option("--again", help="Draw every frame again, ignoring those that are there.")
     ] = False,
@@ -39,7 +62,7 @@ def sequence(
     pixels = None if size is None else size_of(size)
     spec = _spec(preset, start, stop, fps, {"size": pixels, "quality": quality, "look": look, "mask": mask})
     try:
-        typer.echo(_make(spec, wanted, again=again))
+        typer.echo(_make(spec, wanted, _Fleet(workers, scheduler, mixed), again=again))
     except PlanError as error:
         raise CommandError(f"scene{error.pointer}: {error.message}") from error
     except KeyboardInterrupt:
@@ -82,33 +105,51 @@ def _option(field: str) -> str:
     return "--size" if field in ("width", "height") else f"--{field}"
 
 
-def _make(spec: "SequenceSpec", output: "SequenceOutput", *, again: bool) -> str:
-    """Make the sequence in this process, with a progress bar; return the line to print."""
+@contextmanager
+def _working(fleet: _Fleet) -> "Iterator[Workers]":
+    """Who draws: this process, or processes here or on other machines."""
+    from seafoam.render.gl import executor as gl
+    from seafoam.sequences.fleet import DaskWorkers
+    from seafoam.sequences.workers import InProcess
+
+    if fleet.scheduler is None and fleet.workers == 1:
+        yield InProcess(gl.Executor())
+        return
+    with DaskWorkers(fleet.scheduler, workers=fleet.workers, mixed=fleet.mixed) as workers:
+        yield workers
+
+
+def _make(spec: "SequenceSpec", output: "SequenceOutput", fleet: _Fleet, *, again: bool) -> str:
+    """Make the sequence, with a progress bar; return the line to print."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     from seafoam.extras import MissingExtraError
     from seafoam.render.gl import executor as gl
     from seafoam.sequences import making
-    from seafoam.sequences.errors import OutputError, SequenceError
-    from seafoam.sequences.workers import InProcess
+    from seafoam.sequences.errors import MixedFleetError, OtherSequenceError, OutputError, SequenceError
 
     console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     try:
         making.check_output(spec, output)
-        executor = gl.Executor()
-        with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        bar = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
+        with _working(fleet) as workers, bar:
             task = bar.add_task("frames", total=spec.count)
 
             def tell(progress: making.Progress) -> None:
                 bar.update(task, completed=progress.done, total=progress.total, description=progress.stage)
 
-            made = making.make_sequence(spec, output, InProcess(executor), tell=tell, again=again)
+            made = making.make_sequence(spec, output, workers, tell=tell, again=again)
+            renderer = workers.info["renderer"]
     except OutputError as error:
         raise CommandError(f"{_option(error.field)}: {error}") from error
-    except SequenceError as error:
+    except OtherSequenceError as error:
         raise CommandError(f"--output: {error}; --again replaces it") from error
+    except MixedFleetError as error:
+        raise CommandError(f"--scheduler: {error}; --mixed allows it") from error
+    except SequenceError as error:
+        raise CommandError(str(error), UNABLE) from error
     except (gl.NoRendererError, MissingExtraError) as error:
         raise CommandError(str(error), UNABLE) from error
     except OSError as error:
@@ -116,6 +157,5 @@ def _make(spec: "SequenceSpec", output: "SequenceOutput", *, again: bool) -> str
     job = spec.job
     found = f", {made.found} of them were there" if made.found else ""
     return (
-        f"{output.path}: {spec.count} frames of {job.width} × {job.height} at {spec.fps:g} a second{found}; "
-        f"{executor.info['renderer']}"
+        f"{output.path}: {spec.count} frames of {job.width} × {job.height} at {spec.fps:g} a second{found}; {renderer}"
     )

@@ -28,5 +28,9 @@ class OutputError(SequenceError):
         self.field = field
 
 
+class MixedFleetError(SequenceError):
+    """Workers have different renderers, whose frames differ."""
+
+
 class StoppedError(SequenceError):
     """The sequence was cancelled."""

@@ -100,6 +100,11 @@ def test_what_the_machine_lacks(seafoam, tmp_path, monkeypatch):
         patched.setattr("seafoam.extras.find_spec", lambda name: None)
         code, _, err = seafoam("default", *SHORT, "-o", tmp_path / "a.mp4")
         assert (code, err) == (1, "seafoam: MP4 files need av; pip install 'seafoam[video]'\n")
+        code, _, err = seafoam("default", *SHORT, "-o", tmp_path / "run", "--workers", "2")
+        assert (code, err) == (
+            1,
+            "seafoam: work on several processes or machines needs distributed; pip install 'seafoam[cluster]'\n",
+        )
 
     def none():
         raise NoRendererError("no OpenGL context; install a driver")
