@@ -186,6 +186,8 @@ def test_the_panel_edits_the_scene_in_python(cell: Cell) -> None:
     assert foam.look == "fading"
     assert cell.water.panel
     cell.settle()
+    heights = [cell.page.locator(f".seafoam-{part}").bounding_box()["height"] for part in ("side", "picture")]
+    assert heights[0] == pytest.approx(heights[1], abs=1)
     cell.page.get_by_role("button", name="Scene").click()
     assert cell.page.locator(".seafoam-side").is_hidden()
 
