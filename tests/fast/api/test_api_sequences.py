@@ -178,7 +178,7 @@ def test_visitors_come_first(tmp_path: Path) -> None:
         for visitor in visitors:
             visitor.start()
         pool = client.app.state.context.pool
-        while pool.active + pool.waiting < 2:
+        while client.portal.call(lambda: pool.active + pool.waiting) < 2:
             pass
         name = start(client)["id"]
         for _ in range(5):
