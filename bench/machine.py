@@ -3,17 +3,8 @@
 import os
 import platform
 from importlib.metadata import version
-from pathlib import Path
 
-
-def processor() -> str:
-    """The processor's name, as reported by the system."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        lines = []
-    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
-    return next(names, platform.processor() or platform.machine())
+from seafoam.accuracy.machine import processor
 
 
 def load() -> str:

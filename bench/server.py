@@ -47,6 +47,8 @@ def running() -> Iterator[int]:
         port = probe.getsockname()[1]
     command = [str(Path(sys.executable).with_name("seafoam")), "serve", "--port", str(port)]
     environment = {**os.environ, "SEAFOAM_QUEUE": str(QUEUE), "MESA_SHADER_CACHE_DISABLE": "true"}
+    # Every frame is drawn, whatever earlier runs drew.
+    environment |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
     with tempfile.TemporaryFile("w+") as log:
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=log, env=environment)
         try:

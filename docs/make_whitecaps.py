@@ -369,8 +369,7 @@ def fill(name: str, rows: Sequence[str]) -> None:
 
 def save(figure: Figure, name: str) -> None:
     """Save a plot as a small WebP."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png")
+    figure.savefig(buffer := io.BytesIO(), format="png")
     Image.open(buffer).convert("RGB").save(PICTURE.with_name(f"{name}.webp"), quality=85, method=6)
 
 
@@ -378,9 +377,8 @@ def main() -> None:
     """Write the requested part of the page, or print ``CLAMPED``."""
     parser = argparse.ArgumentParser(description=__doc__)
     mode = parser.add_mutually_exclusive_group()
-    mode.add_argument("--derive", action="store_true")
-    mode.add_argument("--photographs", action="store_true")
-    mode.add_argument("--patches", action="store_true")
+    for name in ("--derive", "--photographs", "--patches"):
+        mode.add_argument(name, action="store_true")
     chosen = parser.parse_args()
     if chosen.derive:
         for lasting in (False, True):

@@ -137,7 +137,7 @@ def test_same_pixels_by_other_ways(page: Page, executor: Executor, preset: str, 
 
 def test_the_served_png_is_the_same_picture(page: Page, server: str) -> None:
     pixels, _ = drawn(page, "default", 2.7)
-    answer = page.request.get(f"{server}/api/frames/default.png?time=2.7&width={SIZE[0]}&height={SIZE[1]}")
+    answer = page.request.get(f"{server}/api/frames/default.png?time=2.7&width={SIZE[0]}&height={SIZE[1]}&dither=false")
     assert answer.ok
     png = np.asarray(Image.open(io.BytesIO(answer.body())).convert("RGB"))
     assert (np.abs(png.astype(int) - pixels[..., :3].astype(int)).max(axis=-1) == 0).mean() >= 0.9999

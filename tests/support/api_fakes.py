@@ -42,9 +42,13 @@ class FakeRenderer:
                 clock.sleep(SLOW_SECONDS)
         seed = crc32(repr((plan.sha256, time, camera)).encode())
         ramp = np.linspace(0.0, 1.0, width * height * 4).reshape(height, width, 4)
-        pixels = ramp.astype(np.float32) if output == "linear" else (ramp * 250).astype(np.uint8)
+        pixels = {
+            "linear": ramp.astype(np.float32),
+            "rgba8": (ramp * 250).astype(np.uint8),
+            "rgba16": (ramp * 250 * 257).astype(np.uint16),
+        }[output]
         # No two of the tests' frames are alike by chance.
-        pixels[0, 0, :3] = [seed >> shift & 255 for shift in (0, 8, 16)]
+        pixels[0, 0, :3] = [(seed >> shift & 255) * (257 if output == "rgba16" else 1) for shift in (0, 8, 16)]
         return FakeRendered(pixels, {"render": 0.001, "read": 0.001})
 
 

@@ -6,13 +6,11 @@ untimed before it is timed, except if it takes so long that a warm cache makes n
 """
 
 import os
-import platform
 import time as clock
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
-from pathlib import Path
 from typing import get_args
 
 import numpy as np
@@ -20,6 +18,7 @@ import numpy as np
 from seafoam.accuracy import metrics
 from seafoam.accuracy.cache import Store, key_of
 from seafoam.accuracy.fronts import beating, compare, front, sentences
+from seafoam.accuracy.machine import processor
 from seafoam.accuracy.metrics import Picture
 from seafoam.accuracy.model import (
     FORMAT,
@@ -121,7 +120,7 @@ class Rig:
             vendor=self.info["vendor"],
             renderer=self.info["renderer"],
             version=self.info["version"],
-            processor=_processor(),
+            processor=processor(),
             cores=os.cpu_count() or 1,
             threads=self.threads,
         )
@@ -390,12 +389,3 @@ def _name(subject: Subject, settings: Settings, machine: Machine) -> str:
     how = [settings.width, settings.height, settings.samples_along, settings.rounds]
     versions = [version("seafoam"), version("moderngl"), np.__version__]
     return key_of(what, how, machine.model_dump(), versions) + ".json"
-
-
-def _processor() -> str:
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        lines = []
-    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
-    return next(names, platform.processor() or platform.machine())

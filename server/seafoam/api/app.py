@@ -12,21 +12,38 @@ from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
+from seafoam.accuracy.cache import cache_dir
 from seafoam.api import errors, pages
+from seafoam.api.answering import Repeats
 from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
+from seafoam.api.known import KnownPlans, Requests
 from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.parameters import one_value_each
-from seafoam.api.routers import accuracy, export, frames, health, masks, plans, presets, scenes, sequences, textures
+from seafoam.api.routers import (
+    accuracy,
+    export,
+    frames,
+    health,
+    masks,
+    plan_frames,
+    plans,
+    presets,
+    scenes,
+    sequences,
+    textures,
+)
 from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.quality import QualityExtensions
 from seafoam.render.gl.executor import Executor
+from seafoam.render.service.disk import DiskCache
 from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
+from seafoam.render.service.source import FrameSource
 from seafoam.scene.models import SceneExtensions
 
 GZIP_LEVEL = 4
@@ -39,6 +56,10 @@ NOT_WORTH_GZIP = (
     "image/*",
     "font/*",
     "video/*",
+)
+
+_ROUTERS = tuple(
+    each.router for each in (presets, scenes, plans, plan_frames, frames, sequences, accuracy, masks, textures, export)
 )
 
 _DESCRIPTION = """
@@ -65,30 +86,23 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         recycle=settings.recycle,
         factory=renderer or partial(Executor, settings.device_index),
     )
-    metrics = Metrics(pool)
+    disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
+    source = FrameSource(pool, disk, settings.cache_memory)
+    metrics = Metrics(pool, source)
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        sweeps = sweep_service(settings, pool, asyncio.get_running_loop())
-        sequences_made = sequence_service(settings, pool, asyncio.get_running_loop())
-        app.state.context = Context(
-            settings,
-            pool,
-            metrics,
-            plans=ThreadPool(2, 64),
-            masks=ThreadPool(1, 8),
-            sweeps=sweeps,
-            sequences=sequences_made,
-        )
+        context = app.state.context = _context(settings, pool, source, metrics)
         await pool.start()
-        warming = asyncio.create_task(presets.warm(app.state.context.plans))
+        warming = asyncio.create_task(presets.warm(context.plans))
         yield
         warming.cancel()
         with suppress(asyncio.CancelledError, errors.BusyError):
             await warming
-        await asyncio.to_thread(sweeps.stop)
-        await asyncio.to_thread(sequences_made.stop)
+        await asyncio.to_thread(context.sweeps.stop)
+        await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
+        await source.close()
 
     app = FastAPI(
         title="Seafoam",
@@ -102,27 +116,34 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
             Middleware(HeadAsGet),
             Middleware(SecurityHeaders),
             Middleware(MeasureRequests, metrics=metrics),
+            Middleware(Repeats),
             Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
             Middleware(LimitBody, limit=settings.max_body),
         ],
     )
-    for router in (
-        presets.router,
-        scenes.router,
-        plans.router,
-        frames.router,
-        sequences.router,
-        accuracy.router,
-        masks.router,
-        textures.router,
-        export.router,
-    ):
+    for router in _ROUTERS:
         app.include_router(router, responses=problem_responses(400, 500))
     app.include_router(health.router)
     errors.install(app)
     pages.install(app)
     _describe(app, settings)
     return app
+
+
+def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics) -> Context:
+    """Make what the handlers share; sweeps and sequences are drawn on the running event loop."""
+    return Context(
+        settings,
+        pool,
+        source,
+        KnownPlans(source.disk),
+        Requests(),
+        metrics,
+        plans=ThreadPool(2, 64),
+        masks=ThreadPool(1, 8),
+        sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),
+        sequences=sequence_service(settings, pool, asyncio.get_running_loop()),
+    )
 
 
 def _describe(app: FastAPI, settings: Settings) -> None:
@@ -143,11 +164,10 @@ def _describe(app: FastAPI, settings: Settings) -> None:
             schemas |= problem.pop("$defs") | {"Problem": problem}
             for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
                 del schemas[unused.__name__]
-            frame = document["paths"]["/api/frames/{preset}.{format}"]["get"]
             sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
-            sides += [
-                parameter["schema"] for parameter in frame["parameters"] if parameter["name"] in ("width", "height")
-            ]
+            for path in ("/api/frames/{preset}.{format}", "/api/plans/{plan}/frames/{time}.{format}"):
+                parameters = document["paths"][path]["get"]["parameters"]
+                sides += [each["schema"] for each in parameters if each["name"] in ("width", "height")]
             for schema in sides:
                 for alternative in schema.get("anyOf", [schema]):
                     if alternative["type"] == "integer":

@@ -6,10 +6,12 @@ from typing import Annotated
 from fastapi import Depends, Request
 
 from seafoam.accuracy.sweep_service import SweepService
+from seafoam.api.known import KnownPlans, Requests
 from seafoam.api.metrics import Metrics
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.render.service.pool import RenderPool
+from seafoam.render.service.source import FrameSource
 from seafoam.sequences.service import SequenceService
 
 
@@ -17,11 +19,16 @@ from seafoam.sequences.service import SequenceService
 class Context:
     """Settings, render pool, metrics, thread pools of the web process, services for sweeps and for sequences.
 
+    ``frames`` gives the pool's frames, and those that it has drawn before; ``known``: the plans that
+    have addresses; ``requests``: what earlier requests asked for.
     ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans.
     """
 
     settings: Settings
     pool: RenderPool
+    frames: FrameSource
+    known: KnownPlans
+    requests: Requests
     metrics: Metrics
     plans: ThreadPool
     masks: ThreadPool

@@ -9,15 +9,17 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from seafoam.render.service.jobs import Frame
 from seafoam.render.service.pool import RenderPool, State
+from seafoam.render.service.source import FrameSource, Origin
 
 _SECONDS = (0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
+_ORIGINS: tuple[Origin, ...] = ("memory", "disk", "shared", "drawn")
 _STATES: tuple[State, ...] = ("starting", "ready", "unavailable", "stopped")
 
 
 class Metrics:
     """Metrics with the prefix ``seafoam_``; durations in seconds."""
 
-    def __init__(self, pool: RenderPool) -> None:
+    def __init__(self, pool: RenderPool, source: FrameSource) -> None:
         self.registry = CollectorRegistry()
         self.requests = Counter(
             "seafoam_requests", "Requests answered", ("method", "route", "status"), registry=self.registry
@@ -40,6 +42,7 @@ class Metrics:
         )
         for name, text, read in (
             ("seafoam_queue_waiting", "Frames waiting for a render worker", lambda: pool.waiting),
+            ("seafoam_background_waiting", "Frames that wait behind every visitor's", lambda: pool.waiting_background),
             ("seafoam_queue_limit", "Capacity of the render queue, frames", lambda: pool.queue),
             ("seafoam_workers", "Render workers", lambda: pool.workers),
             ("seafoam_workers_active", "Busy render workers", lambda: pool.active),
@@ -54,6 +57,7 @@ class Metrics:
         for name in _STATES:
             state.labels(name).set_function(lambda name=name: float(pool.state == name))  # type: ignore[misc]
         self.registry.register(_Restarts(pool))
+        self.registry.register(_Origins(source))
 
     def count_frame(self, frame: Frame, format: str) -> None:
         """Count a rendered frame."""
@@ -75,6 +79,22 @@ class _Restarts(Collector):
         for reason in ("deadline", "crash", "recycled"):
             family.add_metric((reason,), self._pool.restarts[reason])
         return [family]
+
+
+class _Origins(Collector):
+    def __init__(self, source: FrameSource) -> None:
+        self._source = source
+
+    def collect(self) -> list[CounterMetricFamily]:
+        family = CounterMetricFamily("seafoam_frame_origins", "Frames by where they came from", labels=("origin",))
+        for origin in _ORIGINS:
+            family.add_metric((origin,), self._source.origins[origin])
+        disk = self._source.disk
+        damaged = CounterMetricFamily("seafoam_cache_damaged", "Files of the cache that were damaged, and removed")
+        damaged.add_metric((), disk.damaged if disk else 0)
+        failures = CounterMetricFamily("seafoam_cache_failures", "Writes to the cache that failed")
+        failures.add_metric((), disk.failures if disk else 0)
+        return [family, damaged, failures]
 
 
 class MeasureRequests:

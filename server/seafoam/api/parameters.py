@@ -10,7 +10,7 @@ from pydantic.fields import FieldInfo
 
 from seafoam.api.errors import BadRequestError, FieldProblem, UnsupportedMediaError
 from seafoam.quality import TIERS, Quality, Tier
-from seafoam.render.encode import FrameFormat
+from seafoam.render.encode import FrameFormat, Precision
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, Look
 from seafoam.scene.models import Scene
@@ -54,13 +54,14 @@ def strictly(model: type[M]) -> Any:
     return Annotated[model, BeforeValidator(validate)]
 
 
-def _same(info: FieldInfo, description: str = "", **override: Any) -> Any:
-    """Return an optional query parameter with the range and description of a scene field."""
+def _same(info: FieldInfo, description: str = "", *, required: bool = False, **override: Any) -> Any:
+    """Return a query parameter, optional unless required, with the range and description of a scene field."""
     bounds: dict[str, Any] = {}
     for rule in info.metadata:
         limits = {name: getattr(rule, name, None) for name in ("ge", "le", "max_length", "pattern")}
         bounds |= {name: value for name, value in limits.items() if value is not None}
-    return Field(default=None, description=description or info.description, **(bounds | override))
+    default = ... if required else None
+    return Field(default=default, description=description or info.description, **(bounds | override))
 
 
 def _budget() -> Any:
@@ -73,9 +74,9 @@ def _budget() -> Any:
     )
 
 
-def _axis(index: int, description: str, example: float) -> Any:
+def _axis(index: int, description: str, example: float, *, required: bool = False) -> Any:
     (info,) = (rule for rule in get_args(get_args(Camera.model_fields["position"].annotation)[index])[1:])
-    return _same(info, description, examples=[example])
+    return _same(info, description, required=required, examples=[example])
 
 
 class SceneOverrides(Parameters):
@@ -113,6 +114,20 @@ class PlanParameters(SceneOverrides):
     )
 
 
+def _dither() -> Any:
+    return Field(
+        default=True,
+        description="Of png and webp: dither 8 bits from 16, against bands in skies; false: rounded, as in the page",
+    )
+
+
+def _precision() -> Any:
+    return Field(default="half", description="Of exr: 16-bit or 32-bit floating-point numbers", examples=["float"])
+
+
+FORMATS = "png, webp (lossless), exr (linear, OpenEXR), or npy (linear float32)"
+
+
 class FrameParameters(SceneOverrides):
     """Parameters of a frame of a preset."""
 
@@ -140,6 +155,8 @@ class FrameParameters(SceneOverrides):
     pitch: float | None = _same(Camera.model_fields["pitch"], examples=[-0.2])
     roll: float | None = _same(Camera.model_fields["roll"], examples=[0.0])
     fov: float | None = _same(Camera.model_fields["fov"], examples=[0.9])
+    dither: bool = _dither()
+    precision: Precision = _precision()
 
     def camera(self, own: Camera) -> Camera:
         """Return the preset's camera with the given parameters replaced."""
@@ -147,6 +164,40 @@ class FrameParameters(SceneOverrides):
         x, y, z = (at if given is None else given for given, at in eye)
         angles = {name: value for name in ("yaw", "pitch", "roll", "fov") if (value := getattr(self, name)) is not None}
         return own.model_copy(update={"position": (x, y, z), **angles})
+
+
+class PlanFrameParameters(Parameters):
+    """Parameters of a frame of a plan. All that the picture depends on is required, since its address is immutable."""
+
+    width: int = Field(ge=1, description="Width, pixels", examples=[640])
+    height: int = Field(ge=1, description="Height, pixels", examples=[360])
+    x: float = _axis(0, "Camera position along +x, m", 0.0, required=True)
+    y: float = _axis(1, "Camera height above still water, m", 4.5, required=True)
+    z: float = _axis(2, "Camera position along +z, m", -20.0, required=True)
+    yaw: float = _same(Camera.model_fields["yaw"], required=True, examples=[0.35])
+    pitch: float = _same(Camera.model_fields["pitch"], required=True, examples=[-0.2])
+    roll: float = _same(Camera.model_fields["roll"], required=True, examples=[0.0])
+    fov: float = _same(Camera.model_fields["fov"], required=True, examples=[0.9])
+    dither: bool = _dither()
+    precision: Precision = _precision()
+
+    @property
+    def camera(self) -> Camera:
+        """Return the camera."""
+        angles = {name: getattr(self, name) for name in ("yaw", "pitch", "roll", "fov")}
+        return Camera(position=(self.x, self.y, self.z), **angles)
+
+
+class ThumbnailParameters(Parameters):
+    """Parameters of a preset's thumbnail."""
+
+    width: int = Field(
+        default=320,
+        ge=16,
+        le=640,
+        description="Width, pixels; the height follows from the preset's size",
+        examples=[320],
+    )
 
 
 def _tier_or_quality(value: Any) -> Literal["tier", "parameters"]:
@@ -211,7 +262,9 @@ class FrameRequest(SceneRequest):
     time: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels", examples=[360])
-    format: FrameFormat = Field(default="png", description="png, webp (lossless), or npy (linear float32)")
+    format: FrameFormat = Field(default="png", description=FORMATS)
+    dither: bool = _dither()
+    precision: Precision = _precision()
     camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
     preset: str | None = preset_of_origin()
 

@@ -10,19 +10,18 @@ from seafoam.api.settings import Settings
 from seafoam.render.service.errors import DeadlineError, QueueFullError, RenderError, RendererUnavailableError
 from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.pool import RenderPool
+from seafoam.render.service.slots import Turn
 from seafoam.sequences.errors import SequenceError
 from seafoam.sequences.service import SequenceService
 from seafoam.sequences.workers import Drawn, Unit
 
-_IDLE_SECONDS = 0.02
-"""Between looks whether a worker is idle."""
-_ATTEMPTS = 3
-"""Of a frame whose deadline passes, which can be the fault of a visitor's."""
+_ATTEMPTS = 10
+"""Of a frame whose deadline passes while it waits for visitors' frames."""
 _SUBFOLDER = "sequences"
 
 
 class PoolWorkers:
-    """Draws on the workers of a render pool that no visitor waits for. It runs outside of the pool's event loop."""
+    """Draws on the workers of a render pool, when no visitor's frame waits. It runs outside the pool's event loop."""
 
     def __init__(self, pool: RenderPool, loop: asyncio.AbstractEventLoop) -> None:
         self._pool = pool
@@ -53,10 +52,8 @@ class PoolWorkers:
 
     async def _frame(self, job: FrameJob) -> bytes:
         for attempt in range(1, _ATTEMPTS + 1):
-            while self._pool.waiting or self._pool.active >= self._pool.workers:
-                await asyncio.sleep(_IDLE_SECONDS)
             try:
-                return (await self._pool.render(job)).content
+                return (await self._pool.render(job, Turn(background=True))).content
             except (DeadlineError, QueueFullError) as error:
                 if attempt == _ATTEMPTS:
                     raise SequenceError(f"a frame could not be drawn: {error}") from error

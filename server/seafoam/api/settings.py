@@ -14,6 +14,10 @@ def default_workers() -> int:
     return max(1, min(4, (os.cpu_count() or 1) // 2))
 
 
+SERVED = {"cache_size": 1 << 30, "cache_memory": 64 << 20}
+"""What ``seafoam serve`` sets where the environment does not; an application made by a program keeps nothing."""
+
+
 class Settings(BaseSettings):
     """Settings of the server."""
 
@@ -57,8 +61,25 @@ class Settings(BaseSettings):
     sequences_kept: int = Field(default=8, ge=1, le=10_000, description="Maximum number of finished sequences on disk")
     sequence_frames: int = Field(default=3600, ge=1, le=1_000_000, description="Maximum number of frames of a sequence")
     cache: Path | None = Field(
-        default=None, description="Directory for measurements and sequences; absent: the system's cache directory"
+        default=None,
+        description="Directory for measurements, frames and sequences; absent: the system's cache directory",
     )
+    cache_size: int = Field(
+        default=0,
+        ge=0,
+        description="Maximum size of the frames on disk, bytes; 0: none. `seafoam serve` sets 1 GiB if absent",
+    )
+    cache_memory: int = Field(
+        default=0,
+        ge=0,
+        description="Maximum size of the frames in memory, bytes; 0: none. `seafoam serve` sets 64 MiB if absent",
+    )
+
+    @property
+    def served(self) -> "Settings":
+        """Return these settings with :data:`SERVED` for those that were not given."""
+        absent = {name: value for name, value in SERVED.items() if name not in self.model_fields_set}
+        return self.model_copy(update=absent)
 
     @property
     def frame_limits(self) -> FrameLimits:

@@ -10,16 +10,17 @@ import logging
 import socket
 import sys
 import webbrowser
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
 import typer
 from typer.exceptions import TyperException
 
+from seafoam.cli import options
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
-from seafoam.cli.support import UNABLE, CommandError, Output, need_reports, refuse, size_of
+from seafoam.cli.support import UNABLE, CommandError, need_reports, refuse, size_of
 
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
@@ -48,11 +49,11 @@ def serve(
     from seafoam.api.app import create_app
     from seafoam.api.settings import Settings
 
-    options: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
+    given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     try:
-        settings = Settings(**options)
+        settings = Settings(**given).served
     except ValidationError as error:
-        refuse(error, Settings, lambda field: f"--{field}" if field in options else f"SEAFOAM_{field.upper()}")
+        refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
     except OSError as error:
@@ -78,42 +79,40 @@ def serve(
 
 @app.command()
 def render(
-    preset: Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")],
-    output: Output,
-    time: Annotated[float | None, typer.Option(help="Time, s [default: the preset's].")] = None,
-    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels [default: the preset's].")] = None,
-    quality: Annotated[
-        str, typer.Option(help="draft, standard, high, reference, or auto: the most exact that fits --budget-ms.")
-    ] = "standard",
-    budget_ms: Annotated[
-        float | None,
-        typer.Option(help="With auto: maximum frame time, ms. The first use measures, which takes minutes."),
-    ] = None,
-    look: Annotated[str | None, typer.Option(help="Foam look [default: the preset's].")] = None,
-    mask: Annotated[
-        str | None,
-        typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] [default: the preset's]."),
-    ] = None,
-    x: Annotated[
-        float | None,
-        typer.Option(help="Camera position along +x, m [default: the preset's, as for all camera options]."),
-    ] = None,
-    y: Annotated[float | None, typer.Option(help="Camera height above still water, m.")] = None,
-    z: Annotated[float | None, typer.Option(help="Camera position along +z, m.")] = None,
-    yaw: Annotated[float | None, typer.Option(help="Camera yaw, rad from -z toward +x.")] = None,
-    pitch: Annotated[float | None, typer.Option(help="Camera pitch, rad; positive looks up.")] = None,
-    roll: Annotated[float | None, typer.Option(help="Camera roll about the view axis, rad.")] = None,
-    fov: Annotated[float | None, typer.Option(help="Vertical field of view, rad.")] = None,
+    preset: options.PresetName = None,
+    output: options.Picture = None,
+    again: options.Again = None,
+    time: options.Time = None,
+    size: options.Size = None,
+    quality: options.QualityName = None,
+    budget_ms: options.Budget = None,
+    look: options.LookName = None,
+    mask: options.MaskName = None,
+    x: options.X = None,
+    y: options.Y = None,
+    z: options.Z = None,
+    yaw: options.Yaw = None,
+    pitch: options.Pitch = None,
+    roll: options.Roll = None,
+    fov: options.Fov = None,
+    dither: options.Dither = None,
+    precision: options.Numbers = None,
 ) -> None:
-    """Render a frame to a .png, .webp (lossless) or .npy (linear float32) file, without a server."""
+    """Render a frame to a .png, .webp (lossless), .exr (linear) or .npy (linear float32) file, without a server."""
+    given: dict[str, Any] = {
+        "time": time, "quality": quality, "budget_ms": budget_ms, "look": look, "mask": mask,
+        "x": x, "y": y, "z": z, "yaw": yaw, "pitch": pitch, "roll": roll, "fov": fov,
+        "dither": dither, "precision": precision,
+    }  # fmt: skip
+    if again is not None:
+        _draw_again(again, output, {"PRESET": preset, "size": size, **given})
+        return
+    if preset is None or output is None:
+        raise CommandError(f"{'PRESET' if preset is None else '--output'}: required, unless --again names a picture")
     _require_preset(preset)
     from seafoam.cli.frames import render_to_file
 
-    options = {
-        "time": time, "quality": quality, "budget_ms": budget_ms, "look": look, "mask": mask,
-        "x": x, "y": y, "z": z, "yaw": yaw, "pitch": pitch, "roll": roll, "fov": fov,
-    }  # fmt: skip
-    for line in render_to_file(preset, output, size, options):
+    for line in render_to_file(preset, output, size, given):
         typer.echo(line)
 
 
@@ -220,6 +219,19 @@ def _not_a_probe(record: logging.LogRecord) -> bool:
     """Keep health checks, which arrive every few seconds, out of the access log."""
     arguments = record.args
     return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(_QUIET))
+
+
+def _draw_again(picture: Path, output: Path | None, others: Mapping[str, Any]) -> None:
+    if extra := [name for name, value in others.items() if value is not None]:
+        names = ", ".join(name if name.isupper() else f"--{name.replace('_', '-')}" for name in extra)
+        raise CommandError(f"{names}: not allowed with --again, which draws what the picture's recipe says")
+    from seafoam.cli.again import draw_again
+
+    same, lines = draw_again(picture, output)
+    for line in lines:
+        typer.echo(line)
+    if not same:
+        raise typer.Exit(UNABLE)
 
 
 def _require_preset(name: str) -> None:

@@ -54,7 +54,8 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
         executor = gl.Executor()
         quality, reason = _quality(executor, request)
         camera = request.parameters.camera(request.scene.camera)
-        job = FrameJob(request.scene, quality, request.time, camera, width, height, extension, loaded.name)
+        ways = request.parameters.dither, request.parameters.precision
+        job = FrameJob(request.scene, quality, request.time, camera, width, height, extension, loaded.name, *ways)
         frame = render_frame(executor, job)
         renderer = executor.info["renderer"]
     except PlanError as error:

@@ -9,6 +9,7 @@ import socket
 from types import SimpleNamespace
 
 import numpy as np
+import OpenEXR
 import pytest
 from PIL import Image
 
@@ -44,20 +45,25 @@ class Recorder:
 
     info = {"vendor": "A", "renderer": "B", "version": "C"}  # noqa: RUF012
     asked: dict = {}  # noqa: RUF012
+    value = 0
 
     def render(self, plan, **asked):
         self.asked.update(asked, plan=plan)
         shape = (asked["height"], asked["width"], 4)
-        pixels = np.zeros(shape, np.float32 if asked["output"] == "linear" else np.uint8)
+        types = {"linear": np.float32, "rgba8": np.uint8, "rgba16": np.uint16}
+        pixels = np.full(shape, self.value, types[asked["output"]])
         return SimpleNamespace(pixels=pixels, timings={"render": 0.0, "read": 0.0})
 
 
-@pytest.mark.parametrize(("name", "format"), [("a.png", "PNG"), ("a.WEBP", "WEBP"), ("a.npy", None)])
+@pytest.mark.parametrize(("name", "format"), [("a.png", "PNG"), ("a.WEBP", "WEBP"), ("a.npy", None), ("a.exr", None)])
 def test_render_writes_the_format_of_the_extension(seafoam, monkeypatch, tmp_path, name, format):
     monkeypatch.setattr("seafoam.render.gl.executor.Executor", Recorder)
     code, _, err = seafoam("render", "default", "-o", tmp_path / name, "--size", "48x27")
     assert code == 0, err
-    if format is None:
+    if name == "a.exr":
+        channels = OpenEXR.File(str(tmp_path / name)).channels()
+        assert channels["RGB"].pixels.shape == (27, 48, 3)
+    elif format is None:
         assert np.load(tmp_path / name).shape == (27, 48, 4)
     else:
         assert picture(tmp_path / name).format == format
@@ -84,9 +90,13 @@ def test_render_passes_on_what_is_given(seafoam, monkeypatch, tmp_path):
     ("arguments", "said"),
     [
         (["nope", "-o", "a.png"], ["PRESET", "'nope'", "default"]),
-        (["default", "-o", "a.gif"], ["--output", ".png, .webp, .npy"]),
-        (["default", "-o", "a"], ["--output", ".png, .webp, .npy"]),
-        (["default"], ["--output"]),
+        (["default", "-o", "a.gif"], ["--output", ".png, .webp, .exr, .npy"]),
+        (["default", "-o", "a"], ["--output", ".png, .webp, .exr, .npy"]),
+        (["default"], ["--output", "--again"]),
+        (["-o", "a.png"], ["PRESET", "--again"]),
+        (["default", "--again", "a.png"], ["PRESET", "not allowed with --again"]),
+        (["--again", "a.png", "--time", "2", "--budget-ms", "8"], ["--time, --budget-ms", "not allowed"]),
+        (["default", "-o", "a.exr", "--precision", "double"], ["--precision", "half, float"]),
         (["default", "-o", "a.png", "--size", "12"], ["--size", "WIDTHxHEIGHT"]),
         (["default", "-o", "a.png", "--size", "0x9"], ["--size", "1"]),
         (["default", "-o", "a.png", "--size", "9000x9"], ["--size", "1 to 8192"]),

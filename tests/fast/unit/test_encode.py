@@ -2,12 +2,16 @@
 
 import io
 import struct
+from contextlib import suppress
 
 import numpy as np
+import OpenEXR
 import pytest
 from PIL import Image
 
-from seafoam.render.encode import encode
+from seafoam.masks.catalogue import load_mask
+from seafoam.render.encode import NoRecipeError, encode, read_recipe
+from seafoam.render.encode.dither import MASK, dithered
 
 
 def drawn(height: int, width: int) -> np.ndarray:
@@ -53,12 +57,92 @@ def test_a_recipe_is_beside_the_picture() -> None:
     bare = encode(pixels, "png")
     # Signature and IHDR, the chunk, the rest.
     assert (content[:33], content[-(len(bare) - 33) :]) == (bare[:33], bare[33:])
-    assert encode(pixels, "webp", recipe) == encode(pixels, "webp")
+
+
+@pytest.mark.parametrize("format", ["png", "webp", "exr"])
+@pytest.mark.parametrize("recipe", ['{"name":"Mörk – λ"}', "{}", '{"a":"<&>\\"\\n"}', "x" * 100_000])
+def test_a_recipe_is_read_from_every_picture(format: str, recipe: str) -> None:
+    pixels = drawn(5, 6) if format != "exr" else drawn(5, 6).astype(np.float32)
+    content = encode(pixels, format, recipe)
+    assert read_recipe(content) == recipe
+    assert encode(pixels, format, recipe) == content
+    # A file that was cut off is no picture, or has its recipe before the cut: it never raises anything else.
+    for end in range(0, min(len(content), 2000), 37):
+        read = None
+        with suppress(NoRecipeError):
+            read = read_recipe(content[:end])
+        assert read in (None, recipe)
+
+
+@pytest.mark.parametrize("format", ["png", "webp", "exr", "npy"])
+def test_a_picture_without_a_recipe_says_so(format: str) -> None:
+    pixels = drawn(5, 6) if format in ("png", "webp") else drawn(5, 6).astype(np.float32)
+    with pytest.raises(NoRecipeError, match="no PNG, WebP or OpenEXR picture with a recipe"):
+        read_recipe(encode(pixels, format))
+
+
+@pytest.mark.parametrize(("precision", "type"), [("float", np.float32), ("half", np.float16)])
+def test_open_exr_holds_linear_light_and_coverage(precision: str, type: type) -> None:
+    pixels = np.random.default_rng(1).normal(0.5, 2.0, (37, 53, 4)).astype(np.float32)
+    pixels[0, 0] = (1e6, -1e6, 0.0, 1.0)
+    content = encode(pixels, "exr", precision=precision)
+    file = OpenEXR.File(io.BytesIO(content))
+    channels = file.channels()
+    assert set(channels) == {"RGB", "coverage"}
+    limit = float(np.finfo(type).max)
+    want = np.clip(pixels, -limit, limit).astype(type)
+    np.testing.assert_array_equal(channels["RGB"].pixels, want[..., :3])
+    np.testing.assert_array_equal(channels["coverage"].pixels, want[..., 3])
+    assert channels["coverage"].pixels.dtype == type
+    assert file.header()["chromaticities"][:2] == pytest.approx((0.64, 0.33))
+    assert encode(pixels, "exr", precision=precision) == content
+
+
+def test_a_dithered_picture_has_the_mean_of_its_values() -> None:
+    side = len(load_mask(MASK).ranks)
+    rng = np.random.default_rng(2)
+    for value in (1, 127, 128, 129, 257, 300, 32767, 40000, *rng.integers(0, 65536, 6), 65534):
+        levels = dithered(np.full((side, side, 4), value, np.uint16)).astype(float)
+        exact = value * 255 / 65535
+        # In a mean at most a hundredth of a level, in a pixel less than one.
+        np.testing.assert_allclose(levels.mean(axis=(0, 1)), exact, atol=0.01)
+        assert np.abs(levels - exact).max() < 1.01
+
+
+def test_black_stays_black_and_white_white() -> None:
+    assert (dithered(np.zeros((40, 700, 4), np.uint16)) == 0).all()
+    assert (dithered(np.full((40, 700, 4), 65535, np.uint16)) == 255).all()
+
+
+def test_a_dithered_ramp_has_no_bands() -> None:
+    """Over four levels in 1280 pixels, means of 16 × 16 pixels follow the ramp; rounded, they stand in steps."""
+    ramp = np.linspace(20.0, 24.0, 1280)[None, :, None] * 257
+    values = np.broadcast_to(ramp, (256, 1280, 4)).astype(np.uint16)
+    blocks = (16, 16, 80, 16)
+
+    def error(levels: np.ndarray) -> float:
+        off = levels[..., 0] - values[..., 0] * (255 / 65535)
+        return float(np.abs(off.reshape(blocks).mean(axis=(1, 3))).max())
+
+    assert error(dithered(values).astype(float)) < 0.1
+    assert error(np.round(values * (255 / 65535))) > 0.4
+
+
+def test_16_bits_are_dithered_in_both_formats() -> None:
+    pixels = np.random.default_rng(3).integers(0, 65536, (50, 70, 4)).astype(np.uint16)
+    for format in ("png", "webp"):
+        read = np.asarray(Image.open(io.BytesIO(encode(pixels, format))))
+        np.testing.assert_array_equal(read, dithered(pixels)[..., :3])
 
 
 @pytest.mark.parametrize(
     ("shape", "type", "format"),
-    [((4, 4, 3), np.uint8, "png"), ((4, 4, 4), np.float32, "png"), ((4, 4), np.uint8, "png")],
+    [
+        ((4, 4, 3), np.uint8, "png"),
+        ((4, 4, 4), np.float32, "png"),
+        ((4, 4), np.uint8, "png"),
+        ((4, 4, 4), np.uint16, "exr"),
+    ],
 )
 def test_other_pictures_are_refused(shape: tuple[int, ...], type: type, format: str) -> None:
     with pytest.raises(ValueError, match="requires"):

@@ -46,6 +46,18 @@ def test_all_let_go_and_made_again_draws_the_same(executor: Executor) -> None:
     assert drawn() == first
 
 
+def test_16_bits_are_the_8_bits_before_they_are_rounded(executor: Executor) -> None:
+    preset = load_preset("default")
+    plan = make_plan(preset.scene, TIERS["draft"])
+    asked = {"time": preset.time, "camera": preset.scene.camera, "width": 96, "height": 54}
+    exact = executor.render(plan, output="rgba8", **asked).pixels
+    fine = executor.render(plan, output="rgba16", **asked).pixels
+    assert fine.dtype == np.uint16
+    # Half a level, and the last of the 16 bits.
+    assert np.abs(fine / 257.0 - exact).max() <= 0.5 + 1 / 257
+    assert (executor.render(plan, output="rgba8", **asked).pixels == exact).all()
+
+
 def test_a_shader_that_does_not_compile_names_its_files(executor: Executor) -> None:
     plan = make_plan(load_preset("default").scene, TIERS["standard"])
     program = plan.programs["present"]

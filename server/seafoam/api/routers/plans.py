@@ -6,13 +6,14 @@ from fastapi import APIRouter, Query, Request
 from starlette.responses import Response
 
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified
-from seafoam.api.context import InContext
+from seafoam.api.context import Context, InContext
 from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import PlanParameters, PlanRequest, quality_of, strictly
 from seafoam.api.planning import CompiledPlan, compile_scene
 from seafoam.api.routers.presets import PresetName, find_preset
 from seafoam.framegraph.plan import FramePlan
-from seafoam.quality import TIERS
+from seafoam.quality import TIERS, Quality
+from seafoam.scene.models import Scene
 
 router = APIRouter(prefix="/api", tags=["plans"])
 
@@ -45,6 +46,7 @@ async def get_plan(
     compiled = await context.plans.run(
         compile_scene, scene, TIERS[asked.quality], scene_at=None, parameters=asked.changed
     )
+    await _remember(compiled, scene, TIERS[asked.quality], context)
     headers = {"Cache-Control": REVALIDATE, "Seafoam-Plan": compiled.sha256}
     return not_modified(request, f'"{compiled.sha256}"', headers) or _plan(compiled, headers)
 
@@ -53,8 +55,16 @@ async def get_plan(
 async def make_plan(asked: strictly(PlanRequest), context: InContext) -> Response:  # type: ignore[valid-type]
     """Compile a scene sent as JSON into a frame plan."""
     body: PlanRequest = asked
-    compiled = await context.plans.run(compile_scene, body.scene, quality_of(body.quality), scene_at="/scene")
+    quality = quality_of(body.quality)
+    compiled = await context.plans.run(compile_scene, body.scene, quality, scene_at="/scene")
+    await _remember(compiled, body.scene, quality, context)
     return _plan(compiled, {"Cache-Control": NO_STORE, "Seafoam-Plan": compiled.sha256})
+
+
+async def _remember(compiled: CompiledPlan, scene: Scene, quality: Quality, context: Context) -> None:
+    """Let the plan's hash be an address of its frames."""
+    if not context.known.holds(compiled.sha256):
+        await context.plans.run(context.known.remember, compiled.sha256, scene, quality)
 
 
 def _plan(compiled: CompiledPlan, headers: dict[str, str]) -> Response:

@@ -95,11 +95,7 @@ class FrameState:
         for floor in (self.bed, self.below):
             if floor is not None:
                 floor.sun_reaches = self.sunlight
-        front = None if scene.foam is None else scene.foam.source(FrontSaturation)
-        self.fronts: dict[str, WaveSet] = {}
-        if front is not None:
-            spatial = FRONT_CONSTANTS[front.constants].spatial
-            self.fronts[front.constants] = wave_set(scene, time, self.afloat, spatial)
+        self.fronts = _front_waves(scene, time, self.afloat)
 
     @property
     def exposure(self) -> float:
@@ -143,3 +139,11 @@ class FrameState:
     def footprints(self, t: Floats, D: Floats, N: Floats) -> tuple[Floats, Floats]:
         """Footprints (r, 2) m of samples along both sides, where rays tD meet a surface of normal N."""
         return intersect.footprint(t, D, N, self.delta_x), intersect.footprint(t, D, N, self.delta_y)
+
+
+def _front_waves(scene: Scene, time: float, afloat: tuple[float, float]) -> dict[str, WaveSet]:
+    """The waves whose groups make fronts, by the name of their constants; none: the scene has no fronts."""
+    front = None if scene.foam is None else scene.foam.source(FrontSaturation)
+    if front is None:
+        return {}
+    return {front.constants: wave_set(scene, time, afloat, FRONT_CONSTANTS[front.constants].spatial)}

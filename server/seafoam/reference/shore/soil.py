@@ -193,6 +193,13 @@ def wetness(coast: "Coast", q_x: Floats, q_z: Floats, height: Floats) -> tuple[F
     return np.maximum(dark, after[1]), np.maximum(film, after[0])
 
 
+def _strand(surf: float, y: Floats, of_6: Floats, of_2: Floats) -> Floats:
+    """How near the line of the last swash is, in [0, 1], of surf so high (m), at heights y over still water (m)."""
+    line = 0.4 * surf + 0.12
+    strand = (y - line) / (0.2 * line + 0.02) + 0.5 * of_6 + 0.35 * of_2
+    return 1.0 - smoothstep(0.0, 1.0, np.abs(strand))
+
+
 def detailed(
     coast: "Coast", q_x: Floats, q_z: Floats, feet: Feet, wet: tuple[Floats, Floats], *, floor: bool = False
 ) -> Soil:
@@ -224,10 +231,8 @@ def detailed(
     sand = sand * (1.0 + d * 0.08 * combed * np.sin(turn))[:, None]
     albedo = _mix(sand, 0.68 * sand / (1.77 - 0.77 * sand), damp)
 
-    line = 0.4 * shore.surf.height + 0.12
-    strand = (y - line) / (0.2 * line + 0.02) + 0.5 * of_6 + 0.35 * of_2
     strings = np.minimum(1.5 * of.strings * smoothstep(0.3, 1.8, 0.6 * of_2 + 1.8 * fine), 1.0)
-    albedo = _mix(albedo, WRACK, 0.6 * d * (1.0 - smoothstep(0.0, 1.0, np.abs(strand))) * strings)
+    albedo = _mix(albedo, WRACK, 0.6 * d * _strand(shore.surf.height, y, of_6, of_2) * strings)
 
     rock, rock_slope = _rock(coast, of, y + q_x * DIP[0] + q_z * DIP[1], ground + DIP, feet)
     rock = rock * (1.0 - 0.5 * damp)[:, None]

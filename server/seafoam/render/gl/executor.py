@@ -9,7 +9,7 @@ import time as clock
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -23,26 +23,11 @@ from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.framegraph.visibility import drawn_passes, passes_into, reads
 from seafoam.render.gl.cache import FORMAT_BYTES, Cache, target_bytes
 from seafoam.render.gl.context import NoRendererError, create_context
+from seafoam.render.gl.formats import READ, TARGET_FORMATS, TEXTURE_FORMATS, Output
 from seafoam.scene.camera import Camera
 from seafoam.textures import spec_of, texture
 
 __all__ = ["Executor", "NoRendererError", "Output", "Rendered", "ShaderError"]
-
-Output = Literal["rgba8", "linear", "samples"]
-
-TEXTURE_FORMATS = {
-    "R8": (1, "f1"),
-    "R8UI": (1, "u1"),
-    "R16UI": (1, "u2"),
-    "RG32UI": (2, "u4"),
-    "R16F": (1, "f2"),
-    "R32F": (1, "f4"),
-    "RG32F": (2, "f4"),
-    "RGBA32F": (4, "f4"),
-}
-"""Components and moderngl dtype of each texture format."""
-
-_TARGET_FORMATS = {"RGBA16F": (4, "f2"), "RGBA32F": (4, "f4"), "RGBA8": (4, "f1"), "RG32UI": (2, "u4")}
 
 _BLENDS: dict[Blend, tuple[int, int]] = {
     "none": (moderngl.ONE, moderngl.ZERO),
@@ -74,12 +59,12 @@ class ShaderError(RuntimeError):
 class Rendered:
     """A frame, top row first.
 
-    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``; float32 linear with A = foam coverage for ``linear``;
-    the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``: seconds spent in
-    ``render`` (draw until finished) and ``read``.
+    ``pixels``: (height, width, 4) uint8 sRGB for ``rgba8``, uint16 for ``rgba16``; float32 linear with A = foam
+    coverage for ``linear``; the same before the mean of samples, (height·n, width·n, 4), for ``samples``. ``timings``:
+    seconds spent in ``render`` (draw until finished) and ``read``.
     """
 
-    pixels: NDArray[np.uint8] | NDArray[np.float32]
+    pixels: NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.float32]
     timings: dict[str, float]
 
 
@@ -161,7 +146,8 @@ class Executor:
         """
         self._own_thread()
         start = clock.perf_counter()
-        target_name = {"rgba8": "screen", "linear": plan.linear, "samples": "samples"}[output]
+        shown, dtype, kind = READ[output]
+        target_name = {"linear": plan.linear, "samples": "samples"}.get(output, "screen")
         drawn = drawn_passes(plan, camera, width, height, target_name)
         setup = {step.target for step in plan.passes if step.when == "setup"}
         framebuffers = {
@@ -170,7 +156,7 @@ class Executor:
             if name not in setup
         }
         framebuffers["screen"] = self._targets.get(
-            ("screen", width, height), lambda: self._framebuffer((width, height), "RGBA8", depth=False)
+            ("screen", width, height, shown), lambda: self._framebuffer((width, height), shown, depth=False)
         )
         framebuffers |= self._set_up(plan, drawn, camera)
         # All frame passes are drawn, since plans share their targets and may have overwritten those of earlier frames.
@@ -185,10 +171,9 @@ class Executor:
         self._context.finish()
         finished = clock.perf_counter()
         framebuffer = framebuffers[target_name][0]
-        dtype: Literal["f1", "f4"] = "f1" if output == "rgba8" else "f4"
         raw = framebuffer.read(components=4, alignment=1, dtype=dtype)
         shape = (framebuffer.height, framebuffer.width, 4)
-        pixels = np.frombuffer(raw, np.uint8 if output == "rgba8" else np.float32).reshape(shape)[::-1]
+        pixels = np.frombuffer(raw, kind).reshape(shape)[::-1]
         error = self._context.error
         if error != "GL_NO_ERROR":
             # Kept targets may have wrong content.
@@ -356,7 +341,7 @@ class Executor:
     def _framebuffer(self, size: tuple[int, int], kind: str, *, depth: bool) -> tuple[Any, ...]:
         if max(size) > self.max_side:
             raise ValueError(f"{size[0]} × {size[1]} exceeds this renderer's limit of {self.max_side} pixels per side")
-        components, dtype = _TARGET_FORMATS[kind]
+        components, dtype = TARGET_FORMATS[kind]
         color = self._context.texture(size, components, dtype=dtype, alignment=1)
         color.filter = _FILTERS["nearest"]
         color.repeat_x = color.repeat_y = False

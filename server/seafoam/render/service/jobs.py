@@ -3,6 +3,7 @@
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Literal, Protocol
 
 from numpy.typing import NDArray
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_plan
 from seafoam.quality import Quality
-from seafoam.render.encode import FrameFormat, encode, needs_linear
+from seafoam.render.encode import FrameFormat, Output, Precision, encode, output_of
 from seafoam.render.service.recipe import recipe_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -32,6 +33,28 @@ class FrameJob:
     format: FrameFormat
     preset: str | None = None
     """Name of the preset that the scene began from; only the recipe has it."""
+    dither: bool = True
+    """Whether 8 bits are dithered from 16, for ``png`` and ``webp``; else they are rounded as the page rounds them."""
+    precision: Precision = "half"
+    """Numbers of ``exr``."""
+
+    @property
+    def output(self) -> Output:
+        """What a renderer must give for it."""
+        return output_of(self.format, self.dither)
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """What a renderer drew for a job, before it is encoded. ``timings``: seconds by ``plan``, ``render``, ``read``."""
+
+    pixels: NDArray[Any]
+    """(height, width, 4), top row first, as :func:`seafoam.render.encode.output_of` says."""
+    plan: str
+    """SHA-256 of the frame plan."""
+    info: Mapping[str, str]
+    """The renderer's ``vendor``, ``renderer`` and ``version``."""
+    timings: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +100,7 @@ class Rendered(Protocol):
 
     @property
     def pixels(self) -> NDArray[Any]:
-        """(height, width, 4), top row first; uint8 or, linear, float32."""
+        """(height, width, 4), top row first; uint8, uint16 or, linear, float32."""
 
     @property
     def timings(self) -> Mapping[str, float]:
@@ -99,18 +122,25 @@ class Renderer(Protocol):
         camera: Camera,
         width: int,
         height: int,
-        output: Literal["rgba8", "linear"],
+        output: Output,
     ) -> Rendered:
         """Draw one frame."""
 
 
-def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
-    """Plan, render and encode one frame in this process.
+@lru_cache(maxsize=128)
+def plan_hash(scene: Scene, quality: Quality) -> str:
+    """Return the SHA-256 of a scene's frame plan. Raises :class:`seafoam.planner.PlanError`."""
+    return make_plan(scene, quality).sha256
+
+
+def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
+    """Plan and render one frame in this process.
 
     Raises :class:`seafoam.planner.PlanError` for a scene that cannot be planned, and what the renderer raises.
     """
     began = time.perf_counter()
     plan = make_plan(job.scene, job.quality)
+    digest = plan_hash(job.scene, job.quality)
     planned = time.perf_counter()
     rendered = renderer.render(
         plan,
@@ -118,23 +148,27 @@ def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
         camera=job.camera,
         width=job.width,
         height=job.height,
-        output="linear" if needs_linear(job.format) else "rgba8",
+        output=job.output,
     )
-    encoding = time.perf_counter()
-    content = encode(rendered.pixels, job.format, recipe_of(job, renderer.info))
-    return Frame(
-        content,
-        {
-            "plan": planned - began,
-            "render": rendered.timings["render"],
-            "read": rendered.timings["read"],
-            "encode": time.perf_counter() - encoding,
-        },
-    )
+    timings = {"plan": planned - began, "render": rendered.timings["render"], "read": rendered.timings["read"]}
+    return Picture(rendered.pixels, digest, dict(renderer.info), timings)
+
+
+def encode_frame(picture: Picture, job: FrameJob) -> Frame:
+    """Encode what was drawn for a job; needs no renderer, so that it can run beside the next frame."""
+    began = time.perf_counter()
+    recipe = recipe_of(job, picture.info, picture.plan)
+    content = encode(picture.pixels, job.format, recipe, precision=job.precision)
+    return Frame(content, {**picture.timings, "encode": time.perf_counter() - began})
+
+
+def render_frame(renderer: Renderer, job: FrameJob) -> Frame:
+    """Plan, render and encode one frame in this process. Raises what :func:`draw_frame` raises."""
+    return encode_frame(draw_frame(renderer, job), job)
 
 
 def measure(renderer: Renderer, job: MeasureJob) -> tuple[Drawn, ...]:
-    """Plan a frame and draw it as often as the job requires, in this process. Raises as :func:`render_frame` does."""
+    """Plan a frame and draw it as often as the job requires, in this process. Raises as :func:`draw_frame` does."""
     plan = make_plan(job.scene, job.quality)
     drawn = []
     for draw in job.draws:

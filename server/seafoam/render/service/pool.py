@@ -24,14 +24,16 @@ import time
 from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import CancelledError as CancelledFuture
-from concurrent.futures import Future
+from concurrent.futures import Future, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from typing import Any, Literal
 
 from pebble import ProcessExpired, ProcessPool
 
+from seafoam.render.encode import BYTES_PER_PIXEL
 from seafoam.render.gl.executor import Executor
+from seafoam.render.service.canvas import Canvas, Canvases
 from seafoam.render.service.errors import (
     DeadlineError,
     QueueFullError,
@@ -39,7 +41,8 @@ from seafoam.render.service.errors import (
     RendererUnavailableError,
     RenderFailedError,
 )
-from seafoam.render.service.jobs import Drawn, Frame, FrameJob, MeasureJob, Renderer
+from seafoam.render.service.jobs import Drawn, Frame, FrameJob, MeasureJob, Picture, Renderer, encode_frame
+from seafoam.render.service.slots import Slots, Turn
 from seafoam.render.service.worker import (
     Answer,
     Expired,
@@ -62,6 +65,12 @@ STUCK_SECONDS = 10.0
 
 MEASURE_SECONDS = 120.0
 """Timeout of a measurement, waiting included, s: one draws a point of a sweep once or twice."""
+
+BACKGROUND_SECONDS = 60.0
+"""Timeout of a frame in the background, waiting included, s: it waits for every visitor's."""
+
+BACKGROUND_QUEUE = 64
+"""Capacity of the background's own queue, frames: the thumbnails of a gallery."""
 
 EARLIEST_RETRY = 1
 """Minimum delay before a retry when the queue is full, s."""
@@ -100,8 +109,8 @@ class RenderPool:
         """Why there is no renderer and the remedy, if the state is ``unavailable``."""
         self.succeeded_at = -math.inf
         """Time of the last test picture or frame, of ``time.time()``."""
-        self.waiting = 0
         self.active = 0
+        self._turns: set[Turn] = set()
         self.restarts: Counter[Literal["deadline", "crash", "recycled"]] = Counter()
         self._recycle = recycle
         self._check_seconds = check_seconds
@@ -112,7 +121,11 @@ class RenderPool:
         self._recent_seconds = 1.0
         self._processes: ProcessPool | None = None
         self._settled = asyncio.Event()
-        self._slots = asyncio.Semaphore(workers)
+        self._slots = Slots(workers)
+        # One frame of each worker is encoded while it draws the next; more would only collect in memory.
+        self._desks = Slots(2 * workers)
+        self._canvases = Canvases(2 * workers)
+        self._encoders: ThreadPoolExecutor | None = None
         self._tasks: set[asyncio.Task[None]] = set()
 
     async def start(self) -> None:
@@ -120,7 +133,8 @@ class RenderPool:
         self.state, self.active = "starting", 0
         # They belong to the event loop that first waits for them, and a restart has a new loop.
         self._settled = asyncio.Event()
-        self._slots = asyncio.Semaphore(self.workers)
+        self._slots, self._desks = Slots(self.workers), Slots(2 * self.workers)
+        self._encoders = ThreadPoolExecutor(self.workers, "encode")
         self._keep(self._watch())
 
     async def stop(self) -> None:
@@ -129,24 +143,79 @@ class RenderPool:
         for task in list(self._tasks):
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
+        if self._encoders is not None:
+            self._encoders.shutdown(wait=False, cancel_futures=True)
+        self._canvases.close()
         processes, self._processes = self._processes, None
         if processes is not None:
             await asyncio.to_thread(_discard, processes)
 
-    async def render(self, job: FrameJob) -> Frame:
-        """Render one frame in a worker.
+    @property
+    def waiting(self) -> int:
+        """Number of visitors' frames in the queue."""
+        return sum(not turn.background for turn in self._turns)
+
+    @property
+    def waiting_background(self) -> int:
+        """Number of frames that wait until no visitor's does."""
+        return sum(turn.background for turn in self._turns)
+
+    async def render(self, job: FrameJob, turn: Turn | None = None) -> Frame:
+        """Render one frame in a worker, and encode it here in a thread, while the worker draws the next.
+
+        turn: absent: a visitor's. A frame in the background has a queue and a deadline of its own.
 
         Raises :class:`QueueFullError`, :class:`DeadlineError`, :class:`RendererUnavailableError` or
         :class:`RenderFailedError`. If the call is cancelled while it waits, it leaves the queue; a frame
         that is being rendered is finished, because stopping it would kill the worker.
         """
+        turn = turn or Turn()
         began = time.time()
-        expires = began + self.deadline
-        await self._admit(expires)
-        frame = await self._run(work_frame, (job, expires), expires)
+        expires = began + (BACKGROUND_SECONDS if turn.background else self.deadline)
+        self._admit(turn)
+        self._turns.add(turn)
+        try:
+            await self.wait_until_settled()
+            # The worker first: one that waits in the background must not hold what a visitor needs.
+            await self._take(self._slots, expires, turn)
+            try:
+                await self._take(self._desks, expires, turn)
+            except BaseException:
+                self._slots.release()
+                raise
+        finally:
+            self._turns.discard(turn)
+        # A renderer that hangs is not waited for longer in the background.
+        expires = min(expires, time.time() + self.deadline)
+        canvas = self._canvases.take(job.width * job.height * BYTES_PER_PIXEL[job.output])
+        try:
+            sent = await self._run(work_frame, (job, expires, canvas.address), expires)
+            picture = Picture(canvas.received(sent.pixels), sent.plan, sent.info, sent.timings)
+        except BaseException:
+            # Closed, since the worker may still write to it.
+            canvas.close()
+            self._desks.release()
+            raise
+        frame = await self._encode(picture, job, canvas, expires)
         worked = sum(frame.timings.values())
         self._recent_seconds += 0.2 * (worked - self._recent_seconds)
         return replace(frame, timings={"queue": max(0.0, time.time() - began - worked), **frame.timings})
+
+    async def _encode(self, picture: Picture, job: FrameJob, canvas: Canvas, expires: float) -> Frame:
+        """Encode in a thread; desk and canvas are free when the thread is, whether or not the caller still waits."""
+        assert self._encoders is not None
+        loop = asyncio.get_running_loop()
+        encoding = loop.run_in_executor(self._encoders, encode_frame, picture, job)
+        encoding.add_done_callback(lambda _: self._encoded(canvas))
+        try:
+            async with asyncio.timeout(max(0.0, expires - time.time())):
+                return await asyncio.shield(encoding)
+        except TimeoutError:
+            raise DeadlineError("timeout: the frame was drawn, but not encoded before its deadline") from None
+
+    def _encoded(self, canvas: Canvas) -> None:
+        self._canvases.give_back(canvas)
+        self._desks.release()
 
     async def measure(self, job: MeasureJob) -> tuple[Drawn, ...]:
         """Measure in a worker, in turn with the frames, without taking a place in their queue.
@@ -155,7 +224,7 @@ class RenderPool:
         """
         expires = time.time() + MEASURE_SECONDS
         await self.wait_until_settled()
-        await self._take_worker(expires)
+        await self._take(self._slots, expires)
         return await self._run(work_measure, (job, expires), expires)
 
     async def wait_until_settled(self) -> None:
@@ -168,26 +237,23 @@ class RenderPool:
         if self.state != "ready":
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
 
-    async def _admit(self, expires: float) -> None:
-        """Wait in the queue for a free worker, and reserve it."""
+    def _admit(self, turn: Turn) -> None:
+        """Refuse a frame for which there is neither a worker nor a place in the queue."""
         if self.state in ("unavailable", "stopped"):
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
-        if self.waiting >= self.queue and (self.state == "starting" or self._slots.locked()):
-            ahead = math.ceil(self._recent_seconds * (self.waiting + 1) / self.workers)
-            raise QueueFullError(self.waiting, max(EARLIEST_RETRY, ahead))
-        self.waiting += 1
-        try:
-            await self.wait_until_settled()
-            await self._take_worker(expires)
-        finally:
-            self.waiting -= 1
+        waiting, capacity = (
+            (self.waiting_background, BACKGROUND_QUEUE) if turn.background else (self.waiting, self.queue)
+        )
+        if waiting >= capacity and (self.state == "starting" or self._slots.locked()):
+            ahead = math.ceil(self._recent_seconds * (waiting + 1) / self.workers)
+            raise QueueFullError(waiting, max(EARLIEST_RETRY, ahead))
 
-    async def _take_worker(self, expires: float) -> None:
+    async def _take(self, slots: Slots, expires: float, turn: Turn | None = None) -> None:
         try:
             async with asyncio.timeout(max(0.0, expires - time.time())):
-                await self._slots.acquire()
+                await slots.acquire(turn)
         except TimeoutError:
-            raise DeadlineError(f"timeout: no render worker was free within {self.deadline:g} s") from None
+            raise DeadlineError("timeout: no render worker was free before the frame's deadline") from None
 
     async def _run(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float) -> T:
         """Run work in the reserved worker, which is released when it is idle again."""
@@ -196,7 +262,7 @@ class RenderPool:
         except (ProcessExpired, BrokenProcessPool, CancelledFuture) as error:
             # A frame depends only on its job, so it can be tried again in another worker.
             log.warning("A render worker died: %r", error)
-            await self._take_worker(expires)
+            await self._take(self._slots, expires)
             try:
                 answer = await self._attempt(work, args, expires)
             except (ProcessExpired, BrokenProcessPool, CancelledFuture) as again:

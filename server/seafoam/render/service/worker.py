@@ -3,16 +3,18 @@
 import os
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import NoRendererError
-from seafoam.render.service.jobs import Drawn, Frame, FrameJob, MeasureJob, Renderer, measure, render_frame
+from seafoam.render.service.canvas import Address, Sent, send
+from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Renderer, draw_frame, measure
 from seafoam.scene.models import Scene
 
 CANARY_SIDE = 16
@@ -96,14 +98,29 @@ def work_canary() -> Answer[dict[str, str]]:
         return Answer(os.getpid(), Failed(traceback.format_exc()))
 
 
-def work_frame(job: FrameJob, expires: float) -> Answer[Frame]:
-    """Render one frame, unless it has expired. expires: of ``time.time()``."""
+@dataclass(frozen=True, slots=True)
+class Posted:
+    """A picture on its way to the parent: its pixels, if not here, in the parent's memory."""
+
+    pixels: NDArray[Any] | Sent
+    plan: str
+    info: Mapping[str, str]
+    timings: Mapping[str, float]
+
+
+def work_frame(job: FrameJob, expires: float, canvas: Address | None) -> Answer[Posted]:
+    """Render one frame, unless it has expired; the parent encodes it, beside the next.
+
+    expires: of ``time.time()``. canvas: the parent's memory for the pixels.
+    """
     if isinstance(_renderer, Unavailable):
         return Answer(os.getpid(), _renderer)
     if time.time() >= expires:
         return Answer(os.getpid(), Expired())
     try:
-        return Answer(os.getpid(), render_frame(_renderer, job))
+        drawn = draw_frame(_renderer, job)
+        posted = Posted(send(drawn.pixels, canvas), drawn.plan, drawn.info, drawn.timings)
+        return Answer(os.getpid(), posted)
     except Exception:
         return Answer(os.getpid(), Failed(traceback.format_exc()))
 

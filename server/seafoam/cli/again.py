@@ -1,0 +1,157 @@
+"""The work of ``seafoam render --again``: draws a picture's recipe once more, and says what differs."""
+
+import io
+from collections.abc import Iterator
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import OpenEXR
+from numpy.typing import NDArray
+from PIL import Image
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from seafoam.api.parameters import TIME_LIMIT, TierOrQuality, quality_of
+from seafoam.cli.frames import LIMITS
+from seafoam.cli.support import UNABLE, CommandError, write
+from seafoam.planner import PlanError
+from seafoam.render.encode import FrameFormat, NoRecipeError, Precision, read_recipe
+from seafoam.render.gl import executor as gl
+from seafoam.render.service.errors import FrameTooLargeError
+from seafoam.render.service.jobs import FrameJob, draw_frame, encode_frame
+from seafoam.render.service.recipe import RECIPE_VERSION, renderer_of
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+
+
+class _Recipe(BaseModel):
+    """A recipe as it is read; what earlier versions and the page do not write has what they drew with."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
+
+    recipe: Literal[1]
+    seafoam: str
+    renderer: str
+    plan: str | None = None
+    preset: str | None = None
+    scene: Scene
+    quality: TierOrQuality
+    camera: Camera
+    time: float = Field(ge=-TIME_LIMIT, le=TIME_LIMIT)
+    width: int = Field(ge=1)
+    height: int = Field(ge=1)
+    format: FrameFormat = "png"
+    dither: bool = False
+    precision: Precision = "half"
+    split: Any = None
+
+    @property
+    def job(self) -> FrameJob:
+        """Return the frame that the recipe describes."""
+        return FrameJob(
+            self.scene,
+            quality_of(self.quality),
+            self.time,
+            self.camera,
+            self.width,
+            self.height,
+            self.format,
+            preset=self.preset,
+            dither=self.dither,
+            precision=self.precision,
+        )
+
+
+def draw_again(source: Path, output: Path | None) -> tuple[bool, list[str]]:
+    """Draw a picture from its recipe, write it where ``output`` is given, and compare it with the picture.
+
+    Returns whether the bytes are the same, and the lines to print. Raises :class:`CommandError` for a file without a
+    recipe that can be drawn.
+    """
+    try:
+        content = source.read_bytes()
+    except OSError as error:
+        raise CommandError(f"--again: cannot read {source}: {error.strerror}", UNABLE) from error
+    recipe = _read(source, content)
+    job = recipe.job
+    try:
+        LIMITS.check(job.width, job.height, job.quality.samples_drawn)
+        executor = gl.Executor()
+        picture = draw_frame(executor, job)
+    except FrameTooLargeError as error:
+        raise CommandError(f"--again: {error}") from error
+    except PlanError as error:
+        raise CommandError(f"--again: {source}: {error.pointer or 'scene'}: {error.message}") from error
+    except gl.NoRendererError as error:
+        raise CommandError(str(error), UNABLE) from error
+    again = encode_frame(picture, job).content
+    if output is not None:
+        write(output, again)
+    if again == content:
+        return True, [f"{source}: drawn again, the same {len(content):,} bytes"]
+    renderer = renderer_of(picture.info)
+    lines = [*_circumstances(recipe, picture.plan, renderer), *_pixels(content, again)]
+    return False, [f"{source}: drawn again, with a difference", *(f"  {line}" for line in lines)]
+
+
+def _read(source: Path, content: bytes) -> _Recipe:
+    try:
+        recipe = _Recipe.model_validate_json(read_recipe(content))
+    except NoRecipeError as error:
+        raise CommandError(f"--again: {source}: {error}") from error
+    except ValidationError as error:
+        # One is enough: a recipe of another version differs in much.
+        first = error.errors()[0]
+        where = "/" + "/".join(str(step) for step in first["loc"])
+        what = f"its recipe cannot be drawn by version {version('seafoam')} (recipes of format {RECIPE_VERSION})"
+        raise CommandError(f"--again: {source}: {what}: {where}: {first['msg']}") from error
+    if recipe.split is not None:
+        raise CommandError(f"--again: {source}: it shows two looks side by side, which only the page draws")
+    return recipe
+
+
+def _circumstances(recipe: _Recipe, plan: str, renderer: str) -> Iterator[str]:
+    """Yield what was otherwise when the picture was made."""
+    now = version("seafoam")
+    if recipe.seafoam != now:
+        yield f"version: {recipe.seafoam} then, {now} now"
+    if recipe.renderer != renderer:
+        yield f"renderer: {recipe.renderer} then, {renderer} now"
+    if recipe.plan is None:
+        yield "plan: its recipe does not name it"
+    elif recipe.plan != plan:
+        yield f"plan: {recipe.plan} then, {plan} now: shaders, numbers or textures have changed"
+
+
+def _pixels(then: bytes, now: bytes) -> Iterator[str]:
+    try:
+        old, new = _decoded(then), _decoded(now)
+    except (OSError, RuntimeError, ValueError) as error:
+        yield f"pixels: cannot be compared: {error}"
+        return
+    if old.shape != new.shape or old.dtype != new.dtype:
+        yield f"pixels: {_shape(old)} then, {_shape(new)} now"
+        return
+    # NaN is no more different from NaN than a number from itself.
+    differs = (old != new) & ~((old != old) & (new != new))
+    if not differs.any():
+        yield "pixels: the same; the rest of the file differs: recipe, compression or other chunks"
+        return
+    count = int(differs.any(axis=-1).sum())
+    unit = "levels of 255" if old.dtype == np.uint8 else "in linear light"
+    greatest = np.nanmax(np.abs(old.astype(np.float64) - new.astype(np.float64)))
+    yield f"pixels: {count:,} of {old.shape[0] * old.shape[1]:,} differ, by at most {greatest:g} {unit}"
+
+
+def _decoded(content: bytes) -> NDArray[Any]:
+    """Return (height, width, channels)."""
+    if content[:4] != b"v/1\x01":
+        with Image.open(io.BytesIO(content)) as picture:
+            return np.asarray(picture.convert("RGB"))
+    channels = OpenEXR.File(io.BytesIO(content), separate_channels=True, num_threads=0).channels()
+    return np.stack([channels[name].pixels for name in sorted(channels)], axis=-1)
+
+
+def _shape(pixels: NDArray[Any]) -> str:
+    return f"{pixels.shape[1]} × {pixels.shape[0]} of {pixels.dtype}"

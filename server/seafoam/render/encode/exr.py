@@ -1,0 +1,48 @@
+"""OpenEXR by the project's own library: linear light for compositing."""
+
+import io
+from typing import Literal
+
+import numpy as np
+import OpenEXR
+from numpy.typing import NDArray
+
+from seafoam.render.encode.recipes import KEYWORD
+
+Precision = Literal["half", "float"]
+COVERAGE = "coverage"
+"""Channel of foam coverage. Not ``A``, which readers take for opacity."""
+_MAGIC = b"v/1\x01"
+_REC709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
+"""CIE x, y of the primaries and of white (ITU-R BT.709): those of sRGB."""
+
+
+def encode_exr(pixels: NDArray[np.float32], precision: Precision, recipe: str | None) -> bytes:
+    """Encode (height, width, 4) as R, G, B and ``coverage``, losslessly compressed (ZIP), with the recipe, if any.
+
+    ``half`` rounds to 11 significant bits, and what exceeds its largest number, 65504, becomes that.
+    """
+    values = pixels
+    if precision == "half":
+        largest = np.finfo(np.float16).max
+        values = np.clip(pixels, -largest, largest).astype(np.float16)
+    header = {
+        "compression": OpenEXR.ZIP_COMPRESSION,
+        "type": OpenEXR.scanlineimage,
+        "chromaticities": _REC709,
+        **({} if recipe is None else {KEYWORD: recipe}),
+    }
+    channels = {"RGB": np.ascontiguousarray(values[..., :3]), COVERAGE: np.ascontiguousarray(values[..., 3])}
+    buffer = io.BytesIO()
+    # In this thread: the render workers and the other pictures use the other cores.
+    OpenEXR.File(header, channels, num_threads=0).write(buffer)
+    return buffer.getvalue()
+
+
+def recipe_in_exr(content: bytes) -> str | None:
+    """Return the recipe of an OpenEXR file, or None. Raises ``RuntimeError`` for a damaged file."""
+    if not content.startswith(_MAGIC):
+        return None
+    file = OpenEXR.File(io.BytesIO(content), header_only=True, num_threads=0)
+    found = file.header().get(KEYWORD)
+    return found if isinstance(found, str) else None

@@ -1,0 +1,50 @@
+"""Lossless WebP, with the recipe as a property of its XMP packet (ISO 16684-1)."""
+
+import io
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from seafoam.render.encode.recipes import KEYWORD
+
+EFFORT = 10
+"""Pillow's ``quality`` of lossless WebP, 0..100, which controls effort, not loss."""
+_RDF = "http://www.w3.org/1999/02/22-rdf-syntax-ns#"
+_OURS = "urn:seafoam:recipe:"
+_META = "adobe:ns:meta/"
+
+for _prefix, _name in (("x", _META), ("rdf", _RDF), (KEYWORD, _OURS)):
+    ElementTree.register_namespace(_prefix, _name)
+
+
+def encode_webp(pixels: NDArray[np.uint8], recipe: str | None) -> bytes:
+    """Encode RGB of (height, width, 3 or 4), and the recipe, if any."""
+    buffer = io.BytesIO()
+    picture = Image.fromarray(np.ascontiguousarray(pixels[..., :3]))
+    packet = b"" if recipe is None else _packet(recipe)
+    picture.save(buffer, "WEBP", lossless=True, quality=EFFORT, method=0, xmp=packet)
+    return buffer.getvalue()
+
+
+def recipe_in_webp(content: bytes) -> str | None:
+    """Return the recipe of a WebP, or None. Raises ``OSError`` or ``ElementTree.ParseError`` for a damaged file."""
+    if content[:4] != b"RIFF" or content[8:12] != b"WEBP":
+        return None
+    with Image.open(io.BytesIO(content)) as picture:
+        packet = picture.info.get("xmp")
+    if not packet:
+        return None
+    found = ElementTree.fromstring(packet).find(f".//{{{_OURS}}}recipe")
+    return None if found is None else found.text
+
+
+def _packet(recipe: str) -> bytes:
+    meta = ElementTree.Element(f"{{{_META}}}xmpmeta")
+    description = ElementTree.SubElement(
+        ElementTree.SubElement(meta, f"{{{_RDF}}}RDF"), f"{{{_RDF}}}Description", {f"{{{_RDF}}}about": ""}
+    )
+    ElementTree.SubElement(description, f"{{{_OURS}}}recipe").text = recipe
+    packet: bytes = ElementTree.tostring(meta, encoding="utf-8")
+    return packet

@@ -1,0 +1,134 @@
+"""Memory that a worker writes a frame's pixels to and its parent reads them from.
+
+Through a pipe the same pixels take five times as long, in pieces of 64 KiB with a change of processes for each. The
+memory has no name and belongs to the parent, so that a worker that dies leaves nothing behind, and it is not limited by
+the size of ``/dev/shm``, which containers keep small. Where the system has no such memory, pixels go through the pipe.
+"""
+
+import itertools
+import mmap
+import os
+from collections import OrderedDict
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+LEAST_BYTES = 1 << 18
+"""Bytes of pixels from which it is worth its system calls."""
+KEPT_BYTES = 1 << 25
+"""Largest memory that is kept for later frames, bytes: memory that is new costs as much time as the copy."""
+KEPT_MAPPINGS = 4
+"""Mappings that a worker keeps: two frames for each worker are under way, in one or two sizes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Address:
+    """Where a worker finds the memory. ``serial``: never used again, which the path can be."""
+
+    path: str
+    size: int
+    serial: int
+
+
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """Pixels that were written to the memory: their shape and type."""
+
+    shape: tuple[int, ...]
+    dtype: str
+
+
+class Canvas:
+    """Memory for one frame, in the parent. ``address``: None where pixels must go through the pipe."""
+
+    def __init__(self, size: int) -> None:
+        self.address: Address | None = None
+        self._file = -1
+        self._memory: mmap.mmap | None = None
+        if size < LEAST_BYTES or not hasattr(os, "memfd_create"):
+            return
+        try:
+            self._file = os.memfd_create("seafoam")
+            os.ftruncate(self._file, size)
+            self._memory = mmap.mmap(self._file, size)
+        except OSError:
+            self.close()
+            return
+        self.address = Address(f"/proc/{os.getpid()}/fd/{self._file}", size, next(_serials))
+
+    def received(self, pixels: NDArray[Any] | Sent) -> NDArray[Any]:
+        """Return the pixels that a worker sent. They stay valid after :meth:`close`."""
+        if not isinstance(pixels, Sent):
+            return pixels
+        assert self._memory is not None
+        count = int(np.prod(pixels.shape))
+        return np.frombuffer(self._memory, pixels.dtype, count).reshape(pixels.shape)
+
+    def close(self) -> None:
+        """Close it; the memory is freed when nothing refers to its pixels."""
+        if self._file >= 0:
+            os.close(self._file)
+        self._file, self._memory, self.address = -1, None, None
+
+
+_serials = itertools.count()
+
+
+class Canvases:
+    """Canvases for one event loop, used again when their frame is encoded. limit: how many are kept."""
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._free: list[Canvas] = []
+
+    def take(self, size: int) -> Canvas:
+        """Return a canvas for ``size`` bytes."""
+        for index, canvas in enumerate(self._free):
+            if canvas.address is not None and size <= canvas.address.size <= 4 * size:
+                return self._free.pop(index)
+        return Canvas(size)
+
+    def give_back(self, canvas: Canvas) -> None:
+        """Take back a canvas to which no worker writes and whose pixels nobody reads any more."""
+        if canvas.address is None or canvas.address.size > KEPT_BYTES:
+            canvas.close()
+            return
+        self._free.append(canvas)
+        while len(self._free) > self._limit:
+            self._free.pop(0).close()
+
+    def close(self) -> None:
+        """Close all that are free."""
+        while self._free:
+            self._free.pop().close()
+
+
+_mapped: OrderedDict[int, mmap.mmap] = OrderedDict()
+"""A worker's mappings, by serial."""
+
+
+def send(pixels: NDArray[Any], address: Address | None) -> NDArray[Any] | Sent:
+    """Write pixels to the parent's memory, in a worker; returns the pixels themselves where that is not possible."""
+    if address is None or pixels.nbytes > address.size:
+        return pixels
+    try:
+        memory = _mapping(address)
+    except OSError:  # the parent no longer waits and has closed it
+        return pixels
+    np.copyto(np.frombuffer(memory, pixels.dtype, pixels.size).reshape(pixels.shape), pixels)
+    return Sent(pixels.shape, pixels.dtype.str)
+
+
+def _mapping(address: Address) -> mmap.mmap:
+    if address.serial not in _mapped:
+        file = os.open(address.path, os.O_RDWR)
+        try:
+            _mapped[address.serial] = mmap.mmap(file, address.size)
+        finally:
+            os.close(file)
+        if len(_mapped) > KEPT_MAPPINGS:
+            _mapped.popitem(last=False)
+    _mapped.move_to_end(address.serial)
+    return _mapped[address.serial]

@@ -1,0 +1,51 @@
+"""Places of render workers, given to visitors before background work."""
+
+import asyncio
+from dataclasses import dataclass
+
+
+@dataclass(eq=False, slots=True)
+class Turn:
+    """A caller's place in the queue. ``background``: only when no other caller waits; may change while it waits."""
+
+    background: bool = False
+
+
+class Slots:
+    """A counter of free workers, for one event loop. Those who wait are served by kind, then in order of arrival."""
+
+    def __init__(self, count: int) -> None:
+        self._free = count
+        self._waiting: list[tuple[Turn, asyncio.Future[None]]] = []
+
+    def locked(self) -> bool:
+        """Whether every worker is taken."""
+        return self._free == 0
+
+    async def acquire(self, turn: Turn | None = None) -> None:
+        """Take a worker, waiting for one if none is free; absent turn: a visitor's."""
+        if self._free > 0:
+            self._free -= 1
+            return
+        entry = turn or Turn(), asyncio.get_running_loop().create_future()
+        self._waiting.append(entry)
+        try:
+            await entry[1]
+        except asyncio.CancelledError:
+            if entry[1].cancelled():
+                self._waiting.remove(entry)
+            else:  # given and cancelled in the same turn of the loop: the next in line takes it
+                self.release()
+            raise
+
+    def release(self) -> None:
+        """Give a worker back, to the first of those who wait."""
+        # A cancelled caller removes itself only when it runs again.
+        waiting = [entry for entry in self._waiting if not entry[1].done()]
+        if not waiting:
+            self._free += 1
+            return
+        # min() keeps the order of arrival among equals.
+        first = min(waiting, key=lambda entry: entry[0].background)
+        self._waiting.remove(first)
+        first[1].set_result(None)

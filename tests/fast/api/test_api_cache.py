@@ -1,0 +1,268 @@
+"""The same frame once: requests in flight, memory, disk and restarts, thumbnails behind visitors, plan addresses."""
+
+import asyncio
+import json
+import re
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from urllib.parse import urljoin
+
+import pytest
+
+from seafoam.api.settings import SERVED, Settings
+from seafoam.render.service.pool import BACKGROUND_QUEUE
+from seafoam.scene.presets import load_preset, preset_names
+from support.api_fakes import SLOW
+from support.serving import SMALL, frame, picture, serving
+
+CACHED = {"cache_size": 16 << 20, "cache_memory": 4 << 20}
+
+
+def origin(response) -> str:
+    return re.sub(r'cache;desc="(\w+)"', r"\1", response.headers["Server-Timing"].split(",")[0].split(";dur")[0])
+
+
+def origins(client) -> dict[str, float]:
+    return dict(client.app.state.context.frames.origins)
+
+
+def written(client) -> None:
+    client.portal.call(client.app.state.context.frames.close)
+
+
+@pytest.fixture(scope="module")
+def cached(tmp_path_factory):
+    with serving(cache=tmp_path_factory.mktemp("cache"), **CACHED) as client:
+        yield client
+
+
+def test_nothing_is_kept_unless_it_is_set_and_serve_sets_it(client, monkeypatch):
+    assert origin(frame(client, time=70.0)) == origin(frame(client, time=70.0)) == "queue"
+    assert client.app.state.context.frames.disk is None
+    monkeypatch.delenv("SEAFOAM_CACHE_SIZE", raising=False)
+    assert (Settings().cache_size, Settings().served.cache_size) == (0, SERVED["cache_size"])
+    monkeypatch.setenv("SEAFOAM_CACHE_SIZE", "0")
+    monkeypatch.setenv("SEAFOAM_CACHE_MEMORY", "5")
+    assert (Settings().served.cache_size, Settings().served.cache_memory) == (0, 5)
+
+
+def test_a_repeat_is_answered_from_memory_without_planning(cached, monkeypatch):
+    first = frame(cached, time=1.5)
+    monkeypatch.setattr("seafoam.api.routers.frames.compile_scene", None)
+    again = frame(cached, time=1.5)
+    assert (origin(first), origin(again)) == ("queue", "memory")
+    assert again.content == first.content
+    for name in ("ETag", "Seafoam-Plan", "Seafoam-Renderer", "Cache-Control", "Link", "Content-Type"):
+        assert again.headers[name] == first.headers[name]
+
+
+def test_a_posted_frame_is_found_too(cached):
+    body = {"scene": load_preset("default").scene.model_dump(mode="json"), "preset": "default", "time": 2.5, **SMALL}
+    first = frame(cached, time=2.5)
+    assert cached.post("/api/frames", json=body).content == first.content
+    assert origin(cached.post("/api/frames", json=body)) == "memory"
+
+
+def test_a_restarted_server_answers_from_disk_without_its_renderer(tmp_path):
+    with serving(cache=tmp_path, **CACHED) as client:
+        first = frame(client, time=3.5)
+    with serving(cache=tmp_path, **CACHED) as client:
+        again = frame(client, time=3.5)
+        assert origin(again) == "disk"
+        assert again.content == first.content
+        assert again.headers["ETag"] == first.headers["ETag"]
+        assert origin(frame(client, time=3.5)) == "memory"
+        assert origins(client) == {"disk": 1, "memory": 1}
+        text = client.get("/metrics").text
+        assert 'seafoam_frame_origins_total{origin="disk"} 1.0' in text
+        assert "seafoam_cache_damaged_total 0.0" in text
+
+
+def test_a_torn_file_is_drawn_again_and_replaced(tmp_path):
+    settings = {"cache": tmp_path, "cache_size": 1 << 20}
+    with serving(**settings) as client:
+        first = frame(client, time=4.5)
+        written(client)
+        (path,) = (each for each in (tmp_path / "frames").rglob("*") if each.is_file() and "-" not in each.name)
+        path.write_bytes(path.read_bytes()[:-100])
+        again = frame(client, time=4.5)
+        assert (origin(again), again.content) == ("queue", first.content)
+        written(client)
+        assert origin(frame(client, time=4.5)) == "disk"
+        assert "seafoam_cache_damaged_total 1.0" in client.get("/metrics").text
+
+
+def test_a_full_disk_costs_no_frame(tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("seafoam.render.service.disk.os.fsync", full)
+    with serving(cache=tmp_path, cache_size=1 << 20) as client:
+        contents = {frame(client, time=time).content for time in (1.0, 2.0, 3.0)}
+        assert len(contents) == 3
+        written(client)
+        assert "seafoam_cache_failures_total 1.0" in client.get("/metrics").text
+    assert [path for path in (tmp_path / "frames").rglob("*") if path.is_file()] == []
+
+
+def test_requests_in_flight_share_a_render():
+    with serving() as client, ThreadPoolExecutor(6) as threads:
+        client.get("/api/frames/default.png?width=8&height=8")
+        answers = list(threads.map(lambda _: frame(client, time=SLOW), range(6)))
+        # No cache: all of them were in flight at once, in a queue that holds two.
+        assert len({answer.content for answer in answers}) == 1
+        assert len({answer.headers["ETag"] for answer in answers}) == 1
+        assert sorted(map(origin, answers)) == ["queue", *["shared"] * 5]
+        assert client.app.state.context.metrics.frames.labels("png")._value.get() == 2
+
+
+async def eventually(condition, seconds=10.0):
+    async with asyncio.timeout(seconds):
+        while not condition():
+            await asyncio.sleep(0.01)
+
+
+def test_no_visitor_waits_behind_a_queued_thumbnail(serve):
+    names = preset_names()[:4]
+    with serve() as client, ThreadPoolExecutor(len(names) + 2) as threads:
+        assert frame(client).status_code == 200
+        pool = client.app.state.context.pool
+        order: list[str] = []
+
+        def ask(name: str, url: str) -> int:
+            status = client.get(url).status_code
+            order.append(name)
+            return status
+
+        client.portal.call(pool._slots.acquire)
+        thumbnails = [
+            threads.submit(ask, f"thumbnail {name}", f"/api/presets/{name}/thumbnail.webp?width=16") for name in names
+        ]
+        client.portal.call(eventually, lambda: pool.waiting_background == len(names))
+        assert pool.waiting == 0
+        visitor = threads.submit(ask, "visitor", "/api/frames/default.png?width=9&height=9")
+        client.portal.call(eventually, lambda: pool.waiting == 1)
+        client.portal.call(pool._slots.release)
+        assert visitor.result() == 200
+        assert [thumbnail.result() for thumbnail in thumbnails] == [200] * len(names)
+        assert order[0] == "visitor"
+        assert "seafoam_background_waiting 0.0" in client.get("/metrics").text
+
+
+def test_a_thumbnail_is_a_small_frame_of_its_preset(cached):
+    preset = load_preset("default")
+    response = cached.get("/api/presets/default/thumbnail.png?width=160")
+    assert picture(response).size == (160, round(160 * preset.size[1] / preset.size[0]))
+    assert response.headers["Cache-Control"] == "public, no-cache"
+    assert origin(cached.get("/api/presets/default/thumbnail.png?width=160")) == "memory"
+    size = {"width": 160, "height": picture(response).size[1]}
+    assert frame(cached, **size).content == response.content
+    tag = response.headers["ETag"]
+    current = cached.get("/api/presets/default/thumbnail.png?width=160", headers={"If-None-Match": tag})
+    assert current.status_code == 304
+    refused = cached.get("/api/presets/default/thumbnail.png?width=2000")
+    assert refused.status_code == 422
+    assert refused.json()["errors"][0]["allowed"] == {"minimum": 16, "maximum": 640}
+
+
+def test_thumbnails_have_a_queue_of_their_own():
+    assert 2 * len(preset_names()) <= BACKGROUND_QUEUE
+
+
+@pytest.mark.parametrize("form", ["get", "post", "thumbnail", "exr", "exact"])
+def test_every_frame_names_its_immutable_address(cached, form):
+    match form:
+        case "post":
+            response = cached.post("/api/frames", json={"scene": {}, "time": 2.0, **SMALL})
+            base = "http://testserver/api/frames"
+        case "thumbnail":
+            response = cached.get("/api/presets/default/thumbnail.webp?width=32")
+            base = "http://testserver/api/presets/default/thumbnail.webp"
+        case _:
+            asked = {"exr": {"precision": "float"}, "exact": {"dither": False}}.get(form, {})
+            response = frame(cached, "exr" if form == "exr" else "png", time=-1e-7, yaw=0.1, **asked)
+            base = "http://testserver/api/frames/default.png"
+    address = re.fullmatch(r'<(\S+)>; rel="canonical"', response.headers["Link"])[1]
+    found = cached.get(urljoin(base, address))
+    assert found.status_code == 200, found.text
+    assert found.headers["Cache-Control"] == "public, max-age=31536000, immutable"
+    assert found.headers["Seafoam-Plan"] == response.headers["Seafoam-Plan"]
+    assert urljoin(str(found.url), re.match("<(.+)>", found.headers["Link"])[1]) == str(found.url)
+    if form != "exr":  # the same picture; its recipe names no preset
+        assert picture(found).tobytes() == picture(response).tobytes()
+    tag = found.headers["ETag"]
+    assert cached.get(urljoin(base, address), headers={"If-None-Match": tag}).status_code == 304
+
+
+def test_plans_are_known_by_their_hash_also_after_a_restart(tmp_path):
+    where = "width=8&height=8&x=0&y=4&z=0&yaw=0&pitch=0&roll=0&fov=1"
+    scene = {"waves": [{"model": "parametric"}]}
+    with serving(cache=tmp_path, **CACHED) as client:
+        plan = client.post("/api/plans", json={"scene": scene, "quality": "draft"}).headers["Seafoam-Plan"]
+        preset = client.get("/api/plans/storm?quality=high").headers["Seafoam-Plan"]
+        url = f"/api/plans/{plan}/frames/1.png?{where}"
+        first = client.get(url)
+        assert first.status_code == 200
+    with serving(cache=tmp_path, **CACHED) as client:
+        assert client.get(url).content == first.content
+        assert client.get(f"/api/plans/{preset}/frames/1.png?{where}").headers["Seafoam-Plan"] == preset
+    with serving(cache=tmp_path / "other", **CACHED) as client:
+        answer = client.get(url)
+        assert answer.status_code == 404
+        assert answer.headers["Content-Type"] == "application/problem+json"
+        assert answer.headers["Cache-Control"] == "no-store"
+        assert answer.json()["errors"][0]["parameter"] == "plan"
+
+
+def test_a_stored_plan_that_another_version_made_is_not_known(tmp_path, monkeypatch):
+    with serving(cache=tmp_path, **CACHED) as client:
+        plan = client.get("/api/plans/default").headers["Seafoam-Plan"]
+    monkeypatch.setattr("seafoam.api.known.plan_hash", lambda scene, quality: "0" * 64)
+    with serving(cache=tmp_path, **CACHED) as client:
+        assert client.app.state.context.known.find(plan) is None
+
+
+@pytest.mark.parametrize(
+    ("path", "parameter"),
+    [
+        ("0" * 63 + "/frames/1.png", "plan"),
+        ("Z" * 64 + "/frames/1.png", "plan"),
+        ("0" * 64 + "/frames/2e9.png", "time"),
+        ("0" * 64 + "/frames/nan.png", "time"),
+        ("0" * 64 + "/frames/noon.png", "time"),
+        ("0" * 64 + "/frames/1.gif", "format"),
+        ("0" * 64 + "/frames/1.png", "fov"),
+    ],
+)
+def test_bad_plan_addresses_name_what_is_wrong(client, path, parameter):
+    fov = "" if parameter == "fov" else "&fov=1"
+    response = client.get(f"/api/plans/{path}?width=8&height=8&x=0&y=4&z=0&yaw=0&pitch=0&roll=0{fov}")
+    assert response.status_code == 422
+    (problem,) = response.json()["errors"]
+    assert problem["parameter"] == parameter
+    assert problem["allowed"]
+
+
+def test_dither_and_precision_are_named_with_what_they_may_be(client):
+    for query, name in (("dither=maybe", "dither"), ("precision=double", "precision")):
+        response = client.get(f"/api/frames/default.png?{query}")
+        assert response.status_code == 422
+        assert response.json()["errors"][0]["parameter"] == name
+    posted = client.post("/api/frames", json={"scene": {}, "precision": "double"})
+    assert posted.json()["errors"][0]["allowed"] == {"enum": ["half", "float"]}
+
+
+def test_what_a_frame_carries_is_its_recipe(cached):
+    from seafoam.render.encode import read_recipe
+
+    for suffix, own in (("png", "dither"), ("webp", "dither"), ("exr", "precision")):
+        response = frame(cached, suffix, time=6.5)
+        recipe = json.loads(read_recipe(response.content))
+        assert recipe["plan"] == response.headers["Seafoam-Plan"]
+        assert (recipe["time"], recipe["width"], recipe["height"], recipe["format"]) == (6.5, 24, 16, suffix)
+        assert {"dither", "precision"} & set(recipe) == {own}
+
+
+def test_the_cache_is_a_folder_of_the_one_for_measurements(cached):
+    disk = cached.app.state.context.frames.disk
+    assert disk.directory == Path(cached.app.state.context.settings.cache) / "frames"
