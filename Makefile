@@ -19,7 +19,8 @@ REST := tests/fast tests/gpu $(addprefix --ignore=,$(LIVE))
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/unit
 # What quick leaves to the whole run: float64 frames, sweeps, and processes that are started, killed and awaited.
-SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py)
+SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py api/test_api_sequences.py \
+	sequences/test_fleet.py)
 
 # Two groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of both.
 test-live test-rest quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
@@ -132,7 +133,8 @@ fronts: setup
 
 lock: $(VENV)/.installed
 	$(BIN)/pip install -q uv
-	$(BIN)/uv pip compile pyproject.toml --extra dev --extra reports --universal --python-version 3.11 --generate-hashes \
+	$(BIN)/uv pip compile pyproject.toml $(addprefix --extra ,dev reports notebook video cluster) --universal \
+		--python-version 3.11 --generate-hashes \
 		--no-emit-index-url --no-header --upgrade -o requirements.lock
 
 clean:

@@ -1,4 +1,7 @@
-/** Builds what leaves the page: the player of exported scenes (`--mode player`) and the element's package (`--mode element`). */
+/**
+ * Builds what leaves the page: the player of exported scenes (`--mode player`), the element's package (`--mode element`) and the
+ * widget for notebooks (`--mode notebook`).
+ */
 import { copyFileSync, mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { defineConfig, type Plugin } from "vitest/config";
@@ -17,6 +20,7 @@ const licence = (target: string): Plugin => ({
 const LIBRARIES = {
   // A classic script: pages opened from the file system may not load modules.
   player: { entry: "src/export/player.ts", format: "iife", fileName: "player.js", outDir: "dist/export", licenceIn: "dist/export" },
+  notebook: { entry: "src/notebook/widget.ts", format: "es", fileName: "seafoam-widget.js", outDir: "dist/notebook", licenceIn: "dist/notebook" },
   element: { entry: "src/element/index.ts", format: "es", fileName: "seafoam-water.js", outDir: "element/dist", licenceIn: "element/dist" },
 } as const;
 

@@ -1,21 +1,37 @@
-"""Packages that only some uses need, installed by an extra: ``pip install 'seafoam[reports]'``."""
+"""Packages that only some uses need, installed by extras such as ``pip install 'seafoam[reports]'``."""
 
 from importlib.util import find_spec
+from typing import Literal
+
+Extra = Literal["reports", "notebook", "video", "cluster"]
 
 REPORTS = ("matplotlib", "flip_evaluator")
 """What plots and measurements of accuracy need beyond rendering."""
+
+_NEEDS: dict[Extra, tuple[str, tuple[str, ...]]] = {
+    "reports": ("plots and measurements of accuracy need", REPORTS),
+    "notebook": ("the widget for notebooks needs", ("anywidget",)),
+    "video": ("MP4 files need", ("av",)),
+    "cluster": ("work on several processes or machines needs", ("distributed",)),
+}
+"""Extra -> the beginning of the error, and the modules of its packages."""
 
 
 class MissingExtraError(RuntimeError):
     """A package of an extra is not installed. ``remedy``: the command that installs it."""
 
-    def __init__(self, packages: tuple[str, ...], extra: str) -> None:
+    def __init__(self, packages: tuple[str, ...], extra: Extra) -> None:
         self.remedy = f"pip install 'seafoam[{extra}]'"
-        super().__init__(f"plots and measurements of accuracy need {' and '.join(packages)}; {self.remedy}")
+        super().__init__(f"{_NEEDS[extra][0]} {' and '.join(packages)}; {self.remedy}")
+
+
+def require(extra: Extra) -> None:
+    """Raise :class:`MissingExtraError` unless the packages of an extra are installed."""
+    missing = tuple(name.replace("_", "-") for name in _NEEDS[extra][1] if find_spec(name) is None)
+    if missing:
+        raise MissingExtraError(missing, extra)
 
 
 def require_reports() -> None:
     """Raise :class:`MissingExtraError` unless the packages of the extra ``reports`` are installed."""
-    missing = tuple(name.replace("_", "-") for name in REPORTS if find_spec(name) is None)
-    if missing:
-        raise MissingExtraError(missing, "reports")
+    require("reports")

@@ -22,7 +22,20 @@ from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.parameters import one_value_each
-from seafoam.api.routers import accuracy, export, frames, health, masks, plan_frames, plans, presets, scenes, textures
+from seafoam.api.routers import (
+    accuracy,
+    export,
+    frames,
+    health,
+    masks,
+    plan_frames,
+    plans,
+    presets,
+    scenes,
+    sequences,
+    textures,
+)
+from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.quality import QualityExtensions
@@ -42,10 +55,11 @@ NOT_WORTH_GZIP = (
     "application/zip",
     "image/*",
     "font/*",
+    "video/*",
 )
 
 _ROUTERS = tuple(
-    each.router for each in (presets, scenes, plans, plan_frames, frames, accuracy, masks, textures, export)
+    each.router for each in (presets, scenes, plans, plan_frames, frames, sequences, accuracy, masks, textures, export)
 )
 
 _DESCRIPTION = """
@@ -86,6 +100,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         with suppress(asyncio.CancelledError, errors.BusyError):
             await warming
         await asyncio.to_thread(context.sweeps.stop)
+        await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
         await source.close()
 
@@ -116,7 +131,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
 
 
 def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics) -> Context:
-    """Make what the handlers share; sweeps are measured on the running event loop."""
+    """Make what the handlers share; sweeps and sequences are drawn on the running event loop."""
     return Context(
         settings,
         pool,
@@ -127,6 +142,7 @@ def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics:
         plans=ThreadPool(2, 64),
         masks=ThreadPool(1, 8),
         sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),
+        sequences=sequence_service(settings, pool, asyncio.get_running_loop()),
     )
 
 

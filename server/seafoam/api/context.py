@@ -12,11 +12,12 @@ from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.source import FrameSource
+from seafoam.sequences.service import SequenceService
 
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Settings, render pool, metrics, thread pools of the web process, and the service that measures sweeps.
+    """Settings, render pool, metrics, thread pools of the web process, services for sweeps and for sequences.
 
     ``frames`` gives the pool's frames, and those that it has drawn before; ``known``: the plans that
     have addresses; ``requests``: what earlier requests asked for.
@@ -32,6 +33,7 @@ class Context:
     plans: ThreadPool
     masks: ThreadPool
     sweeps: SweepService
+    sequences: SequenceService
 
 
 def _context(request: Request) -> Context:

@@ -36,6 +36,7 @@ from seafoam.render.service.errors import (
     RendererUnavailableError,
     RenderFailedError,
 )
+from seafoam.sequences.service import NotFinishedError
 
 log = logging.getLogger(__name__)
 
@@ -138,6 +139,7 @@ KINDS: dict[type[Exception], Kind] = {
     FailedError: Kind(500, "measurement-failed", "The measurement failed"),
     MissingExtraError: Kind(501, "not-installed", "A package that the answer needs is not installed"),
     NotBuiltError: Kind(501, "not-built", "A part of the server is not built"),
+    NotFinishedError: Kind(409, "not-finished", "The sequence is not finished"),
     BusyError: Kind(503, "busy", "The server is busy"),
     NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),
     QueueFullError: Kind(503, "queue-full", "The render queue is full"),
@@ -288,11 +290,16 @@ async def _invalid(request: Request, error: Exception) -> JSONResponse:
 async def _http(request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, HTTPException)
     detail = error.detail
+    headers = error.headers
     if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
         detail = f"method {request.method} is not allowed for this path"
+        # Starlette names the methods of the first route with this path alone.
+        path = getattr(request.scope.get("route"), "path_format", "")
+        methods = request.app.openapi()["paths"].get(path, {})
+        headers = {"Allow": ", ".join(sorted(method.upper() for method in methods))} if methods else headers
     elif error.status_code == HTTPStatus.NOT_FOUND:
         detail = f"{request.url.path} was not found"
-    return problem(request.url.path, error.status_code, detail, headers=error.headers)
+    return problem(request.url.path, error.status_code, detail, headers=headers)
 
 
 async def _unexpected(request: Request, error: Exception) -> JSONResponse:

@@ -240,7 +240,8 @@ class PlanRequest(SceneRequest):
     )
 
 
-def _origin() -> Any:
+def preset_of_origin() -> Any:
+    """Return the field of a request that names the preset of its scene."""
     return Field(
         default=None,
         max_length=80,
@@ -265,7 +266,7 @@ class FrameRequest(SceneRequest):
     dither: bool = _dither()
     precision: Precision = _precision()
     camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
-    preset: str | None = _origin()
+    preset: str | None = preset_of_origin()
 
 
 class ExportRequest(SceneRequest):
@@ -285,4 +286,4 @@ class ExportRequest(SceneRequest):
         description="Height of the frame that the uniforms are listed for, pixels",
     )
     camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
-    preset: str | None = _origin()
+    preset: str | None = preset_of_origin()

@@ -57,8 +57,12 @@ class Settings(BaseSettings):
         default=16, ge=2, le=32, description="Samples along each side of a pixel in the float64 reference"
     )
     accuracy_rounds: int = Field(default=7, ge=2, le=100, description="Number of timed rounds per quality")
+    sequences_waiting: int = Field(default=4, ge=1, le=1000, description="Maximum number of unfinished sequences")
+    sequences_kept: int = Field(default=8, ge=1, le=10_000, description="Maximum number of finished sequences on disk")
+    sequence_frames: int = Field(default=3600, ge=1, le=1_000_000, description="Maximum number of frames of a sequence")
     cache: Path | None = Field(
-        default=None, description="Directory for measurements and frames; absent: the system's cache directory"
+        default=None,
+        description="Directory for measurements, frames and sequences; absent: the system's cache directory",
     )
     cache_size: int = Field(
         default=0,

@@ -1,4 +1,4 @@
-"""The command ``seafoam``: serve, render, accuracy, masks, doctor.
+"""The command ``seafoam``: serve, render, sequence, accuracy, masks, doctor.
 
 Invalid input prints one line that names the field and its allowed values, with exit code 2; a missing driver or tool
 prints one line with the remedy, with exit code 1. Commands import heavy modules themselves, because spawned render
@@ -19,6 +19,7 @@ from typer.exceptions import TyperException
 
 from seafoam.cli import options
 from seafoam.cli.masks import masks
+from seafoam.cli.sequences import sequence
 from seafoam.cli.support import UNABLE, CommandError, need_reports, refuse, size_of
 
 app = typer.Typer(
@@ -28,6 +29,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.add_typer(masks, name="masks")
+app.command()(sequence)
 
 OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""

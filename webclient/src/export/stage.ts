@@ -4,6 +4,7 @@ import type { CameraState } from "../camera/state";
 import type { FramePlan } from "../generated/api";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { Executor, type LoadBytes } from "../plan/executor";
+import type { Json } from "../scene/json";
 
 /** First scale on a CPU. */
 const SOFTWARE_SCALE = 0.5;
@@ -28,6 +29,8 @@ export class Stage {
   time: number;
   playing: boolean;
   speed = 1;
+  /** Scene whose live fields are drawn; null: as the plan says. */
+  scene: Json | null = null;
   /** False: neither draws nor advances. */
   active = true;
   /** Called before each frame with the seconds since the last one; returns whether the camera moved. */
@@ -131,7 +134,7 @@ export class Stage {
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
     const start = performance.now();
-    executor.draw({ time: this.time, camera: this.camera, width, height, screen: null, scissor: null, scene: null });
+    executor.draw({ time: this.time, camera: this.camera, width, height, screen: null, scissor: null, scene: this.scene });
     this.frames += 1;
     this.lastDraw = start;
     this.dirty = false;

@@ -1,0 +1,207 @@
+"""``/api/sequences``: sequences of frames, made in the background and downloaded as one file."""
+
+import asyncio
+from collections.abc import AsyncIterator
+from typing import Annotated, Any, Literal
+
+from fastapi import APIRouter, Path, Query
+from pydantic import Field
+from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
+
+from seafoam.api.caching import NO_STORE
+from seafoam.api.context import Context, InContext
+from seafoam.api.errors import BadRequestError, BusyError, FieldProblem, NotFoundError, problem_responses
+from seafoam.api.parameters import (
+    DEFAULT_HEIGHT,
+    DEFAULT_WIDTH,
+    TIME_LIMIT,
+    Parameters,
+    SceneRequest,
+    TierOrQuality,
+    preset_of_origin,
+    quality_of,
+    strictly,
+)
+from seafoam.api.planning import compile_scene
+from seafoam.api.routers.presets import known_preset
+from seafoam.render.service.jobs import FrameJob
+from seafoam.scene.camera import Camera
+from seafoam.sequences.errors import OutputError
+from seafoam.sequences.service import FINISHED, QueueFullError, SequenceStatus, UnknownSequenceError
+from seafoam.sequences.spec import GREATEST_FPS, LEAST_FPS, SequenceSpec, sequence_of
+from seafoam.sequences.video import Codec
+
+router = APIRouter(prefix="/api", tags=["sequences"])
+
+MEDIA_TYPES = {"zip": "application/zip", "webp": "image/webp", "mp4": "video/mp4"}
+RETRY_SECONDS = 30
+_EVENT_SECONDS = 0.25
+"""Between looks whether a sequence has moved on."""
+_QUIET_LOOKS = 60
+"""Looks without change after which a comment is sent, so that proxies keep the connection."""
+
+SequenceName = Annotated[
+    str, Path(description="Name of a sequence, from the response that started it", pattern="^[0-9a-f]{32}$")
+]
+
+
+class SequenceRequest(SceneRequest):
+    """A sequence to render: frames of a scene from ``start`` to before ``stop``."""
+
+    quality: TierOrQuality = Field(
+        default="standard", description="A tier, or the settings that differ from tier standard"
+    )
+    start: float = Field(default=0.0, ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time of the first frame, s")
+    stop: float = Field(
+        ge=-TIME_LIMIT,
+        le=TIME_LIMIT,
+        description="Time before which the last frame is, s; above start. The server limits the number of frames",
+        examples=[2.0],
+    )
+    fps: float = Field(default=24.0, ge=LEAST_FPS, le=GREATEST_FPS, description="Frames per second")
+    width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels; even in a video", examples=[640])
+    height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels; even in a video", examples=[360])
+    format: Literal["zip", "webp", "mp4"] = Field(
+        default="mp4", description="zip: of PNG frames; webp: animated, lossless; mp4: video"
+    )
+    codec: Codec = Field(default="h264", description="Of a video; av1 needs sides of at least 64 pixels")
+    camera: Camera | None = Field(default=None, description="Camera; absent: the scene's")
+    preset: str | None = preset_of_origin()
+
+
+_STARTED: dict[int | str, dict[str, Any]] = {
+    202: {
+        "description": "The sequence is being made, or was made before",
+        "headers": {"Location": {"description": "Address of its status", "schema": {"type": "string"}}},
+    }
+}
+_EVENTS: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "Server-sent events named `status`, whose data is the status as JSON; the last one is final",
+        "content": {"text/event-stream": {"schema": {"type": "string"}}},
+    }
+}
+_FILE: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "The file",
+        "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
+    }
+}
+
+
+@router.post("/sequences", status_code=202, responses=_STARTED | problem_responses(413, 415, 422, 501, 503, 504))
+async def start_sequence(asked: strictly(SequenceRequest), context: InContext) -> SequenceStatus:  # type: ignore[valid-type]
+    """Render a sequence in the background, behind the frames of visitors.
+
+    The same request has the same name: it goes on where it stopped, or is there at once.
+    """
+    body: SequenceRequest = asked
+    known_preset(body.preset)
+    spec = _spec(body, context)
+    await context.plans.run(compile_scene, body.scene, spec.job.quality, scene_at="/scene")
+    await context.pool.wait_until_settled()
+    try:
+        status = await context.plans.run(context.sequences.submit, spec, body.format, body.codec)
+    except OutputError as error:
+        raise _refused(error) from error
+    except QueueFullError as error:
+        raise BusyError(str(error), RETRY_SECONDS) from error
+    headers = {"Location": f"/api/sequences/{status.id}", "Cache-Control": NO_STORE}
+    return JSONResponse(status.model_dump(mode="json"), 202, headers)  # type: ignore[return-value]
+
+
+@router.get("/sequences/{sequence}", responses=problem_responses(404, 422, 503))
+async def get_sequence(
+    sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext, response: Response
+) -> SequenceStatus:
+    """Get how far a sequence is, with the estimated time left."""
+    response.headers["Cache-Control"] = NO_STORE
+    return await _status(sequence, context)
+
+
+@router.get(
+    "/sequences/{sequence}/events",
+    responses=_EVENTS | problem_responses(404, 422, 503),
+    response_class=StreamingResponse,
+)
+async def get_events(sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext) -> Response:
+    """Follow a sequence: an event whenever it has moved on, until it ends."""
+    first = await _status(sequence, context)
+    headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
+    return StreamingResponse(_events(first, context), headers=headers, media_type="text/event-stream")
+
+
+@router.get(
+    "/sequences/{sequence}/file", responses=_FILE | problem_responses(404, 409, 422, 503), response_class=FileResponse
+)
+async def get_file(sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext) -> Response:
+    """Download a finished sequence. Parts can be requested with the header Range."""
+    try:
+        path = await context.plans.run(context.sequences.file, sequence)
+    except UnknownSequenceError:
+        raise _not_found(sequence) from None
+    return FileResponse(path, media_type=MEDIA_TYPES[path.suffix[1:]], filename=path.name)
+
+
+@router.delete("/sequences/{sequence}", status_code=204, responses=problem_responses(404, 422, 503))
+async def delete_sequence(sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext) -> None:
+    """Cancel a sequence, or forget a finished one, and remove its files: for all who asked for the same."""
+    try:
+        await context.plans.run(context.sequences.cancel, sequence)
+    except UnknownSequenceError:
+        raise _not_found(sequence) from None
+
+
+def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
+    """Return the sequence, within the limits of the server."""
+    settings = context.settings
+    quality = quality_of(body.quality)
+    settings.frame_limits.check(body.width, body.height, quality.samples_drawn)
+    camera = body.camera or body.scene.camera
+    job = FrameJob(body.scene, quality, body.start, camera, body.width, body.height, "png", body.preset)
+    try:
+        spec = sequence_of(job, body.stop, body.fps)
+    except OutputError as error:
+        raise _refused(error) from error
+    if spec.count > settings.sequence_frames:
+        greatest = body.start + settings.sequence_frames / body.fps
+        limit = f"{spec.count:,} frames exceed the limit of {settings.sequence_frames:,}"
+        detail = f"stop must be at most {greatest:.12g} s: {limit}"
+        raise BadRequestError(FieldProblem(pointer="/stop", detail=detail, allowed={"maximum": greatest}))
+    return spec
+
+
+async def _status(sequence: str, context: Context) -> SequenceStatus:
+    try:
+        return await context.plans.run(context.sequences.status, sequence)
+    except UnknownSequenceError:
+        raise _not_found(sequence) from None
+
+
+async def _events(first: SequenceStatus, context: Context) -> AsyncIterator[str]:
+    told, quiet = first, 0
+    yield _event(first)
+    while told.status not in FINISHED:
+        await asyncio.sleep(_EVENT_SECONDS)
+        try:
+            now = await asyncio.to_thread(context.sequences.status, first.id)
+        except UnknownSequenceError:  # cancelled, and its files removed
+            now = told.model_copy(update={"status": "cancelled", "eta_s": None})
+        quiet = quiet + 1 if now == told else 0
+        if now != told:
+            told = now
+            yield _event(now)
+        elif quiet % _QUIET_LOOKS == 0:
+            yield ": still there\n\n"
+
+
+def _event(status: SequenceStatus) -> str:
+    return f"event: status\ndata: {status.model_dump_json()}\n\n"
+
+
+def _refused(error: OutputError) -> BadRequestError:
+    return BadRequestError(FieldProblem(pointer=f"/{error.field}", detail=str(error)))
+
+
+def _not_found(sequence: str) -> NotFoundError:
+    return NotFoundError(f"sequence {sequence!r} was not found; finished ones are kept for a while", "sequence")

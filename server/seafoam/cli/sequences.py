@@ -1,0 +1,161 @@
+"""The command ``seafoam sequence``."""
+
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from seafoam.cli.support import UNABLE, CommandError, size_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from seafoam.sequences.making import Output as SequenceOutput
+    from seafoam.sequences.spec import SequenceSpec
+    from seafoam.sequences.workers import Workers
+
+
+@dataclass(frozen=True)
+class _Fleet:
+    """Who draws. workers: processes here, if there is no scheduler."""
+
+    workers: int
+    scheduler: str | None
+    mixed: bool
+
+
+def sequence(
+    preset: Annotated[str, typer.Argument(help="Name of a preset; `seafoam presets` lists them.")],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Directory for frames, or a .mp4, .webp (lossless) or .zip file.")
+    ],
+    stop: Annotated[float, typer.Option(help="Time before which the last frame is, s.")],
+    start: Annotated[float | None, typer.Option(help="Time of the first frame, s [default: the preset's].")] = None,
+    fps: Annotated[float, typer.Option(help="Frames per second.")] = 24.0,
+    size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels [default: the preset's].")] = None,
+    quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
+    look: Annotated[str | None, typer.Option(help="Foam look [default: the preset's].")] = None,
+    mask: Annotated[
+        str | None,
+        typer.Option(help="Foam mask: a shipped one, or family:sigma:size:seed[:aspect:age] [default: the preset's]."),
+    ] = None,
+    codec: Annotated[str, typer.Option(help="Of a .mp4 file: h264 or av1.")] = "h264",
+    workers: Annotated[
+        int, typer.Option(min=1, max=256, help="Processes on this machine; several need the extra cluster.")
+    ] = 1,
+    scheduler: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://host:8786, whose workers draw.")
+    ] = None,
+    mixed: Annotated[
+        bool, typer.Option("--mixed", help="Allow workers with different renderers: their frames differ in levels.")
+    ] = False,
+    again: Annotated[
+        bool, typer.Option("--again", help="Draw every frame again, ignoring those that are there.")
+    ] = False,
+) -> None:
+    """Render a sequence of frames. The same command goes on where an earlier run stopped."""
+    from seafoam.planner import PlanError
+
+    wanted = _output(output, codec)
+    pixels = None if size is None else size_of(size)
+    spec = _spec(preset, start, stop, fps, {"size": pixels, "quality": quality, "look": look, "mask": mask})
+    try:
+        typer.echo(_make(spec, wanted, _Fleet(workers, scheduler, mixed), again=again))
+    except PlanError as error:
+        raise CommandError(f"scene{error.pointer}: {error.message}") from error
+    except KeyboardInterrupt:
+        typer.echo("seafoam: interrupted; the same command goes on from here", err=True)
+        raise typer.Abort from None
+
+
+def _output(path: Path, codec: str) -> "SequenceOutput":
+    from seafoam.sequences.making import Kind, Output
+    from seafoam.sequences.video import CODECS
+
+    kinds: dict[str, Kind] = {"": "frames", ".mp4": "mp4", ".webp": "webp", ".zip": "zip"}
+    kind = kinds.get(path.suffix.lower())
+    if kind is None:
+        raise CommandError(f"--output: {path.name!r} must be a directory or end in .mp4, .webp, .zip")
+    chosen = next((name for name in CODECS if name == codec), None)
+    if chosen is None:
+        raise CommandError(f"--codec: must be one of {', '.join(CODECS)}, not {codec!r}")
+    return Output(path, kind, chosen)
+
+
+def _spec(preset: str, start: float | None, stop: float, fps: float, options: dict[str, object]) -> "SequenceSpec":
+    from seafoam.library.errors import InvalidRequestError
+    from seafoam.library.request import job_of
+    from seafoam.sequences.errors import OutputError
+    from seafoam.sequences.spec import sequence_of
+
+    given = {name: value for name, value in options.items() if value is not None}
+    try:
+        return sequence_of(job_of(preset, time=start, **given), stop, fps)  # type: ignore[arg-type]
+    except InvalidRequestError as error:
+        text = str(error)
+        option = text.replace("preset", "PRESET", 1) if text.startswith("preset") else f"--{text}"
+        raise CommandError(option.replace("--time:", "--start:", 1)) from error
+    except OutputError as error:
+        raise CommandError(f"{_option(error.field)}: {error}") from error
+
+
+def _option(field: str) -> str:
+    return "--size" if field in ("width", "height") else f"--{field}"
+
+
+@contextmanager
+def _working(fleet: _Fleet) -> "Iterator[Workers]":
+    """Who draws: this process, or processes here or on other machines."""
+    from seafoam.render.gl import executor as gl
+    from seafoam.sequences.fleet import DaskWorkers
+    from seafoam.sequences.workers import InProcess
+
+    if fleet.scheduler is None and fleet.workers == 1:
+        yield InProcess(gl.Executor())
+        return
+    with DaskWorkers(fleet.scheduler, workers=fleet.workers, mixed=fleet.mixed) as workers:
+        yield workers
+
+
+def _make(spec: "SequenceSpec", output: "SequenceOutput", fleet: _Fleet, *, again: bool) -> str:
+    """Make the sequence, with a progress bar; return the line to print."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    from seafoam.extras import MissingExtraError
+    from seafoam.render.gl import executor as gl
+    from seafoam.sequences import making
+    from seafoam.sequences.errors import MixedFleetError, OtherSequenceError, OutputError, SequenceError
+
+    console = Console(stderr=True)
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    try:
+        making.check_output(spec, output)
+        bar = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
+        with _working(fleet) as workers, bar:
+            task = bar.add_task("frames", total=spec.count)
+
+            def tell(progress: making.Progress) -> None:
+                bar.update(task, completed=progress.done, total=progress.total, description=progress.stage)
+
+            made = making.make_sequence(spec, output, workers, tell=tell, again=again)
+            renderer = workers.info["renderer"]
+    except OutputError as error:
+        raise CommandError(f"{_option(error.field)}: {error}") from error
+    except OtherSequenceError as error:
+        raise CommandError(f"--output: {error}; --again replaces it") from error
+    except MixedFleetError as error:
+        raise CommandError(f"--scheduler: {error}; --mixed allows it") from error
+    except SequenceError as error:
+        raise CommandError(str(error), UNABLE) from error
+    except (gl.NoRendererError, MissingExtraError) as error:
+        raise CommandError(str(error), UNABLE) from error
+    except OSError as error:
+        raise CommandError(f"--output: cannot write {output.path}: {error.strerror}", UNABLE) from error
+    job = spec.job
+    found = f", {made.found} of them were there" if made.found else ""
+    return (
+        f"{output.path}: {spec.count} frames of {job.width} × {job.height} at {spec.fps:g} a second{found}; {renderer}"
+    )

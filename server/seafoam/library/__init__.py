@@ -1,0 +1,71 @@
+"""The package's interface for Python programs and notebooks; :mod:`seafoam` gives its names.
+
+Pictures come from a :class:`Source`: the renderer of this process (:data:`HERE`) or a server (:func:`connect`).
+"""
+
+from seafoam.library.connection import Connection
+from seafoam.library.embedded import HERE
+from seafoam.library.errors import InvalidRequestError, ServerError
+from seafoam.library.request import CameraLike, QualityLike, SceneLike, Size
+from seafoam.library.source import MaskOptions, Source
+from seafoam.scene.presets import Preset, load_preset, preset_names
+
+__all__ = [
+    "HERE",
+    "CameraLike",
+    "Connection",
+    "InvalidRequestError",
+    "MaskOptions",
+    "QualityLike",
+    "SceneLike",
+    "ServerError",
+    "Size",
+    "Source",
+    "close",
+    "connect",
+    "encoded",
+    "encoded_async",
+    "frame",
+    "frame_async",
+    "linear",
+    "linear_async",
+    "mask",
+    "mask_async",
+    "preset",
+    "presets",
+]
+
+frame = HERE.frame
+frame_async = HERE.frame_async
+linear = HERE.linear
+linear_async = HERE.linear_async
+encoded = HERE.encoded
+encoded_async = HERE.encoded_async
+mask = HERE.mask
+mask_async = HERE.mask_async
+close = HERE.close
+
+
+def connect(url: str, *, timeout: float = 60.0) -> Connection:
+    """Return a source that draws on a Seafoam server, at ``http://`` or ``https://``.
+
+    Nothing is sent before the first picture is asked for. timeout: s, of each request. Raises
+    :class:`InvalidRequestError` for another kind of address.
+    """
+    return Connection(url, timeout=timeout)
+
+
+def presets() -> tuple[str, ...]:
+    """Return the names of all presets, in the order of the page's menu."""
+    return preset_names()
+
+
+def preset(name: str) -> Preset:
+    """Return a preset: scene, title, summary, recommended time (s) and size (pixels).
+
+    Raises :class:`InvalidRequestError` if there is none of this name.
+    """
+    try:
+        return load_preset(name)
+    except KeyError:
+        raise InvalidRequestError(f"preset {name!r} was not found; available: {', '.join(preset_names())}") from None

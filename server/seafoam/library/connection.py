@@ -1,0 +1,99 @@
+"""A server's frames and masks, over its REST API."""
+
+import json
+import time
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from http import HTTPStatus
+from typing import Any
+from urllib.error import HTTPError, URLError
+from urllib.parse import quote, urlencode, urlsplit
+from urllib.request import Request, urlopen
+
+from seafoam.library.errors import InvalidRequestError, ServerError
+from seafoam.library.source import MaskRequest, Source
+from seafoam.render.service.jobs import FrameJob
+from seafoam.render.service.recipe import described
+
+REQUESTS = 4
+"""Requests at a time of one connection."""
+ATTEMPTS = 4
+"""Requests for one picture while the server is busy."""
+LONGEST_WAIT = 30.0
+"""Between two of them, s, however long the server asks to wait."""
+_REFUSED = (HTTPStatus.NOT_FOUND, HTTPStatus.REQUEST_ENTITY_TOO_LARGE, HTTPStatus.UNPROCESSABLE_ENTITY)
+
+
+class Connection(Source):
+    """Draws on a server; scenes are sent whole, so the server needs no preset of the name.
+
+    A busy server (503) is asked again after the time that it names. The server's limits of size hold.
+    """
+
+    def __init__(self, url: str, *, timeout: float = 60.0, sleep: Callable[[float], None] = time.sleep) -> None:
+        parts = urlsplit(url)
+        if parts.scheme not in ("http", "https") or not parts.netloc:
+            raise InvalidRequestError(f"url: must begin with http:// or https://, not {url!r}")
+        self.url = url.rstrip("/")
+        self._timeout = timeout
+        self._sleep = sleep
+        self._threads = ThreadPoolExecutor(REQUESTS, "seafoam-connection")
+
+    def close(self) -> None:
+        """Wait for the requests that are under way; later ones raise ``RuntimeError``."""
+        self._threads.shutdown()
+
+    def _draw(self, job: FrameJob) -> Future[bytes]:
+        body = {
+            "scene": job.scene.model_dump(mode="json"),
+            "quality": described(job.quality),
+            "camera": job.camera.model_dump(mode="json"),
+            "time": job.time,
+            "width": job.width,
+            "height": job.height,
+            "format": job.format,
+            "preset": job.preset,
+        }
+        return self._threads.submit(self._ask, "/api/frames", json.dumps(body).encode())
+
+    def _mask(self, asked: MaskRequest) -> Future[bytes]:
+        if not asked.options:
+            return self._threads.submit(self._ask, f"/api/masks/{quote(asked.name, safe='')}/data.npy", None)
+        options = {name: value for name, value in asked.options.items() if value is not None}
+        query = urlencode({"family": asked.name, **options})
+        return self._threads.submit(self._ask, f"/api/masks/custom/data.npy?{query}", None)
+
+    def _ask(self, path: str, body: bytes | None) -> bytes:
+        request = Request(self.url + path, body, {} if body is None else {"Content-Type": "application/json"})
+        for attempt in range(1, ATTEMPTS + 1):
+            try:
+                with urlopen(request, timeout=self._timeout) as response:
+                    content: bytes = response.read()
+                    return content
+            except HTTPError as error:
+                with error:
+                    problem = _problem(error)
+                if error.code != HTTPStatus.SERVICE_UNAVAILABLE or attempt == ATTEMPTS:
+                    kind = InvalidRequestError if error.code in _REFUSED else None
+                    raise (kind(problem) if kind else ServerError(problem, error.code)) from None
+                self._sleep(_wait(error, attempt))
+            except (URLError, TimeoutError, ConnectionError) as error:
+                why = getattr(error, "reason", error)
+                raise ServerError(f"{self.url} does not answer: {why}") from error
+        raise AssertionError("the last attempt returns or raises")
+
+
+def _problem(error: HTTPError) -> str:
+    try:
+        document: Any = json.load(error)
+        return str(document["detail"])
+    except (ValueError, TypeError, KeyError):
+        return f"the server answered {error.code} {error.reason}"
+
+
+def _wait(error: HTTPError, attempt: int) -> float:
+    try:
+        asked = float(error.headers.get("Retry-After", ""))
+    except ValueError:
+        asked = float(attempt)
+    return max(0.0, min(LONGEST_WAIT, asked))

@@ -1,0 +1,144 @@
+"""``Water``: the live water in a notebook, its scene shared with Python both ways."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+from PIL.Image import Image
+
+from seafoam.library import frame
+from seafoam.library.errors import InvalidRequestError
+from seafoam.library.request import (
+    TIME_LIMIT,
+    CameraLike,
+    QualityLike,
+    SceneLike,
+    Size,
+    camera_of,
+    job_of,
+    quality_of,
+    scene_of,
+)
+from seafoam.notebook.answers import answer
+from seafoam.render.service.recipe import described
+from seafoam.resources import data_dir
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+
+CLIENT = "notebook/seafoam-widget.js"
+"""The widget's page, in the built web client."""
+
+
+def _client() -> Path:
+    path = data_dir("webclient") / CLIENT
+    if not path.is_file():
+        raise RuntimeError(f"{path} is missing: the web client is not built; run: make webclient")
+    return path
+
+
+def _to_json(value: Any, _: object) -> Any:
+    return value if value is None else value.model_dump(mode="json")
+
+
+class _SceneTrait(traitlets.TraitType[Any, Any]):
+    def validate(self, obj: Any, value: Any) -> Scene:
+        try:
+            return scene_of(value)
+        except InvalidRequestError as error:
+            raise traitlets.TraitError(str(error)) from error
+
+
+class _CameraTrait(traitlets.TraitType[Any, Any]):
+    def validate(self, obj: Any, value: Any) -> Camera:
+        try:
+            return camera_of(value, obj.scene.camera)
+        except InvalidRequestError as error:
+            raise traitlets.TraitError(str(error)) from error
+
+
+class _QualityTrait(traitlets.TraitType[Any, Any]):
+    def validate(self, obj: Any, value: Any) -> str | dict[str, Any]:
+        try:
+            return described(quality_of(value))
+        except InvalidRequestError as error:
+            raise traitlets.TraitError(str(error)) from error
+
+
+class Water(anywidget.AnyWidget):
+    """Water in a notebook: it moves, a drag moves the camera, and a panel has every field of the scene.
+
+    what: a preset's name, a :class:`seafoam.Scene` or its fields. time: s, absent: the preset's. quality: a tier or
+    settings. Each argument is a trait of the same name; assignment changes the picture, and what is changed in the
+    picture is read back from the trait. Raises :class:`seafoam.InvalidRequestError` here, and ``traitlets.TraitError``
+    with the same text at assignments.
+    """
+
+    _esm = _client()
+
+    scene = _SceneTrait().tag(sync=True, to_json=_to_json)
+    """The scene, a :class:`seafoam.Scene`; also takes a preset's name or the fields as JSON has them."""
+    camera = _CameraTrait().tag(sync=True, echo_update=False, to_json=_to_json)
+    """The camera, a :class:`seafoam.Camera`; also takes the fields that differ from the scene's."""
+    quality = _QualityTrait("standard").tag(sync=True)
+    """A tier's name, or the fields that differ from tier standard."""
+    time = traitlets.Float(0.0, min=-TIME_LIMIT, max=TIME_LIMIT).tag(sync=True, echo_update=False)
+    """Time of the picture, s. While it plays, the page reports it twice a second."""
+    playing = traitlets.Bool(True).tag(sync=True)
+    """Whether time runs. Pages of visitors who prefer reduced motion stand still."""
+    panel = traitlets.Bool(False).tag(sync=True)
+    """Whether the panel with the scene's fields is open."""
+    error = traitlets.Unicode("").tag(sync=True)
+    """Why the last change was not drawn; empty: it was."""
+
+    def __init__(
+        self,
+        what: SceneLike = "default",
+        *,
+        time: float | None = None,
+        camera: CameraLike | None = None,
+        quality: QualityLike = "standard",
+        playing: bool = True,
+        panel: bool = False,
+    ) -> None:
+        job = job_of(what, time=time, camera=camera, quality=quality)
+        super().__init__(
+            scene=job.scene,
+            camera=job.camera,
+            quality=described(job.quality),
+            time=job.time,
+            playing=playing,
+            panel=panel,
+        )
+        self.on_msg(self._answer)
+        self.observe(self._follow_camera, "scene")
+
+    def still(self, size: Size = (1280, 720)) -> Image:
+        """Return the present picture, drawn in Python: an RGB image of ``size`` pixels."""
+        return frame(self.scene, time=self.time, camera=self.camera, quality=self.quality, size=size)
+
+    def set_state(self, sync_data: dict[str, Any]) -> None:
+        """Take what the page has changed; what is not allowed is undone there, with the reason in :attr:`error`."""
+        try:
+            super().set_state(sync_data)
+        except traitlets.TraitError as error:
+            self.error = str(error)
+            self.send_state(list(sync_data))
+        else:
+            self.error = ""
+
+    def _follow_camera(self, change: Mapping[str, Any]) -> None:
+        before, now = change["old"], change["new"]
+        if before is None or before is traitlets.Undefined or before.camera != now.camera:
+            self.camera = now.camera
+
+    def _answer(self, _: object, content: Any, buffers: object) -> None:
+        if not isinstance(content, dict) or "id" not in content:
+            return
+        try:
+            value, parts = answer(content)
+        except InvalidRequestError as error:
+            self.send({"id": content["id"], "error": str(error)})
+            return
+        self.send({"id": content["id"], "value": value}, parts)

@@ -1,0 +1,155 @@
+"""Makes a sequence: draws the frames that are missing, then puts them into one file if a file is wanted."""
+
+import os
+import time
+import zipfile
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from PIL import Image
+
+from seafoam.render.encode import encode
+from seafoam.sequences.errors import StoppedError
+from seafoam.sequences.folder import SequenceFolder, frame_name
+from seafoam.sequences.spec import SequenceSpec
+from seafoam.sequences.video import Codec, check_video, write_video
+from seafoam.sequences.webp import durations_of, write_animation
+from seafoam.sequences.workers import Workers
+
+Kind = Literal["frames", "zip", "webp", "mp4"]
+Stage = Literal["frames", "file"]
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """Where a sequence goes. path: a directory for ``frames``, else a file. codec: of ``mp4``."""
+
+    path: Path
+    kind: Kind
+    codec: Codec = "h264"
+
+    @property
+    def frames(self) -> Path:
+        """Directory of the frames; that of a file stands beside it until the file is complete."""
+        return self.path if self.kind == "frames" else self.path.with_name(f"{self.path.name}.frames")
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a sequence is. stage: frames are drawn, or the file is written. eta_s: of the stage, s; None: unknown."""
+
+    stage: Stage
+    done: int
+    total: int
+    eta_s: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A finished sequence: frames drawn now, and frames that were there."""
+
+    drawn: int
+    found: int
+
+
+Tell = Callable[[Progress], None]
+
+
+class _Meter:
+    """Tells the progress of a stage, and stops it."""
+
+    def __init__(self, stage: Stage, total: int, found: int, tell: Tell, stopped: Callable[[], bool]) -> None:
+        self._stage, self._total, self._found, self._done = stage, total, found, found
+        self._tell, self._stopped = tell, stopped
+        self._began = time.monotonic()
+        self._say()
+
+    def step(self) -> None:
+        self._done += 1
+        self._say()
+
+    def _say(self) -> None:
+        if self._stopped():
+            raise StoppedError("the sequence was cancelled")
+        now = self._done - self._found
+        left = (time.monotonic() - self._began) * (self._total - self._done) / now if now else None
+        self._tell(Progress(self._stage, self._done, self._total, left))
+
+
+def make_sequence(
+    spec: SequenceSpec,
+    output: Output,
+    workers: Workers,
+    *,
+    tell: Tell = lambda _: None,
+    stopped: Callable[[], bool] = lambda: False,
+    again: bool = False,
+) -> Made:
+    """Make a sequence; what an earlier call left is verified by its hashes and not drawn again.
+
+    tell: called after every frame. stopped: asked after every frame. again: draw every frame again. Raises
+    :class:`seafoam.sequences.errors.SequenceError`, MissingExtraError without PyAV for ``mp4``, what the workers raise,
+    and ``OSError``; finished frames then stay for the next call.
+    """
+    check_output(spec, output)
+    folder = SequenceFolder(output.frames, spec.identity(workers.info), again=again)
+    found = folder.finished(spec.count)
+    missing = [index for index in range(spec.count) if index not in found]
+    meter = _Meter("frames", spec.count, len(found), tell, stopped)
+    if missing:
+        with closing(workers.draw((index, spec.frame(index)) for index in missing)) as drawn:
+            for index, content in drawn:
+                folder.put(index, content)
+                meter.step()
+    if output.kind != "frames":
+        _write_file(spec, output, folder, _Meter("file", spec.count, 0, tell, stopped))
+        folder.clear()
+    return Made(len(missing), len(found))
+
+
+def check_output(spec: SequenceSpec, output: Output) -> None:
+    """Raise :class:`seafoam.sequences.errors.OutputError` if the output cannot hold the sequence, before any work."""
+    job = spec.job
+    if output.kind == "mp4":
+        check_video(job.width, job.height, output.codec)
+    if output.kind == "webp":
+        durations_of(1, spec.fps)
+
+
+def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, meter: _Meter) -> None:
+    part = output.path.with_name(f".{output.path.name}.part")
+    frames = [folder.frame(index) for index in range(spec.count)]
+    try:
+        if output.kind == "mp4":
+            job = spec.job
+            write_video(part, frames, job.width, job.height, spec.fps, output.codec, meter.step)
+        elif output.kind == "webp":
+            with part.open("w+b") as file:
+                stills = _stills(frames, meter)
+                write_animation(file, stills, spec.job.width, spec.job.height, durations_of(spec.count, spec.fps))
+        else:
+            _write_zip(part, frames, meter)
+        os.replace(part, output.path)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def _stills(frames: list[Path], meter: _Meter) -> Iterator[bytes]:
+    for path in frames:
+        with Image.open(path) as image:
+            pixels = np.asarray(image.convert("RGBA"))
+        yield encode(pixels, "webp")
+        meter.step()
+
+
+def _write_zip(path: Path, frames: list[Path], meter: _Meter) -> None:
+    """Write the frames into an archive; the same frames give the same bytes."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
+        for index, frame in enumerate(frames):
+            archive.writestr(zipfile.ZipInfo(frame_name(index)), frame.read_bytes())
+            meter.step()

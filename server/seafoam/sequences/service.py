@@ -1,0 +1,239 @@
+"""Sequences in the background of a server: one at a time, in a thread, kept on disk until others take their place."""
+
+import hashlib
+import json
+import logging
+import re
+import shutil
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import BaseModel, Field
+
+from seafoam.sequences.errors import SequenceError, StoppedError
+from seafoam.sequences.folder import write_whole
+from seafoam.sequences.making import Kind, Output, Progress, Stage, check_output, make_sequence
+from seafoam.sequences.spec import SequenceSpec
+from seafoam.sequences.video import Codec
+from seafoam.sequences.workers import Workers
+
+log = logging.getLogger(__name__)
+
+STATUS = "status.json"
+_FILE_SHARE = 0.1
+"""Share of the progress that writing the file has."""
+
+_NAME = re.compile("[0-9a-f]{32}")
+
+State = Literal["queued", "running", "done", "failed", "cancelled"]
+FINISHED: tuple[State, ...] = ("done", "failed", "cancelled")
+
+
+class SequenceStatus(BaseModel):
+    """How far a sequence is."""
+
+    id: str = Field(description="Name of the sequence: a hash of all that it depends on")
+    status: State
+    stage: Stage | None = Field(default=None, description="Frames are drawn, or the file is written")
+    frames: int = Field(description="Number of frames")
+    drawn: int = Field(default=0, description="Number of frames that are finished")
+    progress: float = Field(default=0.0, description="Progress, 0 to 1")
+    eta_s: float | None = Field(default=None, description="Estimated remaining time of the stage, s")
+    bytes: int | None = Field(default=None, description="Size of the file, if it is finished")
+    detail: str | None = Field(default=None, description="Why it failed")
+
+
+class UnknownSequenceError(Exception):
+    """There is no sequence of this name, or no longer."""
+
+
+class QueueFullError(Exception):
+    """As many sequences wait as may."""
+
+
+class NotFinishedError(Exception):
+    """The file of a sequence is not there: it is not finished, or has failed."""
+
+
+@dataclass
+class _Task:
+    spec: SequenceSpec
+    output: Output
+    status: SequenceStatus
+    stopped: threading.Event
+    removed: bool = False
+
+
+class SequenceService:
+    """Makes sequences one after the other. Its methods read and write files, so an event loop calls them in a thread.
+
+    directory: has a folder for each sequence. workers: returns who draws, and raises if nobody can. waiting: greatest
+    number of unfinished sequences. kept: greatest number of finished ones, whose files are then removed, the oldest
+    first.
+
+    A sequence is named by all that it depends on: who asks for the same gets the same one. An unfinished one goes on
+    when it is asked for again, also after a restart.
+    """
+
+    def __init__(self, directory: Path, workers: Callable[[], Workers], *, waiting: int, kept: int) -> None:
+        self._directory = directory
+        self._workers = workers
+        self._most_waiting = waiting
+        self._kept = kept
+        self._tasks: OrderedDict[str, _Task] = OrderedDict()
+        self._change = threading.Condition()
+        self._closed = False
+        self._thread: threading.Thread | None = None
+
+    def submit(self, spec: SequenceSpec, kind: Kind, codec: Codec = "h264") -> SequenceStatus:
+        """Ask for a sequence, and return at once how far it is.
+
+        Raises :class:`QueueFullError`, :class:`seafoam.sequences.errors.OutputError`, what ``workers`` raises, and
+        :class:`seafoam.planner.PlanError`.
+        """
+        parts = (spec.identity(self._workers().info), spec.count, kind, codec if kind == "mp4" else "")
+        name = hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
+        output = Output(self._directory / name / f"seafoam.{kind}", kind, codec)
+        check_output(spec, output)
+        with self._change:
+            if (known := self._known(name)) is not None and known.status not in ("failed", "cancelled"):
+                return known
+            if name in self._tasks and self._tasks[name].removed:
+                raise QueueFullError("the same sequence is still being cancelled")
+            unfinished = sum(task.status.status not in FINISHED for task in self._tasks.values())
+            if unfinished >= self._most_waiting:
+                raise QueueFullError(f"{unfinished} sequences are already waiting")
+            status = SequenceStatus(id=name, status="queued", frames=spec.count)
+            self._tasks[name] = _Task(spec, output, status, threading.Event())
+            self._tasks.move_to_end(name)
+            if self._thread is None and not self._closed:
+                self._thread = threading.Thread(target=self._work, name="sequences", daemon=True)
+                self._thread.start()
+            self._change.notify_all()
+            return status
+
+    def status(self, name: str) -> SequenceStatus:
+        """Return how far a sequence is. Raises :class:`UnknownSequenceError`."""
+        with self._change:
+            known = self._known(name)
+        if known is None:
+            raise UnknownSequenceError(name)
+        return known
+
+    def file(self, name: str) -> Path:
+        """Return the file of a finished sequence. Raises :class:`UnknownSequenceError`, :class:`NotFinishedError`."""
+        status = self.status(name)
+        if status.status != "done":
+            why = f": {status.detail}" if status.detail else f", {100 * status.progress:.0f} % done"
+            raise NotFinishedError(f"the sequence is {status.status}{why}")
+        (path,) = self._directory.joinpath(name).glob("seafoam.*")
+        return path
+
+    def cancel(self, name: str) -> None:
+        """Cancel a sequence, or forget a finished one, and remove its files. Raises :class:`UnknownSequenceError`."""
+        with self._change:
+            if self._known(name) is None:
+                raise UnknownSequenceError(name)
+            task = self._tasks.get(name)
+            if task is None or task.status.status != "running":
+                self._tasks.pop(name, None)
+                self._remove(name)
+                return
+            task.removed = True
+            task.stopped.set()
+            task.status = task.status.model_copy(update={"status": "cancelled", "eta_s": None})
+
+    def stop(self) -> None:
+        """Stop the sequence that is being made, and wait until it has; its frames stay for the next start."""
+        with self._change:
+            self._closed = True
+            for task in self._tasks.values():
+                task.stopped.set()
+            self._change.notify_all()
+        if self._thread is not None:
+            self._thread.join()
+
+    def _known(self, name: str) -> SequenceStatus | None:
+        if name in self._tasks:
+            return self._tasks[name].status
+        try:
+            return SequenceStatus.model_validate_json((self._directory / name / STATUS).read_bytes())
+        except (OSError, ValueError):
+            return None
+
+    def _work(self) -> None:
+        while True:
+            with self._change:
+                while not self._closed and not self._queued():
+                    self._change.wait()
+                if self._closed:
+                    return
+                task = self._queued()[0]
+                task.status = task.status.model_copy(update={"status": "running", "stage": "frames"})
+            try:
+                self._make(task)
+                update: dict[str, Any] = {"status": "done", "progress": 1.0, "bytes": task.output.path.stat().st_size}
+            except StoppedError:
+                update = {"status": "cancelled"}
+            except Exception as error:
+                log.exception("A sequence failed")
+                update = {"status": "failed", "detail": self._reason(error)}
+            self._finish(task, update)
+
+    def _queued(self) -> list[_Task]:
+        return [task for task in self._tasks.values() if task.status.status == "queued"]
+
+    def _make(self, task: _Task) -> None:
+        def tell(progress: Progress) -> None:
+            share = progress.done / progress.total
+            frames = progress.stage == "frames"
+            update = {
+                "stage": progress.stage,
+                "progress": round((1.0 - _FILE_SHARE) * share if frames else 1.0 - _FILE_SHARE * (1.0 - share), 4),
+                "eta_s": None if progress.eta_s is None else round(progress.eta_s, 1),
+            }
+            with self._change:
+                if not task.stopped.is_set():
+                    drawn = progress.done if frames else task.status.drawn
+                    task.status = task.status.model_copy(update={**update, "drawn": drawn})
+
+        task.output.path.parent.mkdir(parents=True, exist_ok=True)
+        make_sequence(task.spec, task.output, self._workers(), tell=tell, stopped=task.stopped.is_set)
+
+    def _finish(self, task: _Task, update: dict[str, Any]) -> None:
+        with self._change:
+            if task.removed:
+                self._tasks.pop(task.status.id, None)
+                self._remove(task.status.id)
+                return
+            task.status = task.status.model_copy(update={"eta_s": None, **update})
+            if update["status"] == "done":
+                content = task.status.model_dump_json(indent=1).encode()
+                write_whole(task.output.path.with_name(STATUS), content)
+                self._tasks.pop(task.status.id)
+            self._forget_oldest()
+
+    def _forget_oldest(self) -> None:
+        """Keep the latest of what no unfinished sequence needs: files, and frames of what failed or was interrupted."""
+        needed = {name for name, task in self._tasks.items() if task.status.status not in FINISHED}
+        folders = [path for path in self._directory.iterdir() if _NAME.fullmatch(path.name) and path.name not in needed]
+        folders.sort(key=lambda path: path.stat().st_mtime_ns)
+        for path in folders[: max(0, len(folders) - self._kept)]:
+            self._tasks.pop(path.name, None)
+            self._remove(path.name)
+
+    def _remove(self, name: str) -> None:
+        shutil.rmtree(self._directory / name, ignore_errors=True)
+
+    @staticmethod
+    def _reason(error: Exception) -> str:
+        """Return what a client may know: our own words, not the inside of a library."""
+        if isinstance(error, SequenceError):
+            return str(error)
+        if isinstance(error, OSError):
+            return f"a file could not be written: {error.strerror}"
+        return "internal error; the server log has the details"

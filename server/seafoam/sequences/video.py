@@ -1,0 +1,78 @@
+"""MP4 files by PyAV: H.264 by x264, AV1 by SVT-AV1. It needs the extra ``video``."""
+
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, cast, get_args
+
+import numpy as np
+from PIL import Image
+
+from seafoam.extras import require
+from seafoam.sequences.errors import OutputError, OutputField, SequenceError
+
+if TYPE_CHECKING:
+    from av import VideoFrame, VideoStream
+
+Codec = Literal["h264", "av1"]
+CODECS: tuple[Codec, ...] = get_args(Codec)
+
+_ENCODERS: dict[Codec, tuple[str, dict[str, str]]] = {
+    # Constant quality: foam is fine grain, which lower ones smear.
+    "h264": ("libx264", {"crf": "17", "preset": "medium"}),
+    "av1": ("libsvtav1", {"crf": "25", "preset": "8"}),
+}
+_BT709 = 1
+"""Primaries, transfer and matrix of BT.709 by ITU-T H.273; sRGB has the same primaries."""
+_LIMITED = 1
+"""FFmpeg's name for video range: 16 to 235."""
+LEAST_SIDE = 64
+"""Of AV1 by SVT-AV1, pixels."""
+
+
+def check_video(width: int, height: int, codec: Codec) -> None:
+    """Raise :class:`OutputError` for a size that the codec cannot have, MissingExtraError without PyAV."""
+    require("video")
+    sides: tuple[tuple[OutputField, int], ...] = (("width", width), ("height", height))
+    for field, side in sides:
+        if side % 2:
+            raise OutputError(field, f"{field} must be even in a video, not {side}")
+        if codec == "av1" and side < LEAST_SIDE:
+            raise OutputError(field, f"{field} must be at least {LEAST_SIDE} pixels in AV1, not {side}")
+
+
+def write_video(
+    path: Path, frames: Iterable[Path], width: int, height: int, fps: float, codec: Codec, drawn: Callable[[], None]
+) -> None:
+    """Write an MP4 file of frames, which are PNG files. ``drawn``: called after each; what it raises ends the work.
+
+    Raises :class:`OutputError` as :func:`check_video` does, :class:`SequenceError` if the encoder fails.
+    """
+    check_video(width, height, codec)
+    import av
+
+    encoder, options = _ENCODERS[codec]
+    try:
+        with av.open(str(path), "w", format="mp4", options={"movflags": "+faststart"}) as container:
+            rate = Fraction(fps).limit_denominator(100_000)
+            stream = cast("VideoStream", container.add_stream(encoder, rate=rate, options=options))
+            stream.width, stream.height, stream.pix_fmt = width, height, "yuv420p"
+            context = stream.codec_context
+            context.color_primaries = context.color_trc = context.colorspace = _BT709
+            context.color_range = _LIMITED
+            for index, file in enumerate(frames):
+                frame = _frame(file)
+                frame.pts, frame.time_base = index, 1 / rate
+                container.mux(stream.encode(frame))
+                drawn()
+            container.mux(stream.encode(None))
+    except av.FFmpegError as error:
+        raise SequenceError(f"the encoder of {codec} failed: {error}") from error
+
+
+def _frame(file: Path) -> "VideoFrame":
+    from av import VideoFrame
+
+    with Image.open(file) as image:
+        frame = VideoFrame.from_ndarray(np.asarray(image.convert("RGB")), format="rgb24")
+    return frame.reformat(format="yuv420p", dst_colorspace=_BT709, dst_color_range=_LIMITED)

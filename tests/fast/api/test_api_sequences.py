@@ -1,0 +1,232 @@
+"""``/api/sequences``: started, followed, downloaded, cancelled, bounded, refused; behind visitors' frames."""
+
+import io
+import json
+import threading
+import zipfile
+from collections.abc import Iterator
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+from starlette.testclient import TestClient
+
+from support.api_fakes import RAISE, FakeRenderer
+from support.serving import SMALL, frame, serving
+
+SCENE = {"waves": [{"model": "parametric"}]}
+GATE = 333.0
+
+
+class Gated(FakeRenderer):
+    """From a time on, waits for a file that is named in the plan's place: the folder of its cache."""
+
+    gate: Path
+
+    def render(self, plan, *, time, **options):
+        import time as clock
+
+        while time >= GATE and not self.gate.exists():
+            clock.sleep(0.02)
+        return super().render(plan, time=time, **options)
+
+
+class GatedAt:
+    """A factory of renderers that workers can import."""
+
+    def __init__(self, gate: Path) -> None:
+        self.gate = gate
+
+    def __call__(self) -> Gated:
+        renderer = Gated()
+        renderer.gate = self.gate
+        return renderer
+
+
+def asked(**changes: Any) -> dict[str, Any]:
+    return {"scene": SCENE, "quality": "draft", "stop": 0.25, "format": "zip", **SMALL, **changes}
+
+
+def start(client: TestClient, **changes: Any) -> dict[str, Any]:
+    response = client.post("/api/sequences", json=asked(**changes))
+    assert response.status_code == 202, response.text
+    body = response.json()
+    assert response.headers["location"] == f"/api/sequences/{body['id']}"
+    assert response.headers["cache-control"] == "no-store"
+    return body
+
+
+def events(client: TestClient, name: str) -> list[dict[str, Any]]:
+    """All events until the sequence ends."""
+    with client.stream("GET", f"/api/sequences/{name}/events") as response:
+        assert response.headers["content-type"].startswith("text/event-stream")
+        text = "".join(response.iter_text())
+    parts = [part for part in text.split("\n\n") if part and not part.startswith(":")]
+    assert all(part.startswith("event: status\ndata: ") for part in parts)
+    return [json.loads(part.split("data: ", 1)[1]) for part in parts]
+
+
+@pytest.fixture(scope="module")
+def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TestClient]:
+    with serving(cache=tmp_path_factory.mktemp("cache")) as running:
+        yield running
+
+
+def test_from_the_request_to_the_file(client: TestClient) -> None:
+    begun = start(client)
+    assert begun["frames"] == 6
+    assert begun["status"] in ("queued", "running")
+    told = events(client, begun["id"])
+    assert told[-1]["status"] == "done"
+    assert [each["progress"] for each in told] == sorted(each["progress"] for each in told)
+    status = client.get(f"/api/sequences/{begun['id']}").json()
+    assert status == told[-1]
+    assert (status["progress"], status["drawn"], status["eta_s"]) == (1.0, 6, None)
+    file = client.get(f"/api/sequences/{begun['id']}/file")
+    assert file.headers["content-type"] == "application/zip"
+    assert len(file.content) == status["bytes"]
+    with zipfile.ZipFile(io.BytesIO(file.content)) as archive:
+        pictures = [archive.read(name) for name in archive.namelist()]
+    assert len(set(pictures)) == 6
+    single = {"scene": SCENE, "quality": "draft", "time": 3 / 24, **SMALL}
+    assert pictures[3] == client.post("/api/frames", json=single).content
+    part = client.get(f"/api/sequences/{begun['id']}/file", headers={"Range": "bytes=0-3"})
+    assert (part.status_code, part.content) == (206, b"PK\x03\x04")
+    again = start(client)
+    assert again == status
+
+
+def test_animations_and_videos(client: TestClient) -> None:
+    names = {}
+    for format in ("webp", "mp4"):
+        names[format] = start(client, format=format)["id"]
+        assert events(client, names[format])[-1]["status"] == "done"
+    content = client.get(f"/api/sequences/{names['webp']}/file").content
+    assert Image.open(io.BytesIO(content)).n_frames == 6
+    video = client.get(f"/api/sequences/{names['mp4']}/file")
+    assert (video.headers["content-type"], video.content[4:8]) == ("video/mp4", b"ftyp")
+
+
+def test_it_goes_on_after_a_restart(tmp_path: Path) -> None:
+    with serving(cache=tmp_path) as client:
+        name = start(client)["id"]
+        events(client, name)
+        whole = client.get(f"/api/sequences/{name}/file").content
+        other = start(client, start=RAISE - 2 / 24, stop=RAISE + 0.1)["id"]
+        failed = events(client, other)[-1]
+        assert (failed["status"], failed["drawn"]) == ("failed", 2)
+        assert "could not be drawn" in failed["detail"]
+        assert "secret" not in json.dumps(failed)
+        response = client.get(f"/api/sequences/{other}/file")
+        assert response.status_code == 409
+        assert "failed" in response.json()["detail"]
+    with serving(cache=tmp_path) as client:
+        assert client.get(f"/api/sequences/{name}").json()["status"] == "done"
+        assert client.get(f"/api/sequences/{name}/file").content == whole
+        assert client.get(f"/api/sequences/{other}").status_code == 404
+        assert start(client, start=RAISE - 2 / 24, stop=RAISE + 0.1)["id"] == other
+        assert events(client, other)[-1]["drawn"] == 2
+
+
+def gated(tmp_path: Path, **settings: Any) -> AbstractContextManager[TestClient]:
+    return serving(GatedAt(tmp_path / "gate"), cache=tmp_path, **settings)
+
+
+def test_a_bounded_number_waits_and_each_can_be_cancelled(tmp_path: Path) -> None:
+    with gated(tmp_path, sequences_waiting=2, deadline=60.0) as client:
+        running = start(client, start=GATE, stop=GATE + 0.1)["id"]
+        queued = start(client, start=GATE, stop=GATE + 0.2)["id"]
+        full = client.post("/api/sequences", json=asked(start=GATE, stop=GATE + 0.3))
+        assert full.status_code == 503
+        assert int(full.headers["retry-after"]) > 0
+        assert full.json()["type"] == "urn:seafoam:problem:busy"
+        assert start(client, start=GATE, stop=GATE + 0.2)["id"] == queued
+        assert client.get(f"/api/sequences/{queued}/file").status_code == 409
+        assert client.delete(f"/api/sequences/{queued}").status_code == 204
+        assert client.get(f"/api/sequences/{queued}").status_code == 404
+        assert client.delete(f"/api/sequences/{running}").status_code == 204
+        (tmp_path / "gate").touch()
+        while (response := client.get(f"/api/sequences/{running}")).status_code == 200:
+            assert response.json()["status"] == "cancelled"
+        last = start(client, stop=0.1)["id"]
+        assert events(client, last)[-1]["status"] == "done"
+        assert {each.name for each in (tmp_path / "sequences").iterdir()} == {last}
+        assert client.delete(f"/api/sequences/{last}").status_code == 204
+        assert client.get(f"/api/sequences/{last}/file").status_code == 404
+
+
+def test_the_oldest_files_make_room(tmp_path: Path) -> None:
+    with serving(cache=tmp_path, sequences_kept=2) as client:
+        names = []
+        for stop in (0.1, 0.2, 0.3):
+            names.append(start(client, stop=stop)["id"])
+            events(client, names[-1])
+        assert [client.get(f"/api/sequences/{name}").status_code for name in names] == [404, 200, 200]
+        assert {each.name for each in (tmp_path / "sequences").iterdir()} == set(names[1:])
+
+
+def test_visitors_come_first(tmp_path: Path) -> None:
+    """While a visitor's frame is in the only worker, and another waits, no frame of the sequence is taken."""
+    with gated(tmp_path, queue=4, deadline=60.0) as client:
+        client.get("/api/frames/default.png", params=SMALL)  # waits until it is ready
+        visitors = [
+            threading.Thread(target=frame, args=(client,), kwargs={"time": GATE + number, "quality": "draft"})
+            for number in range(2)
+        ]
+        for visitor in visitors:
+            visitor.start()
+        pool = client.app.state.context.pool
+        while client.portal.call(lambda: pool.active + pool.waiting) < 2:
+            pass
+        name = start(client)["id"]
+        for _ in range(5):
+            client.get("/healthz")
+            assert client.get(f"/api/sequences/{name}").json()["drawn"] == 0
+        (tmp_path / "gate").touch()
+        for visitor in visitors:
+            visitor.join()
+        assert events(client, name)[-1]["status"] == "done"
+
+
+@pytest.mark.parametrize(
+    ("changes", "pointer", "said"),
+    [
+        ({"stop": 0.0}, "/stop", "above the start"),
+        ({"start": 9.0}, "/stop", "above the start"),
+        ({"stop": 2e9}, "/stop", "1000000000"),
+        ({"stop": 1000.0}, "/stop", "24,000 frames exceed the limit of 3,600"),
+        ({"fps": 0.0}, "/fps", "0.001"),
+        ({"width": 25, "format": "mp4"}, "/width", "even"),
+        ({"height": 62, "width": 64, "format": "mp4", "codec": "av1"}, "/height", "at least 64"),
+        ({"width": 9000}, "/width", "1 to 4096"),
+        ({"format": "gif"}, "/format", "mp4"),
+        ({"codec": "vp9"}, "/codec", "h264"),
+        ({"scene": {"foam": {"mask": "zzz"}}}, "/scene/foam/mask", "zzz"),
+        ({"preset": "atlantis"}, "/preset", "atlantis"),
+        ({"fsp": 3}, "/fsp", "fsp"),
+    ],
+)
+def test_what_is_refused(client: TestClient, changes: dict[str, Any], pointer: str, said: str) -> None:
+    response = client.post("/api/sequences", json=asked(**changes))
+    assert response.status_code == 422
+    assert response.headers["content-type"] == "application/problem+json"
+    (error,) = response.json()["errors"]
+    assert error["pointer"] == pointer
+    assert said in json.dumps(error)
+
+
+def test_without_pyav_or_gl(client: TestClient, without_gl: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    response = without_gl.post("/api/sequences", json=asked())
+    assert response.status_code == 503
+    monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None)
+    response = client.post("/api/sequences", json=asked(format="mp4"))
+    assert response.status_code == 501
+    assert response.json()["remedy"] == "pip install 'seafoam[video]'"
+
+
+@pytest.mark.parametrize("path", ["", "/events", "/file"])
+def test_names_that_nothing_has(client: TestClient, path: str) -> None:
+    assert client.get(f"/api/sequences/{'0' * 32}{path}").status_code == 404
+    assert client.get(f"/api/sequences/UPPER{path}").status_code == 422

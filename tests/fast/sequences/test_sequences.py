@@ -1,0 +1,280 @@
+"""Sequences: which frames, what is on disk and when, resumption, and the files that frames are put into."""
+
+import hashlib
+import io
+import json
+import subprocess
+import zipfile
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image, ImageSequence
+
+from seafoam.extras import MissingExtraError
+from seafoam.library.request import job_of
+from seafoam.sequences.errors import OtherSequenceError, OutputError, StoppedError
+from seafoam.sequences.folder import HASHES, MANIFEST, SequenceFolder, frame_name
+from seafoam.sequences.making import Output, Progress, make_sequence
+from seafoam.sequences.spec import SequenceSpec, frame_count
+from seafoam.sequences.webp import durations_of, write_animation
+from seafoam.sequences.workers import Drawn, InProcess, Unit
+from support.api_fakes import FakeRenderer
+
+
+class Counting(InProcess):
+    """Keeps which frames it drew."""
+
+    def __init__(self, renderer: FakeRenderer | None = None) -> None:
+        super().__init__(renderer or FakeRenderer())
+        self.drawn: list[int] = []
+
+    def draw(self, units: Iterable[Unit]) -> Drawn:
+        for unit in units:
+            yield from super().draw([unit])
+            self.drawn.append(unit[0])
+
+
+def spec(stop: float = 0.25, fps: float = 24.0, **changes: object) -> SequenceSpec:
+    options = {"time": 0.0, "size": (24, 16), "quality": "draft", **changes}
+    return SequenceSpec(job_of("paper-halftone", **options), stop, fps)  # type: ignore[arg-type]
+
+
+def make(output: Output, of: SequenceSpec | None = None, **options: object) -> Counting:
+    workers = Counting()
+    make_sequence(of or spec(), output, workers, **options)  # type: ignore[arg-type]
+    return workers
+
+
+def frames(path: Path) -> dict[str, bytes]:
+    return {each.name: each.read_bytes() for each in path.glob("frame-*.png")}
+
+
+@pytest.mark.parametrize(
+    ("start", "stop", "fps", "count"),
+    [
+        (0.0, 1.0, 24.0, 24),
+        (0.0, 0.1, 30.0, 3),
+        (5.0, 5.1, 10.0, 1),
+        (0.0, 0.001, 1.0, 1),
+        (0.0, 1.01, 24.0, 25),
+        (-1e9, -1e9 + 1, 4.0, 4),
+    ],
+)
+def test_frames_before_the_stop(start: float, stop: float, fps: float, count: int) -> None:
+    assert frame_count(start, stop, fps) == count
+
+
+def test_times_are_not_summed_up() -> None:
+    long = spec(1000.0, 30.0, time=2.0)
+    assert long.frame(29_999).time == 2.0 + 29_999 / 30.0
+
+
+def test_a_directory_of_frames(tmp_path: Path) -> None:
+    told: list[Progress] = []
+    output = Output(tmp_path / "run", "frames")
+    made = make_sequence(spec(), output, Counting(), tell=told.append)
+    assert (made.drawn, made.found) == (6, 0)
+    assert sorted(frames(output.path)) == [frame_name(index) for index in range(6)]
+    assert len(set(frames(output.path).values())) == 6
+    assert [(each.done, each.total) for each in told] == [(done, 6) for done in range(7)]
+    assert told[0].eta_s is None
+    assert told[-1].eta_s == 0.0
+    check = subprocess.run(["sha256sum", "--check", "--strict", HASHES], cwd=output.path, capture_output=True)
+    assert check.returncode == 0
+    manifest = json.loads((output.path / MANIFEST).read_text())
+    assert {"plan", "renderer", "seafoam", "fps", "camera", "quality"} <= manifest.keys()
+    assert set(manifest["renderer"].split(", ")) == {"gradient", "0"}
+    assert {each.name for each in output.path.iterdir()} == {*frames(output.path), MANIFEST, HASHES}
+
+
+def test_it_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    whole = Output(tmp_path / "whole", "frames")
+    make(whole)
+    output = Output(tmp_path / "run", "frames")
+    done: list[int] = []
+
+    def tell(progress: Progress) -> None:
+        done.append(progress.done)
+
+    with pytest.raises(StoppedError):
+        make(output, tell=tell, stopped=lambda: len(done) > 2)
+    assert len(frames(output.path)) in (2, 3)
+    # A frame that was damaged, one that was lost, and one whose hash was torn by a crash.
+    left = len(frames(output.path))
+    (output.path / frame_name(0)).write_bytes(b"damaged")
+    (output.path / frame_name(1)).unlink()
+    with (output.path / HASHES).open("ab") as file:
+        file.write(b"0123")
+    again = make(output)
+    assert again.drawn == [0, 1, *range(left, 6)]
+    assert frames(output.path) == frames(whole.path)
+    assert make(output).drawn == []
+    assert make(output, again=True).drawn == list(range(6))
+
+
+def test_a_longer_sequence_keeps_its_beginning(tmp_path: Path) -> None:
+    output = Output(tmp_path / "run", "frames")
+    make(output)
+    assert make(output, spec(0.5)).drawn == list(range(6, 12))
+
+
+@pytest.mark.parametrize(
+    ("other", "name"),
+    [
+        (spec(fps=25.0), "fps"),
+        (spec(size=(26, 16)), "width"),
+        (spec(camera={"yaw": 1.0}), "camera"),
+        (spec(look="fading"), "plan"),
+        (spec(time=0.1), "start"),
+    ],
+)
+def test_another_sequence_is_not_mixed_in(tmp_path: Path, other: SequenceSpec, name: str) -> None:
+    output = Output(tmp_path / "run", "frames")
+    make(output)
+    before = frames(output.path)
+    with pytest.raises(OtherSequenceError, match=name):
+        make(output, other)
+    assert frames(output.path) == before
+    assert make(output, other, again=True).drawn
+
+
+def test_another_renderer_is_not_mixed_in(tmp_path: Path) -> None:
+    output = Output(tmp_path / "run", "frames")
+    make(output)
+    other = FakeRenderer()
+    other.info = {**other.info, "version": "1"}
+    with pytest.raises(OtherSequenceError, match="renderer"):
+        make_sequence(spec(), output, Counting(other))
+
+
+def test_files_that_are_not_ours_are_left_alone(tmp_path: Path) -> None:
+    (tmp_path / frame_name(0)).write_bytes(b"a holiday")
+    with pytest.raises(OtherSequenceError, match=r"without sequence\.json"):
+        make(Output(tmp_path, "frames"))
+    (tmp_path / frame_name(0)).rename(tmp_path / "holiday.png")
+    folder = SequenceFolder(tmp_path, {"a": 1})
+    folder.put(0, b"x")
+    folder.clear()
+    assert [each.name for each in tmp_path.iterdir()] == ["holiday.png"]
+
+
+def test_a_full_disk_leaves_no_half_frame(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    output = Output(tmp_path / "run", "frames")
+    write = Path.write_bytes
+
+    def full(path: Path, content: bytes) -> int:
+        if path.name.startswith(".frame-000003"):
+            write(path, content[:10])
+            raise OSError(28, "No space left on device")
+        return write(path, content)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(Path, "write_bytes", full)
+        with pytest.raises(OSError, match="No space"):
+            make(output)
+    assert {each.name for each in output.path.iterdir()} == {*map(frame_name, range(3)), MANIFEST, HASHES}
+    assert make(output).drawn == [3, 4, 5]
+
+
+def test_an_animation_has_the_frames(tmp_path: Path) -> None:
+    stills = Output(tmp_path / "run", "frames")
+    make(stills)
+    output = Output(tmp_path / "sea.webp", "webp")
+    make(output)
+    assert not output.frames.exists()
+    with Image.open(output.path) as animation:
+        assert (animation.size, animation.n_frames, animation.info["loop"]) == ((24, 16), 6, 0)
+        shown, durations = [], []
+        for frame in ImageSequence.Iterator(animation):
+            shown.append(np.asarray(frame.convert("RGB")))
+            durations.append(frame.info["duration"])
+    for index, pixels in enumerate(shown):
+        assert (pixels == np.asarray(Image.open(stills.path / frame_name(index)))).all()
+    assert durations == [42, 41, 42, 42, 41, 42]
+
+
+def test_durations_do_not_drift() -> None:
+    assert sum(durations_of(30_000, 30.0)) == 1_000_000
+    assert set(durations_of(300, 30.0)) == {33, 34}
+    with pytest.raises(OutputError, match="raise fps"):
+        durations_of(1, 1e-6)
+
+
+def test_limits_of_an_animation(tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="16383"):
+        write_animation(io.BytesIO(), [], 20_000, 9, [])
+    lossy = io.BytesIO()
+    Image.new("RGB", (8, 8)).save(lossy, "WEBP")
+    with pytest.raises(ValueError, match="lossless"):
+        write_animation(io.BytesIO(), [lossy.getvalue()], 8, 8, [40])
+
+
+@pytest.mark.parametrize("codec", ["h264", "av1"])
+def test_a_video_shows_the_frames(tmp_path: Path, codec: str) -> None:
+    import av
+
+    of = spec(size=(128, 64))
+    output = Output(tmp_path / "sea.mp4", "mp4", codec)  # type: ignore[arg-type]
+    stills = Output(tmp_path / "run", "frames")
+    make(stills, of)
+    make(output, of)
+    assert [each.name for each in tmp_path.iterdir() if each.name != "run"] == ["sea.mp4"]
+    with av.open(str(output.path)) as container:
+        (stream,) = container.streams.video
+        assert stream.codec_context.name in {"h264": ("h264",), "av1": ("libdav1d", "av1")}[codec]
+        assert stream.average_rate == 24
+        assert (stream.codec_context.color_range, stream.codec_context.colorspace) == (1, 1)
+        shown = [frame.to_ndarray(format="rgb24") for frame in container.decode(stream)]
+    assert len(shown) == 6
+    for index, pixels in enumerate(shown):
+        still = np.asarray(Image.open(stills.path / frame_name(index))).astype(float)
+        # The first pixel of the stand-in's frames is of another colour, and chroma has half the resolution.
+        assert np.abs(pixels[2:, 2:] - still[2:, 2:]).mean() < 6
+
+
+def test_a_video_that_fails_leaves_the_frames(tmp_path: Path) -> None:
+    output = Output(tmp_path / "sea.mp4", "mp4")
+    with pytest.raises(StoppedError):
+        make(output, stopped=lambda: len(frames(output.frames)) == 6 if output.frames.is_dir() else False)
+    assert [each.name for each in tmp_path.iterdir()] == ["sea.mp4.frames"]
+    assert make(output).drawn == []
+    assert output.path.is_file()
+
+
+@pytest.mark.parametrize(
+    ("size", "codec", "field", "said"),
+    [
+        ((25, 16), "h264", "width", "even"),
+        ((24, 17), "h264", "height", "even"),
+        ((62, 80), "av1", "width", "64 pixels"),
+    ],
+)
+def test_sizes_that_a_video_cannot_have(
+    tmp_path: Path, size: tuple[int, int], codec: str, field: str, said: str
+) -> None:
+    with pytest.raises(OutputError, match=said) as refused:
+        make(Output(tmp_path / "a.mp4", "mp4", codec), spec(size=size))  # type: ignore[arg-type]
+    assert refused.value.field == field
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_without_pyav(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None)
+    with pytest.raises(MissingExtraError, match=r"MP4 files need av; pip install 'seafoam\[video\]'"):
+        make(Output(tmp_path / "a.mp4", "mp4"))
+    assert list(tmp_path.iterdir()) == []
+    make(Output(tmp_path / "a.webp", "webp"))
+
+
+def test_an_archive_has_the_frames(tmp_path: Path) -> None:
+    stills = Output(tmp_path / "run", "frames")
+    make(stills)
+    digests = set()
+    for name in ("a.zip", "b.zip"):
+        make(Output(tmp_path / name, "zip"))
+        digests.add(hashlib.sha256((tmp_path / name).read_bytes()).hexdigest())
+    assert len(digests) == 1
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        assert {name: archive.read(name) for name in archive.namelist()} == frames(stills.path)

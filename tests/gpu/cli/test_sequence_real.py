@@ -1,0 +1,54 @@
+"""Sequences that GL draws: by the command in one process, and on two workers of which one is killed midway."""
+
+import os
+import signal
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from seafoam.library.request import job_of
+from seafoam.sequences.fleet import DaskWorkers
+from seafoam.sequences.making import Output, Progress, make_sequence
+from seafoam.sequences.spec import SequenceSpec
+from support.command import run
+
+
+@pytest.fixture(scope="module")
+def local(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """24 frames of the command."""
+    folder = tmp_path_factory.mktemp("local") / "frames"
+    arguments = ("--start", "0", "--stop", "1", "--size", "64x36", "--quality", "draft", "-o", folder)
+    done = run("sequence", "paper-halftone", *arguments)
+    assert done.returncode == 0, done.stderr
+    assert "24 frames" in done.stdout
+    return folder
+
+
+def frames(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in folder.glob("frame-*.png")}
+
+
+def test_the_water_moves(local: Path) -> None:
+    pictures = [np.asarray(Image.open(path)).astype(float) for path in sorted(local.glob("frame-*.png"))]
+    assert len(pictures) == 24
+    assert all(picture.std() > 5 for picture in pictures)
+    assert all((earlier != later).any() for earlier, later in pairwise(pictures))
+
+
+def test_two_workers_one_killed_midway_draw_the_same_bytes(local: Path, tmp_path: Path) -> None:
+    job = job_of("paper-halftone", time=0.0, size=(64, 36), quality="draft")
+    killed: list[int] = []
+    with DaskWorkers(workers=2) as workers:
+
+        def tell(progress: Progress) -> None:
+            if progress.done == 10:
+                killed.append(min(workers.client.run(os.getpid).values()))
+                os.kill(killed[0], signal.SIGKILL)
+
+        made = make_sequence(SequenceSpec(job, 1.0, 24.0), Output(tmp_path / "fleet", "frames"), workers, tell=tell)
+    assert killed
+    assert made.drawn == 24
+    assert frames(tmp_path / "fleet") == frames(local)

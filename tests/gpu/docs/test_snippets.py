@@ -1,0 +1,74 @@
+"""The snippets of docs/python.md and docs/sequences.md, run as they stand, with GL and against a real server."""
+
+import json
+import os
+import re
+import shlex
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from support.command import COMMAND, run
+
+DOCS = Path(__file__).parents[3] / "docs"
+ADDRESS = "http://127.0.0.1:8000"
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    environment = {**os.environ, "SEAFOAM_CACHE": str(tmp_path_factory.mktemp("cache")), "SEAFOAM_DEADLINE": "60"}
+    command = [*COMMAND, "serve", "--port", "0"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment)
+    assert process.stdout is not None
+    try:
+        yield process.stdout.readline().split()[3]
+    finally:
+        process.send_signal(signal.SIGTERM)
+        process.stdout.close()
+        process.wait(20)
+
+
+def snippets(page: str, language: str) -> list[str]:
+    text = (DOCS / page).read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+
+
+def test_python(server: str, tmp_path: Path) -> None:
+    code = "\n".join(snippets("python.md", "python")).replace(ADDRESS, server)
+    checks = """
+assert sea.size == (640, 360) and coverage > 0
+assert thresholds.shape == (64, 64) and abs(foam.mean() - 0.3) < 1e-4
+assert first != second and image.size == (96, 54) and array.shape == (54, 96, 4)
+assert picture.size == (96, 54) and water.camera.yaw == 0.5
+seafoam.close()
+"""
+    script = tmp_path / "script.py"
+    script.write_text(code + checks, encoding="utf-8")
+    done = subprocess.run([sys.executable, script], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    assert "camera/yaw" in done.stdout
+    for name in ("sea.png", "own.png"):
+        assert np.asarray(Image.open(tmp_path / name)).std() > 5
+
+
+def test_sequences(server: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for line in "".join(snippets("sequences.md", "sh")).replace(ADDRESS, server).splitlines():
+        program, *arguments = shlex.split(line)
+        if program == "seafoam":
+            done = run(*arguments)
+            assert done.returncode == 0, done.stderr
+            assert "5 frames of 128 × 72" in done.stdout
+        else:
+            posted = subprocess.run([program, *arguments], capture_output=True, text=True, check=True)
+            assert json.loads(posted.stdout)["frames"] == 5
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["frames", "sea.mp4", "sea.webp"]
+    command = ["default", "--time", str(1 / 24), "--size", "128x72", "--quality", "draft", "-o", "one.png"]
+    assert run("render", *command).returncode == 0
+    assert (tmp_path / "one.png").read_bytes() == (tmp_path / "frames" / "frame-000001.png").read_bytes()

@@ -1,0 +1,279 @@
+/** One view of the widget: the picture, its controls, and the panel with the scene's fields. */
+import type { Choice, SceneSchema } from "../api";
+import { sceneControls } from "../app/schema";
+import { CameraControls } from "../camera/controls";
+import type { CameraState } from "../camera/state";
+import { Stage } from "../export/stage";
+import type { FramePlan } from "../generated/api";
+import { ScenePane } from "../panel/pane";
+import { planCovers } from "../plan/live";
+import { equal, type Json, type JsonObject, withValue } from "../scene/json";
+import { element } from "../ui/dom";
+import { Kernel, type Model } from "./kernel";
+import { STYLE } from "./style";
+
+/** Least distance of the camera from the water's bounds, m. */
+const CLEARANCE = 0.3;
+/** Between reports of camera and time to Python, ms. */
+const REPORT_INTERVAL = 500;
+
+interface Drawn {
+  stage: Stage;
+  controls: CameraControls;
+  plan: FramePlan;
+  /** Scene and quality that the plan was made for. */
+  scene: JsonObject;
+  quality: Json;
+}
+
+export class WaterView {
+  private readonly kernel: Kernel;
+  private readonly picture = element("div", { class: "seafoam-picture" });
+  private readonly side = element("div", { class: "seafoam-side" });
+  private readonly message = element("p", { class: "seafoam-message", role: "alert" });
+  private readonly play = element("button", { type: "button" });
+  private readonly fields = element("button", { type: "button" }, "Scene");
+  private readonly visible: IntersectionObserver;
+  private readonly still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  private readonly listeners: [string, () => void][];
+  private readonly choices = new Map<string, readonly Choice[]>();
+  private readonly reporter: number;
+  private drawn: Drawn | null = null;
+  private pane: ScenePane | null = null;
+  private schema: SceneSchema | null = null;
+  private active = false;
+  /** What Python was told last. */
+  private told: { camera: CameraState; time: number };
+  /** Number of the latest load; earlier ones are outdated. */
+  private run = 0;
+
+  constructor(
+    private readonly model: Model,
+    private readonly root: HTMLElement,
+  ) {
+    this.kernel = new Kernel(model);
+    this.told = { camera: this.camera, time: this.time };
+    const bar = element("div", { class: "seafoam-bar" });
+    bar.append(this.play, this.fields);
+    const main = element("div", { class: "seafoam-main" });
+    main.append(this.picture, bar, this.message);
+    root.classList.add("seafoam-widget");
+    root.append(element("style", {}, STYLE), main, this.side);
+    this.play.addEventListener("click", () => this.tell("playing", !this.model.get("playing")));
+    this.fields.addEventListener("click", () => this.tell("panel", !this.model.get("panel")));
+    this.listeners = [
+      ["change:scene", () => void this.load()],
+      ["change:quality", () => void this.load()],
+      ["change:camera", () => this.takeCamera()],
+      ["change:time", () => this.takeTime()],
+      ["change:playing", () => this.takePlaying()],
+      ["change:panel", () => void this.takePanel()],
+      ["change:error", () => this.say(String(model.get("error")))],
+    ];
+    for (const [event, listener] of this.listeners) model.on(event, listener);
+    this.visible = new IntersectionObserver((entries) => {
+      this.active = entries.at(-1)?.isIntersecting ?? false;
+      if (this.drawn) this.drawn.stage.active = this.active;
+    });
+    this.visible.observe(root);
+    this.reporter = window.setInterval(() => this.report(), REPORT_INTERVAL);
+    this.takePlaying();
+    void this.load();
+    void this.takePanel();
+  }
+
+  dispose(): void {
+    this.run += 1;
+    this.report();
+    window.clearInterval(this.reporter);
+    this.visible.disconnect();
+    for (const [event, listener] of this.listeners) this.model.off(event, listener);
+    this.kernel.dispose();
+    this.drawn?.stage.dispose();
+    this.root.replaceChildren();
+  }
+
+  private get scene(): JsonObject {
+    return this.model.get("scene") as JsonObject;
+  }
+
+  private get camera(): CameraState {
+    return this.model.get("camera") as CameraState;
+  }
+
+  private get time(): number {
+    return this.model.get("time") as number;
+  }
+
+  private get playing(): boolean {
+    return this.model.get("playing") === true && !this.still;
+  }
+
+  private tell(name: string, value: unknown): void {
+    this.model.set(name, value);
+    this.model.save_changes();
+  }
+
+  /** Draws the model's scene: by the present plan if that covers it, else by another in its place once it is ready. */
+  private async load(): Promise<void> {
+    const { scene, drawn } = this;
+    const quality = this.model.get("quality") as Json;
+    const run = ++this.run;
+    this.showFields();
+    if (drawn && equal(drawn.quality, quality) && planCovers(drawn.plan, drawn.scene, scene)) {
+      drawn.stage.scene = scene;
+      drawn.stage.redraw();
+      this.say("");
+      return;
+    }
+    let next: Drawn | null = null;
+    try {
+      const plan = (await this.kernel.ask("plan", { scene, quality })).value as FramePlan;
+      if (run !== this.run) return;
+      next = this.prepare(plan, scene, quality);
+      await next.stage.load();
+      if (run === this.run) this.replace(next);
+      else this.discard(next);
+    } catch (error) {
+      if (next) this.discard(next);
+      if (run === this.run) this.failed(error);
+    }
+  }
+
+  private prepare(plan: FramePlan, scene: JsonObject, quality: Json): Drawn {
+    const canvas = element("canvas", { tabindex: "0", role: "application", "aria-label": "Water" });
+    // Below the present picture, until it is drawn.
+    this.picture.prepend(canvas);
+    const camera = this.drawn ? this.drawn.controls.camera : this.camera;
+    const stage = new Stage(canvas, {
+      plan,
+      camera,
+      bytes: async ({ url }) => bytesOf((await this.kernel.ask("texture", { url })).parts),
+      time: this.drawn?.stage.time ?? this.time,
+      playing: this.playing,
+    });
+    const controls = new CameraControls(canvas, camera, !this.still);
+    controls.surface = controls.bottom = plan.top + CLEARANCE;
+    stage.beforeFrame = (seconds) => {
+      const moved = controls.step(seconds) || stage.camera !== controls.camera;
+      stage.camera = controls.camera;
+      return moved;
+    };
+    stage.failed = (error) => this.failed(error);
+    // The wheel scrolls the notebook unless the picture has the focus.
+    canvas.addEventListener("wheel", (event) => document.activeElement === canvas || event.stopImmediatePropagation(), { capture: true });
+    return { stage, controls, plan, scene, quality };
+  }
+
+  private replace(next: Drawn): void {
+    const before = this.drawn;
+    this.drawn = next;
+    this.say("");
+    next.stage.active = this.active;
+    next.stage.playing = this.playing;
+    // Camera and time may have moved on while it was loading.
+    next.controls.set(before ? before.controls.camera : this.camera);
+    next.stage.time = before ? before.stage.time : this.time;
+    if (before === null) return;
+    const focused = document.activeElement === before.stage.canvas;
+    this.discard(before);
+    if (focused) next.stage.canvas.focus();
+  }
+
+  private discard({ stage }: Drawn): void {
+    stage.dispose();
+    stage.canvas.remove();
+  }
+
+  private takeCamera(): void {
+    const { camera } = this;
+    if (equal(camera as unknown as Json, this.told.camera as unknown as Json)) return;
+    this.told = { ...this.told, camera };
+    this.drawn?.controls.set(camera);
+  }
+
+  private takeTime(): void {
+    const { time, drawn } = this;
+    if (time === this.told.time) return;
+    this.told = { ...this.told, time };
+    if (drawn === null) return;
+    drawn.stage.time = time;
+    drawn.stage.redraw();
+  }
+
+  private takePlaying(): void {
+    this.play.textContent = this.playing ? "Pause" : "Play";
+    if (this.drawn) this.drawn.stage.playing = this.playing;
+  }
+
+  /** Tells Python camera and time, where the picture has moved on. */
+  private report(): void {
+    if (this.drawn === null) return;
+    const { controls, stage } = this.drawn;
+    const { camera } = controls;
+    const { time } = stage;
+    const { told } = this;
+    if (camera === told.camera && time === told.time) return;
+    this.told = { camera, time };
+    if (camera !== told.camera) this.model.set("camera", camera);
+    if (time !== told.time) this.model.set("time", time);
+    this.model.save_changes();
+  }
+
+  private async takePanel(): Promise<void> {
+    const open = this.model.get("panel") === true;
+    this.side.hidden = !open;
+    this.fields.setAttribute("aria-pressed", String(open));
+    if (!open) return;
+    try {
+      this.schema ??= (await this.kernel.ask("schema")).value as SceneSchema;
+    } catch (error) {
+      this.failed(error);
+      return;
+    }
+    this.pane ??= new ScenePane(this.side, {
+      change: (pointer, value) => this.edit(pointer, value),
+      optionsFrom: (url) => this.optionsFrom(url),
+    });
+    this.showFields();
+  }
+
+  private showFields(rebuild = false): void {
+    const controls = this.schema && sceneControls(this.schema, this.scene);
+    if (controls) this.pane?.show(controls, this.scene, rebuild);
+  }
+
+  private edit(pointer: string, value: Json): void {
+    this.tell("scene", withValue(this.scene, pointer, value));
+  }
+
+  /** Names that Python lists, requested once; empty until they arrive. */
+  private optionsFrom(url: string): readonly Choice[] {
+    const known = this.choices.get(url);
+    if (known) return known;
+    this.choices.set(url, []);
+    this.kernel.ask("choices", { url }).then(
+      ({ value }) => {
+        this.choices.set(url, value as Choice[]);
+        this.showFields(true);
+      },
+      (error: unknown) => this.failed(error),
+    );
+    return [];
+  }
+
+  private failed(error: unknown): void {
+    this.say(error instanceof Error ? error.message : String(error));
+  }
+
+  private say(text: string): void {
+    this.message.textContent = text;
+    this.message.hidden = text === "";
+  }
+}
+
+/** The bytes of a binary answer, at an address of their own. */
+function bytesOf([part]: readonly DataView[]): ArrayBuffer {
+  if (part === undefined) throw new Error("Python sent no texture.");
+  return new Uint8Array(part.buffer, part.byteOffset, part.byteLength).slice().buffer;
+}
