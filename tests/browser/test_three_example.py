@@ -21,16 +21,18 @@ import * as THREE from "three";
 import { Water } from "./water.js";
 const get = async (path) => (await fetch(path)).json();
 window.frame = async (preset, time, width, height) => {
-  const [plan, { scene }] = await Promise.all([get(`/api/plans/${preset}?quality=draft`), get(`/api/presets/${preset}`)]);
+  const plan = await get(`/api/plans/${preset}?quality=draft`);
+  const { scene } = await get(`/api/presets/${preset}`);
   const renderer = new THREE.WebGLRenderer({ antialias: false, depth: false, preserveDrawingBuffer: true });
   renderer.setSize(width, height, false);
   const water = await Water.load(renderer, plan, location.href);
   for (const earlier of [time - 1, time]) water.draw({ time: earlier, camera: scene.camera });
   const gl = renderer.getContext();
-  const held = renderer.info.programs.map(({ program }) => gl.getAttachedShaders(program).map((s) => gl.getShaderSource(s)));
+  const sources = ({ program }) => gl.getAttachedShaders(program).map((shader) => gl.getShaderSource(shader));
+  const held = renderer.info.programs.flatMap(sources);
   const url = renderer.domElement.toDataURL("image/png");
   renderer.dispose();
-  return { png: url.split(",")[1], held: held.flat(), plan };
+  return { png: url.split(",")[1], held, plan };
 };
 </script></head><body></body></html>"""
 
@@ -53,9 +55,10 @@ def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str, preset: str)
         drawn = page.evaluate(
             "async ([preset, time, width, height]) => {"
             " const { png, held, plan } = await window.frame(preset, time, width, height);"
-            " const texts = Object.values(plan.programs).flatMap(({ vertex, fragment }) => [vertex.text, fragment.text]);"
-            " const bare = texts.map((text) => text.replace('#version 300 es\\n', ''));"
-            " return { png, same: held.every((text) => bare.some((one) => text.endsWith(one))), count: held.length }; }",
+            " const stages = Object.values(plan.programs).flatMap(({ vertex, fragment }) => [vertex, fragment]);"
+            " const bare = stages.map(({ text }) => text.replace('#version 300 es\\n', ''));"
+            " const same = held.every((text) => bare.some((one) => text.endsWith(one)));"
+            " return { png, same, count: held.length }; }",
             [preset, TIME, WIDTH, HEIGHT],
         )
         query = f"quality=draft&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
