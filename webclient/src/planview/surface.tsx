@@ -107,7 +107,8 @@ function Plan({ context }: { context: SurfaceContext }) {
   const current = plan.value;
   if (current === null) return <p>Loading plan…</p>;
   const { display } = context;
-  const { width, height } = display.timing();
+  // Before the first frame the canvas has no size of its own yet.
+  const { width, height } = context.recipe();
   const measure = async () => {
     const executor = context.executor();
     const { viewport } = display;
