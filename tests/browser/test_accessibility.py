@@ -1,48 +1,67 @@
 """What axe finds wrong with the page and its parts for people who use a keyboard or a screen reader."""
 
-from pathlib import Path
-from typing import Any
-
 import pytest
+from playwright.sync_api import expect
 
+from support.axe import violations
 from support.browsers import Lane
-from support.visits import DESKTOP, PHONE, Visit, link, visit
+from support.visits import DESKTOP, PHONE, link, visit
 
-AXE = Path(__file__).parents[2] / "webclient/node_modules/axe-core/axe.min.js"
-
-
-def violations(made: Visit) -> list[Any]:
-    """Rule and places of all that axe finds in what is in sight."""
-    # Colours are judged once nothing fades any more; the name on the hidden loading screen pulses for ever.
-    made.page.wait_for_function(
-        "() => document.getAnimations().every(({ effect, playState }) =>"
-        " playState !== 'running' || effect.getTiming().iterations === Infinity)"
-    )
-    made.page.evaluate(AXE.read_text(encoding="utf-8"))
-    found: list[Any] = made.page.evaluate(
-        "async () => (await axe.run()).violations"
-        ".map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))])"
-    )
-    return found
+SIZES = pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+@SIZES
 def test_axe_finds_nothing(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
     with visit(llvmpipe, server, link(scene={"/light/exposure": 1}), size=size, reduced_motion="reduce") as made:
         page = made.page
-        assert violations(made) == [], "the page"
+        assert violations(made.page) == [], "the page"
         page.keyboard.press("/")
         page.locator(".waters").wait_for()
-        assert violations(made) == [], "the list of waters"
+        assert violations(made.page) == [], "the list of waters"
         page.keyboard.press("Escape")
         made.settings().get_by_role("button", name="light", exact=True).click()
         page.get_by_role("button", name="Paste scene").click()
         page.locator(".changes summary").click()
-        assert violations(made) == [], "the settings"
+        assert violations(made.page) == [], "the settings"
+
+
+@SIZES
+def test_axe_finds_nothing_in_what_opens_beside_the_picture(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
+    """The stage is dark in both themes; a cheap picture is enough behind it."""
+    light = {"color_scheme": "light", "reduced_motion": "reduce"}
+    with visit(llvmpipe, server, link(preset="paper-threshold", open="plan"), size=size, **light) as made:
+        page = made.page
+        for tab in ("Passes", "Effects", "GLSL", "Changes"):
+            page.locator(".sheet").get_by_role("button", name=tab, exact=True).click()
+            assert violations(page) == [], f"the plan's {tab}"
+        page.get_by_role("button", name="Take home").click()
+        page.locator("[data-surface=take] pre").first.wait_for()
+        assert violations(page) == [], "take home"
+        page.get_by_role("button", name="Accuracy benchmark").click()
+        page.locator("#accuracy.open").wait_for()
+        assert violations(page) == [], "accuracy"
+
+
+@SIZES
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_in_chapter_and_laboratories(
+    llvmpipe: Lane, server: str, size: tuple[int, int], scheme: str
+) -> None:
+    seen = {"color_scheme": scheme, "reduced_motion": "reduce", "has_touch": size == PHONE}
+    with visit(llvmpipe, server, "learn/", size=size, settle=False, **seen) as made:
+        page = made.page
+        assert violations(page) == [], "the chapter"
+        page.goto(f"{server}/learn/laboratory/")
+        page.locator("#strips[data-live=true]").wait_for()
+        assert violations(page) == [], "the foam laboratory"
+        page.goto(f"{server}/masks/")
+        expect(page.locator(".side[aria-busy=false]")).to_have_count(1, timeout=60_000)
+        assert violations(page) == [], "the mask laboratory"
+        assert made.complaints == []
 
 
 def test_axe_would_find_something(llvmpipe: Lane, server: str) -> None:
     with visit(llvmpipe, server) as made:
         made.page.evaluate("() => document.querySelector('#tools button').removeAttribute('aria-label')")
         made.page.evaluate("() => document.querySelector('#tools button').removeAttribute('title')")
-        assert [rule for rule, _ in violations(made)] == ["button-name"]
+        assert [rule for rule, _ in violations(made.page)] == ["button-name"]

@@ -19,6 +19,7 @@ from seafoam.accuracy.points import points_of
 from seafoam.quality import TIERS
 from seafoam.reference import render
 from seafoam.scene.presets import load_preset
+from support.axe import violations
 from support.browsers import Lane
 from support.visits import FINGER, PHONE, STILL, TARGETS, Visit, visit
 
@@ -166,6 +167,10 @@ def test_every_quality_has_a_mark_and_a_row(measured: Visit) -> None:
     errors = told_errors(measured)
     assert errors["reference"] == min(errors.values()) > 0.0
     assert errors["reference"] < errors["standard"]
+
+
+def test_axe_finds_nothing_in_the_measured_view(measured: Visit) -> None:
+    assert violations(measured.page) == []
 
 
 def test_a_mark_runs_its_quality(measured: Visit) -> None:

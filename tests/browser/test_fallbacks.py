@@ -43,20 +43,13 @@ def test_draws_without(llvmpipe: Lane, server: str, usual: Pixels, hidden: str) 
         assert made.complaints == []
 
 
-def test_says_so_where_no_picture_can_be_drawn(llvmpipe: Lane, server: str) -> None:
+def test_the_server_draws_where_no_picture_can_be_drawn(llvmpipe: Lane, server: str) -> None:
     address = f"?hide=EXT_color_buffer_float,EXT_color_buffer_half_float{STILL}"
-    with visit(llvmpipe, server, address, size=SIZE, settle=False) as made:
-        said = failure_text(made.page)
-        assert "EXT_color_buffer_float" in said
-        assert "Graphics feature missing" in said
+    with visit(llvmpipe, server, address, size=SIZE) as made:
+        notice = made.page.locator("#heading .notice").inner_text()
+        assert "EXT_color_buffer_float" in notice
+        assert made.canvas().std() > 5.0
         assert made.complaints == []
-
-
-def test_says_so_without_webgl(llvmpipe: Lane, server: str) -> None:
-    with visit(llvmpipe, server, "healthz", size=SIZE, settle=False) as made:
-        made.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
-        made.page.goto(f"{server}/{STILL}")
-        assert "WebGL 2" in failure_text(made.page)
 
 
 def test_a_quality_that_needs_more_gives_way(llvmpipe: Lane, server: str) -> None:

@@ -83,6 +83,32 @@ def test_a_drag_leaves_a_train_that_a_link_restores(lake: Visit, llvmpipe: Lane,
         assert again.complaints == []
 
 
+def test_a_tap_and_a_drag_are_a_step_of_undo_each(lake: Visit) -> None:
+    """Two taps at once, as fast as they come while the first plan is made, and a slow drag: three steps."""
+    for x in (200, 360):
+        lake.page.mouse.click(x, 260)
+    drawn(lake)
+    lake.page.mouse.move(120, 240)
+    lake.page.mouse.down()
+    for x in range(130, 300, 15):
+        lake.page.mouse.move(x, 240)
+        if x == 220:
+            lake.page.wait_for_timeout(1000)  # longer than two edits of a field may lie apart to be one
+    lake.page.mouse.up()
+    drawn(lake)
+    whole = touches(lake)
+    assert len(whole) > 4
+    lake.page.locator("#canvas").focus()
+    counts = []
+    for _ in range(3):
+        lake.page.keyboard.press("Control+z")
+        counts.append(len(touches(lake)))
+    assert counts == [2, 1, 0]
+    for _ in range(3):
+        lake.page.keyboard.press("Control+y")
+    assert touches(lake) == whole
+
+
 def test_keys_touch_and_choose_what_a_drag_does(lake: Visit) -> None:
     button = lake.page.get_by_role("button", name="Touch water")
     assert button.get_attribute("aria-pressed") == "true"

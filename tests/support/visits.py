@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
-from playwright.sync_api import Locator, Page, TimeoutError
+from playwright.sync_api import Locator, Page, Route, TimeoutError
 
 from support.browsers import Lane
 
@@ -119,6 +119,43 @@ class Visit:
         box.press("Enter")
 
 
+@dataclass
+class Held:
+    """Requests that wait on a slow network."""
+
+    page: Page
+    pattern: str
+    routes: list[Route] = field(default_factory=list)
+    holding: bool = True
+
+    def __post_init__(self) -> None:
+        self.page.route(self.pattern, self.take)
+
+    def take(self, route: Route) -> None:
+        if self.holding:
+            self.routes.append(route)
+        else:
+            route.continue_()
+
+    def bodies(self) -> list[dict[str, Any]]:
+        return [json.loads(route.request.post_data or "{}") for route in self.routes]
+
+    def arrived(self) -> None:
+        """Wait until one is held."""
+        for _ in range(400):
+            if self.routes:
+                return
+            self.page.wait_for_timeout(50)
+        raise AssertionError(f"no request for {self.pattern}")
+
+    def let_go(self, *, holding: bool = False) -> None:
+        """Send on what is held; `holding`: hold the ones that follow."""
+        self.holding = holding
+        routes, self.routes = self.routes, []
+        for route in routes:
+            route.continue_()
+
+
 @contextmanager
 def visit(
     lane: Lane,
@@ -127,12 +164,17 @@ def visit(
     *,
     size: tuple[int, int] = SMALL,
     settle: bool = True,
+    before: str = "",
     **context: Any,
 ) -> Iterator[Visit]:
-    """The page at an address below the server's, in a browser that remembers nothing."""
+    """The page at an address below the server's, in a browser that remembers nothing.
+
+    before: a script that runs before the page's own.
+    """
     width, height = size
     opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
     page = opened.new_page()
+    page.add_init_script(before)
     made = Visit(page)
     page.on("console", lambda said: made.complaints.append(said.text) if said.type == "error" else None)
     page.on("pageerror", lambda error: made.complaints.append(str(error)))

@@ -3,10 +3,12 @@ import "./style.css";
 import { Api, ApiError } from "./api";
 import { App } from "./app/app";
 import { linkOf } from "./app/address";
+import type { MakeDisplay } from "./app/display";
+import { Viewport } from "./app/viewport";
 import { CapabilityError } from "./gl/capabilities";
-import { openContext } from "./gl/gpu";
+import { openContext, openGpu } from "./gl/gpu";
 import { pinRoot } from "./root";
-import { byId } from "./ui/dom";
+import { byId, element } from "./ui/dom";
 import { LoadingScreen } from "./ui/loading";
 import { StillImage } from "./ui/still";
 
@@ -16,12 +18,10 @@ const loadingScreen = new LoadingScreen(byId("loading"));
 try {
   await start(new Api());
 } catch (error) {
-  if (error instanceof CapabilityError) {
-    loadingScreen.fail("Graphics feature missing", `${error.message} Use a current version of Chrome, Edge, Firefox or Safari.`, null);
-  } else if (error instanceof ApiError) {
-    loadingScreen.fail(error.status === 0 ? "Server not reachable" : "Server error", error.message, "Reload page");
+  if (error instanceof ApiError) {
+    loadingScreen.fail(error.status === 0 ? "Server not reachable" : "Server error", error.message);
   } else {
-    loadingScreen.fail("Unexpected error", error instanceof Error ? error.message : String(error), "Reload page");
+    loadingScreen.fail("Unexpected error", error instanceof Error ? error.message : String(error));
     throw error;
   }
 }
@@ -33,12 +33,12 @@ async function start(api: Api): Promise<void> {
   const likely = link.preset ?? defaultPreset;
   const prefetch = stills.split(" ").includes(likely) ? api.preset(likely).catch(() => null) : null;
   const requests = Promise.all([api.presets(), api.schema(), prefetch]);
-  // If WebGL cannot start either, that error is shown.
+  // Awaited below.
   requests.catch(() => undefined);
   const still = new StillImage(byId("still") as HTMLImageElement);
   await still.whenPainted();
   // The browser starts the GPU while the server answers.
-  openContext(byId("canvas") as HTMLCanvasElement);
+  const { makeDisplay, notice } = await chooseDisplay(api);
   const [presets, schema, prefetched] = await requests;
   const linked = presets.find(({ name }) => name === link.preset);
   const summary = linked ?? presets[0];
@@ -47,6 +47,23 @@ async function start(api: Api): Promise<void> {
   const notFound = link.preset !== null && linked === undefined;
   // The link's other parts belong to the missing preset.
   const usable = notFound ? { ...link, changes: [], touches: null, time: null, camera: null, split: null } : link;
-  const app = new App(api, loadingScreen, still, { presets, schema, preset, link: usable });
+  const app = new App(api, loadingScreen, still, { presets, schema, preset, link: usable, makeDisplay });
+  if (notice !== null) byId("heading").append(element("p", { class: "notice" }, `The server draws the frames. ${notice}`));
   if (notFound) app.toasts.show(`Preset “${link.preset}” not found. Showing “${preset.title}”.`, [], "error");
+}
+
+/** Draws here if this browser can; else shows the server's frames, with a notice why. */
+async function chooseDisplay(api: Api): Promise<{ makeDisplay: MakeDisplay; notice: string | null }> {
+  const canvas = byId("canvas") as HTMLCanvasElement;
+  const query = new URLSearchParams(location.search);
+  const hidden = new Set((query.get("hide") ?? "").split(",").filter(Boolean));
+  try {
+    if (query.get("draw") === "server") throw new CapabilityError("The address asks for it (draw=server).");
+    openGpu(openContext(canvas), hidden);
+  } catch (error) {
+    if (!(error instanceof CapabilityError)) throw error;
+    const { ServerView } = await import("./app/serverview");
+    return { makeDisplay: (loaders, events) => new ServerView(api, canvas, loaders, events), notice: error.message };
+  }
+  return { makeDisplay: (loaders, events) => new Viewport(canvas, loaders, hidden, events), notice: null };
 }

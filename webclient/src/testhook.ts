@@ -44,21 +44,26 @@ declare global {
   }
 }
 
-export function makeTestHook(api: Api, viewport: Viewport, ready: Promise<void>, state: () => unknown): TestHook {
+export function makeTestHook(api: Api, viewport: Viewport | null, ready: Promise<void>, state: () => unknown): TestHook {
   let extension: WEBGL_lose_context | null = null;
   return {
     ready,
-    renderer: viewport.gpu.capabilities.renderer,
-    render: (planOrPreset, options) => renderOffscreen(viewport.gpu, api, planOrPreset, options),
-    compile: (plan) => compileErrors(viewport.gpu, plan),
+    renderer: viewport?.gpu.capabilities.renderer ?? "server",
+    render: (planOrPreset, options) => renderOffscreen(gpuOf(viewport), api, planOrPreset, options),
+    compile: (plan) => compileErrors(gpuOf(viewport), plan),
     loseContext: () => {
       // Once the context is lost, the extension is not available.
-      extension = viewport.gl.getExtension("WEBGL_lose_context");
+      extension = viewport?.gl.getExtension("WEBGL_lose_context") ?? null;
       extension?.loseContext();
     },
     restoreContext: () => extension?.restoreContext(),
     state,
   };
+}
+
+function gpuOf(viewport: Viewport | null): Gpu {
+  if (viewport === null) throw new Error("This page draws nothing itself.");
+  return viewport.gpu;
 }
 
 /** Draws one frame offscreen. */

@@ -28,6 +28,27 @@ test("a drag is one step, and two slow edits of a field are two", () => {
   expect(history.canUndo).toBe(false);
 });
 
+test("a gesture is one step however slow it is, and two gestures are two however fast", () => {
+  const history = new EditHistory();
+  history.record(scene(0), scene(1), 0, "touch 1");
+  history.record(scene(1), scene(2), 5000, "touch 1");
+  history.record(scene(2), scene(3), 5001, "touch 2");
+  expect(history.undo(scene(3))).toEqual(scene(2));
+  expect(history.undo(scene(2))).toEqual(scene(0));
+  expect(history.canUndo).toBe(false);
+  history.record(scene(0), scene(1), 5002, "touch 2");
+  expect(history.canUndo).toBe(true);
+});
+
+test("a gesture that was taken back is no step", () => {
+  const history = new EditHistory();
+  history.record(scene(0), scene(1), 0, "touch 1");
+  history.record(scene(1), scene(2), 10, "touch 2");
+  history.record(scene(2), scene(1), 2000, "touch 2");
+  expect(history.undo(scene(1))).toEqual(scene(0));
+  expect(history.canUndo).toBe(false);
+});
+
 test("an edit after an undo forgets what was undone", () => {
   const history = new EditHistory();
   history.record(scene(0), scene(1), 0);

@@ -11,13 +11,19 @@ export class AccuracyTool {
   private panel: AccuracyPanel | null = null;
 
   constructor(
-    private readonly makePanel: (panel: typeof AccuracyPanel) => AccuracyPanel,
+    /** Null where the server draws: there is no GPU to measure. */
+    private readonly makePanel: ((panel: typeof AccuracyPanel) => AccuracyPanel) | null,
     private readonly events: AccuracyToolEvents,
   ) {}
 
+  get available(): boolean {
+    return this.makePanel !== null;
+  }
+
   /** `focus`: the panel takes the keyboard focus. */
   toggle(open = !this.open, focus = false): void {
-    if (open === this.open) return;
+    const { makePanel } = this;
+    if (open === this.open || makePanel === null) return;
     this.open = open;
     this.events.toggled(open);
     if (this.panel) {
@@ -26,7 +32,7 @@ export class AccuracyTool {
     }
     import("../accuracy/panel").then(
       ({ AccuracyPanel: Panel }) => {
-        this.panel ??= this.makePanel(Panel);
+        this.panel ??= makePanel(Panel);
         this.panel.toggle(this.open, focus);
       },
       (error: unknown) => {

@@ -7,9 +7,9 @@ import { withoutTouches } from "../touch/touches";
 import type { AccuracyTool } from "./accuracytool";
 import type { Surfaces } from "../surfaces/surfaces";
 import type { Clock } from "./clock";
+import type { Display } from "./display";
 import type { Store } from "./store";
 import { decode, encode, type LinkState } from "./url";
-import type { Viewport } from "./viewport";
 
 /** Delay between a change and the update of the address, ms. */
 const DELAY = 400;
@@ -29,7 +29,7 @@ export class Address {
     private readonly store: Store,
     private readonly clock: Clock,
     private readonly controls: CameraControls,
-    private readonly viewport: Viewport,
+    private readonly display: Display,
     private readonly accuracy: AccuracyTool,
     private readonly surfaces: Surfaces,
   ) {}
@@ -49,7 +49,7 @@ export class Address {
       speed,
       camera: !exact && isPresetCamera ? null : camera,
       split,
-      scale: this.viewport.fixed,
+      scale: this.display.fixed,
       accuracy: this.accuracy.open ? true : null,
       surface: this.surfaces.open,
     };

@@ -21,18 +21,18 @@ import { Toasts } from "../ui/toasts";
 import { Transport } from "../ui/transport";
 import { AccuracyTool } from "./accuracytool";
 import { Address } from "./address";
-import { AutoQuality, type TierCosts } from "./autoquality";
 import { Clock } from "./clock";
 import { planRequest, QUALITY_FIELD, splitAfterEdit, validSplit } from "./comparison";
+import type { Display, MakeDisplay } from "./display";
 import { PlanLoader } from "./planloader";
 import { qualityTitle } from "./quality";
+import { QualityPilot } from "./qualitypilot";
 import { SceneEditor } from "./sceneeditor";
 import { DEFAULT_TIER } from "./schema";
 import { Sharing } from "./sharing";
 import { type Selection, selectionFromLink, Store } from "./store";
 import { addTools, copyLink, type PageParts } from "./tools";
 import type { LinkState } from "./url";
-import { Viewport } from "./viewport";
 
 const STATS_INTERVAL = 250;
 /** Least distance of the camera from the water's bounds, m. */
@@ -43,6 +43,14 @@ export interface StartData {
   schema: SceneSchema;
   preset: Preset;
   link: LinkState;
+  makeDisplay: MakeDisplay;
+}
+
+/** The way to server frames from a page that cannot draw. */
+function serverLink(): { text: string; href: string } {
+  const url = new URL(location.href);
+  url.searchParams.set("draw", "server");
+  return { text: "Show frames drawn by the server", href: url.href };
 }
 
 export class App {
@@ -52,7 +60,7 @@ export class App {
   private readonly effects = new EffectList();
   private readonly store: Store;
   private readonly loaders: readonly [PlanLoader, PlanLoader];
-  private readonly viewport: Viewport;
+  private readonly display: Display;
   private readonly controls: CameraControls;
   private readonly settings: SettingsPanel;
   private readonly editor: SceneEditor;
@@ -67,11 +75,7 @@ export class App {
   /** Indices of the loaders that are loading. */
   private readonly busy = new Set<number>();
   private lastTick = 0;
-  private readonly autoQuality = new AutoQuality();
-  /** Null until loaded. */
-  private tierCosts: TierCosts | null = null;
-  /** Predicted scale of the quality that was selected last. */
-  private expectedScale: number | null = null;
+  private readonly pilot: QualityPilot;
   /** Whether the selected preset has been drawn: until then its still covers the canvas and time stands. */
   private started = false;
   /** Whether the hint was shown. */
@@ -84,7 +88,7 @@ export class App {
     private readonly api: Api,
     private readonly loadingScreen: LoadingScreen,
     private readonly still: StillImage,
-    { presets, schema, preset, link }: StartData,
+    { presets, schema, preset, link, makeDisplay }: StartData,
   ) {
     const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.store = new Store(selectionFromLink(preset, link));
@@ -94,8 +98,9 @@ export class App {
 
     const canvas = byId("canvas") as HTMLCanvasElement;
     this.loaders = [this.makeLoader(0), this.makeLoader(1)];
-    this.viewport = this.makeViewport(canvas);
-    this.viewport.setFixedScale(link.scale);
+    this.pilot = new QualityPilot(api, this.store);
+    this.display = this.connect(makeDisplay);
+    this.display.setFixedScale(link.scale);
     this.controls = new CameraControls(canvas, link.camera ?? cameraFromScene(preset.scene), !reducedMotion);
     const { tiers } = schema;
     this.settings = this.makeSettings(tiers);
@@ -110,8 +115,8 @@ export class App {
       },
       failed: (error) => this.failed(error),
     });
-    this.address = new Address(this.store, this.clock, this.controls, this.viewport, this.accuracy, this.surfaces);
-    this.sharing = new Sharing(api, this.store, this.clock, this.controls, this.viewport, this.loaders, {
+    this.address = new Address(this.store, this.clock, this.controls, this.display, this.accuracy, this.surfaces);
+    this.sharing = new Sharing(api, this.store, this.clock, this.controls, this.display, this.loaders, {
       presets: presets.map(({ name }) => name),
       copyLink: () => copyLink(this.parts),
       failed: (error) => this.failed(error),
@@ -137,7 +142,7 @@ export class App {
     this.surfaces.show(link.surface);
     this.settings.toggle(false);
     this.listen();
-    window.seafoam = makeTestHook(api, this.viewport, this.ready, () => this.testState());
+    window.seafoam = makeTestHook(api, this.display.viewport, this.ready, () => this.testState());
     this.showSelection(this.store.now);
     this.requestPlans(0);
     requestAnimationFrame((now) => this.tick(now));
@@ -145,12 +150,12 @@ export class App {
 
   private makeLoader(index: 0 | 1): PlanLoader {
     return new PlanLoader(this.api, {
-      gpu: () => this.viewport.gpu,
+      gpu: () => this.display.viewport?.gpu ?? null,
       camera: () => this.controls.camera,
       complete: () => this.limitCamera(),
       changed: (newPlan) => {
         if (newPlan) this.planChanged();
-        this.viewport.dirty = true;
+        this.display.dirty = true;
       },
       failed: (error) => this.failed(error),
       busy: (busy) => {
@@ -161,9 +166,8 @@ export class App {
     });
   }
 
-  private makeViewport(canvas: HTMLCanvasElement): Viewport {
-    const hidden = new Set((new URLSearchParams(location.search).get("hide") ?? "").split(",").filter(Boolean));
-    return new Viewport(canvas, this.loaders, hidden, {
+  private connect(makeDisplay: MakeDisplay): Display {
+    return makeDisplay(this.loaders, {
       contextLost: () => this.toasts.show("WebGL context lost. Rendering resumes when the browser restores it."),
       contextRestored: () => this.loaders.forEach((loader) => loader.reload()),
       failed: (error) => this.failed(error),
@@ -182,7 +186,8 @@ export class App {
 
   private makeAccuracyTool(): AccuracyTool {
     const events = { selectQuality: (quality: string) => this.setQuality(quality, false), close: () => this.accuracy.toggle(false) };
-    return new AccuracyTool((Panel) => new Panel(this.api, this.store, this.viewport, events), {
+    const { viewport } = this.display;
+    return new AccuracyTool(viewport && ((Panel) => new Panel(this.api, this.store, viewport, events)), {
       toggled: (open) => {
         this.viewChanged();
         if (!open) return;
@@ -218,8 +223,8 @@ export class App {
     this.address.onVisit((link) => void this.followLink(link));
     setInterval(() => {
       const { quality, auto } = this.store.now;
-      this.stats.show(this.viewport.timing(), this.clock.playing, qualityTitle(quality), auto);
-      this.updateQuality();
+      this.stats.show(this.display.timing(), this.clock.playing, qualityTitle(quality), auto);
+      if (this.started && this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.load());
       if (this.clock.playing) this.transport.update();
     }, STATS_INTERVAL);
   }
@@ -230,18 +235,7 @@ export class App {
     this.lastTick = now;
     const cameraMoved = this.controls.step(seconds);
     if (this.started) this.clock.advance(seconds);
-    this.viewport.tick(now, this.viewState(), cameraMoved || (this.started && this.clock.playing));
-  }
-
-  /** Switches the tier in automatic mode. */
-  private updateQuality(): void {
-    const { preset, quality, auto, split } = this.store.now;
-    if (!auto || split !== null || !this.started || !this.clock.playing || this.busy.size > 0 || this.tierCosts === null) return;
-    const load = this.viewport.load();
-    const choice = load && this.autoQuality.next(this.tierCosts, preset.name, quality, load);
-    if (choice === null) return;
-    this.expectedScale = choice.scale;
-    this.store.set({ quality: choice.tier });
+    this.display.tick(now, this.viewState(), cameraMoved || (this.started && this.clock.playing));
   }
 
   private frameDone(): void {
@@ -253,13 +247,7 @@ export class App {
     if (!this.hinted) showHint(byId("bar"), matchMedia("(pointer: coarse)").matches);
     this.hinted = true;
     this.resolveReady();
-    if (this.tierCosts === null) {
-      this.api.tierCosts().then(
-        (costs) => (this.tierCosts = costs),
-        // Without costs the quality is not switched.
-        () => undefined,
-      );
-    }
+    this.pilot.loadCosts();
   }
 
   private viewState() {
@@ -267,7 +255,7 @@ export class App {
   }
 
   private viewChanged(): void {
-    this.viewport.dirty = true;
+    this.display.dirty = true;
     this.address.scheduleUpdate();
   }
 
@@ -284,16 +272,15 @@ export class App {
     this.sharing.planChanged();
     this.limitCamera();
     this.touch.planChanged();
-    this.viewport.resetMeasurement(this.expectedScale);
-    this.expectedScale = null;
+    this.display.resetMeasurement(this.pilot.takeScale());
   }
 
   /** Limits the camera's height: below the surface only if the programs for it are compiled. */
   private limitCamera(): void {
-    const executor = this.loaders[0].loaded?.executor;
-    if (executor === undefined) return;
-    const { plan } = executor;
-    const underwater = plan.passes.some((pass) => pass.eye === "under") && executor.isReadyFor("under");
+    const { loaded } = this.loaders[0];
+    if (loaded === null) return;
+    const { plan, executor } = loaded;
+    const underwater = plan.passes.some((pass) => pass.eye === "under") && executor?.isReadyFor("under") !== false;
     this.controls.surface = plan.top + CLEARANCE;
     this.controls.bottom = underwater ? plan.bottom + CLEARANCE : this.controls.surface;
   }
@@ -322,7 +309,7 @@ export class App {
   }
 
   private setFixedScale(scale: number | null): void {
-    this.viewport.setFixedScale(scale);
+    this.display.setFixedScale(scale);
     this.settings.showScale(scale);
     this.viewChanged();
   }
@@ -330,7 +317,7 @@ export class App {
   private openPreset(preset: Preset): void {
     this.controls.set(cameraFromScene(preset.scene));
     this.clock.seek(preset.time);
-    this.autoQuality.reset();
+    this.pilot.reset();
     this.store.set({ preset, scene: preset.scene, split: validSplit(preset.scene, this.store.now.split) });
   }
 
@@ -361,7 +348,7 @@ export class App {
   private failed(error: unknown): void {
     const message = error instanceof Error ? error.message : String(error);
     this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
-    if (this.loaders[0].loaded !== null) {
+    if (!this.display.blank) {
       this.still.hide();
       this.started = true;
       return;
@@ -373,7 +360,8 @@ export class App {
       this.store.set({ scene: preset.scene, quality: DEFAULT_TIER, auto: true, split: null });
       return;
     }
-    this.loadingScreen.fail("Rendering failed", message, "Reload page");
+    if (this.display.viewport === null) this.loadingScreen.fail("Server error", message);
+    else this.loadingScreen.fail("Rendering failed", message, serverLink());
     this.rejectReady(error);
   }
 
@@ -381,12 +369,12 @@ export class App {
     return {
       ...this.address.link(true),
       pictures: this.loaders.filter(({ loaded }) => loaded !== null).length,
-      lost: this.viewport.gl.isContextLost(),
-      timing: this.viewport.timing(),
+      lost: this.display.viewport?.gl.isContextLost() ?? false,
+      timing: this.display.timing(),
       playing: this.clock.playing,
       busy: this.busy.size > 0,
       still: this.still.shown,
-      settled: this.busy.size === 0 && !this.still.shown && !this.clock.playing && this.viewport.atRest,
+      settled: this.busy.size === 0 && !this.still.shown && !this.clock.playing && this.display.atRest,
     };
   }
 }

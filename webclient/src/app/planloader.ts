@@ -16,14 +16,17 @@ export interface PlanRequest {
 }
 
 export interface LoadedPlan {
-  executor: Executor;
+  plan: FramePlan;
+  /** Null where the server draws. */
+  executor: Executor | null;
   request: PlanRequest;
   /** The latest scene that the plan covers; its live fields are drawn. */
   scene: Json;
 }
 
 export interface PlanLoaderEvents {
-  gpu(): Gpu;
+  /** Null where the server draws. */
+  gpu(): Gpu | null;
   camera(): CameraState;
   /** There is something new to draw; `newPlan`: not only live fields. */
   changed(newPlan: boolean): void;
@@ -45,7 +48,7 @@ export class PlanLoader {
   ) {}
 
   get plan(): FramePlan | null {
-    return this.loaded?.executor.plan ?? null;
+    return this.loaded?.plan ?? null;
   }
 
   /** Shows a scene: at once if the loaded plan covers it, else when a new plan is compiled. */
@@ -53,7 +56,7 @@ export class PlanLoader {
     if (this.requested && equal(this.requested.scene, request.scene) && equal(this.requested.quality, request.quality)) return;
     this.requested = request;
     const { loaded } = this;
-    if (loaded && equal(loaded.request.quality, request.quality) && planCovers(loaded.executor.plan, loaded.request.scene, request.scene)) {
+    if (loaded && equal(loaded.request.quality, request.quality) && planCovers(loaded.plan, loaded.request.scene, request.scene)) {
       this.cancel();
       loaded.scene = request.scene;
       this.events.changed(false);
@@ -71,7 +74,7 @@ export class PlanLoader {
   clear(): void {
     this.cancel();
     this.requested = null;
-    this.loaded?.executor.dispose();
+    this.loaded?.executor?.dispose();
     this.loaded = null;
   }
 
@@ -93,17 +96,17 @@ export class PlanLoader {
       const gpu = this.events.gpu();
       // Without its camera, so that the server's cache has one plan for every view of the scene.
       const plan = await this.api.plan(withValue(request.scene, CAMERA_POINTER, undefined), request.quality, abort.signal);
-      const executor = await Executor.load(gpu, plan, (texture) => this.api.texture(texture), this.events.camera(), true);
+      const executor = gpu && await Executor.load(gpu, plan, (texture) => this.api.texture(texture), this.events.camera(), true);
       if (outdated() || gpu !== this.events.gpu()) {
-        executor.dispose();
+        executor?.dispose();
         return;
       }
-      this.loaded?.executor.dispose();
-      this.loaded = { executor, request, scene: request.scene };
+      this.loaded?.executor?.dispose();
+      this.loaded = { plan, executor, request, scene: request.scene };
       this.abort = null;
       this.events.busy(false);
       this.events.changed(true);
-      await executor.complete;
+      await executor?.complete;
       if (this.plan === plan) this.events.complete();
     };
     run().catch((error: unknown) => {

@@ -5,11 +5,11 @@ import type { SurfaceContext } from "../surfaces/context";
 import type { Recipe } from "../take/recipe";
 import { download } from "../ui/dom";
 import type { Clock } from "./clock";
+import type { Display } from "./display";
 import type { PlanLoader } from "./planloader";
 import { parseQuality } from "./quality";
 import type { Store } from "./store";
 import { encode } from "./url";
-import type { Viewport } from "./viewport";
 
 /** Greatest side of a frame that the server draws, pixels. */
 const MAX_SIDE = 4096;
@@ -29,7 +29,7 @@ export class Sharing {
     private readonly store: Store,
     private readonly clock: Clock,
     private readonly controls: CameraControls,
-    private readonly viewport: Viewport,
+    private readonly display: Display,
     private readonly loaders: readonly [PlanLoader, PlanLoader],
     private readonly options: SharingOptions,
   ) {
@@ -49,7 +49,7 @@ export class Sharing {
   /** The current view in a size. */
   private view(width: number, height: number): Omit<Recipe, "recipe" | "seafoam"> {
     const { preset, scene, quality, split } = this.store.now;
-    const { renderer } = this.viewport.gpu.capabilities;
+    const renderer = this.display.viewport?.gpu.capabilities.renderer ?? "server";
     const { camera } = this.controls;
     const fit = (side: number) => Math.max(1, Math.min(MAX_SIDE, Math.round(side)));
     const [fittingWidth, fittingHeight] = [fit(width), fit(height)];
@@ -66,12 +66,14 @@ export class Sharing {
     };
   }
 
-  /** The canvas as PNG at full size, with its recipe. */
+  /** The picture as PNG at full size, with its recipe. */
   async png(): Promise<Blob> {
+    const { viewport } = this.display;
+    if (viewport === null) return this.serverFrame();
     const { time } = this.clock;
     const { camera } = this.controls;
-    const image = this.viewport.png({ time, camera, divider: this.store.now.split?.at ?? 1 });
-    const { width, height } = this.viewport.canvas;
+    const image = viewport.png({ time, camera, divider: this.store.now.split?.at ?? 1 });
+    const { width, height } = viewport.canvas;
     const view = { ...this.view(width, height), time, camera };
     const { recipeOf, withRecipe } = await import("../take/recipe");
     return withRecipe(await image, recipeOf(view));
@@ -79,7 +81,7 @@ export class Sharing {
 
   /** The view drawn by the server, at the window's size. */
   async serverFrame(): Promise<Blob> {
-    const { width, height } = this.viewport.canvas.getBoundingClientRect();
+    const { width, height } = this.display.canvas.getBoundingClientRect();
     const view = this.view(width, height);
     const [{ recipeOf }, { frameBody }] = await Promise.all([import("../take/recipe"), import("../take/snippets")]);
     return this.api.frame(frameBody(recipeOf(view)));
@@ -109,7 +111,7 @@ export class Sharing {
     const { recipeOf } = await import("../take/recipe");
     return {
       api: this.api,
-      viewport: this.viewport,
+      display: this.display,
       selection: () => this.store.now,
       plan: () => this.loaders[0].plan,
       executor: () => this.loaders[0].loaded?.executor ?? null,
@@ -117,7 +119,7 @@ export class Sharing {
       camera: () => this.controls.camera,
       playing: () => this.clock.playing,
       recipe: () => {
-        const { width, height } = this.viewport.canvas.getBoundingClientRect();
+        const { width, height } = this.display.canvas.getBoundingClientRect();
         return recipeOf(this.view(width, height));
       },
       png: () => this.png(),

@@ -33,8 +33,10 @@ export function selectionFromLink(preset: Preset, link: LinkState): Selection {
   return { preset, scene, quality: link.quality ?? DEFAULT_TIER, auto: link.quality === null, split: validSplit(scene, link.split) };
 }
 
+export type SelectionListener = (now: Selection, before: Selection, gesture?: string) => void;
+
 export class Store {
-  private readonly listeners = new Set<(now: Selection, before: Selection) => void>();
+  private readonly listeners = new Set<SelectionListener>();
 
   constructor(private selection: Selection) {}
 
@@ -42,13 +44,14 @@ export class Store {
     return this.selection;
   }
 
-  set(change: Partial<Selection>): void {
+  /** `gesture`: names the pointer gesture that makes the change; all its changes are one step of undo. */
+  set(change: Partial<Selection>, gesture?: string): void {
     const before = this.selection;
     this.selection = { ...before, ...change };
-    for (const listener of this.listeners) listener(this.selection, before);
+    for (const listener of this.listeners) listener(this.selection, before, gesture);
   }
 
-  onChange(listener: (now: Selection, before: Selection) => void): void {
+  onChange(listener: SelectionListener): void {
     this.listeners.add(listener);
   }
 }

@@ -1,14 +1,12 @@
 /** The canvas: owns the GPU, draws one picture or two side by side, and measures frame times. */
-import type { CameraState } from "../camera/state";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { GpuTimer, timerExtension } from "../gl/timer";
 import type { Frame, Rectangle } from "../plan/executor";
 import type { RenderLoad } from "./autoquality";
+import { type Display, type DisplayEvents, type FrameTiming, pixelRatio, type ViewState } from "./display";
 import type { PlanLoader } from "./planloader";
 import { CPU_BUDGET, DynamicResolution, type FrameBudget, gpuBudget } from "./resolution";
 
-/** Greatest pixels per CSS pixel: more cost time and are not visible. */
-const MAX_PIXEL_RATIO = 2;
 /** First scale on a CPU: a frame that takes seconds would lose the context. */
 const SOFTWARE_SCALE = 0.5;
 /** The display's interval until it is measured, ms, and the animation frames that one measurement takes. */
@@ -29,34 +27,6 @@ const MAX_SHARPENING_TIME = 3000;
 const SHARPENING_STEP = 2;
 const SHARPENING_DELAY = 500;
 
-export interface ViewState {
-  time: number;
-  camera: CameraState;
-  /** Where the right picture begins, as a share of the width; 1 if there is only one. */
-  divider: number;
-}
-
-export interface FrameTiming {
-  /** ms; null until measured. */
-  frame: number | null;
-  /** Whether GPU timer queries measured it. */
-  measuredByGpu: boolean;
-  fps: number;
-  width: number;
-  height: number;
-  scale: number;
-  /** Frames since the page opened. */
-  frames: number;
-}
-
-export interface ViewportEvents {
-  contextLost(): void;
-  contextRestored(): void;
-  failed(error: unknown): void;
-  /** The GPU has finished a frame. */
-  frameDone(): void;
-}
-
 interface PendingFrame {
   /** Fence before the frame's first command: time until it signals belongs to other work. */
   before: WebGLSync | null;
@@ -67,7 +37,8 @@ interface PendingFrame {
   sharpening: boolean;
 }
 
-export class Viewport {
+export class Viewport implements Display {
+  readonly viewport = this;
   readonly gl: WebGL2RenderingContext;
   gpu: Gpu;
   /** Whether the canvas is out of date. */
@@ -99,7 +70,7 @@ export class Viewport {
     readonly canvas: HTMLCanvasElement,
     private readonly loaders: readonly [PlanLoader, PlanLoader],
     private readonly hidden: ReadonlySet<string>,
-    private readonly events: ViewportEvents,
+    private readonly events: DisplayEvents,
   ) {
     this.gl = openContext(canvas);
     this.gpu = openGpu(this.gl, hidden);
@@ -119,12 +90,15 @@ export class Viewport {
     new ResizeObserver(() => (this.dirty = true)).observe(canvas);
   }
 
+  get blank(): boolean {
+    return this.loaders[0].loaded === null;
+  }
+
   /** Whether the canvas is up to date at its final scale and the GPU is idle. */
   get atRest(): boolean {
     return !this.dirty && this.pending.length === 0 && !this.unmeasured && this.sharperScale() === null;
   }
 
-  /** The scale set by the user; null: dynamic. */
   get fixed(): number | null {
     return this.fixedScale;
   }
@@ -135,7 +109,6 @@ export class Viewport {
     this.resetMeasurement();
   }
 
-  /** Called on every animation frame; draws if something changed. `moving`: more frames will follow. */
   tick(now: number, view: ViewState, moving: boolean): void {
     if (this.gl.isContextLost()) return;
     this.measureDisplay(now);
@@ -215,7 +188,7 @@ export class Viewport {
     const now = performance.now();
     while (this.recent[0] !== undefined && now - this.recent[0] > 1000) this.recent.shift();
     const { canvas: { width, height }, scale, frames, frameTime: frame } = this;
-    return { frame, measuredByGpu: this.timer !== null, fps: this.recent.length, width, height, scale, frames };
+    return { frame, clock: this.timer === null ? "fence" : "gpu", fps: this.recent.length, width, height, scale, frames };
   }
 
   /** The load in motion; null until it is measured, and while the scale is fixed. */
@@ -228,11 +201,10 @@ export class Viewport {
       scale: this.resolution.scale,
       renderTime: this.frameTime,
       overhead: this.gpu.capabilities.software ? this.resolution.overhead : 0,
-      megapixels: 1e-6 * clientWidth * clientHeight * this.pixelRatio ** 2,
+      megapixels: 1e-6 * clientWidth * clientHeight * pixelRatio() ** 2,
     };
   }
 
-  /** Starts measuring again, as for a new plan. `expectedScale`: the scale to begin with. */
   resetMeasurement(expectedScale: number | null = null): void {
     const samples = Math.max(...this.loaders.map((loader) => loader.plan?.samples ?? 1));
     this.resolution.reset(expectedScale ?? (this.gpu.capabilities.software ? SOFTWARE_SCALE / Math.sqrt(samples) : 1));
@@ -248,7 +220,7 @@ export class Viewport {
     const frame: Frame = { time, camera, width, height, screen: null, scissor: null, scene: null };
     try {
       if (right.loaded === null) {
-        left.loaded?.executor.draw({ ...frame, scene: left.loaded.scene });
+        left.loaded?.executor?.draw({ ...frame, scene: left.loaded.scene });
         return;
       }
       const x = Math.round(width * divider);
@@ -257,7 +229,7 @@ export class Viewport {
         [right, { x, y: 0, width: width - x, height }],
       ];
       for (const [{ loaded }, scissor] of parts) {
-        if (loaded && scissor.width > 0) loaded.executor.draw({ ...frame, scissor, scene: loaded.scene });
+        if (loaded && scissor.width > 0) loaded.executor?.draw({ ...frame, scissor, scene: loaded.scene });
       }
     } catch (error) {
       this.loaders.forEach((loader) => loader.clear());
@@ -277,16 +249,12 @@ export class Viewport {
     return finished.milliseconds * (next / this.scale) ** 2 > MAX_SHARPENING_TIME ? null : next;
   }
 
-  private get pixelRatio(): number {
-    return Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
-  }
-
   private get budget(): FrameBudget {
     return this.gpu.capabilities.software ? CPU_BUDGET : gpuBudget(this.displayInterval);
   }
 
   private resizeCanvas(scale: number): void {
-    const ratio = this.pixelRatio * scale;
+    const ratio = pixelRatio() * scale;
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     // Setting a canvas's size clears it, even to the same size.

@@ -31,10 +31,10 @@ export class SceneEdits {
     private readonly events: SceneEditsEvents,
   ) {
     this.selection = signal(store.now);
-    store.onChange((now, before) => {
+    store.onChange((now, before, gesture) => {
       if (now.scene === before.scene && now.preset === before.preset) return;
       if (now.preset.name !== before.preset.name) this.history.clear();
-      else if (!this.restoring) this.history.record(before.scene, now.scene, performance.now());
+      else if (!this.restoring) this.history.record(before.scene, now.scene, performance.now(), gesture);
       this.selection.value = now;
     });
     document.addEventListener("keydown", this.keyDown);

@@ -1,5 +1,5 @@
 /** Undo and redo of the scene's edits. */
-import { diff, type JsonObject } from "../scene/json";
+import { diff, equal, type JsonObject } from "../scene/json";
 
 /** Edits of one field that follow each other faster than this are one step, ms: a slider's drag. */
 const JOINED = 800;
@@ -8,7 +8,7 @@ const LIMIT = 200;
 export class EditHistory {
   private past: JsonObject[] = [];
   private future: JsonObject[] = [];
-  private last = { fields: "", at: -Infinity };
+  private last = { step: "", at: -Infinity };
 
   get canUndo(): boolean {
     return this.past.length > 0;
@@ -18,20 +18,30 @@ export class EditHistory {
     return this.future.length > 0;
   }
 
-  /** Notes an edit; `now`: ms. */
-  record(before: JsonObject, after: JsonObject, now: number): void {
+  /**
+   * Notes an edit; `now`: ms. `gesture`: the pointer gesture that made it. A gesture is one step, however long it takes;
+   * without one, edits are joined by field and time.
+   */
+  record(before: JsonObject, after: JsonObject, now: number, gesture?: string): void {
     const fields = diff(before, after).map(([pointer]) => pointer).join(" ");
     if (fields === "") return;
-    if (fields !== this.last.fields || now - this.last.at > JOINED) this.past = [...this.past, before].slice(-LIMIT);
+    const step = gesture ?? fields;
+    const joined = step === this.last.step && (gesture !== undefined || now - this.last.at <= JOINED);
+    if (!joined) this.past = [...this.past, before].slice(-LIMIT);
     this.future = [];
-    this.last = { fields, at: now };
+    this.last = { step, at: now };
+    if (joined && equal(this.past.at(-1), after)) {
+      // The gesture was taken back: there is nothing to undo.
+      this.past.pop();
+      this.endStep();
+    }
   }
 
   /** The scene before the last edit of `current`, or null. */
   undo(current: JsonObject): JsonObject | null {
     const scene = this.past.pop() ?? null;
     if (scene) this.future.push(current);
-    this.last.at = -Infinity;
+    this.endStep();
     return scene;
   }
 
@@ -39,13 +49,17 @@ export class EditHistory {
   redo(current: JsonObject): JsonObject | null {
     const scene = this.future.pop() ?? null;
     if (scene) this.past.push(current);
-    this.last.at = -Infinity;
+    this.endStep();
     return scene;
   }
 
   clear(): void {
     this.past = [];
     this.future = [];
-    this.last.at = -Infinity;
+    this.endStep();
+  }
+
+  private endStep(): void {
+    this.last = { step: "", at: -Infinity };
   }
 }

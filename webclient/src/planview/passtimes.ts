@@ -20,7 +20,8 @@ export interface TimedView {
 }
 
 /** Why there are no times; null if there can be. */
-export function reasonForNoTimes(gpu: Gpu): string | null {
+export function reasonForNoTimes(gpu: Gpu | null): string | null {
+  if (gpu === null) return "Not measured: the server draws the frames.";
   if (gpu.capabilities.software) return `Not measured: ${gpu.capabilities.renderer} draws on the CPU, where timer queries are wrong.`;
   if (timerExtension(gpu.gl, gpu.capabilities)) return null;
   return "Not measured: this browser gives no access to GPU timers (EXT_disjoint_timer_query_webgl2).";

@@ -9,7 +9,8 @@ export type Stage = "vertex" | "fragment";
 export interface SourceProps {
   plan: FramePlan;
   executor: Executor | null;
-  gl: WebGL2RenderingContext;
+  /** Null where the server draws. */
+  gl: WebGL2RenderingContext | null;
   program: string;
   stage: Stage;
   choose: (program: string, stage: Stage) => void;
@@ -18,7 +19,7 @@ export interface SourceProps {
 /** The driver's text, or the plan's where the program is not compiled. */
 function sourceOf({ executor, gl, program, stage }: SourceProps, shader: Shader): { text: string; compiled: boolean } {
   const held = executor?.programs.get(program);
-  const text = held ? gl.getShaderSource(held[stage]) : null;
+  const text = held && gl ? gl.getShaderSource(held[stage]) : null;
   return text === null ? { text: shader.text, compiled: false } : { text, compiled: true };
 }
 

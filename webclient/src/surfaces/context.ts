@@ -1,7 +1,7 @@
 /** What a surface knows of the page and can do to it. */
 import type { Api } from "../api";
+import type { Display } from "../app/display";
 import type { Selection } from "../app/store";
-import type { Viewport } from "../app/viewport";
 import type { CameraState } from "../camera/state";
 import type { FramePlan } from "../generated/api";
 import type { Executor } from "../plan/executor";
@@ -9,18 +9,18 @@ import type { Recipe } from "../take/recipe";
 
 export interface SurfaceContext {
   api: Api;
-  viewport: Viewport;
+  display: Display;
   selection: () => Selection;
   /** Plan of the picture, or of its left part; null until loaded. */
   plan: () => FramePlan | null;
-  /** What draws the plan; null until loaded. */
+  /** What draws the plan; null until loaded, and where the server draws. */
   executor: () => Executor | null;
   time: () => number;
   camera: () => CameraState;
   playing: () => boolean;
   /** The current view, at the size of the canvas. */
   recipe: () => Recipe;
-  /** The canvas as PNG, with its recipe. */
+  /** The picture as PNG, with its recipe. */
   png: () => Promise<Blob>;
   /** Saves a file under the name of the preset and the time. */
   save: (blob: Promise<Blob>, suffix: string) => Promise<void>;

@@ -17,6 +17,12 @@ const FINGER_DELAY = 90;
 const FINGER_SLOP = 6;
 const EFFECT = "touch";
 
+/** A touch and the gesture that made it. */
+interface MadeTouch {
+  touch: Touch;
+  gesture: number;
+}
+
 export interface TouchEvents {
   /** The plan that is drawn; null before the first. */
   plan(): FramePlan | null;
@@ -31,8 +37,10 @@ export class TouchTool implements Stroke {
   private last: Touch | null = null;
   /** Where a finger has come down, until it is known to be alone. */
   private pending: { point: StrokePoint; timer: number } | null = null;
-  /** Touches that a plan is being made for: the first is in the scene, the rest wait here. */
-  private waiting: Touch[] | null = null;
+  /** Touches that a plan is being made for; only the first is in the scene already. */
+  private waiting: MadeTouch[] | null = null;
+  /** Number of the current gesture, a tap or a drag: one step of undo. */
+  private gesture = 0;
 
   constructor(
     private readonly canvas: HTMLElement,
@@ -66,6 +74,7 @@ export class TouchTool implements Stroke {
   start(point: StrokePoint): boolean {
     this.end();
     if (this.events.plan() === null || this.pick(point) === null) return false;
+    this.gesture += 1;
     if (point.pointerType !== "touch") this.touch(point);
     else this.pending = { point, timer: window.setTimeout(() => this.confirm(), FINGER_DELAY) };
     return true;
@@ -100,29 +109,33 @@ export class TouchTool implements Stroke {
     if (waiting === null || plan === null) return;
     const touches = touchesOf(this.store.now.scene);
     const first = touches.at(-1);
-    // Another preset was chosen meanwhile.
-    if (!first) this.waiting = null;
+    // The first was undone, or another preset was chosen meanwhile.
+    if (!first || waiting[0] === undefined) this.waiting = null;
     else if (plan.live.includes(TOUCHES_POINTER)) {
       this.waiting = null;
       // The rings begin when they can be seen, as far apart in time as they were touched.
-      const batch = [first, ...waiting];
-      const late = this.clock.playing ? Math.max(0, this.now() - Math.max(...batch.map(({ time }) => time))) : 0;
-      const timed = batch.map((touch) => ({ ...touch, time: Number((touch.time + late).toFixed(2)) }));
-      this.write(appended(touches.slice(0, -1), timed));
-    } else this.refuse(plan);
+      const batch = [{ ...waiting[0], touch: first }, ...waiting.slice(1)];
+      const late = this.clock.playing ? Math.max(0, this.now() - Math.max(...batch.map(({ touch }) => touch.time))) : 0;
+      let list = touches.slice(0, -1);
+      for (const { touch, gesture } of batch) {
+        list = appended(list, [{ ...touch, time: Number((touch.time + late).toFixed(2)) }]);
+        this.write(list, gesture);
+      }
+    } else this.refuse(plan, waiting[0].gesture);
   }
 
   /** A plan that leaves the touches out says why. */
-  private refuse(plan: FramePlan): void {
+  private refuse(plan: FramePlan, gesture: number): void {
     const skipped = plan.skipped.find(({ name }) => name === EFFECT);
     if (!skipped) return;
     this.waiting = null;
-    this.write([]);
+    this.write([], gesture);
     this.events.refused(skipped.why);
   }
 
   private touchCentre(): void {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    this.gesture += 1;
     if (this.events.plan() !== null) this.touch({ clientX: left + width / 2, clientY: top + height / 2, pointerType: "keyboard" });
     this.last = null;
   }
@@ -143,19 +156,20 @@ export class TouchTool implements Stroke {
   }
 
   private add(touches: readonly Touch[]): void {
+    const made = touches.map((touch) => ({ touch, gesture: this.gesture }));
     if (this.waiting !== null && this.events.busy()) {
-      this.waiting = appended(this.waiting, touches);
+      this.waiting.push(...made);
       return;
     }
     // The first touch of a preset asks for a plan with room for touches; more would each ask for it anew.
     const room = this.events.plan()?.live.includes(TOUCHES_POINTER) === true;
-    if (!room) this.waiting = touches.slice(1);
-    this.write(appended(touchesOf(this.store.now.scene), room ? touches : touches.slice(0, 1)));
+    if (!room) this.waiting = made;
+    this.write(appended(touchesOf(this.store.now.scene), room ? touches : touches.slice(0, 1)), this.gesture);
   }
 
-  private write(touches: readonly Touch[]): void {
+  private write(touches: readonly Touch[], gesture: number): void {
     const scene = withValue(this.store.now.scene, TOUCHES_POINTER, toJson(touches));
-    if (isObject(scene)) this.store.set({ scene });
+    if (isObject(scene)) this.store.set({ scene }, `touch ${gesture}`);
   }
 
   private now(): number {

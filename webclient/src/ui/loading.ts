@@ -10,16 +10,15 @@ export class LoadingScreen {
     this.container.classList.add("done");
   }
 
-  /** `button`: label of the button that reloads the page; null for none. */
-  fail(title: string, message: string, button: string | null): void {
+  /** Offers to load the page again; `link`: another way out. */
+  fail(title: string, message: string, link: { text: string; href: string } | null = null): void {
     this.container.classList.remove("done");
     this.container.classList.add("failed");
     const box = element("div", { class: "failure" }, element("h2", {}, title), element("p", {}, message));
-    if (button !== null) {
-      const reload = element("button", { class: "primary", type: "button" }, button);
-      reload.addEventListener("click", () => location.reload());
-      box.append(reload);
-    }
+    const reload = element("button", { class: "primary", type: "button" }, "Reload page");
+    reload.addEventListener("click", () => location.reload());
+    box.append(reload);
+    if (link) box.append(element("p", {}, element("a", { href: link.href }, link.text)));
     this.container.replaceChildren(box);
   }
 }

@@ -28,7 +28,8 @@ export function drawRaps(plot: Plot, curves: readonly RapsCurve[]): void {
   plot.text("power by cycles per texel", left + 6, top + 14);
   curves.forEach(({ title, color, spectrum }, index) => {
     drawCurve(plot, color, smoothed(spectrum), x, y);
-    plot.text(title, right - 6, top + 14 + 16 * index, color, "right");
+    // Below the name of the axes, which narrow plots have no room beside.
+    plot.text(title, right - 6, top + 30 + 16 * index, color, "right");
   });
 }
 

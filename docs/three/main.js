@@ -1,0 +1,22 @@
+/** The preset that the address names (#default), in motion. */
+import * as THREE from "three";
+import { Water } from "./water.js";
+
+/** A running Seafoam server behind the same origin. */
+const SERVER = new URL("/", location.href);
+const preset = location.hash.slice(1) || "default";
+
+async function get(path) {
+  const response = await fetch(new URL(path, SERVER));
+  if (!response.ok) throw new Error(`${path}: ${response.status}`);
+  return response.json();
+}
+
+const renderer = new THREE.WebGLRenderer({ antialias: false, depth: false });
+renderer.setSize(innerWidth, innerHeight);
+document.body.append(renderer.domElement);
+const [plan, { scene, time }] = await Promise.all([get(`api/plans/${preset}`), get(`api/presets/${preset}`)]);
+const water = await Water.load(renderer, plan, SERVER);
+addEventListener("resize", () => renderer.setSize(innerWidth, innerHeight));
+const start = performance.now();
+renderer.setAnimationLoop((now) => water.draw({ time: time + (now - start) / 1000, camera: scene.camera }));

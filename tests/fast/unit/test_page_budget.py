@@ -1,0 +1,38 @@
+"""What a visitor of the page must load before the first picture, and what the page's styles amount to."""
+
+import re
+from pathlib import Path
+
+WEB = Path(__file__).parents[3] / "webclient"
+DIST = WEB / "dist"
+SCRIPT = 90_000
+"""Most bytes of script for stage and settings, Brotli."""
+
+
+def weight(name: str) -> int:
+    compressed = DIST / f"{name}.br"
+    return (compressed if compressed.exists() else DIST / name).stat().st_size
+
+
+def stage() -> set[str]:
+    """Scripts that the page loads at once: its entry and all that this imports."""
+    html = (DIST / "index.html").read_text(encoding="utf-8")
+    return set(re.findall(r'(?:src|href)="\./([^"]+\.js)"', html))
+
+
+def named(prefix: str) -> set[str]:
+    return {f"assets/{file.name}" for file in (DIST / "assets").glob(f"{prefix}-*.js")}
+
+
+def test_stage_and_settings_are_light() -> None:
+    pane = named("pane")
+    assert len(pane) == 1
+    assert not pane & stage(), "the settings' pane is loaded when they are opened"
+    assert sum(map(weight, stage() | pane)) <= SCRIPT
+
+
+def test_surfaces_and_laboratories_are_loaded_when_opened() -> None:
+    later = {"panel": "accuracy", "surface": "plan and take home", "linechart": "charts", "serverview": "server frames"}
+    for prefix, what in later.items():
+        assert named(prefix), f"no file of {what}: the names have changed"
+        assert not named(prefix) & stage(), f"{what} would be loaded with the page"
