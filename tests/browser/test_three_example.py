@@ -61,7 +61,7 @@ def test_three_draws_the_servers_frame(llvmpipe: Lane, server: str, preset: str)
             " return { png, same, count: held.length }; }",
             [preset, TIME, WIDTH, HEIGHT],
         )
-        query = f"quality=draft&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
+        query = f"quality=draft&dither=false&time={TIME:g}&width={WIDTH}&height={HEIGHT}"
         reply = page.request.get(f"{server}/api/frames/{preset}.png?{query}")
         assert drawn["count"] >= 6
         assert drawn["same"], "three.js holds other GLSL than the plan's"

@@ -62,6 +62,10 @@ class WebSocket:
         masked = int.from_bytes(data) ^ int.from_bytes(mask)
         self.socket.sendall(head + key + masked.to_bytes(size))
 
+    def close(self) -> None:
+        self.stream.close()
+        self.socket.close()
+
     def receive(self) -> str:
         message = b""
         while True:
@@ -156,6 +160,7 @@ class Firefox:
         self.call("input.performActions", context=self.tab, actions=[source])
 
     def close(self) -> None:
+        self.connection.close()
         self.process.terminate()
         self.process.wait(timeout=30)
         shutil.rmtree(self.profile, ignore_errors=True)

@@ -36,6 +36,8 @@ export interface FrameRequest {
   height: number;
   /** Preset that the scene began from. */
   preset: string | null;
+  /** Dithers 8 bits from 16; the server's default. The page's own pictures are rounded. */
+  dither?: boolean;
 }
 
 /** An option of a list. */

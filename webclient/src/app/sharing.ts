@@ -84,7 +84,8 @@ export class Sharing {
     const { width, height } = this.display.canvas.getBoundingClientRect();
     const view = this.view(width, height);
     const [{ recipeOf }, { frameBody }] = await Promise.all([import("../take/recipe"), import("../take/snippets")]);
-    return this.api.frame(frameBody(recipeOf(view)));
+    // Rounded as the page rounds: the two pictures can be compared.
+    return this.api.frame({ ...frameBody(recipeOf(view)), dither: false });
   }
 
   async save(image: Promise<Blob>, suffix: string): Promise<void> {
