@@ -10,6 +10,7 @@ import io
 import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -384,16 +385,12 @@ def main() -> None:
         for lasting in (False, True):
             print("LASTING_CLAMPED" if lasting else "CLAMPED", derive(lasting))
     elif chosen.photographs or chosen.patches:
-        executor = Executor()
-        try:
-            with Progress(console=Console(stderr=True)) as progress:
-                if chosen.photographs:
-                    write_photographs({wind: photographed(executor, wind, progress) for wind in PHOTOGRAPHED})
-                else:
-                    looks = {"last 3 s, lying still": False, "preset's own look": True}
-                    write_patches({name: outlined(executor, progress, own=own) for name, own in looks.items()})
-        finally:
-            executor.close()
+        with closing(Executor()) as executor, Progress(console=Console(stderr=True)) as progress:
+            if chosen.photographs:
+                write_photographs({wind: photographed(executor, wind, progress) for wind in PHOTOGRAPHED})
+            else:
+                looks = {"last 3 s, lying still": False, "preset's own look": True}
+                write_patches({name: outlined(executor, progress, own=own) for name, own in looks.items()})
     else:
         write(measured(SHOWN), measured(SHOWN, lasting=True), measured(SHOWN, "gerstner"))
 
