@@ -16,8 +16,8 @@ SMALL = {"width": 24, "height": 16}
 
 @contextmanager
 def serving(renderer=FakeRenderer, **settings) -> Iterator[TestClient]:
-    """A running app, ready or found unable."""
-    app = create_app(Settings(**{"workers": 1, **settings}), renderer=renderer)
+    """A running app, ready or found unable. Workers start slowly beside other tests, so the deadline is long."""
+    app = create_app(Settings(**{"workers": 1, "deadline": 60.0, **settings}), renderer=renderer)
     with TestClient(app, raise_server_exceptions=False) as client:
         yield client
 
