@@ -4,6 +4,7 @@ A march that steps by these bounds passes no crest (docs/formulae.md, section 3)
 """
 
 import hashlib
+from functools import cache
 
 import numpy as np
 import pytest
@@ -126,6 +127,7 @@ def instead(plan: FramePlan, main: str) -> FramePlan:
     )
 
 
+@cache
 def scenes() -> dict[str, Scene]:
     """Every preset whose surface is not level, boats of other speeds than theirs, and stones."""
     found = {name: load_preset(name).scene for name in preset_names()}
