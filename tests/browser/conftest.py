@@ -1,5 +1,6 @@
 """A served page in a real Chromium, on two renderers: the server's own llvmpipe, and SwiftShader."""
 
+import os
 import socket
 import subprocess
 import sys
@@ -22,7 +23,9 @@ def server() -> Iterator[str]:
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
-    process = subprocess.Popen([Path(sys.executable).with_name("seafoam"), "serve", "--port", str(port)])
+    # Frames wait for other tests' frames and programs here.
+    command = [Path(sys.executable).with_name("seafoam"), "serve", "--port", str(port)]
+    process = subprocess.Popen(command, env={**os.environ, "SEAFOAM_DEADLINE": "60"})
     address = f"http://127.0.0.1:{port}"
     try:
         for _ in range(300):

@@ -79,7 +79,7 @@ def test_says_so_while_the_server_is_away(llvmpipe: Lane, server: str) -> None:
         said = failure_text(made.page)
         assert "Server not reachable" in said
         # The browser notes each request that failed; the page itself has nothing to complain of.
-        assert all("ERR_CONNECTION_REFUSED" in complaint for complaint in made.complaints)
+        assert [one for one in made.complaints if "ERR_CONNECTION_REFUSED" not in one] == []
         made.page.unroute("**/api/**")
         made.page.get_by_role("button", name="Reload page").click()
         made.settle()

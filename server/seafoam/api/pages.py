@@ -64,6 +64,8 @@ class WebClient(StaticFiles):
         """
         if path in PAGES and not (self.folder / PAGES[path]).is_file():
             return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
+        # Browsers ask for it beside answers that are no page.
+        path = "icon.svg" if path == "favicon.ico" else path
         packed = f"{path}.br"
         taken = Headers(scope=scope).get("accept-encoding", "").split(",")
         if "br" in (each.strip() for each in taken) and (self.folder / packed).is_file():

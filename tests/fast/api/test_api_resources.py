@@ -156,6 +156,12 @@ def test_what_needs_a_package_that_is_not_installed_says_so(client, monkeypatch)
         assert response.json()["remedy"] == "pip install 'seafoam[reports]'"
 
 
+def test_a_browser_finds_the_icon_beside_answers_that_are_no_page(client):
+    icon = client.get("/favicon.ico")
+    assert (icon.status_code, icon.headers["Content-Type"]) == (200, "image/svg+xml")
+    assert icon.content == client.get("/icon.svg").content
+
+
 def test_the_page_is_revalidated_and_its_hashed_files_are_kept(serve, tmp_path, monkeypatch):
     monkeypatch.setattr("seafoam.api.pages.data_dir", lambda kind: tmp_path / kind)
     with serve() as client:
