@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { describe, expect, test } from "vitest";
 import { decode, encode } from "../src/app/url";
 import { crc32, linkOf, readRecipe, type Recipe, RecipeError, recipeOf, withRecipe } from "../src/take/recipe";
-import { curl, frameBody, javascript, python, requestOf } from "../src/take/snippets";
+import { curl, exactFrame, javascript, python, requestOf } from "../src/take/snippets";
 
 const SCENE = { waves: [{ model: "parametric", steepness: 0.1 + 0.2 }], foam: { mask: "vac-6" }, camera: { position: [0, 6, 0], yaw: 0, pitch: -0.15, roll: 0, fov: 0.8727 } };
 const CAMERA = { position: [1.5, 2.25, -1e6], yaw: 0.1, pitch: -0.3, roll: 0, fov: 0.9 } as const;
@@ -88,14 +88,14 @@ describe("requests of a frame", () => {
     const { url, body } = requestOf({ ...RECIPE, scene: SCENE }, { name: "default", scene: SCENE }, server);
     expect(body).toBeNull();
     const query = new URL(url).searchParams;
-    expect([query.get("time"), query.get("quality"), query.get("z")]).toEqual(["4.1234567890123", "high", "-1000000"]);
+    expect(["time", "quality", "z", "dither"].map((name) => query.get(name))).toEqual(["4.1234567890123", "high", "-1000000", "false"]);
   });
 
   test("a changed scene, and settings of a quality, by a body", () => {
     for (const recipe of [RECIPE, { ...RECIPE, scene: SCENE, quality: { samples: 4 } }]) {
       const { url, body } = requestOf(recipe, { name: "default", scene: SCENE }, server);
       expect(url).toBe(`${server}api/frames`);
-      expect(JSON.parse(body ?? "")).toEqual(frameBody(recipe));
+      expect(JSON.parse(body ?? "")).toEqual(exactFrame(recipe));
     }
   });
 

@@ -83,9 +83,8 @@ export class Sharing {
   async serverFrame(): Promise<Blob> {
     const { width, height } = this.display.canvas.getBoundingClientRect();
     const view = this.view(width, height);
-    const [{ recipeOf }, { frameBody }] = await Promise.all([import("../take/recipe"), import("../take/snippets")]);
-    // Rounded as the page rounds: the two pictures can be compared.
-    return this.api.frame({ ...frameBody(recipeOf(view)), dither: false });
+    const [{ recipeOf }, { exactFrame }] = await Promise.all([import("../take/recipe"), import("../take/snippets")]);
+    return this.api.frame(exactFrame(recipeOf(view)));
   }
 
   async save(image: Promise<Blob>, suffix: string): Promise<void> {

@@ -17,17 +17,22 @@ export function requestOf(recipe: Recipe, preset: { name: string; scene: Json } 
   if (preset !== null && typeof quality === "string" && !diff(preset.scene, scene).some(isOwn)) {
     const { position: [x, y, z], yaw, pitch, roll, fov } = camera;
     url.pathname += `/${preset.name}.png`;
-    const query = { quality, time, width, height, x, y, z, yaw, pitch, roll, fov };
+    const query = { quality, time, width, height, x, y, z, yaw, pitch, roll, fov, dither: false };
     for (const [name, value] of Object.entries(query)) url.searchParams.set(name, String(value));
     return { url: url.href, body: null };
   }
-  return { url: url.href, body: JSON.stringify(frameBody(recipe)) };
+  return { url: url.href, body: JSON.stringify(exactFrame(recipe)) };
 }
 
 /** Members of a recipe that the server takes. */
 export function frameBody({ scene, quality, camera, time, width, height, preset }: Recipe) {
   const { position, yaw, pitch, roll, fov } = camera;
   return { preset, scene, quality, camera: { position: [...position], yaw, pitch, roll, fov }, time, width, height };
+}
+
+/** The request of a recipe's frame, rounded as the page rounds: the two pictures can be compared. */
+export function exactFrame(recipe: Recipe) {
+  return { ...frameBody(recipe), dither: false };
 }
 
 const quoted = (text: string) => `'${text.replaceAll("'", "'\\''")}'`;

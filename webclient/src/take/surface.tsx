@@ -5,7 +5,7 @@ import { useEffect } from "preact/hooks";
 import type { SurfaceContext } from "../surfaces/context";
 import { CodeBlock, Head, TaskButton } from "../surfaces/parts";
 import { download } from "../ui/dom";
-import { curl, frameBody, javascript, python, requestOf } from "./snippets";
+import { curl, exactFrame, frameBody, javascript, python, requestOf } from "./snippets";
 
 const LANGUAGES = { curl, Python: python, JavaScript: javascript };
 type Language = keyof typeof LANGUAGES;
@@ -43,7 +43,7 @@ function Frame({ context }: { context: SurfaceContext }) {
 
 function Pictures({ context }: { context: SurfaceContext }) {
   const { failed } = context;
-  const server = () => context.api.frame(frameBody(context.recipe()));
+  const server = () => context.api.frame(exactFrame(context.recipe()));
   const picked = (input: HTMLInputElement) => {
     const [file] = input.files ?? [];
     if (file) context.restore(file).catch(failed);
