@@ -1,8 +1,8 @@
 """Fixtures that every level shares."""
 
-import gc
 import json
 import os
+import sys
 from collections.abc import Iterator
 from functools import _lru_cache_wrapper, cache
 from pathlib import Path
@@ -61,9 +61,13 @@ least = 0
 
 def _forget_results() -> None:
     """Empty the package's caches of functions: plans hold their shaders' texts, textures and truth their arrays."""
-    for found in gc.get_objects():
-        if isinstance(found, _lru_cache_wrapper) and found.__module__.startswith("seafoam."):
-            found.cache_clear()
+    # Not from gc.get_objects(): it holds what other threads are still building, and their tuples cannot grow then.
+    for name, module in list(sys.modules.items()):
+        if name.partition(".")[0] == "seafoam":
+            for owner in (module, *(found for found in vars(module).values() if isinstance(found, type))):
+                for found in list(vars(owner).values()):
+                    if isinstance(found, _lru_cache_wrapper):
+                        found.cache_clear()
 
 
 @pytest.fixture(autouse=True)
