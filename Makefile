@@ -1,5 +1,6 @@
 # make demo: everything it takes, then the page.   make test: everything it takes, then every test.
 # make quick: what to run while working, minutes on two cores.   With CI=1 nothing is left out for having passed before.
+# make sweep: the rest of the large tables of like cases, of which make test runs an even share; before a release.
 SHELL := /bin/bash
 PYTHON ?= python3
 VENV := .venv
@@ -22,10 +23,13 @@ PLANS := tests/fast/unit
 SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/test_api_accuracy.py api/test_api_sequences.py \
 	sequences/test_fleet.py)
 
+# What of the large tables of like cases to run: tests/support/sweep.py.
+SHARE := not sweep
+
 # Two groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of both.
 test-live test-rest quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
 
-.PHONY: demo test quick quick-plans quick-rest lint test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
+.PHONY: demo test quick quick-plans quick-rest lint sweep test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
@@ -37,10 +41,10 @@ quick: setup-test
 	@$(MAKE) --no-print-directory -j2 quick-plans quick-rest
 
 quick-plans:
-	$(BIN)/pytest -q -p no:cacheprovider $(PLANS)
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(PLANS)
 
 quick-rest: $(WEB)/node_modules/.checked
-	$(BIN)/pytest -q -p no:cacheprovider tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW))
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" tests/fast tests/gpu/smoke $(addprefix --ignore=,$(PLANS) $(SLOW))
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -92,10 +96,13 @@ test-python: setup-test
 	@$(MAKE) --no-print-directory -j2 test-live test-rest
 
 test-live:
-	$(BIN)/pytest -q -p no:cacheprovider $(LIVE) tests/browser
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(LIVE) tests/browser
 
 test-rest:
-	$(BIN)/pytest -q -p no:cacheprovider $(REST)
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(REST)
+
+sweep: setup-test
+	@$(MAKE) --no-print-directory -j2 SHARE=sweep test-live test-rest
 
 bench: setup-test
 	$(BIN)/python -m bench

@@ -20,6 +20,7 @@ from support.browsers import Lane, opened
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
+from support.sweep import rested
 
 SIZE = (48, 27)
 CASES = [pytest.param(case, id=f"{effect.name}: {case.name}") for effect in EFFECTS for case in effect.cases.hard]
@@ -86,7 +87,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", rested(CASES, 3))
 def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCase) -> None:
     foam = case.scene.foam
     allowed = SOFT if foam is None or foam.look in ("filtered", "textured") else HARD

@@ -19,6 +19,7 @@ from support.browsers import Lane, opened
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import REPORT
+from support.sweep import crossed
 
 TIMES = (0.0, 2.7, 1e9)
 SIZE = (320, 180)
@@ -69,8 +70,7 @@ def assert_sound(pixels: NDArray[np.uint8], answer: dict[str, Any]) -> None:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize("time", TIMES)
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES)))
 def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(page, preset, time)
     assert_sound(pixels, answer)
@@ -151,8 +151,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize("time", ELSEWHERE)
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, 2 * len(ELSEWHERE)))
 def test_close_on_another_renderer(other: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(other, preset, time, size=SMALLER)
     assert_sound(pixels, answer)

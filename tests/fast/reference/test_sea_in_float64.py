@@ -19,6 +19,7 @@ from seafoam.scene.waves import Sea
 from seafoam.textures import SeaSpectrum, texture
 from support.report import Report
 from support.seas import SEAS
+from support.sweep import spread
 
 POINTS = 10_000
 
@@ -160,7 +161,7 @@ def test_whitecaps_cover_what_the_wind_raises(
     assert abs(np.mean(found) / wanted - 1.0) <= 0.2
 
 
-@pytest.mark.parametrize("wind", [7.5, 12.5, 20.0])
+@pytest.mark.parametrize("wind", spread([7.5, 12.5, 20.0], 3))
 def test_whitecaps_that_last_cover_as_much(report: Report, wind: float) -> None:
     """Foam of larger waves that stays for 11 s is shared out anew: still within 20 % of the law."""
     foam = WhitecapSaturation(lasting=True, decay=3.7)

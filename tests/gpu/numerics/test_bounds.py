@@ -22,6 +22,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
 from support.pictures import draw
 from support.report import Report
+from support.sweep import crossed
 
 SIDE = 192
 QUALITIES = {"standard": TIERS["standard"], "exact": UNFILTERED}
@@ -140,8 +141,7 @@ def scenes() -> dict[str, Scene]:
     return {name: scene for name, scene in found.items() if make_plan(scene, TIERS["standard"]).top > 0.0}
 
 
-@pytest.mark.parametrize("quality", QUALITIES)
-@pytest.mark.parametrize("name", sorted(scenes()))
+@pytest.mark.parametrize(("name", "quality"), crossed(sorted(scenes()), QUALITIES, 2))
 def test_no_wave_passes_its_bounds(name: str, quality: str, executor: Executor, report: Report) -> None:
     scene = scenes()[name]
     plan = make_plan(scene, QUALITIES[quality].model_copy(update={"samples": 1}))

@@ -21,6 +21,7 @@ from support.hard_cases import CASES, QUALITIES
 from support.pictures import levels, samples
 from support.probe import Probe
 from support.report import Report
+from support.sweep import rested
 
 SIZE = (48, 27)
 SHARE = 0.01
@@ -33,7 +34,7 @@ def assert_sound(pixels: NDArray[np.float32]) -> None:
     assert (pixels[..., 3] <= 1.0).all()
 
 
-@pytest.mark.parametrize(("effect", "case"), CASES)
+@pytest.mark.parametrize(("effect", "case"), rested(CASES, 2))
 def test_hard_case(executor: Executor, report: Report, effect: Effect, case: HardCase) -> None:
     """Sound at every quality, within bounds of the reference at the exact one, and as good in half floats."""
     camera = case.camera or case.scene.camera

@@ -18,6 +18,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from support.exact import EXACT
 from support.pictures import draw
 from support.report import Report
+from support.sweep import rested, spread
 
 VIEWS = (
     Camera(position=(3.0, 6.0, -2.0), pitch=-0.15),
@@ -35,7 +36,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize(("effect", "scene"), CASES)
+@pytest.mark.parametrize(("effect", "scene"), rested(CASES, 2))
 def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
     executor: Executor, report: Report, effect: Effect, scene: Scene
 ) -> None:
@@ -77,7 +78,7 @@ LOOKED_AT = (
 """Sky alone, water alone, and to both sides."""
 
 
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize("preset", spread(preset_names(), 2))
 def test_what_is_out_of_view_is_not_drawn_and_would_change_nothing(executor: Executor, preset: str) -> None:
     """To the last bit: what is left undrawn has no pixel in the picture."""
     scene = load_preset(preset).scene

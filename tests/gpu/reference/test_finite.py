@@ -17,6 +17,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
 from support.pictures import draw
+from support.sweep import crossed
 
 CAMERAS = {
     "down": Camera(position=(0.0, 8.0, 0.0), pitch=-math.pi / 2),
@@ -36,8 +37,7 @@ def finite(executor: Executor, scene: Scene, tier: str, camera: Camera, time: fl
     return bool(np.isfinite(pixels).all() and (pixels >= 0.0).all() and (pixels[..., 3] <= 1.0).all())
 
 
-@pytest.mark.parametrize("view", CAMERAS)
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize(("preset", "view"), crossed(preset_names(), CAMERAS, 4))
 def test_presets_are_finite_at_their_most_exact(executor: Executor, preset: str, view: str) -> None:
     """At the usual tier ``test_anywhere`` asks it of more places."""
     assert finite(executor, load_preset(preset).scene, "reference", CAMERAS[view], 2.7)
@@ -53,8 +53,7 @@ HARD_WAVES = {
 }
 
 
-@pytest.mark.parametrize("look", get_args(Look))
-@pytest.mark.parametrize("name", HARD_WAVES)
+@pytest.mark.parametrize(("name", "look"), crossed(HARD_WAVES, get_args(Look), 2))
 @pytest.mark.parametrize("constants", ["text", "listing"])
 def test_hard_waves_are_finite(executor: Executor, name: str, look: Look, constants: str) -> None:
     front = FrontSaturation(constants=constants, group=(0.2, 0.2))  # type: ignore[arg-type]

@@ -20,6 +20,7 @@ from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
 from support.pictures import colours, draw, rmse
 from support.report import Report
+from support.sweep import crossed
 
 REFERENCES = Path(__file__).parents[2] / "references"
 HARD = ("halftone", "fading", "halftone_textured", "listing")
@@ -52,8 +53,7 @@ def test_truth_is_of_the_scenes_that_are_judged() -> None:
     assert {path.name for path in REFERENCES.glob("*.npz")} == known
 
 
-@pytest.mark.parametrize("time", TIMES)
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES)))
 def test_reference_quality_is_the_truth(executor: Executor, report: Report, preset: str, time: float) -> None:
     scene = load_preset(preset).scene
     truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
