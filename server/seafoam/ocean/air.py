@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seafoam.ocean.arrays import Floats
 
@@ -107,6 +108,56 @@ def disc_shown(radius: Floats, cosine: Floats) -> Floats:
 
 
 @dataclass(frozen=True)
+class _Paths:
+    """Rays along which light is scattered a second time, the same in every atmosphere."""
+
+    shape: tuple[int, ...]
+    """Heights, sun's cosines, rays' cosines, and azimuths from the sun."""
+    weights: Floats
+    """Of the rays' cosines, of sum 1."""
+    steps: tuple[tuple[Floats, Floats, Floats, Floats], ...]
+    """Length of each step, km; densities there; share of the sun's disc and the columns of air toward it."""
+    hits: NDArray[np.bool_]
+    """Whether a ray meets the ground."""
+    ground: tuple[Floats, Floats]
+    """Share of the sun's disc and the columns toward it from where rays meet the ground."""
+    ground_up: Floats
+    """Zenith cosine of the sun there."""
+
+
+@lru_cache(maxsize=1)
+def _paths() -> _Paths:
+    height = (TOP - EARTH) * ((np.linspace(0.0, 13.0, 14) + 0.02) / 14.0) ** 2
+    sun = np.sign(np.linspace(-1.0, 1.0, 33)) * np.linspace(-1.0, 1.0, 33) ** 2
+    ups, up_weights = np.polynomial.legendre.leggauss(12)
+    around = (np.arange(6) + 0.5) * (math.pi / 6)
+    radius = (EARTH + height)[:, None, None, None]
+    s_up, v_up, turn = sun[None, :, None, None], ups[None, None, :, None], around[None, None, None, :]
+    between = v_up * s_up + np.sqrt(1.0 - v_up**2) * np.sqrt(1.0 - s_up**2) * np.cos(turn)
+    beneath = radius**2 * (1.0 - v_up**2) - EARTH**2
+    hits = (v_up < 0.0) & (beneath < 0.0)
+    way = np.where(hits, -radius * v_up - np.sqrt(np.maximum(-beneath, 0.0)), _to_top(radius, v_up))
+    shape = np.broadcast_shapes(way.shape, between.shape)
+    steps = []
+    nodes, weights = np.polynomial.legendre.leggauss(14)
+    for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
+        s = way * node**2
+        there = np.sqrt(radius**2 + s**2 + 2.0 * radius * v_up * s)
+        up = (radius * s_up + s * between) / there
+        steps.append((way * 2.0 * node * weight, _densities(there - EARTH), disc_shown(there, up), _column(there, up)))
+    ground_up = (radius * s_up + way * between) / EARTH
+    ground = np.full(shape, EARTH + 1e-3)
+    return _Paths(
+        shape,
+        0.5 * up_weights,
+        tuple(steps),
+        hits,
+        (disc_shown(ground, ground_up), _column(ground, ground_up)),
+        ground_up,
+    )
+
+
+@dataclass(frozen=True)
 class Atmosphere:
     """An atmosphere. ``mie``: optical depth of haze at the zenith; ``haze``: of the low haze along the horizon."""
 
@@ -133,13 +184,15 @@ class Atmosphere:
 
     def transmittance(self, radius: Floats, cosine: Floats) -> Floats:
         """Share of a sun's light that arrives at a radius (km) from a zenith cosine; (..., 3)."""
-        shows = disc_shown(radius, cosine)[..., None]
-        result: Floats = shows * np.exp(-_column(radius, cosine) @ self.extinction)
+        return self._arriving(disc_shown(radius, cosine), _column(radius, cosine))
+
+    def _arriving(self, shown: Floats, column: Floats) -> Floats:
+        """Share of a sun's light that arrives, by that of its disc (...,) and the columns of air (..., 4); (..., 3)."""
+        result: Floats = shown[..., None] * np.exp(-column @ self.extinction)
         return result
 
-    def _scattering(self, height: Floats) -> tuple[Floats, Floats, Floats]:
-        """Scattering by molecules and by haze, and extinction, at a height (km), 1/km; (..., 3) each."""
-        dense = _densities(height)
+    def _scattering(self, dense: Floats) -> tuple[Floats, Floats, Floats]:
+        """Scattering by molecules and by haze, and extinction, at these densities (..., 4), 1/km; (..., 3) each."""
         each = dense[..., None] * self.extinction
         mie: Floats = MIE_ALBEDO * (each[..., 1, :] + each[..., 2, :])
         return each[..., 0, :], mie, each.sum(axis=-2)
@@ -147,38 +200,24 @@ class Atmosphere:
     @cached_property
     def _further(self) -> Floats:
         """Log of the radiance of light scattered twice or more, per unit of scattering; (heights, sun's cosines, 3)."""
-        height = (TOP - EARTH) * ((np.linspace(0.0, 13.0, 14) + 0.02) / 14.0) ** 2
-        sun = np.sign(np.linspace(-1.0, 1.0, 33)) * np.linspace(-1.0, 1.0, 33) ** 2
-        ups, up_weights = np.polynomial.legendre.leggauss(12)
-        around = (np.arange(6) + 0.5) * (math.pi / 6)
-        radius = (EARTH + height)[:, None, None, None]
-        s_up, v_up, turn = sun[None, :, None, None], ups[None, None, :, None], around[None, None, None, :]
-        between = v_up * s_up + np.sqrt(1.0 - v_up**2) * np.sqrt(1.0 - s_up**2) * np.cos(turn)
-        beneath = radius**2 * (1.0 - v_up**2) - EARTH**2
-        hits = (v_up < 0.0) & (beneath < 0.0)
-        way = np.where(hits, -radius * v_up - np.sqrt(np.maximum(-beneath, 0.0)), _to_top(radius, v_up))
-        shape = np.broadcast_shapes(way.shape, between.shape)
-        once, share = np.zeros((*shape, 3)), np.zeros((*way.shape, 3))
+        paths = _paths()
+        once, share = np.zeros((*paths.shape, 3)), np.zeros((*paths.hits.shape, 3))
         clear = np.ones_like(share)
-        nodes, weights = np.polynomial.legendre.leggauss(14)
-        for node, weight in zip(0.5 * (nodes + 1.0), 0.5 * weights, strict=True):
-            s, step = way * node**2, way * 2.0 * node * weight
-            there = np.sqrt(radius**2 + s**2 + 2.0 * radius * v_up * s)
-            up = (radius * s_up + s * between) / there
-            rayleigh, mie, lost = self._scattering(there - EARTH)
+        for step, dense, shown, column in paths.steps:
+            rayleigh, mie, lost = self._scattering(dense)
             half = np.exp(-0.5 * lost * step[..., None])
             clear = clear * half
             sent = clear * (rayleigh + mie) * step[..., None]
-            once += sent * self.transmittance(there, up) / (4.0 * math.pi)
+            once += sent * self._arriving(shown, column) / (4.0 * math.pi)
             share += sent
             clear = clear * half
-        ground_up = (radius * s_up + way * between) / EARTH
-        bounced = self.transmittance(np.full(shape, EARTH + 1e-3), ground_up) * np.maximum(ground_up, 0.0)[..., None]
-        once += np.where(hits[..., None], clear * GROUND / math.pi * bounced, 0.0)
-        share += np.where(hits[..., None], clear * GROUND, 0.0)
-        weight_of = (0.5 * up_weights)[:, None, None] / around.size
+        bounced = self._arriving(*paths.ground) * np.maximum(paths.ground_up, 0.0)[..., None]
+        hits = paths.hits[..., None]
+        once += np.where(hits, clear * GROUND / math.pi * bounced, 0.0)
+        share += np.where(hits, clear * GROUND, 0.0)
+        weight_of = paths.weights[:, None, None] / paths.shape[-1]
         second = (once * weight_of).sum(axis=(2, 3))
-        ratio = (share * weight_of * around.size).sum(axis=(2, 3))
+        ratio = (share * weight_of * paths.shape[-1]).sum(axis=(2, 3))
         result: Floats = np.log(np.maximum(second / (1.0 - ratio), 1e-12))
         return result
 
@@ -209,7 +248,7 @@ class Atmosphere:
             s, step = way * node**3, way * 3.0 * node**2 * weight
             there = np.sqrt(radius**2 + s**2 + 2.0 * radius * up * s)
             local = (radius * sun + s * gamma) / there
-            rayleigh, mie, lost = self._scattering(there - EARTH)
+            rayleigh, mie, lost = self._scattering(_densities(there - EARTH))
             half = np.exp(-0.5 * lost * step[..., None])
             clear = clear * half
             arrives, more = self.transmittance(there, local), self._more(there, local)
