@@ -1,10 +1,14 @@
 """Every operation against its own OpenAPI description: data that fits, data that does not, wrong methods."""
 
 import tempfile
+import threading
+import time
+from collections.abc import Iterator
 
 import hypothesis
 import pytest
 import schemathesis
+import uvicorn
 
 from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
@@ -15,7 +19,20 @@ app = create_app(
     Settings(workers=1, queue=64, max_side=64, cache=tempfile.mkdtemp(), **_MEASURED), renderer=FakeRenderer
 )
 schema = schemathesis.openapi.from_dict(app.openapi())
-schema.app = app
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    """Of the running app: one start for all requests, where calls of the app itself would start it for each."""
+    server = uvicorn.Server(uvicorn.Config(app, port=0, log_level="warning"))
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    while not server.started:
+        assert thread.is_alive()
+        time.sleep(0.05)
+    yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}"
+    server.should_exit = True
+    thread.join()
 
 
 @pytest.fixture(autouse=True)
@@ -26,10 +43,10 @@ def _quick_masks(monkeypatch):
 
 @schema.parametrize()
 @hypothesis.settings(deadline=None, suppress_health_check=list(hypothesis.HealthCheck), max_examples=4)
-def test_operations_are_as_described(case):
+def test_operations_are_as_described(case, address):
     # Some scenes fit the schema and are refused with reason: an order of two numbers, a mask nobody has.
     excluded = [schemathesis.checks.positive_data_acceptance]
-    response = case.call()
+    response = case.call(base_url=address)
     if response.status_code == 503 and "retry-after" in response.headers:  # workers start, or a measurement does
         excluded.append(schemathesis.checks.not_a_server_error)
     case.validate_response(response, excluded_checks=excluded)
