@@ -62,10 +62,10 @@ export function Diagram(props: DiagramProps) {
   };
   const tip = placed.find(({ id }) => id === highlighted);
   return (
-    <figure class={`chart ${kind} ${marks.length === 0 ? "empty" : ""}`}>
-      <figcaption>{caption}</figcaption>
+    <figure class={`chart ${kind} -mx-1.5 min-w-0 ${marks.length === 0 ? "opacity-40" : ""}`}>
+      <figcaption class="truncate pl-[54px] text-fine">{caption}</figcaption>
       <div
-        class="plot"
+        class="relative h-[290px]"
         ref={host}
         style={{ cursor: tip ? "pointer" : "" }}
         onPointerMove={(event) => highlight(nearest(event)?.id ?? null)}
@@ -78,7 +78,7 @@ export function Diagram(props: DiagramProps) {
         onFocusIn={(event) => highlight(idOf(event.target))}
         onFocusOut={() => highlight(null)}
       >
-        <svg role="group" aria-label={title} ref={overlay}>
+        <svg class="absolute inset-0 size-full overflow-visible" role="group" aria-label={title} ref={overlay}>
           {placed.map((mark, index) => (
             <MarkButton key={mark.id} mark={mark} state={props} isTabStop={mark.id === stop} onKey={(event) => onKey(event, index)} />
           ))}
@@ -208,7 +208,7 @@ function Tip({ mark, width }: { mark: PlacedMark; width: number }) {
     node.style.top = `${above >= 0 ? above : mark.y + 16}px`;
   });
   return (
-    <div class="tip" aria-hidden="true" ref={tip}>
+    <div class="tip pointer-events-none absolute z-1 grid w-max max-w-60 -translate-x-1/2 rounded-md bg-[rgb(4_10_16/94%)] px-2.5 py-1.5 text-fine inset-ring inset-ring-line" aria-hidden="true" ref={tip}>
       <b>{mark.label}</b>
       <span>{describe(mark)}</span>
     </div>

@@ -27,7 +27,7 @@ function Listing({ text, shader }: { text: string; shader: Shader }) {
   const rows = useMemo(() => lines(text), [text]);
   const files = new Map(shader.files.map(({ path, line }) => [line, path]));
   return (
-    <pre class="glsl" tabIndex={0} aria-label="GLSL">
+    <pre class="glsl max-h-[60vh]" tabIndex={0} aria-label="GLSL">
       <code>
         {rows.map((row, index) => (
           <span class="line" key={index} data-file={files.get(index + 1)}>
@@ -47,10 +47,10 @@ export function Source(props: SourceProps) {
   const { text, compiled } = sourceOf(props, shader);
   return (
     <section>
-      <div class="actions tabs">
+      <div class="pills">
         <label>
           Program{" "}
-          <select value={program} onChange={(event) => choose(event.currentTarget.value, stage)}>
+          <select class="min-h-11 rounded-lg border border-line bg-[#0c1a25] px-3" value={program} onChange={(event) => choose(event.currentTarget.value, stage)}>
             {Object.keys(plan.programs).map((name) => (
               <option key={name} value={name}>
                 {name}
@@ -59,7 +59,7 @@ export function Source(props: SourceProps) {
           </select>
         </label>
         {(["vertex", "fragment"] as const).map((name) => (
-          <button type="button" key={name} aria-pressed={name === stage} onClick={() => choose(program, name)}>
+          <button type="button" class="pill" key={name} aria-pressed={name === stage} onClick={() => choose(program, name)}>
             {name}
           </button>
         ))}

@@ -82,7 +82,7 @@ function Timing({ context, measure, measured }: { context: SurfaceContext; measu
   const reason = reasonForNoTimes(context.display.viewport?.gpu ?? null);
   if (reason !== null) return <p>Time of each pass: {reason}</p>;
   return (
-    <div class="actions">
+    <div class="pills">
       <TaskButton run={measure} failed={context.failed}>
         {measured ? "Measure again" : "Measure the time of each pass"}
       </TaskButton>
@@ -129,9 +129,9 @@ function Plan({ context }: { context: SurfaceContext }) {
         {counted(length, "pass", "passes")}, {counted(Object.keys(current.programs).length, "program")},{" "}
         {counted(Object.keys(current.textures).length, "texture")}, {counted(current.samples, "sample")} per pixel, picture of {width} × {height}.
       </p>
-      <div class="actions tabs" role="group" aria-label="View">
+      <div class="pills" role="group" aria-label="View">
         {VIEWS.map((name) => (
-          <button type="button" key={name} aria-pressed={name === view.value} onClick={() => (view.value = name)}>
+          <button type="button" class="pill" key={name} aria-pressed={name === view.value} onClick={() => (view.value = name)}>
             {name}
           </button>
         ))}
