@@ -2,6 +2,7 @@
 import { batch } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { budgetAt, budgetRange, choose, DEFAULT_BUDGET, predict, SLIDER_STEPS, stepOf } from "./budget";
+import { NUMBER } from "./classes";
 import type { BenchmarkRun, Session } from "./session";
 
 export function BudgetForm({ session, run }: { session: Session; run: BenchmarkRun }) {
@@ -38,7 +39,7 @@ export function BudgetForm({ session, run }: { session: Session; run: BenchmarkR
         onInput={(event) => pick(budgetAt(event.currentTarget.valueAsNumber, range))}
       />
       <span class="flex items-center gap-2">
-        <input id="budget" class="number" type="number" inputMode="decimal" min={0.01} step="any" value={budget} onChange={(event) => pick(event.currentTarget.valueAsNumber)} />
+        <input id="budget" class={NUMBER} type="number" inputMode="decimal" min={0.01} step="any" value={budget} onChange={(event) => pick(event.currentTarget.valueAsNumber)} />
         <span>ms</span>
       </span>
       <p class="budget-message basis-full text-fine text-soft" role="status">

@@ -157,7 +157,7 @@ function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop,
   const classes = Object.entries(states).flatMap(([name, on]) => (on ? name : []));
   return (
     <g
-      class={["mark", ...classes].join(" ")}
+      class={["mark group outline-none [&.over]:opacity-35", ...classes].join(" ")}
       role="button"
       tabindex={isTabStop ? 0 : -1}
       data-id={id}
@@ -165,8 +165,13 @@ function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop,
       aria-label={`${label}: ${describe(mark)}${onFront ? ", on the Pareto front" : ""}`}
       onKeyDown={onKey}
     >
-      <circle class="halo" cx={x} cy={y} r={11} />
-      <circle class="dot" cx={x} cy={y} r={isTier ? 5.5 : 4} />
+      <circle
+        class={`halo stroke-[1.5] group-focus-visible:stroke-accent group-focus-visible:stroke-3 ${states.highlighted ? "fill-tint" : "fill-[transparent]"} ${states.current ? "stroke-accent" : "stroke-none"}`}
+        cx={x}
+        cy={y}
+        r={11}
+      />
+      <circle class={`dot stroke-[rgb(8_17_26/85%)] stroke-[1.5] ${states.current ? "fill-accent" : isTier ? "fill-ink" : "fill-teal"}`} cx={x} cy={y} r={isTier ? 5.5 : 4} />
     </g>
   );
 }
@@ -183,7 +188,7 @@ function Labels({ placed, props: { curves, emphasised }, size }: { placed: reado
   return (
     <>
       {placeLabels(named, [...placed, ...onLine], size.width, size.height).map(({ id, text, x, y, anchor }) => (
-        <text key={id} class={values.has(id) && text === values.get(id) ? "value" : "name"} x={x} y={y} text-anchor={anchor} aria-hidden="true">
+        <text key={id} class={`${values.has(id) && text === values.get(id) ? "value fill-teal" : "name fill-ink"} stroke-[rgb(8_17_26/90%)] stroke-3 text-small [paint-order:stroke]`} x={x} y={y} text-anchor={anchor} aria-hidden="true">
           {text}
         </text>
       ))}

@@ -2,6 +2,7 @@
 import { useCallback, useMemo } from "preact/hooks";
 import type { QualityResult } from "./benchmark";
 import { Canvas } from "../charts/canvas";
+import { NUMBER, QUIET, TABLE } from "./classes";
 import { drawPicture } from "./colormap";
 import { measuredHere } from "./diagramdata";
 import { clip, errorMap, LEVELS } from "./errors";
@@ -54,7 +55,7 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
             {axis === "x" ? "Column" : "Row"}
             <input
               type="number"
-              class="number ml-2"
+              class={`${NUMBER} ml-2`}
               min={0}
               max={(axis === "x" ? truth.width : truth.height) - 1}
               value={at[axis]}
@@ -62,7 +63,7 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
             />
           </label>
         ))}
-        <button type="button" class="quiet" onClick={() => move(worst(errorMap(shown.picture, truth), truth.width))}>
+        <button type="button" class={QUIET} onClick={() => move(worst(errorMap(shown.picture, truth), truth.width))}>
           Worst pixel
         </button>
       </div>
@@ -131,7 +132,7 @@ function Floats({ insets, truth, at }: { insets: readonly Inset[]; truth: Pictur
     return LEVELS * Math.sqrt(squares.reduce((sum, square) => sum + square, 0) / 3);
   };
   return (
-    <table class="floats figures" aria-label={`Linear light at column ${at.x}, row ${at.y}`}>
+    <table class={`floats ${TABLE}`} aria-label={`Linear light at column ${at.x}, row ${at.y}`}>
       <thead>
         <tr>
           <th scope="col">pixel</th>

@@ -1,5 +1,4 @@
 /** Accuracy benchmark panel: measures time and error of every quality on this GPU. */
-import "./style.css";
 import { render } from "preact";
 import type { Api } from "../api";
 import type { Store } from "../app/store";

@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import { labelOf } from "../panel/model";
 import { type Benefit, benefits, NEGLIGIBLE } from "./benefit";
 import type { QualityResult } from "./benchmark";
+import { TABLE } from "./classes";
 import { marksOf, measuredHere } from "./diagramdata";
 import { formatNumber, formatSigned } from "./format";
 import type { BenchmarkRun, Session } from "./session";
@@ -74,7 +75,7 @@ export function Passes({ passes }: QualityResult) {
 
 function Table({ heads, children }: { heads: readonly string[]; children: ComponentChildren }) {
   return (
-    <table class="figures">
+    <table class={TABLE}>
       <thead>
         <tr>
           {heads.map((name) => (

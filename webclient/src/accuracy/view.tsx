@@ -5,6 +5,7 @@ import type { Axes } from "../charts/uplot";
 import { equal } from "../scene/json";
 import { download } from "../ui/dom";
 import { BudgetForm } from "./budgetform";
+import { QUIET } from "./classes";
 import { curvesOf } from "./curves";
 import { Diagram } from "./diagram";
 import { marksOf, type Measured, measuredHere, measuredThere, rowsOf } from "./diagramdata";
@@ -46,7 +47,7 @@ function Measuring({ session }: { session: Session }) {
       <span role="status" class={failure !== null && progress === null ? "text-error" : ""}>
         {progress?.step ?? failure ?? (run ? summary(run) : "")}
       </span>
-      <button type="button" class="quiet" onClick={() => session.toggleMeasuring()}>
+      <button type="button" class={QUIET} onClick={() => session.toggleMeasuring()}>
         {progress ? "Cancel" : "Measure again"}
       </button>
       {progress && <progress class="col-span-full h-[3px] w-full accent-accent" max={1} aria-label="Benchmark progress" {...(progress.share === null ? {} : { value: progress.share })} />}

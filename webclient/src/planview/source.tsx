@@ -2,9 +2,24 @@
 import { useMemo } from "preact/hooks";
 import type { FramePlan, Shader } from "../generated/api";
 import type { Executor } from "../plan/executor";
-import { lines } from "./highlight";
+import { lines, type TokenKind } from "./highlight";
 
 export type Stage = "vertex" | "fragment";
+
+/** Its number, and on the right the name of the file that begins here; neither is part of the text. */
+const LINE =
+  "line relative block [counter-increment:line] before:mr-[2ch] before:inline-block before:w-[5ch] before:text-right before:text-faint before:content-[counter(line)] " +
+  "data-file:mt-2.5 data-file:border-t data-file:border-line data-file:after:absolute data-file:after:top-0 data-file:after:right-0 data-file:after:bg-sheet data-file:after:pl-3 " +
+  "data-file:after:text-accent data-file:after:content-[attr(data-file)]";
+
+const COLOURS: Record<TokenKind, string> = {
+  plain: "",
+  comment: "text-[#8fa9b5]",
+  directive: "text-[#d3a6e0]",
+  keyword: "keyword text-accent",
+  type: "text-[#8fd0ef]",
+  number: "text-[#a8dca0]",
+};
 
 export interface SourceProps {
   plan: FramePlan;
@@ -27,11 +42,11 @@ function Listing({ text, shader }: { text: string; shader: Shader }) {
   const rows = useMemo(() => lines(text), [text]);
   const files = new Map(shader.files.map(({ path, line }) => [line, path]));
   return (
-    <pre class="glsl max-h-[60vh]" tabIndex={0} aria-label="GLSL">
+    <pre class="glsl max-h-[60vh] [counter-reset:line]" tabIndex={0} aria-label="GLSL">
       <code>
         {rows.map((row, index) => (
-          <span class="line" key={index} data-file={files.get(index + 1)}>
-            {row.map(({ kind, text: part }, i) => (kind === "plain" ? part : <span key={i} class={kind}>{part}</span>))}
+          <span class={LINE} key={index} data-file={files.get(index + 1)}>
+            {row.map(({ kind, text: part }, i) => (kind === "plain" ? part : <span key={i} class={COLOURS[kind]}>{part}</span>))}
           </span>
         ))}
       </code>
