@@ -2,7 +2,8 @@
 import { useCallback, useMemo } from "preact/hooks";
 import type { QualityResult } from "./benchmark";
 import { Canvas } from "../charts/canvas";
-import { NUMBER, QUIET, TABLE } from "./classes";
+import { TABLE } from "../charts/table";
+import { NUMBER, QUIET } from "./classes";
 import { drawPicture } from "./colormap";
 import { measuredHere } from "./diagramdata";
 import { clip, errorMap, LEVELS } from "./errors";
@@ -132,7 +133,7 @@ function Floats({ insets, truth, at }: { insets: readonly Inset[]; truth: Pictur
     return LEVELS * Math.sqrt(squares.reduce((sum, square) => sum + square, 0) / 3);
   };
   return (
-    <table class={`floats ${TABLE}`} aria-label={`Linear light at column ${at.x}, row ${at.y}`}>
+    <table class={`floats mb-2.5 ${TABLE}`} aria-label={`Linear light at column ${at.x}, row ${at.y}`}>
       <thead>
         <tr>
           <th scope="col">pixel</th>

@@ -1,9 +1,9 @@
 /** Result sections: the selected quality, pass times, benefit of each setting, table of all qualities. */
 import type { ComponentChildren } from "preact";
+import { TABLE } from "../charts/table";
 import { labelOf } from "../panel/model";
 import { type Benefit, benefits, NEGLIGIBLE } from "./benefit";
 import type { QualityResult } from "./benchmark";
-import { TABLE } from "./classes";
 import { marksOf, measuredHere } from "./diagramdata";
 import { formatNumber, formatSigned } from "./format";
 import type { BenchmarkRun, Session } from "./session";
@@ -75,7 +75,7 @@ export function Passes({ passes }: QualityResult) {
 
 function Table({ heads, children }: { heads: readonly string[]; children: ComponentChildren }) {
   return (
-    <table class={TABLE}>
+    <table class={`mb-2.5 ${TABLE}`}>
       <thead>
         <tr>
           {heads.map((name) => (

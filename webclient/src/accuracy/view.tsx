@@ -17,7 +17,7 @@ import { AllQualities, Benefits, Passes, Selected } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
 import { SpectrumView } from "./spectrumview";
 
-const KEY = "mb-1 ml-2 mr-1 inline-block w-4";
+const KEY = "mr-1 mb-1 inline-block w-4";
 
 export function View({ session }: { session: Session }) {
   const { preset, scene } = session.selection.value;
@@ -90,7 +90,7 @@ function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null
         )}
       </div>
       <p class="text-fine text-dim">
-        <i class={`${KEY} ml-0 border-t-2 border-accent`} /> tiers <i class={`${KEY} border-t border-dashed border-soft`} /> Pareto front <i class={`${KEY} border-t border-teal`} /> one setting changed, bars from first to third quartile
+        <i class={`${KEY} border-t-2 border-accent`} /> tiers <i class={`${KEY} ml-2 border-t border-dashed border-soft`} /> Pareto front <i class={`${KEY} ml-2 border-t border-teal`} /> one setting changed, bars from first to third quartile
       </p>
       {run && !session.busy.value && <ServerSwitch session={session} />}
     </>

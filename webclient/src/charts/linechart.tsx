@@ -3,6 +3,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { linearAxis, logAxis } from "./axis";
 import { useSize } from "./size";
+import { TABLE } from "./table";
 import { plotOptions } from "./uplot";
 
 export interface Line {
@@ -54,7 +55,7 @@ export function LineChart({ title, x, lines, xLabel, yLabel, linear = false }: L
       <details class="disclosure mt-1.5">
         <summary>Values</summary>
         <div class="max-h-60 overflow-auto">
-          <table class="w-full text-fine">
+          <table class={TABLE}>
             <thead>
               <tr>
                 <th scope="col">{xLabel}</th>

@@ -13,7 +13,7 @@ const TITLES: Record<(typeof FAMILIES)[number], string> = {
 };
 export const FIELD = "flex min-h-11 min-w-0 items-center gap-2.5 text-soft";
 /** Below its name where two masks share a phone. */
-export const PICK = "min-h-11 max-w-full min-w-0 rounded-md bg-hover px-2.5 text-ink phone:flex-1 paired:flex-[1_1_100%]";
+export const PICK = "min-h-11 max-w-full min-w-0 rounded-md bg-hover px-2.5 text-ink phone:flex-1 paired:w-full paired:flex-[1_1_100%]";
 const CUSTOM = ":custom";
 const FIRST: CustomMask = { family: "vac", sigma: 3, size: 128, seed: 1, aspect: 1, age: 0 };
 
@@ -81,7 +81,7 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
           <Field label="Seed">
             <input
               type="number"
-              class={`${PICK} w-[13ch] paired:w-full`}
+              class={`${PICK} w-[13ch]`}
               aria-label={`${name}: seed`}
               min={0}
               step={1}
@@ -119,7 +119,7 @@ export function Slider({ label, name, value, range: [low, high], step, change }:
     <Field label={label}>
       <input
         type="range"
-        class="w-[150px] paired:flex-[1_1_100%]"
+        class="w-[150px] paired:w-full paired:flex-[1_1_100%]"
         aria-label={name}
         min={low}
         max={high}

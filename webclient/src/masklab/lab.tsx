@@ -106,7 +106,7 @@ interface SideProps {
 function Side({ name, choice, mask: { loaded, busy, error }, shipped, grey, show, change }: SideProps) {
   return (
     // Rows that both sides share, so that their pictures stand beside each other.
-    <section class="side row-span-3 grid min-w-0 grid-rows-subgrid" aria-label={name} aria-busy={busy}>
+    <section class="side row-span-3 grid min-w-0 grid-cols-1 grid-rows-subgrid" aria-label={name} aria-busy={busy}>
       <Controls name={name} choice={choice} shipped={shipped} info={loaded?.info ?? null} change={change} />
       {loaded && <Picture loaded={loaded} grey={grey} show={show} />}
       <p class={`status ${PROSE} ${error === null ? "" : "text-error"}`} role="status">
