@@ -92,7 +92,7 @@ function Strip({ presets, selected, listOpen, choose, openList }: StripProps) {
           <path d="M10.500 4.500a6 6 0 1 0 0 12a6 6 0 1 0 0-12M15 15l5 5" />
         </svg>
       </button>
-      <div class="strip -mr-gap flex min-w-0 scroll-px-gap gap-2.5 overflow-x-auto scroll-smooth py-1 pr-gap pl-1 will-change-transform contain-layout contain-paint contain-style [scrollbar-width:none] motion-reduce:scroll-auto" role="listbox" aria-label="Presets" onKeyDown={moveFocus}>
+      <div class="strip -mr-gap flex min-w-0 scroll-px-gap gap-2.5 overflow-x-auto scroll-smooth py-1 pr-gap pl-1 will-change-transform contain-layout contain-paint contain-style [scrollbar-width:none] [&::-webkit-scrollbar]:hidden motion-reduce:scroll-auto" role="listbox" aria-label="Presets" onKeyDown={moveFocus}>
         {grouped(presets).map(({ heading, presets: members }) => (
           // Engines differ in the width that a nested flex container may shrink to: groups and thumbnails do not shrink.
           <div role="group" class="flex flex-none gap-2.5" aria-label={heading} key={heading}>
