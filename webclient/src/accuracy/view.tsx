@@ -50,7 +50,7 @@ function Measuring({ session }: { session: Session }) {
       <button type="button" class={QUIET} onClick={() => session.toggleMeasuring()}>
         {progress ? "Cancel" : "Measure again"}
       </button>
-      {progress && <progress class="col-span-full h-[3px] w-full accent-accent [border:revert]" max={1} aria-label="Benchmark progress" {...(progress.share === null ? {} : { value: progress.share })} />}
+      {progress && <progress class="col-span-full h-[3px] w-full appearance-none bg-track [&::-moz-progress-bar]:bg-accent [&::-webkit-progress-bar]:bg-transparent [&::-webkit-progress-value]:bg-accent" max={1} aria-label="Benchmark progress" {...(progress.share === null ? {} : { value: progress.share })} />}
     </div>
   );
 }
