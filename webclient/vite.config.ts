@@ -1,6 +1,7 @@
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { brotliCompressSync, constants } from "node:zlib";
+import tailwindcss from "@tailwindcss/vite";
 import { defineConfig, type Plugin } from "vitest/config";
 import { sources } from "./build/sources.ts";
 
@@ -73,7 +74,7 @@ export default defineConfig({
       input: ["index.html", "masks/index.html", "learn/index.html", "learn/laboratory/index.html"].map((page) => join(import.meta.dirname, page)),
     },
   },
-  plugins: [manual, sources, brotli, paneStyles, stills],
+  plugins: [tailwindcss(), manual, sources, brotli, paneStyles, stills],
   server: { proxy: { "/api": server, "/openapi.json": server, "/docs": server } },
   test: { include: ["tests/**/*.test.ts"] },
 });

@@ -48,7 +48,7 @@ async function start(api: Api): Promise<void> {
   // The link's other parts belong to the missing preset.
   const usable = notFound ? { ...link, changes: [], touches: null, time: null, camera: null, split: null } : link;
   const app = new App(api, loadingScreen, still, { presets, schema, preset, link: usable, makeDisplay });
-  if (notice !== null) byId("heading").append(element("p", { class: "notice" }, `The server draws the frames. ${notice}`));
+  if (notice !== null) byId("heading").append(element("p", { class: "notice mt-2.5 max-w-[42ch] text-note text-pretty text-accent" }, `The server draws the frames. ${notice}`));
   if (notFound) app.toasts.show(`Preset “${link.preset}” not found. Showing “${preset.title}”.`, [], "error");
 }
 

@@ -1,12 +1,17 @@
 """What a visitor of the page must load before the first picture, and what the page's styles amount to."""
 
 import re
+import subprocess
 from pathlib import Path
 
 WEB = Path(__file__).parents[3] / "webclient"
 DIST = WEB / "dist"
 SCRIPT = 90_000
 """Most bytes of script for stage and settings, Brotli."""
+STYLES = 900
+"""Style sheets written by hand have fewer lines; the others are made of the classes in the markup."""
+LONGEST_LINE = 130
+"""Of a style sheet: what many lines say is not said by a few long ones."""
 
 
 def weight(name: str) -> int:
@@ -36,3 +41,11 @@ def test_surfaces_and_laboratories_are_loaded_when_opened() -> None:
     for prefix, what in later.items():
         assert named(prefix), f"no file of {what}: the names have changed"
         assert not named(prefix) & stage(), f"{what} would be loaded with the page"
+
+
+def test_few_styles_are_written_by_hand() -> None:
+    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.css"]
+    names = subprocess.run(command, cwd=WEB, check=True, capture_output=True, text=True).stdout.split()
+    lines = [line for name in names if (WEB / name).exists() for line in (WEB / name).read_text("utf-8").splitlines()]
+    assert 0 < len(lines) < STYLES
+    assert max(map(len, lines)) <= LONGEST_LINE

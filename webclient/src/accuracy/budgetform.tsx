@@ -2,6 +2,7 @@
 import { batch } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { budgetAt, budgetRange, choose, DEFAULT_BUDGET, predict, SLIDER_STEPS, stepOf } from "./budget";
+import { NUMBER } from "./classes";
 import type { BenchmarkRun, Session } from "./session";
 
 export function BudgetForm({ session, run }: { session: Session; run: BenchmarkRun }) {
@@ -24,10 +25,11 @@ export function BudgetForm({ session, run }: { session: Session; run: BenchmarkR
   const choice = session.choice.value;
   const step = stepOf(budget, range);
   return (
-    <section class="budget" aria-label="Time budget">
+    <section class="flex flex-wrap items-center gap-x-3.5 border-t border-line py-3" aria-label="Time budget">
       <label for="budget">Frame budget</label>
       <input
         type="range"
+        class="min-w-15 flex-1"
         aria-label="Budget slider"
         aria-valuetext={`${budget} ms`}
         style={{ "--share": `${(100 * step) / SLIDER_STEPS}%` }}
@@ -36,14 +38,14 @@ export function BudgetForm({ session, run }: { session: Session; run: BenchmarkR
         value={step}
         onInput={(event) => pick(budgetAt(event.currentTarget.valueAsNumber, range))}
       />
-      <span class="field">
-        <input id="budget" type="number" inputMode="decimal" min={0.01} step="any" value={budget} onChange={(event) => pick(event.currentTarget.valueAsNumber)} />
+      <span class="flex items-center gap-2">
+        <input id="budget" class={NUMBER} type="number" inputMode="decimal" min={0.01} step="any" value={budget} onChange={(event) => pick(event.currentTarget.valueAsNumber)} />
         <span>ms</span>
       </span>
-      <p class="budget-message" role="status">
+      <p class="budget-message basis-full text-fine text-soft" role="status">
         {choice && (
           <>
-            Selected <b>{choice.label}</b>: {choice.reason}
+            Selected <b class="text-accent">{choice.label}</b>: {choice.reason}
           </>
         )}
       </p>

@@ -62,10 +62,10 @@ export function Diagram(props: DiagramProps) {
   };
   const tip = placed.find(({ id }) => id === highlighted);
   return (
-    <figure class={`chart ${kind} ${marks.length === 0 ? "empty" : ""}`}>
-      <figcaption>{caption}</figcaption>
+    <figure class={`chart ${kind} -mx-1.5 min-w-0 ${marks.length === 0 ? "opacity-40" : ""}`}>
+      <figcaption class="truncate pl-[54px] text-fine">{caption}</figcaption>
       <div
-        class="plot"
+        class="relative h-[290px]"
         ref={host}
         style={{ cursor: tip ? "pointer" : "" }}
         onPointerMove={(event) => highlight(nearest(event)?.id ?? null)}
@@ -78,7 +78,7 @@ export function Diagram(props: DiagramProps) {
         onFocusIn={(event) => highlight(idOf(event.target))}
         onFocusOut={() => highlight(null)}
       >
-        <svg role="group" aria-label={title} ref={overlay}>
+        <svg class="absolute inset-0 size-full overflow-visible" role="group" aria-label={title} ref={overlay}>
           {placed.map((mark, index) => (
             <MarkButton key={mark.id} mark={mark} state={props} isTabStop={mark.id === stop} onKey={(event) => onKey(event, index)} />
           ))}
@@ -157,7 +157,7 @@ function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop,
   const classes = Object.entries(states).flatMap(([name, on]) => (on ? name : []));
   return (
     <g
-      class={["mark", ...classes].join(" ")}
+      class={["mark group outline-none [&.over]:opacity-35", ...classes].join(" ")}
       role="button"
       tabindex={isTabStop ? 0 : -1}
       data-id={id}
@@ -165,8 +165,13 @@ function MarkButton({ mark, state: { current, highlighted, fitting }, isTabStop,
       aria-label={`${label}: ${describe(mark)}${onFront ? ", on the Pareto front" : ""}`}
       onKeyDown={onKey}
     >
-      <circle class="halo" cx={x} cy={y} r={11} />
-      <circle class="dot" cx={x} cy={y} r={isTier ? 5.5 : 4} />
+      <circle
+        class={`halo stroke-[1.5] group-focus-visible:stroke-accent group-focus-visible:stroke-3 ${states.highlighted ? "fill-tint" : "fill-[transparent]"} ${states.current ? "stroke-accent" : "stroke-none"}`}
+        cx={x}
+        cy={y}
+        r={11}
+      />
+      <circle class={`dot stroke-[rgb(8_17_26/85%)] stroke-[1.5] ${states.current ? "fill-accent" : isTier ? "fill-ink" : "fill-teal"}`} cx={x} cy={y} r={isTier ? 5.5 : 4} />
     </g>
   );
 }
@@ -183,7 +188,7 @@ function Labels({ placed, props: { curves, emphasised }, size }: { placed: reado
   return (
     <>
       {placeLabels(named, [...placed, ...onLine], size.width, size.height).map(({ id, text, x, y, anchor }) => (
-        <text key={id} class={values.has(id) && text === values.get(id) ? "value" : "name"} x={x} y={y} text-anchor={anchor} aria-hidden="true">
+        <text key={id} class={`${values.has(id) && text === values.get(id) ? "value fill-teal" : "name fill-ink"} stroke-[rgb(8_17_26/90%)] stroke-3 text-small [paint-order:stroke]`} x={x} y={y} text-anchor={anchor} aria-hidden="true">
           {text}
         </text>
       ))}
@@ -208,7 +213,7 @@ function Tip({ mark, width }: { mark: PlacedMark; width: number }) {
     node.style.top = `${above >= 0 ? above : mark.y + 16}px`;
   });
   return (
-    <div class="tip" aria-hidden="true" ref={tip}>
+    <div class="tip pointer-events-none absolute z-1 grid w-max max-w-60 -translate-x-1/2 rounded-md bg-[rgb(4_10_16/94%)] px-2.5 py-1.5 text-fine inset-ring inset-ring-line" aria-hidden="true" ref={tip}>
       <b>{mark.label}</b>
       <span>{describe(mark)}</span>
     </div>

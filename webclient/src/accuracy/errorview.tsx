@@ -9,6 +9,8 @@ import type { Picture } from "./npy";
 /** The colour scale ends at this percentile of the standard quality's errors. */
 const LEGEND_PERCENTILE = 0.97;
 
+const LAYER = "absolute inset-0 size-full [image-rendering:pixelated]";
+
 const SIDES = ["error", "reference"] as const;
 
 export function ErrorView({ shown, standard, truth }: { shown: QualityResult; standard: QualityResult; truth: Picture }) {
@@ -27,26 +29,26 @@ export function ErrorView({ shown, standard, truth }: { shown: QualityResult; st
     [side, picture, truth, width, height, max],
   );
   return (
-    <figure class="error-view">
-      <figcaption>
-        <span>{point.label}</span>
+    <figure class="border-t border-line py-3">
+      <figcaption class="flex items-center justify-between gap-2.5">
+        <span class="text-fine text-soft">{point.label}</span>
         <div class="toggle" role="group" aria-label="Compare with">
           {SIDES.map((name) => (
-            <button type="button" key={name} aria-pressed={name === side} onClick={() => setSide(name)}>
+            <button type="button" class="min-h-11 px-3 text-dim aria-pressed:text-ink aria-pressed:underline aria-pressed:decoration-accent aria-pressed:decoration-2 aria-pressed:underline-offset-[7px]" key={name} aria-pressed={name === side} onClick={() => setSide(name)}>
               {name}
             </button>
           ))}
         </div>
       </figcaption>
-      <div class="frame" style={{ "--at": `${split}%`, aspectRatio: `${width} / ${height}` }}>
-        <Canvas label={`Picture at quality ${point.label}`} paint={paintLeft} />
-        <Canvas class="right" label={side === "error" ? `Error map, 0 to ${max} levels` : "Float64 reference"} paint={paintRight} />
-        <div class="line" />
-        <input type="range" min={0} max={100} step={1} value={split} aria-label="Split position" onInput={(event) => setSplit(event.currentTarget.value)} />
+      <div class="frame relative overflow-hidden rounded-lg" style={{ "--at": `${split}%`, aspectRatio: `${width} / ${height}` }}>
+        <Canvas class={LAYER} label={`Picture at quality ${point.label}`} paint={paintLeft} />
+        <Canvas class={`right ${LAYER} [clip-path:inset(0_0_0_var(--at))]`} label={side === "error" ? `Error map, 0 to ${max} levels` : "Float64 reference"} paint={paintRight} />
+        <div class="absolute inset-y-0 left-(--at) w-px bg-[#fff]" />
+        <input class="absolute inset-0 size-full touch-pan-y [--track:none]" type="range" min={0} max={100} step={1} value={split} aria-label="Split position" onInput={(event) => setSplit(event.currentTarget.value)} />
       </div>
-      <div class={`legend ${side === "error" ? "" : "idle"}`} style={{ "--ramp": HEAT_GRADIENT }}>
+      <div class={`flex items-center justify-between gap-2.5 pt-2 text-fine text-soft ${side === "error" ? "" : "invisible"}`} style={{ "--ramp": HEAT_GRADIENT }}>
         <span>0</span>
-        <i />
+        <i class="h-2 flex-1 rounded-[4px] bg-(image:--ramp)" />
         <span>{`≥ ${max} levels of 255`}</span>
       </div>
     </figure>

@@ -2,6 +2,8 @@
 import { useCallback, useMemo } from "preact/hooks";
 import type { QualityResult } from "./benchmark";
 import { Canvas } from "../charts/canvas";
+import { TABLE } from "../charts/table";
+import { NUMBER, QUIET } from "./classes";
 import { drawPicture } from "./colormap";
 import { measuredHere } from "./diagramdata";
 import { clip, errorMap, LEVELS } from "./errors";
@@ -31,9 +33,9 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
   };
   const insets = insetsOf(shown, run);
   return (
-    <section class="insets-view" aria-label="Insets">
+    <section class="border-t border-line py-3" aria-label="Insets">
       <div
-        class="insets"
+        class="insets grid grid-cols-2 gap-2.5 group-[.wide]/panel:grid-cols-4 phone:grid-cols-2!"
         role="group"
         tabIndex={0}
         aria-label="Insets of one place. Arrow keys move the loupe."
@@ -48,12 +50,13 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
           <InsetFigure key={inset.title} inset={inset} region={region} at={at} move={move} />
         ))}
       </div>
-      <div class="loupe">
+      <div class="flex flex-wrap items-center gap-x-3.5 gap-y-1.5 pt-2.5 pb-1.5 text-fine">
         {(["x", "y"] as const).map((axis) => (
           <label key={axis}>
             {axis === "x" ? "Column" : "Row"}
             <input
               type="number"
+              class={`${NUMBER} ml-2`}
               min={0}
               max={(axis === "x" ? truth.width : truth.height) - 1}
               value={at[axis]}
@@ -61,7 +64,7 @@ export function InsetsView({ session, run, shown, standard }: { session: Session
             />
           </label>
         ))}
-        <button type="button" class="small" onClick={() => move(worst(errorMap(shown.picture, truth), truth.width))}>
+        <button type="button" class={QUIET} onClick={() => move(worst(errorMap(shown.picture, truth), truth.width))}>
           Worst pixel
         </button>
       </div>
@@ -108,15 +111,15 @@ function InsetFigure({ inset: { title, note, picture }, region, at, move }: { in
   const share = (pixel: number, first: number, count: number) => `${(100 * (pixel - first)) / count}%`;
   return (
     <figure>
-      <div class={`inset ${picture ? "" : "none"}`} style={{ aspectRatio: `${width} / ${height}` }} {...(picture ? { onPointerDown: follow } : {})}>
-        {picture && <Canvas label={`${title}: ${note}`} paint={paint} />}
+      <div class={`relative cursor-crosshair touch-pan-y overflow-hidden rounded-sm bg-[#05090f] ${picture ? "" : "none"}`} style={{ aspectRatio: `${width} / ${height}` }} {...(picture ? { onPointerDown: follow } : {})}>
+        {picture && <Canvas class="absolute inset-0 size-full [image-rendering:pixelated]" label={`${title}: ${note}`} paint={paint} />}
         {picture && (
-          <i style={{ left: share(at.x, x, width), top: share(at.y, y, height), width: `${100 / width}%`, height: `${100 / height}%` }} />
+          <i class="absolute shadow-[0_0_0_3px_rgb(0_0_0/60%)] outline-[1.5px] outline-[#fff]" style={{ left: share(at.x, x, width), top: share(at.y, y, height), width: `${100 / width}%`, height: `${100 / height}%` }} />
         )}
       </div>
-      <figcaption>
-        <b>{title}</b>
-        <span>{note}</span>
+      <figcaption class="pt-1 text-fine/[1.3]">
+        <b class="block">{title}</b>
+        <span class="block text-soft">{note}</span>
       </figcaption>
     </figure>
   );
@@ -130,7 +133,7 @@ function Floats({ insets, truth, at }: { insets: readonly Inset[]; truth: Pictur
     return LEVELS * Math.sqrt(squares.reduce((sum, square) => sum + square, 0) / 3);
   };
   return (
-    <table class="floats" aria-label={`Linear light at column ${at.x}, row ${at.y}`}>
+    <table class={`floats mb-2.5 ${TABLE}`} aria-label={`Linear light at column ${at.x}, row ${at.y}`}>
       <thead>
         <tr>
           <th scope="col">pixel</th>

@@ -1,5 +1,4 @@
 /** Accuracy benchmark panel: measures time and error of every quality on this GPU. */
-import "./style.css";
 import { render } from "preact";
 import type { Api } from "../api";
 import type { Store } from "../app/store";
@@ -15,8 +14,13 @@ export interface AccuracyEvents {
   close(): void;
 }
 
+/** `wide`: with the server's diagram. */
+const PANEL =
+  "group/panel drawer w-[min(520px,var(--spacing-inner))] bg-[rgb(8_17_26/94%)] tabular-nums shadow-[inset_0_0_0_1px_var(--color-line),0_18px_50px_rgb(0_0_0/30%)] focus-visible:outline-none " +
+  "[&.wide]:w-[min(860px,var(--spacing-inner))] phone:max-h-[min(66dvh,620px)] phone:w-auto! phone:bg-solid phone:pb-[calc(64px+env(safe-area-inset-bottom))]";
+
 export class AccuracyPanel {
-  private readonly root = element("aside", { id: "accuracy", "aria-label": "Accuracy benchmark", tabindex: -1 });
+  private readonly root = element("aside", { id: "accuracy", class: PANEL, "aria-label": "Accuracy benchmark", tabindex: -1 });
   private readonly session: Session;
 
   constructor(api: Api, store: Store, viewport: Viewport, events: AccuracyEvents) {
@@ -26,8 +30,8 @@ export class AccuracyPanel {
     this.root.addEventListener("keydown", (event) => {
       if (event.key === "Escape") events.close();
     });
-    const body = element("div", { class: "body" });
-    this.root.append(element("div", { class: "head" }, element("h2", {}, "Accuracy benchmark"), close), body);
+    const body = element("div", { class: "body scroller px-4.5 pb-4" });
+    this.root.append(element("div", { class: "head flex items-center gap-2.5 pt-1 pr-1.5 pl-4.5" }, element("h2", { class: "flex-1 font-serif text-[17px]/none" }, "Accuracy benchmark"), close), body);
     this.root.inert = true;
     document.getElementById("settings")?.after(this.root);
     this.session.sweep.subscribe((sweep) => this.root.classList.toggle("wide", sweep !== null));

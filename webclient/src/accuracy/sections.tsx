@@ -1,5 +1,6 @@
 /** Result sections: the selected quality, pass times, benefit of each setting, table of all qualities. */
 import type { ComponentChildren } from "preact";
+import { TABLE } from "../charts/table";
 import { labelOf } from "../panel/model";
 import { type Benefit, benefits, NEGLIGIBLE } from "./benefit";
 import type { QualityResult } from "./benchmark";
@@ -22,22 +23,22 @@ export function Selected({ shown, standard, isCurrent }: { shown: QualityResult;
     ["foam coverage", percent(errors.coverage), "%"],
   ];
   return (
-    <section class="selected" aria-live="polite">
-      <h3>{point.label}</h3>
-      <p class="sentence">
+    <section class="selected border-t border-line py-3" aria-live="polite">
+      <h3 class="font-serif text-[21px]/[1.2] first-letter:uppercase">{point.label}</h3>
+      <p class="sentence text-accent">
         {point === standard.point ? "Other qualities are compared with this one." : `Compared with ${standard.point.label}: ${summary}.`}
       </p>
-      <dl>
+      <dl class="flex flex-wrap justify-between gap-x-3.5 gap-y-1 pt-2.5 text-fine">
         {figures.map(([name, value, unit]) => (
           <div key={name}>
-            <dt>{name}</dt>
+            <dt class="text-dim">{name}</dt>
             <dd>
-              <b>{value}</b> {unit}
+              <b class="text-[16px] font-medium">{value}</b> {unit}
             </dd>
           </div>
         ))}
       </dl>
-      {!isCurrent && <p class="fine">The current quality was not measured.</p>}
+      {!isCurrent && <p class="text-fine text-dim">The current quality was not measured.</p>}
     </section>
   );
 }
@@ -47,7 +48,7 @@ export function Disclosure({ title, note, open, children }: { title: string; not
     <details class="disclosure" open={open}>
       <summary>
         <span>{title}</span>
-        <span class="fine">{note}</span>
+        <span class="ml-auto text-fine text-dim">{note}</span>
       </summary>
       <div>{children}</div>
     </details>
@@ -58,11 +59,11 @@ export function Passes({ passes }: QualityResult) {
   const total = passes.reduce((sum, { time }) => sum + time, 0);
   return (
     <Disclosure title="Time by pass" note={`${passes.length} ${passes.length === 1 ? "pass" : "passes"}`}>
-      <ol class="passes">
+      <ol class="passes mb-3 text-fine text-soft">
         {[...passes]
           .sort((a, b) => b.time - a.time)
           .map(({ name, time }) => (
-            <li key={name} style={{ "--share": `${(100 * time) / total}%` }}>
+            <li key={name} class="flex justify-between bg-linear-to-r from-teal to-teal bg-(length:--size) bg-bottom-left bg-no-repeat py-1.5" style={{ "--size": `${(100 * time) / total}% 2px` }}>
               <span>{name}</span>
               <span>{formatNumber(time)} ms</span>
             </li>
@@ -74,7 +75,7 @@ export function Passes({ passes }: QualityResult) {
 
 function Table({ heads, children }: { heads: readonly string[]; children: ComponentChildren }) {
   return (
-    <table>
+    <table class={`mb-2.5 ${TABLE}`}>
       <thead>
         <tr>
           {heads.map((name) => (
@@ -105,7 +106,7 @@ export function Benefits({ standard, measured, session }: { standard: QualityRes
 function BenefitRow({ benefit: { id, title, owner, cause, from, to, added, measurable, removed, perMs }, session }: { benefit: Benefit; session: Session }) {
   const useless = removed < NEGLIGIBLE;
   return (
-    <tr data-id={id} class={useless ? "muted" : ""}>
+    <tr data-id={id} class={useless ? "opacity-75" : ""}>
       <th scope="row" title={`${labelOf(owner)}, affects ${cause}`}>
         <SelectButton id={id} label={title} note={`${from} → ${to}`} session={session} />
       </th>
@@ -128,7 +129,7 @@ export function AllQualities({ run, session }: { run: BenchmarkRun; session: Ses
         {[...measured]
           .sort((a, b) => median(a.rounds) - median(b.rounds))
           .map(({ point, rounds, errors }) => (
-            <tr key={point.id} data-id={point.id} class={point.id === highlighted ? "highlighted" : ""} aria-current={point === current?.point ? "true" : undefined}>
+            <tr key={point.id} data-id={point.id} class={point.id === highlighted ? "bg-tint" : ""} aria-current={point === current?.point ? "true" : undefined}>
               <th scope="row">
                 <SelectButton id={point.id} label={point.label} note={front.has(point.id) ? "on the Pareto front" : ""} session={session} />
               </th>
@@ -140,7 +141,7 @@ export function AllQualities({ run, session }: { run: BenchmarkRun; session: Ses
             </tr>
           ))}
         {unsupported.map(({ point, reason }) => (
-          <tr class="muted" key={point.id}>
+          <tr class="opacity-75" key={point.id}>
             <th scope="row">{point.label}</th>
             <td colSpan={5}>{reason}</td>
           </tr>
@@ -153,10 +154,10 @@ export function AllQualities({ run, session }: { run: BenchmarkRun; session: Ses
 function SelectButton({ id, label, note, session }: { id: string; label: string; note: string; session: Session }) {
   return (
     <>
-      <button type="button" class="select" title={`Select ${label}`} onClick={() => session.select(id)}>
+      <button type="button" class="min-h-11 w-full py-1 text-left first-letter:uppercase" title={`Select ${label}`} onClick={() => session.select(id)}>
         {label}
       </button>
-      {note !== "" && <span class="values">{note}</span>}
+      {note !== "" && <span class="-mt-2 block pb-1.5 text-small text-dim">{note}</span>}
     </>
   );
 }

@@ -5,6 +5,7 @@ import type { Axes } from "../charts/uplot";
 import { equal } from "../scene/json";
 import { download } from "../ui/dom";
 import { BudgetForm } from "./budgetform";
+import { QUIET } from "./classes";
 import { curvesOf } from "./curves";
 import { Diagram } from "./diagram";
 import { marksOf, type Measured, measuredHere, measuredThere, rowsOf } from "./diagramdata";
@@ -16,17 +17,19 @@ import { AllQualities, Benefits, Passes, Selected } from "./sections";
 import type { BenchmarkRun, Session } from "./session";
 import { SpectrumView } from "./spectrumview";
 
+const KEY = "mr-1 mb-1 inline-block w-4";
+
 export function View({ session }: { session: Session }) {
   const { preset, scene } = session.selection.value;
   const run = session.run.value;
   const hasResults = (run?.result.measured.length ?? 0) > 0;
   return (
     <>
-      <p class="lead">
-        Renders <b>{preset.title}</b> at every quality on this GPU and compares each picture with a converged float64 reference.
+      <p class="text-soft">
+        Renders <b class="font-medium text-ink">{preset.title}</b> at every quality on this GPU and compares each picture with a converged float64 reference.
       </p>
       {!equal(scene, preset.scene) && (
-        <p class="edited">The scene was edited. References exist for presets only: the benchmark measures {preset.title} unedited.</p>
+        <p class="edited text-fine text-accent">The scene was edited. References exist for presets only: the benchmark measures {preset.title} unedited.</p>
       )}
       <Measuring session={session} />
       <Diagrams session={session} run={run} />
@@ -40,14 +43,14 @@ function Measuring({ session }: { session: Session }) {
   const failure = session.failed.value;
   const run = session.run.value;
   return (
-    <div class="measuring">
-      <span role="status" class={failure !== null && progress === null ? "failed" : ""}>
+    <div class="grid min-h-11 grid-cols-[1fr_auto] items-center text-fine">
+      <span role="status" class={failure !== null && progress === null ? "text-error" : ""}>
         {progress?.step ?? failure ?? (run ? summary(run) : "")}
       </span>
-      <button type="button" class="small" onClick={() => session.toggleMeasuring()}>
+      <button type="button" class={QUIET} onClick={() => session.toggleMeasuring()}>
         {progress ? "Cancel" : "Measure again"}
       </button>
-      {progress && <progress max={1} aria-label="Benchmark progress" {...(progress.share === null ? {} : { value: progress.share })} />}
+      {progress && <progress class="col-span-full h-[3px] w-full appearance-none bg-track [&::-moz-progress-bar]:bg-accent [&::-webkit-progress-bar]:bg-transparent [&::-webkit-progress-value]:bg-accent" max={1} aria-label="Benchmark progress" {...(progress.share === null ? {} : { value: progress.share })} />}
     </div>
   );
 }
@@ -80,14 +83,14 @@ function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null
   return (
     <>
       <Chooser session={session} curves={curves} />
-      <div class={`diagrams ${sweep ? "two" : ""}`}>
+      <div class={sweep ? "grid grid-cols-2 gap-3 phone:grid-cols-1" : ""}>
         <Diagram kind="machine" title="Frame time and error of every quality" caption="This machine" marks={here} {...common} />
         {sweep && (
           <Diagram kind="server" title="Frame time and error on the server" caption={`The server: ${sweep.machine.renderer}`} marks={there} {...common} fitting={null} />
         )}
       </div>
-      <p class="key">
-        <i class="tiers" /> tiers <i class="front" /> Pareto front <i class="curve" /> one setting changed, bars from first to third quartile
+      <p class="text-fine text-dim">
+        <i class={`${KEY} border-t-2 border-accent`} /> tiers <i class={`${KEY} ml-2 border-t border-dashed border-soft`} /> Pareto front <i class={`${KEY} ml-2 border-t border-teal`} /> one setting changed, bars from first to third quartile
       </p>
       {run && !session.busy.value && <ServerSwitch session={session} />}
     </>
@@ -96,10 +99,10 @@ function Diagrams({ session, run }: { session: Session; run: BenchmarkRun | null
 
 function Chooser({ session, curves }: { session: Session; curves: readonly { pointer: string; title: string }[] }) {
   return (
-    <div class="chooser">
-      <label>
+    <div class="flex gap-4 text-soft">
+      <label class="flex min-w-0 items-center">
         <span aria-hidden="true">Error</span>
-        <select aria-label="Error" value={session.metric.value} onChange={(event) => (session.metric.value = event.currentTarget.value as MetricKey)}>
+        <select class="pick min-w-0 text-ink" aria-label="Error" value={session.metric.value} onChange={(event) => (session.metric.value = event.currentTarget.value as MetricKey)}>
           {METRICS.map(({ key, label }) => (
             <option value={key} key={key}>
               {label}
@@ -107,9 +110,9 @@ function Chooser({ session, curves }: { session: Session; curves: readonly { poi
           ))}
         </select>
       </label>
-      <label>
+      <label class="flex min-w-0 items-center">
         <span aria-hidden="true">Setting</span>
-        <select aria-label="Setting" value={session.curve.value} onChange={(event) => (session.curve.value = event.currentTarget.value)}>
+        <select class="pick min-w-0 text-ink" aria-label="Setting" value={session.curve.value} onChange={(event) => (session.curve.value = event.currentTarget.value)}>
           <option value="">all</option>
           {curves.map(({ pointer, title }) => (
             <option value={pointer} key={pointer}>
@@ -124,10 +127,10 @@ function Chooser({ session, curves }: { session: Session; curves: readonly { poi
 
 function ServerSwitch({ session }: { session: Session }) {
   return (
-    <label class="server-switch">
-      <input type="checkbox" checked={session.withServer.value} onChange={(event) => void session.showServer(event.currentTarget.checked)} />
+    <label class="server-switch flex min-h-11 items-center gap-2.5 text-soft">
+      <input type="checkbox" class="size-4.5 accent-accent" checked={session.withServer.value} onChange={(event) => void session.showServer(event.currentTarget.checked)} />
       <span>
-        Server measurement beside it <span class="fine">{session.serverNote.value}</span>
+        Server measurement beside it <span class="text-fine text-dim">{session.serverNote.value}</span>
       </span>
     </label>
   );
@@ -150,7 +153,7 @@ function Results({ session, run }: { session: Session; run: BenchmarkRun }) {
       <Benefits standard={standard} measured={run.result.measured} session={session} />
       <AllQualities run={run} session={session} />
       <Downloads session={session} run={run} />
-      <p class="fine">{methodNote(run, session.viewport.gpu.capabilities.renderer)}</p>
+      <p class="border-t border-line py-3 text-fine text-dim">{methodNote(run, session.viewport.gpu.capabilities.renderer)}</p>
     </>
   );
 }
@@ -166,11 +169,11 @@ function Downloads({ session, run }: { session: Session; run: BenchmarkRun }) {
   };
   const save = (text: string, type: string, suffix: string) => download(new Blob([text], { type }), `seafoam-accuracy-${run.input.preset.name}.${suffix}`);
   return (
-    <div class="actions">
-      <button type="button" onClick={() => save(toCsv(shown()), "text/csv", "csv")}>
+    <div class="grid grid-cols-2 gap-2 border-t border-line pt-2.5 pb-1">
+      <button type="button" class="button" onClick={() => save(toCsv(shown()), "text/csv", "csv")}>
         Download CSV
       </button>
-      <button type="button" onClick={() => save(toJson(shown()), "application/json", "json")}>
+      <button type="button" class="button" onClick={() => save(toJson(shown()), "application/json", "json")}>
         Download JSON
       </button>
     </div>

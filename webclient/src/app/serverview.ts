@@ -1,5 +1,4 @@
 /** Frames that the server draws, for browsers that cannot: one request at a time, always for the latest view. */
-import "./serverview.css";
 import { type Api, ApiError, type FrameRequest } from "../api";
 import { equal, type Json } from "../scene/json";
 import { element } from "../ui/dom";
@@ -23,11 +22,14 @@ const SHARPENING_DELAY = 300;
 /** Delay before a failed request is repeated, ms; it doubles with each failure. */
 const RETRY = { first: 1000, longest: 16000 };
 
+/** Over the canvas, which takes the pointer. */
+const COVER = "pointer-events-none fixed inset-0 size-full";
+
 export class ServerView implements Display {
   readonly viewport = null;
   dirty = true;
   fixed: number | null = null;
-  private readonly root = element("div", { class: "served" });
+  private readonly root = element("div", { class: `served ${COVER}` });
   private readonly resolution = new DynamicResolution(FIRST_SCALE);
   /** What was requested last, one frame or one for each side. */
   private requested: readonly FrameRequest[] = [];
@@ -157,7 +159,7 @@ export class ServerView implements Display {
 /** The picture, decoded: it replaces the previous one without a gap. */
 async function decoded(frame: Blob): Promise<HTMLImageElement> {
   const url = URL.createObjectURL(frame);
-  const image = element("img", { src: url, alt: "" });
+  const image = element("img", { class: `${COVER} object-cover not-first:[clip-path:inset(0_0_0_var(--at))]`, src: url, alt: "" });
   try {
     await image.decode();
   } finally {

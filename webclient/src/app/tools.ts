@@ -44,9 +44,9 @@ export function addTools(parts: PageParts): void {
   });
 }
 
-/** Adds a round button to the tools. */
+/** Adds a round button to the tools. Phones leave the screen to the page, and the heading needs the space. */
 function addTool(name: IconName, label: string, run: () => void): void {
-  const button = element("button", { type: "button", class: "round", "data-tool": name, title: label, "aria-label": label }, icon(name));
+  const button = element("button", { type: "button", class: name === "fullscreen" ? "round phone:hidden" : "round", "data-tool": name, title: label, "aria-label": label }, icon(name));
   button.addEventListener("click", run);
   byId("tools").append(button);
 }

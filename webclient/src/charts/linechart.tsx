@@ -1,9 +1,9 @@
 /** Lines over logarithmic axes, or a linear one upwards, with a legend and the values as a table. */
-import "./style.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { linearAxis, logAxis } from "./axis";
 import { useSize } from "./size";
+import { TABLE } from "./table";
 import { plotOptions } from "./uplot";
 
 export interface Line {
@@ -44,18 +44,18 @@ export function LineChart({ title, x, lines, xLabel, yLabel, linear = false }: L
   }, [size, x, lines, xLabel, yLabel, linear]);
   return (
     <div class="line-chart">
-      <div class="plot" role="img" aria-label={title} ref={host} />
-      <ul class="legend">
+      <div class="h-(--chart-height,190px)" role="img" aria-label={title} ref={host} />
+      <ul class="legend mt-0.5 flex flex-wrap gap-x-4 gap-y-1 text-small text-soft">
         {lines.map(({ label, colour, dashed }, i) => (
-          <li key={i} class={dashed ? "dashed" : ""} style={{ "--colour": colour }}>
+          <li key={i} class={`before:mr-[7px] before:mb-[3px] before:inline-block before:w-4 before:border-t-2 before:border-(--colour) ${dashed ? "before:border-dashed" : ""}`} style={{ "--colour": colour }}>
             {label}
           </li>
         ))}
       </ul>
-      <details class="disclosure">
+      <details class="disclosure mt-1.5">
         <summary>Values</summary>
-        <div class="scroll">
-          <table>
+        <div class="max-h-60 overflow-auto">
+          <table class={TABLE}>
             <thead>
               <tr>
                 <th scope="col">{xLabel}</th>

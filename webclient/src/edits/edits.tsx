@@ -1,5 +1,4 @@
 /** The edits of the scene: undo and redo, what differs from the preset, and the scene as JSON. */
-import "./edits.css";
 import { type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { type Api, ApiError } from "../api";
@@ -106,31 +105,31 @@ export class SceneEdits {
     const changes = diff(preset.scene, scene);
     return (
       <>
-        <div class="edit-buttons">
-          <button type="button" disabled={!this.history.canUndo} title="Undo (Ctrl+Z)" onClick={() => this.undo()}>
+        <div class="grid grid-cols-2 gap-2 border-t border-line py-2.5">
+          <button type="button" class="button" disabled={!this.history.canUndo} title="Undo (Ctrl+Z)" onClick={() => this.undo()}>
             Undo
           </button>
-          <button type="button" disabled={!this.history.canRedo} title="Redo (Ctrl+Shift+Z)" onClick={() => this.redo()}>
+          <button type="button" class="button" disabled={!this.history.canRedo} title="Redo (Ctrl+Shift+Z)" onClick={() => this.redo()}>
             Redo
           </button>
-          <button type="button" title="Copy the scene as JSON" onClick={() => void this.copy()}>
+          <button type="button" class="button" title="Copy the scene as JSON" onClick={() => void this.copy()}>
             Copy scene
           </button>
-          <button type="button" aria-expanded={this.pasting.value} onClick={() => (this.pasting.value = !this.pasting.value)}>
+          <button type="button" class="button" aria-expanded={this.pasting.value} onClick={() => (this.pasting.value = !this.pasting.value)}>
             Paste scene
           </button>
         </div>
         {this.pasting.value && <PasteForm apply={this.paste} />}
-        <details class="disclosure changes">
+        <details class="disclosure changes px-1.5">
           <summary>{changes.length === 0 ? "no change from the preset" : `${changes.length} changed from the preset`}</summary>
-          <ul>
+          <ul class="mb-3 text-fine text-soft">
             {changes.map(([pointer, value]) => (
-              <li key={pointer}>
-                <code>{pointer}</code>
-                <span>
+              <li key={pointer} class="grid grid-cols-[1fr_44px] items-center py-0.5">
+                <code class="text-small/[1.4] wrap-anywhere text-ink">{pointer}</code>
+                <span class="col-1 wrap-anywhere">
                   {shortText(get(preset.scene, pointer))} → {shortText(value)}
                 </span>
-                <button type="button" class="plain" aria-label={`Revert ${pointer}`} title="Revert" onClick={() => this.revert(pointer)}>
+                <button type="button" class="plain col-2 row-[1/3]" aria-label={`Revert ${pointer}`} title="Revert" onClick={() => this.revert(pointer)}>
                   <svg viewBox="0 0 24 24" aria-hidden="true">
                     <path d="M5 12a7 7 0 1 0 2.300-5.200M5 4.500V9h4.500" />
                   </svg>

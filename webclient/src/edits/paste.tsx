@@ -20,9 +20,10 @@ export function PasteForm({ apply }: PasteProps) {
     }
   };
   return (
-    <form class="paste" onSubmit={(event) => void submit(event)}>
+    <form class="paste grid gap-2 pb-3" onSubmit={(event) => void submit(event)}>
       <textarea
         rows={6}
+        class="w-full resize-y rounded-md border border-line bg-hover px-2.5 py-2 font-mono text-small/[1.5]"
         spellcheck={false}
         aria-label="Scene as JSON"
         aria-invalid={problems.value.length > 0}
@@ -32,10 +33,10 @@ export function PasteForm({ apply }: PasteProps) {
       />
       <div role="alert">
         {problems.value.map((problem) => (
-          <p key={problem}>{problem}</p>
+          <p key={problem} class="mb-1 text-fine wrap-anywhere text-error">{problem}</p>
         ))}
       </div>
-      <button type="submit" class="primary" disabled={text.value.trim() === ""}>
+      <button type="submit" class="button" disabled={text.value.trim() === ""}>
         Apply
       </button>
     </form>

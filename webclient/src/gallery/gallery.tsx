@@ -1,5 +1,4 @@
 /** Gallery of presets: a strip of thumbnails by group, and a list with search and summaries above it. */
-import "./gallery.css";
 import { signal } from "@preact/signals";
 import { render } from "preact";
 import type { PresetSummary } from "../api";
@@ -64,6 +63,10 @@ interface StripProps {
   openList: () => void;
 }
 
+const THUMBNAIL =
+  "group relative h-19 w-[clamp(120px,(100vw-2*var(--spacing-gap)-134px)/9,136px)] flex-none rounded-lg bg-[#16293a] aria-selected:outline-2 aria-selected:outline-accent " +
+  "focus-visible:outline-3 focus-visible:outline-ink phone:h-[66px] phone:w-28 forced-colors:aria-selected:outline-3 forced-colors:aria-selected:outline-[Highlight]";
+
 function Strip({ presets, selected, listOpen, choose, openList }: StripProps) {
   const moveFocus = (event: KeyboardEvent) => {
     const options = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>("[role=option]")];
@@ -89,13 +92,15 @@ function Strip({ presets, selected, listOpen, choose, openList }: StripProps) {
           <path d="M10.500 4.500a6 6 0 1 0 0 12a6 6 0 1 0 0-12M15 15l5 5" />
         </svg>
       </button>
-      <div class="strip" role="listbox" aria-label="Presets" onKeyDown={moveFocus}>
+      <div class="strip -mr-gap flex min-w-0 scroll-px-gap gap-2.5 overflow-x-auto scroll-smooth py-1 pr-gap pl-1 will-change-transform contain-layout contain-paint contain-style [scrollbar-width:none] [&::-webkit-scrollbar]:hidden motion-reduce:scroll-auto" role="listbox" aria-label="Presets" onKeyDown={moveFocus}>
         {grouped(presets).map(({ heading, presets: members }) => (
-          <div role="group" aria-label={heading} key={heading}>
-            <em aria-hidden="true">{heading}</em>
+          // Engines differ in the width that a nested flex container may shrink to: groups and thumbnails do not shrink.
+          <div role="group" class="flex flex-none gap-2.5" aria-label={heading} key={heading}>
+            <em aria-hidden="true" class="max-h-19 flex-none rotate-180 self-center rounded-md bg-panel [padding:6px_3px] text-center text-[10px]/[1.3] tracking-[0.08em] text-balance text-soft not-italic uppercase [writing-mode:vertical-rl]">{heading}</em>
             {members.map(({ name, title, summary }) => (
               <a
                 key={name}
+                class={THUMBNAIL}
                 href={waterUrl(name)}
                 role="option"
                 data-preset={name}
@@ -104,8 +109,8 @@ function Strip({ presets, selected, listOpen, choose, openList }: StripProps) {
                 tabIndex={name === tabStop ? 0 : -1}
                 onClick={(event) => followsLink(event) || choose(name)}
               >
-                <img src={thumbnailUrl(name)} alt="" width={240} height={135} loading="lazy" decoding="async" />
-                <span>{title}</span>
+                <img class="size-full rounded-lg object-cover outline-line group-hover:outline-2" src={thumbnailUrl(name)} alt="" width={240} height={135} loading="lazy" decoding="async" />
+                <span class="absolute inset-x-0 bottom-0 rounded-b-lg bg-[rgb(3_9_14/58%)] px-2 pt-[5px] pb-1.5 text-small/[1.15] text-balance">{title}</span>
               </a>
             ))}
           </div>

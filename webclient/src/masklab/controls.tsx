@@ -11,6 +11,9 @@ const TITLES: Record<(typeof FAMILIES)[number], string> = {
   mix: "clustered bubbles",
   lace: "lace",
 };
+export const FIELD = "flex min-h-11 min-w-0 items-center gap-2.5 text-soft";
+/** Below its name where two masks share a phone. */
+export const PICK = "min-h-11 max-w-full min-w-0 rounded-md bg-hover px-2.5 text-ink phone:flex-1 paired:w-full paired:flex-[1_1_100%]";
 const CUSTOM = ":custom";
 const FIRST: CustomMask = { family: "vac", sigma: 3, size: 128, seed: 1, aspect: 1, age: 0 };
 
@@ -28,9 +31,10 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
   const set = (part: Partial<CustomMask>) => change({ ...(custom ?? FIRST), ...part });
   const family = FAMILIES.find((one) => one === info?.family);
   return (
-    <div class="controls" role="group" aria-label={name}>
+    <div class="flex flex-wrap content-start gap-x-5.5 gap-y-1 paired:flex-col paired:flex-nowrap" role="group" aria-label={name}>
       <Field label="Mask">
         <select
+          class={PICK}
           aria-label={`${name}: mask`}
           value={custom ? CUSTOM : (choice as string)}
           onChange={(event) => {
@@ -50,7 +54,7 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
       {custom && (
         <>
           <Field label="Family">
-            <select aria-label={`${name}: family`} value={custom.family} onChange={(event) => set({ family: event.currentTarget.value as CustomMask["family"] })}>
+            <select class={PICK} aria-label={`${name}: family`} value={custom.family} onChange={(event) => set({ family: event.currentTarget.value as CustomMask["family"] })}>
               {FAMILIES.map((one) => (
                 <option value={one} key={one}>
                   {TITLES[one]}
@@ -66,7 +70,7 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
             </>
           )}
           <Field label="Size">
-            <select aria-label={`${name}: size, texels`} value={custom.size} onChange={(event) => set({ size: Number(event.currentTarget.value) })}>
+            <select class={PICK} aria-label={`${name}: size, texels`} value={custom.size} onChange={(event) => set({ size: Number(event.currentTarget.value) })}>
               {SIZES.map((size) => (
                 <option value={size} key={size}>
                   {size}
@@ -77,6 +81,7 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
           <Field label="Seed">
             <input
               type="number"
+              class={`${PICK} w-[13ch]`}
               aria-label={`${name}: seed`}
               min={0}
               step={1}
@@ -93,7 +98,7 @@ export function Controls({ name, choice, shipped, info, change }: ControlsProps)
 /** A control beside its name, which the control has as its own label. */
 export function Field({ label, children }: { label: string; children: ComponentChildren }) {
   return (
-    <div class="field">
+    <div class={`${FIELD} paired:flex-wrap paired:gap-x-2 paired:gap-y-0`}>
       <span aria-hidden="true">{label}</span>
       {children}
     </div>
@@ -114,6 +119,7 @@ export function Slider({ label, name, value, range: [low, high], step, change }:
     <Field label={label}>
       <input
         type="range"
+        class="w-[150px] paired:w-full paired:flex-[1_1_100%]"
         aria-label={name}
         min={low}
         max={high}
@@ -122,7 +128,7 @@ export function Slider({ label, name, value, range: [low, high], step, change }:
         style={{ "--share": `${(100 * (value - low)) / (high - low)}%` }}
         onInput={(event) => change(event.currentTarget.valueAsNumber)}
       />
-      <output>{value}</output>
+      <output class="min-w-[5ch] text-ink">{value}</output>
     </Field>
   );
 }

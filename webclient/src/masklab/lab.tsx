@@ -4,13 +4,15 @@ import { useCallback, useEffect, useMemo } from "preact/hooks";
 import type { Api, Choice } from "../api";
 import { Canvas } from "../charts/canvas";
 import { choiceText, decodeState, encodeState, type LabState, type MaskChoice, type Show, SHOWS } from "./choice";
-import { Controls, Field, Slider } from "./controls";
+import { Controls, Field, FIELD, PICK, Slider } from "./controls";
 import { type LoadedMask, type MaskInfo, type MaskState, useMask } from "./data";
 import { coverage, drawShades, shades, threshold } from "./pattern";
 import { Spectra } from "./spectra";
 import { TakeHome } from "./takehome";
 
 const SHOW_TITLES: Record<Show, string> = { tile: "one tile", tiled: "2 × 2 tiles", detail: "detail where tiles meet" };
+const PROSE = "mt-1 mb-2.5 max-w-[74ch] text-soft";
+const TICK = "size-4.5 accent-accent";
 /** Pattern after the mask itself was shown. */
 const GREY = 0.25;
 
@@ -42,14 +44,14 @@ export function Lab({ api, base, shipped }: LabProps) {
   return (
     <>
       <header>
-        <h1>Mask laboratory</h1>
-        <p>
+        <h1 class="font-serif text-[clamp(26px,3.4vw,40px)]">Mask laboratory</h1>
+        <p class={PROSE}>
           Foam shows where its saturation exceeds the mask's threshold, so each grey level has a pattern of its own.
         </p>
-        <a href="../">Back to the water</a>
+        <a class="inline-block py-2.5 text-accent underline" href="../">Back to the water</a>
       </header>
       <View state={state.value} set={set} />
-      <div class={`sides ${right === null ? "" : "two"}`}>
+      <div class={`grid gap-x-6.5 gap-y-2.5 phone:gap-x-3.5 ${right === null ? "" : "two grid-cols-2"}`}>
         <Side name="First mask" choice={left} mask={first} shipped={shipped} grey={grey} show={show} change={(choice) => set({ left: choice })} />
         {right !== null && (
           <Side name="Second mask" choice={right} mask={second} shipped={shipped} grey={grey} show={show} change={(choice) => set({ right: choice })} />
@@ -63,14 +65,14 @@ export function Lab({ api, base, shipped }: LabProps) {
 
 function View({ state: { left, right, grey, show }, set }: { state: LabState; set: (part: Partial<LabState>) => void }) {
   return (
-    <div class="view" role="group" aria-label="View">
-      <label class="tick">
-        <input type="checkbox" checked={grey === null} onChange={(event) => set({ grey: event.currentTarget.checked ? null : GREY })} />
+    <div class="flex flex-wrap content-start gap-x-5.5 gap-y-1 pt-1 pb-2.5" role="group" aria-label="View">
+      <label class={FIELD}>
+        <input type="checkbox" class={TICK} checked={grey === null} onChange={(event) => set({ grey: event.currentTarget.checked ? null : GREY })} />
         Mask itself
       </label>
       {grey !== null && <Slider label="Grey level" name="Grey level" value={grey} range={[0, 1]} step={1 / 64} change={(value) => set({ grey: value })} />}
       <Field label="Show">
-        <select aria-label="Show" value={show} onChange={(event) => set({ show: event.currentTarget.value as Show })}>
+        <select class={PICK} aria-label="Show" value={show} onChange={(event) => set({ show: event.currentTarget.value as Show })}>
           {SHOWS.map((one) => (
             <option value={one} key={one}>
               {SHOW_TITLES[one]}
@@ -78,9 +80,10 @@ function View({ state: { left, right, grey, show }, set }: { state: LabState; se
           ))}
         </select>
       </Field>
-      <label class="tick">
+      <label class={FIELD}>
         <input
           type="checkbox"
+          class={TICK}
           checked={right !== null}
           onChange={(event) => set({ right: event.currentTarget.checked ? (choiceText(left) === "clump" ? "vac-24" : "clump") : null })}
         />
@@ -102,10 +105,11 @@ interface SideProps {
 
 function Side({ name, choice, mask: { loaded, busy, error }, shipped, grey, show, change }: SideProps) {
   return (
-    <section class="side" aria-label={name} aria-busy={busy}>
+    // Rows that both sides share, so that their pictures stand beside each other.
+    <section class="side row-span-3 grid min-w-0 grid-cols-1 grid-rows-subgrid" aria-label={name} aria-busy={busy}>
       <Controls name={name} choice={choice} shipped={shipped} info={loaded?.info ?? null} change={change} />
       {loaded && <Picture loaded={loaded} grey={grey} show={show} />}
-      <p class={`status ${error === null ? "" : "failed"}`} role="status">
+      <p class={`status ${PROSE} ${error === null ? "" : "text-error"}`} role="status">
         {error ?? (busy ? "Making the mask…" : loaded ? told(loaded, grey) : "")}
       </p>
     </section>
@@ -115,8 +119,8 @@ function Side({ name, choice, mask: { loaded, busy, error }, shipped, grey, show
 function Picture({ loaded: { info, mask }, grey, show }: { loaded: LoadedMask; grey: number | null; show: Show }) {
   const paint = useCallback((canvas: HTMLCanvasElement) => drawShades(canvas, shades(mask, grey, show)), [mask, grey, show]);
   return (
-    <div class={`picture ${show}`}>
-      <Canvas label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} />
+    <div class="picture aspect-square w-[min(100%,72vh)]">
+      <Canvas class={`size-full rounded-sm ${show === "detail" ? "[image-rendering:pixelated]" : ""}`} label={`${info.title}, ${grey === null ? "the mask" : `pattern at grey ${grey}`}, ${SHOW_TITLES[show]}`} paint={paint} />
     </div>
   );
 }

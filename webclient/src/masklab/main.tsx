@@ -1,6 +1,5 @@
 /** Opens the mask laboratory, a page of its own. */
 import "../style.css";
-import "./style.css";
 import { render } from "preact";
 import { Api } from "../api";
 import { byId } from "../ui/dom";

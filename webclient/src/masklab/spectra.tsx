@@ -46,13 +46,13 @@ export function Spectra({ masks, grey }: { masks: readonly LoadedMask[]; grey: n
   if (charts.level === undefined) return null;
   const { x, raps, anisotropy, level } = charts;
   return (
-    <section class="spectra" aria-label="Spectra">
-      <h2>Spectra</h2>
-      <p>
+    <section class="spectra pt-5.5" aria-label="Spectra">
+      <h2 class="font-serif text-[22px]">Spectra</h2>
+      <p class="mt-1 mb-2.5 max-w-[74ch] text-soft">
         Of the pattern at grey {level.grey}, measured on the whole periodic tile; dots spread ideally would repeat at {level.principal_frequency} cycles per
         texel. Anisotropy of a random pattern without direction is 0 dB.
       </p>
-      <div class="charts">
+      <div class="grid grid-cols-2 gap-6.5 [--chart-height:250px] *:min-w-0 phone:grid-cols-1">
         <LineChart title="Radially averaged power spectrum" x={x} lines={raps} xLabel="cycles per texel" yLabel="power, white noise = 1" />
         <LineChart title="Anisotropy" x={x} lines={anisotropy} xLabel="cycles per texel" yLabel="anisotropy, dB" linear />
       </div>

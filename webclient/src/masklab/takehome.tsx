@@ -4,6 +4,9 @@ import { type MaskChoice, maskPath } from "./choice";
 import type { MaskInfo } from "./data";
 import { FORMATS, snippets } from "./snippets";
 
+const UNTESTED = "untested before:content-['⚠_']";
+const BUTTON = "block min-h-11 rounded-lg bg-hover px-3.5 py-[11px]";
+
 interface TakeHomeProps {
   choice: MaskChoice;
   info: MaskInfo;
@@ -27,22 +30,23 @@ export function TakeHome({ choice, info, base }: TakeHomeProps) {
     }
   };
   return (
-    <section class="take-home" aria-label="Downloads and code">
-      <h2>{info.title}: files and code</h2>
-      <ul class="formats">
+    <section class="take-home pt-5.5" aria-label="Downloads and code">
+      <h2 class="font-serif text-[22px]">{info.title}: files and code</h2>
+      <ul class="formats my-2.5 flex flex-wrap gap-2">
         {FORMATS.map(({ resource, title, note }) => (
           <li key={resource}>
-            <a href={url(resource)} download>
-              <b>{title}</b> <span>{note}</span>
+            <a class={BUTTON} href={url(resource)} download>
+              <b>{title}</b> <span class="text-fine text-soft">{note}</span>
             </a>
           </li>
         ))}
       </ul>
-      <div class="engines" role="group" aria-label="Engine">
+      <div class="flex flex-wrap items-center gap-2" role="group" aria-label="Engine">
         {list.map((one) => (
           <button
             type="button"
             key={one.name}
+            class={`${BUTTON} aria-pressed:inset-ring-[1.5px] aria-pressed:inset-ring-accent`}
             aria-pressed={one.name === shown.name}
             onClick={() => {
               setName(one.name);
@@ -52,15 +56,15 @@ export function TakeHome({ choice, info, base }: TakeHomeProps) {
             {one.name}
           </button>
         ))}
-        <button type="button" class="copy" onClick={() => void copy()}>
+        <button type="button" class={BUTTON} onClick={() => void copy()}>
           Copy code
         </button>
         <span role="status">{copied}</span>
       </div>
-      <p class={shown.tested ? "tested" : "untested"}>
+      <p class={`mt-1 mb-2.5 max-w-[74ch] text-soft ${shown.tested ? "tested" : UNTESTED}`}>
         {shown.note} File: {shown.file}. Licence: {info.license}.
       </p>
-      <pre tabIndex={0} aria-label={`Code for ${shown.name}`}>
+      <pre class="max-h-[460px] overflow-auto rounded-lg bg-[#0b151e] px-4.5 py-4 text-fine/[1.55]" tabIndex={0} aria-label={`Code for ${shown.name}`}>
         <code>{shown.code}</code>
       </pre>
     </section>

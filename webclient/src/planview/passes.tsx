@@ -4,6 +4,7 @@ import { type Graph, type GraphNode, graphOf, targetText } from "./graph";
 
 const NODE = { width: 138, height: 52 };
 const GAP = { x: 30, y: 10 };
+const DETAIL = "fill-soft stroke-none text-[10.5px]";
 const LONGEST_LABEL = 19;
 
 export interface PassesProps {
@@ -31,16 +32,16 @@ function Node({ node, props: { plan, width, height, times, choose } }: { node: G
   const target = targetText(plan, last?.target ?? "screen", width, height);
   const count = node.passes.length > 1 ? ` × ${node.passes.length}` : "";
   return (
-    <g class="node" transform={`translate(${x} ${y})`} onClick={() => choose(node.program)}>
+    <g class="node group cursor-pointer" transform={`translate(${x} ${y})`} onClick={() => choose(node.program)}>
       <title>{`${node.program}${count}: ${target.size}, ${target.format}`}</title>
-      <rect width={NODE.width} height={NODE.height} rx="8" />
-      <text x="10" y="18" class="name">
+      <rect class="fill-[#10212e] stroke-line group-hover:stroke-accent in-[.kind.frame]:fill-[#16303f]" width={NODE.width} height={NODE.height} rx="8" />
+      <text x="10" y="18" class="name fill-ink stroke-none text-small">
         {shortened(node.program + count)}
       </text>
-      <text x="10" y="32">
+      <text x="10" y="32" class={DETAIL}>
         {target.size}
       </text>
-      <text x="10" y="45">
+      <text x="10" y="45" class={DETAIL}>
         {[target.format, timeText(times, passes)].filter(Boolean).join(" · ")}
       </text>
     </g>
@@ -59,9 +60,9 @@ function GraphPicture({ graph, label, props }: { graph: Graph; label: string; pr
   const width = graph.columns * (NODE.width + GAP.x) - GAP.x;
   const height = graph.rows * (NODE.height + GAP.y) - GAP.y;
   return (
-    <div class="graph" tabIndex={0} role="group" aria-label={label}>
-      <svg style={{ width: width + 2, height: height + 2 }} viewBox={`-1 -1 ${width + 2} ${height + 2}`} role="img" aria-label={`${label}; the table below lists the same`}>
-        {graph.nodes.flatMap((node) => [...node.reads].map((source) => <path key={`${source.program} ${node.program}`} d={edge(source, node)} />))}
+    <div class="max-h-80 overflow-auto rounded-lg border border-line bg-[rgb(0_0_0/25%)] p-3" tabIndex={0} role="group" aria-label={label}>
+      <svg class="max-w-none [stroke-width:1.2]" style={{ width: width + 2, height: height + 2 }} viewBox={`-1 -1 ${width + 2} ${height + 2}`} role="img" aria-label={`${label}; the table below lists the same`}>
+        {graph.nodes.flatMap((node) => [...node.reads].map((source) => <path class="stroke-[rgb(190_220_235/32%)]" key={`${source.program} ${node.program}`} d={edge(source, node)} />))}
         {graph.nodes.map((node) => (
           <Node key={node.program} node={node} props={props} />
         ))}
@@ -78,7 +79,7 @@ function Row({ pass, props: { plan, width, height, times, choose } }: { pass: Pa
     <tr>
       <td>{pass.name}</td>
       <td>
-        <button type="button" onClick={() => choose(pass.program)}>
+        <button type="button" class="pill rounded-md px-2.5" onClick={() => choose(pass.program)}>
           {pass.program}
         </button>
       </td>
@@ -109,9 +110,9 @@ export function Passes(props: PassesProps) {
             </h3>
             <GraphPicture graph={graphOf(plan, when)} label={title} props={props} />
             <details>
-              <summary>Table of the passes</summary>
-              <div class="scroll" tabIndex={0} role="group" aria-label={`${title}, table`}>
-                <table>
+              <summary class="min-h-11 cursor-pointer content-center text-soft">Table of the passes</summary>
+              <div class="overflow-auto rounded-lg border border-line" tabIndex={0} role="group" aria-label={`${title}, table`}>
+                <table class="text-small whitespace-nowrap [&_:is(th,td)]:border-b [&_:is(th,td)]:border-line [&_:is(th,td)]:px-3 [&_:is(th,td)]:py-1 [&_:is(th,td)]:text-left">
                   <thead>
                     <tr>
                       {["pass", "program", "target", "size", "format", "state", "time"].map((head) => (

@@ -2,9 +2,24 @@
 import { useMemo } from "preact/hooks";
 import type { FramePlan, Shader } from "../generated/api";
 import type { Executor } from "../plan/executor";
-import { lines } from "./highlight";
+import { lines, type TokenKind } from "./highlight";
 
 export type Stage = "vertex" | "fragment";
+
+/** Its number, and on the right the name of the file that begins here; neither is part of the text. */
+const LINE =
+  "line relative block [counter-increment:line] before:mr-[2ch] before:inline-block before:w-[5ch] before:text-right before:text-faint before:content-[counter(line)] " +
+  "data-file:mt-2.5 data-file:border-t data-file:border-line data-file:after:absolute data-file:after:top-0 data-file:after:right-0 data-file:after:bg-sheet data-file:after:pl-3 " +
+  "data-file:after:text-accent data-file:after:content-[attr(data-file)]";
+
+const COLOURS: Record<TokenKind, string> = {
+  plain: "",
+  comment: "text-[#8fa9b5]",
+  directive: "text-[#d3a6e0]",
+  keyword: "keyword text-accent",
+  type: "text-[#8fd0ef]",
+  number: "text-[#a8dca0]",
+};
 
 export interface SourceProps {
   plan: FramePlan;
@@ -27,11 +42,11 @@ function Listing({ text, shader }: { text: string; shader: Shader }) {
   const rows = useMemo(() => lines(text), [text]);
   const files = new Map(shader.files.map(({ path, line }) => [line, path]));
   return (
-    <pre class="glsl" tabIndex={0} aria-label="GLSL">
+    <pre class="glsl max-h-[60vh] [counter-reset:line]" tabIndex={0} aria-label="GLSL">
       <code>
         {rows.map((row, index) => (
-          <span class="line" key={index} data-file={files.get(index + 1)}>
-            {row.map(({ kind, text: part }, i) => (kind === "plain" ? part : <span key={i} class={kind}>{part}</span>))}
+          <span class={LINE} key={index} data-file={files.get(index + 1)}>
+            {row.map(({ kind, text: part }, i) => (kind === "plain" ? part : <span key={i} class={COLOURS[kind]}>{part}</span>))}
           </span>
         ))}
       </code>
@@ -47,10 +62,10 @@ export function Source(props: SourceProps) {
   const { text, compiled } = sourceOf(props, shader);
   return (
     <section>
-      <div class="actions tabs">
+      <div class="pills">
         <label>
           Program{" "}
-          <select value={program} onChange={(event) => choose(event.currentTarget.value, stage)}>
+          <select class="min-h-11 rounded-lg border border-line bg-[#0c1a25] px-3" value={program} onChange={(event) => choose(event.currentTarget.value, stage)}>
             {Object.keys(plan.programs).map((name) => (
               <option key={name} value={name}>
                 {name}
@@ -59,7 +74,7 @@ export function Source(props: SourceProps) {
           </select>
         </label>
         {(["vertex", "fragment"] as const).map((name) => (
-          <button type="button" key={name} aria-pressed={name === stage} onClick={() => choose(program, name)}>
+          <button type="button" class="pill" key={name} aria-pressed={name === stage} onClick={() => choose(program, name)}>
             {name}
           </button>
         ))}

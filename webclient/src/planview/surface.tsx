@@ -10,12 +10,14 @@ import { type Change, changesBetween } from "./changes";
 import { Passes } from "./passes";
 import { passTimes, reasonForNoTimes } from "./passtimes";
 import { Source, type Stage } from "./source";
-import "./style.css";
 
 const VIEWS = ["Passes", "Effects", "GLSL", "Changes"] as const;
 type View = (typeof VIEWS)[number];
 /** Quality of the preset's own plan. */
 const PRESET_TIER = "standard";
+
+const NOTES =
+  "notes *:border-b *:border-line *:py-2 *:text-soft [&_b]:font-semibold [&_b]:text-ink [&_small]:block [&_small]:text-small [&_small]:wrap-anywhere";
 
 const counted = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
 
@@ -23,7 +25,7 @@ function Effects({ plan }: { plan: FramePlan }) {
   return (
     <>
       <h3>Active: {plan.effects.length}</h3>
-      <ul class="notes">
+      <ul class={NOTES}>
         {plan.effects.map(({ name, why, files }) => (
           <li key={name}>
             <b>{labelOf(name)}</b> {why}
@@ -32,7 +34,7 @@ function Effects({ plan }: { plan: FramePlan }) {
         ))}
       </ul>
       <h3>Skipped: {plan.skipped.length}</h3>
-      <ul class="notes skipped">
+      <ul class={`skipped ${NOTES}`}>
         {plan.skipped.map(({ name, why, bound }) => (
           <li key={name}>
             <b>{labelOf(name)}</b> {why}
@@ -63,7 +65,7 @@ function Changes({ context, plan }: { context: SurfaceContext; plan: FramePlan }
       <p>
         {changes.value.length} differences from the plan of “{title}” at quality {PRESET_TIER}.
       </p>
-      <ul class="notes plan-changes">
+      <ul class={`plan-changes ${NOTES}`}>
         {changes.value.map(({ what, name: changed, how, detail }) => (
           <li key={`${what} ${changed}`} class={how}>
             <b>
@@ -82,7 +84,7 @@ function Timing({ context, measure, measured }: { context: SurfaceContext; measu
   const reason = reasonForNoTimes(context.display.viewport?.gpu ?? null);
   if (reason !== null) return <p>Time of each pass: {reason}</p>;
   return (
-    <div class="actions">
+    <div class="pills">
       <TaskButton run={measure} failed={context.failed}>
         {measured ? "Measure again" : "Measure the time of each pass"}
       </TaskButton>
@@ -129,9 +131,9 @@ function Plan({ context }: { context: SurfaceContext }) {
         {counted(length, "pass", "passes")}, {counted(Object.keys(current.programs).length, "program")},{" "}
         {counted(Object.keys(current.textures).length, "texture")}, {counted(current.samples, "sample")} per pixel, picture of {width} × {height}.
       </p>
-      <div class="actions tabs" role="group" aria-label="View">
+      <div class="pills" role="group" aria-label="View">
         {VIEWS.map((name) => (
-          <button type="button" key={name} aria-pressed={name === view.value} onClick={() => (view.value = name)}>
+          <button type="button" class="pill" key={name} aria-pressed={name === view.value} onClick={() => (view.value = name)}>
             {name}
           </button>
         ))}

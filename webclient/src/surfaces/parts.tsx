@@ -5,8 +5,8 @@ import "./surface.css";
 
 export function Head({ title, close }: { title: string; close: () => void }) {
   return (
-    <div class="sheet-head">
-      <h2>{title}</h2>
+    <div class="sticky top-0 z-1 -mx-5 flex items-center justify-between border-b border-line bg-sheet p-2 pl-5">
+      <h2 class="font-serif text-[22px]/[1.2]">{title}</h2>
       <button type="button" class="plain" aria-label={`Close ${title.toLowerCase()}`} onClick={close}>
         <svg viewBox="0 0 24 24" aria-hidden="true">
           <path d="M6.500 6.500l11 11M17.500 6.500l-11 11" />
@@ -26,7 +26,7 @@ export function TaskButton({ run, children, failed }: { run: () => Promise<void>
       .finally(() => setRunning(false));
   };
   return (
-    <button type="button" disabled={running} aria-busy={running} onClick={start}>
+    <button type="button" class="pill" disabled={running} aria-busy={running} onClick={start}>
       {children}
     </button>
   );
@@ -41,7 +41,7 @@ export function CodeBlock({ label, text, failed }: { label: string; text: string
     setTimeout(() => setCopied(false), 2000);
   };
   return (
-    <div class="code-block">
+    <div>
       <TaskButton run={copy} failed={failed}>
         {copied ? "Copied" : `Copy ${label}`}
       </TaskButton>

@@ -40,7 +40,7 @@ export class Surfaces {
     if (name === null) return;
     const { title, load } = SURFACES[name];
     this.opener = focus ? document.activeElement : null;
-    const sheet = element("section", { class: "sheet", role: "dialog", "aria-label": title, tabindex: -1, "data-surface": name });
+    const sheet = element("section", { class: "sheet data-[surface=plan]:[--width:820px]", role: "dialog", "aria-label": title, tabindex: -1, "data-surface": name });
     this.sheet = sheet;
     sheet.addEventListener("keydown", (event) => {
       if (event.key === "Escape") this.show(null);

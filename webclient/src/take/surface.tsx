@@ -26,13 +26,13 @@ function Frame({ context }: { context: SurfaceContext }) {
       <p>
         Exactly the frame at {time.toFixed(2)} s, {width} × {height} pixels: the same request gives the same bytes.
       </p>
-      <div class="actions tabs" role="group" aria-label="Language">
+      <div class="pills" role="group" aria-label="Language">
         {(Object.keys(LANGUAGES) as Language[]).map((name) => (
-          <button type="button" key={name} aria-pressed={name === language.value} onClick={() => (language.value = name)}>
+          <button type="button" class="pill" key={name} aria-pressed={name === language.value} onClick={() => (language.value = name)}>
             {name}
           </button>
         ))}
-        <button type="button" onClick={update}>
+        <button type="button" class="pill" onClick={update}>
           Take the current frame
         </button>
       </div>
@@ -53,16 +53,16 @@ function Pictures({ context }: { context: SurfaceContext }) {
     <section>
       <h3>Picture with its recipe</h3>
       <p>The PNG carries scene, quality, camera and time. Drop it on this page, or choose it here, and the view is restored.</p>
-      <div class="actions">
+      <div class="pills">
         <TaskButton run={() => context.save(context.png(), "")} failed={failed}>
           PNG, drawn here
         </TaskButton>
         <TaskButton run={() => context.save(server(), "-server")} failed={failed}>
           PNG, drawn by the server
         </TaskButton>
-        <label class="file">
+        <label class="file pill relative overflow-hidden focus-within:outline-2 focus-within:outline-offset-2 focus-within:outline-accent">
           Restore from a PNG
-          <input type="file" accept="image/png" onChange={(event) => picked(event.currentTarget)} />
+          <input type="file" class="pointer-events-none absolute inset-0 w-full opacity-0" accept="image/png" onChange={(event) => picked(event.currentTarget)} />
         </label>
         <TaskButton run={() => context.copyLink()} failed={failed}>
           Copy link
@@ -81,7 +81,7 @@ function Archive({ context }: { context: SurfaceContext }) {
     <section>
       <h3>Zip that runs by itself</h3>
       <p>Page, player, frame plan, GLSL, textures and uniforms of this scene. Unpack it and open index.html: no server, no network.</p>
-      <div class="actions">
+      <div class="pills">
         <TaskButton run={pack} failed={context.failed}>
           Zip
         </TaskButton>

@@ -1,5 +1,4 @@
 /** Touching the water: turns what the main pointer draws into rings of the scene, and says what the pointer does. */
-import "./style.css";
 import type { CameraControls, Stroke, StrokePoint } from "../camera/controls";
 import type { Clock } from "../app/clock";
 import type { Store } from "../app/store";
@@ -33,7 +32,7 @@ export interface TouchEvents {
 }
 
 export class TouchTool implements Stroke {
-  readonly button = element("button", { type: "button", class: "round", "data-tool": "touch" }, icon("touch"));
+  readonly button = element("button", { type: "button", class: "round aria-pressed:border-current aria-pressed:text-accent", "data-tool": "touch" }, icon("touch"));
   private last: Touch | null = null;
   /** Where a finger has come down, until it is known to be alone. */
   private pending: { point: StrokePoint; timer: number } | null = null;

@@ -5,7 +5,7 @@ import { element } from "./dom";
 const CLOCKS = { gpu: "GPU timer query", fence: "until rendering is done", server: "from request to decoded picture" };
 
 export class FrameStats {
-  readonly root = element("output", { class: "frame-stats" });
+  readonly root = element("output", { class: "frame-stats h-4.5 w-[42ch] flex-none overflow-hidden text-right text-small/[18px] whitespace-nowrap text-soft tabular-nums will-change-transform contain-strict phone:order-9 phone:w-full phone:text-center phone:text-tiny/[18px] under-sheet:hidden" });
 
   /** `auto`: the page selected the quality. */
   show({ frame, clock, fps, width, height, scale }: FrameTiming, playing: boolean, quality: string, auto: boolean): void {

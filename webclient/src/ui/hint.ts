@@ -7,7 +7,7 @@ const FADE = 600;
 /** Shows the hint above the bar; `touch`: where fingers are the main pointer. */
 export function showHint(container: HTMLElement, touch: boolean): void {
   const text = touch ? "Touch the water · two fingers look around" : "Touch the water · right drag to look around · W A S D to move · / lists all waters · F fills the screen";
-  const hint = element("p", { class: "hint" }, text);
+  const hint = element("p", { class: "hint pointer-events-none! justify-self-center rounded-sheet bg-panel px-4 py-2 text-center text-note text-soft transition-opacity duration-500 will-change-[opacity] [&.gone]:opacity-0" }, text);
   container.prepend(hint);
   const events = ["pointerdown", "keydown", "wheel"] as const;
   const leave = () => {

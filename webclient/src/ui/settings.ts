@@ -18,20 +18,21 @@ export interface SettingsEvents {
 
 const DEGREES = 180 / Math.PI;
 const AUTOMATIC = "auto";
+const SELECT = "pick min-h-9 min-w-0 flex-[0_0_154px] finger:min-h-11";
 const SCALES = [1, 0.75, 0.5, 0.35, 0.25];
 
 export class SettingsPanel {
   /** Container of the scene's pane. */
-  readonly scene = element("div", { class: "scene" });
+  readonly scene = element("div", { class: "scene pb-2" });
   /** Container of undo, redo and the changes. */
   readonly edits = element("div");
-  private readonly quality = element("select", { id: "quality" });
-  private readonly scale = element("select", { id: "scale" });
-  private readonly mode = element("select", { id: "mode" });
-  private readonly fov = element("input", { id: "fov", type: "range", min: 10, max: 110, step: 1 });
-  private readonly fovOutput = element("output", { for: "fov" });
-  private readonly busyLabel = element("span", { class: "busy", hidden: true }, "Loading plan…");
-  private readonly frameButton = element("button", { type: "button" }, "Render on server");
+  private readonly quality = element("select", { id: "quality", class: SELECT });
+  private readonly scale = element("select", { id: "scale", class: SELECT });
+  private readonly mode = element("select", { id: "mode", class: SELECT });
+  private readonly fov = element("input", { id: "fov", class: "min-w-0 flex-[0_0_108px]", type: "range", min: 10, max: 110, step: 1 });
+  private readonly fovOutput = element("output", { for: "fov", class: "flex-[0_0_34px] text-right tabular-nums" });
+  private readonly busyLabel = element("span", { class: "busy text-small text-accent", hidden: true }, "Loading plan…");
+  private readonly frameButton = element("button", { type: "button", class: "button disabled:cursor-progress" }, "Render on server");
 
   constructor(
     private readonly container: HTMLElement,
@@ -42,7 +43,7 @@ export class SettingsPanel {
   ) {
     const close = element("button", { type: "button", class: "plain", "aria-label": "Close settings" }, icon("close"));
     close.addEventListener("click", () => this.toggle(false));
-    const reset = element("button", { type: "button" }, "Reset scene");
+    const reset = element("button", { type: "button", class: "button" }, "Reset scene");
     reset.addEventListener("click", () => events.reset());
     this.frameButton.title = "Renders this view on the server and saves it as PNG";
     this.frameButton.addEventListener("click", () => events.serverFrame());
@@ -55,15 +56,15 @@ export class SettingsPanel {
     this.fov.addEventListener("input", () => controls.set({ ...controls.camera, fov: Number(this.fov.value) / DEGREES }));
     controls.onMove(() => this.showFov());
     const row = (label: string, id: string, ...fields: HTMLElement[]) =>
-      element("div", { class: "row" }, element("label", { for: id }, label), ...fields);
+      element("div", { class: "flex min-h-9 items-center gap-2 px-1.5 finger:min-h-11" }, element("label", { for: id, class: "flex-1 text-soft first-letter:uppercase" }, label), ...fields);
     container.append(
-      element("div", { class: "head" }, element("h2", {}, "Settings"), this.busyLabel, close),
+      element("div", { class: "head flex items-center gap-2.5 pt-1 pr-1.5 pl-4.5" }, element("h2", { class: "flex-1 font-serif text-[17px]/none" }, "Settings"), this.busyLabel, close),
       element(
         "div",
-        { class: "body" },
+        { class: "body scroller px-3 pb-3.5" },
         element(
           "section",
-          {},
+          { class: "pb-2" },
           row("quality", "quality", this.quality),
           row("resolution", "scale", this.scale),
           row("camera", "mode", this.mode),
@@ -72,8 +73,8 @@ export class SettingsPanel {
         this.scene,
         this.edits,
         effects.root,
-        element("div", { class: "actions" }, this.frameButton, reset),
-        element("p", { class: "shortcuts" }, "Drag: touch the water · right drag or two fingers: rotate · W A S D, Q E: move · wheel or pinch: zoom · Shift + wheel: field of view · space: play · , and .: step a frame · /: list of waters · F: full screen · Ctrl+Z: undo"),
+        element("div", { class: "grid grid-cols-2 gap-2 border-t border-line pt-2.5 pb-1" }, this.frameButton, reset),
+        element("p", { class: "mx-1.5 mt-2.5 text-small text-dim" }, "Drag: touch the water · right drag or two fingers: rotate · W A S D, Q E: move · wheel or pinch: zoom · Shift + wheel: field of view · space: play · , and .: step a frame · /: list of waters · F: full screen · Ctrl+Z: undo"),
       ),
     );
     this.showFov();

@@ -1,5 +1,4 @@
 /** Split view of two values of one field, with a divider that is dragged or moved by the arrow keys. */
-import "./splitview.css";
 import type { Split } from "../app/store";
 import { labelOf } from "../panel/model";
 import { element, fillSelect } from "./dom";
@@ -10,18 +9,26 @@ export interface ComparableField {
   options: readonly { name: string; title: string }[];
 }
 
+const VALUE = "pick field-sizing-content max-w-60 phone:max-w-none phone:min-w-0 phone:flex-1";
+/** A disc with an arrowhead at each side. */
+const HANDLE =
+  "handle pointer-events-auto absolute top-1/2 left-(--at) -m-5.5 size-11 cursor-ew-resize touch-none rounded-full bg-solid shadow-[inset_0_0_0_1px_rgb(240_248_250/60%),0_4px_18px_rgb(0_0_0/40%)] " +
+  "before:absolute before:top-4.5 before:left-3 before:size-[7px] before:rotate-45 before:border-b-[1.5px] before:border-l-[1.5px] before:border-ink " +
+  "after:absolute after:top-4.5 after:right-3 after:size-[7px] after:rotate-225 after:border-b-[1.5px] after:border-l-[1.5px] after:border-ink " +
+  "forced-colors:border forced-colors:border-[ButtonText]";
+
 export class SplitView {
   private readonly handle = element("div", {
-    class: "handle",
+    class: HANDLE,
     role: "slider",
     tabindex: 0,
     "aria-label": "Split position",
     "aria-valuemin": 0,
     "aria-valuemax": 100,
   });
-  private readonly field = element("select", { "aria-label": "Compared field" });
-  private readonly left = element("select", { "aria-label": "Left value" });
-  private readonly right = element("select", { "aria-label": "Right value" });
+  private readonly field = element("select", { class: "pick field-sizing-content max-w-60 text-fine text-soft phone:max-w-[92px] phone:flex-none", "aria-label": "Compared field" });
+  private readonly left = element("select", { class: VALUE, "aria-label": "Left value" });
+  private readonly right = element("select", { class: VALUE, "aria-label": "Right value" });
   private split: Split | null = null;
 
   constructor(
@@ -29,8 +36,8 @@ export class SplitView {
     private readonly change: (split: Split) => void,
     private readonly compareBy: (field: string) => void,
   ) {
-    const selects = element("div", { class: "split-controls" }, this.left, this.field, this.right);
-    container.append(element("div", { class: "line" }), this.handle, selects);
+    const selects = element("div", { class: "pointer-events-auto absolute bottom-[calc(176px+env(safe-area-inset-bottom))] left-1/2 flex -translate-x-1/2 items-center rounded-xl border border-line bg-panel px-1 phone:bottom-[calc(184px+env(safe-area-inset-bottom))] phone:w-inner" }, this.left, this.field, this.right);
+    container.append(element("div", { class: "absolute inset-y-0 left-(--at) w-px bg-[rgb(240_248_250/75%)] shadow-[0_0_12px_rgb(0_0_0/45%)]" }), this.handle, selects);
     this.handle.addEventListener("pointerdown", (event) => this.handle.setPointerCapture(event.pointerId));
     this.handle.addEventListener("pointermove", (event) => {
       if (this.handle.hasPointerCapture(event.pointerId)) this.move(event.clientX / container.clientWidth);

@@ -3,7 +3,7 @@
 /** Written by `make stills`. */
 const FOLDER = "./stills";
 
-/** A little longer than the transition in style.css, ms. */
+/** A little longer than the transition in index.html, ms. */
 const FADE = 400;
 const PAINT_TIMEOUT = 800;
 

@@ -3,7 +3,6 @@
  *
  * `movePosition` is for every frame: it sets transforms, which repaints nothing. `update` repaints, a few times a second.
  */
-import "./transport.css";
 import type { Clock } from "../app/clock";
 import { element } from "./dom";
 import { icon } from "./icons";
@@ -13,15 +12,19 @@ const FRAME = 1 / 60;
 
 /** Length of the scrubber, s: it covers the current minute, since time is unbounded. */
 const WINDOW = 60;
+/** Drawn by backgrounds, which forced colours take away. */
+const LINE = "pointer-events-none absolute inset-x-[7px] top-[21px] h-0.5 rounded-[1px] forced-colors:bg-[CanvasText] forced-colors:forced-color-adjust-none";
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Transport {
   private readonly play = element("button", { type: "button", class: "round" });
-  private readonly scrub = element("input", { type: "range", min: 0, max: WINDOW, step: "any", "aria-label": "Time within the minute" });
-  private readonly elapsed = element("i", { class: "elapsed" });
-  private readonly position = element("i", { class: "position" });
-  private readonly timeInput = element("input", { type: "text", inputmode: "decimal", class: "time-input", "aria-label": "Time in seconds", title: "Time in seconds; the keys , and . step by a frame of 1/60 s" });
-  private readonly speed = element("select", { "aria-label": "Speed", title: "Speed" });
+  /** Transparent, over a line and a dot that are moved without repainting. */
+  private readonly scrub = element("input", { type: "range", class: "w-full opacity-0", min: 0, max: WINDOW, step: "any", "aria-label": "Time within the minute" });
+  private readonly elapsed = element("i", { class: `${LINE} origin-left bg-ink will-change-transform` });
+  /** As wide as the track, so that translateX in percent is a share of the track. */
+  private readonly position = element("i", { class: "pointer-events-none absolute inset-x-[7px] top-[21px] h-0 will-change-transform before:absolute before:-top-1.5 before:-left-[7px] before:size-3.5 before:rounded-full before:bg-ink forced-colors:before:forced-color-adjust-none forced-colors:before:bg-[CanvasText]" });
+  private readonly timeInput = element("input", { type: "text", inputmode: "decimal", class: "h-11 w-[8.5ch] text-right tabular-nums will-change-transform contain-strict phone:w-[7ch]", "aria-label": "Time in seconds", title: "Time in seconds; the keys , and . step by a frame of 1/60 s" });
+  private readonly speed = element("select", { class: "pick field-sizing-content", "aria-label": "Speed", title: "Speed" });
   private scrubbing = false;
 
   constructor(
@@ -32,8 +35,8 @@ export class Transport {
   ) {
     const reset = element("button", { type: "button", class: "plain", title: "Reset time", "aria-label": "Reset time" }, icon("reset"));
     this.speed.append(...SPEEDS.map((s) => element("option", { value: s }, `${s}×`)));
-    const unit = element("label", { class: "time" }, this.timeInput, element("span", {}, "s"));
-    const scrub = element("div", { class: "scrub" }, element("i"), this.elapsed, this.position, this.scrub);
+    const unit = element("label", { class: "flex items-center gap-1 text-soft" }, this.timeInput, element("span", {}, "s"));
+    const scrub = element("div", { class: "relative mr-2.5 ml-1.5 h-11 min-w-15 flex-1 contain-layout contain-style has-focus-visible:rounded-md has-focus-visible:outline-2 has-focus-visible:outline-accent phone:mx-1" }, element("i", { class: `${LINE} bg-track` }), this.elapsed, this.position, this.scrub);
     container.append(this.play, reset, scrub, unit, this.speed, readout);
 
     this.play.addEventListener("click", () => (clock.playing = !clock.playing));

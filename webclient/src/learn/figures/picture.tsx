@@ -14,7 +14,7 @@ const [ASPECT, WIDEST, WIDEST_SOFTWARE] = [16 / 9, 960, 640];
 const [QUALITY, QUALITY_SOFTWARE] = ["standard", "draft"];
 
 export async function make({ api, plate, controls, playing, redraw }: FigureContext): Promise<LiveFigure> {
-  const canvas = element("canvas", { class: "picture", role: "img", "aria-label": "A wave with foam, in perspective" });
+  const canvas = element("canvas", { class: "picture aspect-video w-full", role: "img", "aria-label": "A wave with foam, in perspective" });
   const gpu = openGpu(openContext(canvas), new Set());
   const scene = await paperScene(api);
   const quality = gpu.capabilities.software ? QUALITY_SOFTWARE : QUALITY;

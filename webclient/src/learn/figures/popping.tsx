@@ -6,7 +6,7 @@ import { loadMask } from "../maths/mask";
 import { PopCounter, PopRate } from "../maths/pops";
 import { PlayButton } from "../parts/controls";
 import type { FigureContext, LiveFigure } from "../parts/live";
-import { Patch } from "../parts/patch";
+import { Patch, PATCHES } from "../parts/patch";
 import { foamTexture, loadFoamTexture } from "../parts/texture";
 
 /** Sides of a texel on the page, px, and the width from which the greater one holds. */
@@ -26,7 +26,7 @@ export async function make({ api, plate, controls, playing }: FigureContext): Pr
   plate.append(
     element(
       "div",
-      { class: "patches" },
+      { class: PATCHES },
       element("div", {}, faded.canvas, element("p", { class: "strip-name" }, element("strong", {}, "Faded"), " saturation ", saturation)),
       element("div", {}, popped.canvas, element("p", { class: "strip-name" }, element("strong", {}, "Thresholded"), " ", pops)),
     ),

@@ -1,6 +1,5 @@
 /** The foam laboratory: the paper on one screen. */
 import "../style.css";
-import "./style.css";
 import { effect, type Signal, signal } from "@preact/signals";
 import { render } from "preact";
 import { Api } from "../../api";
@@ -16,6 +15,7 @@ import { loadFoamTexture } from "../parts/texture";
 import { formatState, type LabState, parseState, RANGES } from "./state";
 
 const LONGEST = 0.1;
+const HEADING = "mt-2 mb-0 font-sans text-body/[1.4] font-semibold tracking-[0]";
 
 /** The mask that a control names; the last one while it loads, or if it cannot be loaded. */
 function followMask(api: Api, name: Signal<string>, mask: Signal<Mask>): void {
@@ -44,16 +44,16 @@ function Controls({ state: { numbers, mask, other }, playing, options }: Control
   return (
     <>
       <PlayButton playing={playing} />
-      <h2>Saturation</h2>
-      <div class="buttons">
-        <button type="button" onClick={() => use("text")}>Paper’s text</button>
-        <button type="button" onClick={() => use("listing")}>Paper’s listing</button>
+      <h2 class={HEADING}>Saturation</h2>
+      <div class="grid grid-cols-2 gap-1.5">
+        <button type="button" class="control px-1.5" onClick={() => use("text")}>Paper’s text</button>
+        <button type="button" class="control px-1.5" onClick={() => use("listing")}>Paper’s listing</button>
       </div>
       <Slider label="δ, place of the front" value={numbers.delta} {...RANGES.delta} step={0.01} unit=" rad" />
       <Slider label="E, rise and fall" value={numbers.base} {...RANGES.base} step={0.01} log />
       <Slider label="C, divisor" value={numbers.c} {...RANGES.c} step={0.1} log />
       <Slider label="K, sharpness of crests" value={numbers.k} {...RANGES.k} step={0.1} />
-      <h2>Threshold</h2>
+      <h2 class={HEADING}>Threshold</h2>
       <Select label="Mask" value={mask} options={options} />
       <Select label="Second mask" value={other} options={options} />
       <Slider label="Saturation of the patterns" value={numbers.grey} {...RANGES.grey} step={0.01} />

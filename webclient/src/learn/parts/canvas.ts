@@ -16,7 +16,7 @@ export class Plot {
   height = 0;
 
   constructor(label: string) {
-    this.canvas = element("canvas", { role: "img", "aria-label": label, class: "plot" });
+    this.canvas = element("canvas", { role: "img", "aria-label": label, class: "max-w-full" });
     this.context = context2d(this.canvas);
   }
 
@@ -76,7 +76,7 @@ export class Texels {
   words: Uint32Array;
 
   constructor(label: string) {
-    this.canvas = element("canvas", { role: "img", "aria-label": label, class: "texels" });
+    this.canvas = element("canvas", { role: "img", "aria-label": label, class: "max-w-full [image-rendering:pixelated]" });
     this.context = context2d(this.canvas);
     this.image = new ImageData(1, 1);
     this.words = new Uint32Array(this.image.data.buffer);

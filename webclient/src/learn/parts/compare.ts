@@ -4,7 +4,7 @@ import type { Mask } from "../maths/mask";
 import { spectrum, unevenness } from "../maths/spectrum";
 import { Plot } from "./canvas";
 import { COLORS } from "./palette";
-import { Patch } from "./patch";
+import { Patch, PATCHES } from "./patch";
 import { drawRaps } from "./raps";
 
 /** Of a pattern, texels; and of a texel, px. */
@@ -26,7 +26,7 @@ export class Comparison {
 
   constructor(host: HTMLElement) {
     const columns = this.patches.map(({ canvas }, i) => element("div", {}, canvas, this.captions[i] ?? ""));
-    host.append(element("div", { class: "patches" }, ...columns), this.plot.canvas);
+    host.append(element("div", { class: PATCHES }, ...columns), this.plot.canvas);
   }
 
   resize(width: number): void {

@@ -3,6 +3,9 @@ import type { Mask } from "../maths/mask";
 import { Texels } from "./canvas";
 import { BLEND, shade } from "./palette";
 
+/** Of two patches beside each other. */
+export const PATCHES = "patches grid grid-cols-2 gap-0.5 [&_canvas]:aspect-square [&_canvas]:w-full";
+
 export class Patch {
   private readonly texels: Texels;
   private side = 0;

@@ -17,7 +17,7 @@ export type Saturation = (texel: number) => number;
 export class Strip {
   readonly root: HTMLElement;
   private readonly texels: Texels;
-  private readonly output = element("output", { class: "rate" });
+  private readonly output = element("output", { class: "rate ml-auto" });
   private counter = new PopCounter(0);
   private rate = new PopRate(this.counter);
   private textures = new Float32Array(0);
@@ -37,7 +37,7 @@ export class Strip {
     this.root = element(
       "div",
       { class: "strip" },
-      element("p", { class: "strip-name" }, element("strong", {}, title), " ", element("span", { class: "formula" }, formula), this.output),
+      element("p", { class: "strip-name flex-nowrap whitespace-nowrap" }, element("strong", {}, title), " ", element("span", { class: "truncate opacity-75" }, formula), this.output),
       this.texels.canvas,
     );
   }
