@@ -10,18 +10,23 @@ from typing import Any
 from fastapi import Depends, FastAPI
 from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
+from starlette.middleware.cors import CORSMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
+from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from seafoam.accuracy.cache import cache_dir
 from seafoam.api import errors, pages
 from seafoam.api.answering import Repeats
 from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
+from seafoam.api.gate import Gate
 from seafoam.api.known import KnownPlans, Requests
+from seafoam.api.logs import REQUEST_ID, LogRequests
 from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.parameters import one_value_each
+from seafoam.api.rates import TokenBuckets
 from seafoam.api.routers import (
     accuracy,
     export,
@@ -58,6 +63,12 @@ NOT_WORTH_GZIP = (
     "video/*",
 )
 
+READABLE_ELSEWHERE = (
+    "ETag", "Link", "Server-Timing", "Seafoam-Plan", "Seafoam-Renderer", "Retry-After", "RateLimit", "RateLimit-Policy",
+    REQUEST_ID,
+)  # fmt: skip
+"""Headers that a page of another origin may read, besides those that every page may."""
+
 _ROUTERS = tuple(
     each.router for each in (presets, scenes, plans, plan_frames, frames, sequences, accuracy, masks, textures, export)
 )
@@ -84,6 +95,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         queue=settings.queue,
         deadline=settings.deadline,
         recycle=settings.recycle,
+        check_seconds=settings.canary,
         factory=renderer or partial(Executor, settings.device_index),
     )
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
@@ -112,22 +124,46 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         redoc_url=None,
         lifespan=lifespan,
         dependencies=[Depends(one_value_each)],
-        middleware=[
-            Middleware(HeadAsGet),
-            Middleware(SecurityHeaders),
-            Middleware(MeasureRequests, metrics=metrics),
-            Middleware(Repeats),
-            Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
-            Middleware(LimitBody, limit=settings.max_body),
-        ],
+        middleware=_middleware(settings, metrics),
     )
     for router in _ROUTERS:
-        app.include_router(router, responses=problem_responses(400, 500))
+        app.include_router(router, responses=problem_responses(400, 401, 429, 500))
     app.include_router(health.router)
     errors.install(app)
     pages.install(app)
     _describe(app, settings)
     return app
+
+
+def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
+    """Return what a request passes, from the outside in."""
+    outside = []
+    if settings.trusted_proxies:
+        outside.append(Middleware(ProxyHeadersMiddleware, trusted_hosts=list(settings.trusted_proxies)))
+    outside.append(Middleware(LogRequests, written=settings.log_format == "json"))
+    if settings.cors_origins:
+        cors = Middleware(
+            CORSMiddleware,
+            allow_origins=settings.cors_origins,
+            allow_methods=("GET", "POST", "DELETE"),
+            allow_headers=("Authorization", "Content-Type", "If-None-Match", REQUEST_ID),
+            expose_headers=READABLE_ELSEWHERE,
+        )
+        outside.append(cors)
+    return [
+        *outside,
+        Middleware(HeadAsGet),
+        Middleware(SecurityHeaders),
+        Middleware(MeasureRequests, metrics=metrics),
+        Middleware(
+            Gate,
+            access=settings.access,
+            rates=TokenBuckets(settings.rate, settings.rate_burst) if settings.rate else None,
+        ),
+        Middleware(Repeats),
+        Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
+        Middleware(LimitBody, limit=settings.max_body),
+    ]
 
 
 def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics) -> Context:
