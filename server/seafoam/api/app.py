@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import partial
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from fastapi import Depends, FastAPI
 from fastapi.openapi.utils import get_openapi
@@ -42,6 +42,8 @@ from seafoam.api.routers import (
 )
 from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
+from seafoam.api.telemetry import NO_TELEMETRY
+from seafoam.api.telemetry import traces as configured_traces
 from seafoam.api.threads import ThreadPool
 from seafoam.quality import QualityExtensions
 from seafoam.render.gl.executor import Executor
@@ -50,6 +52,9 @@ from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.source import FrameSource
 from seafoam.scene.models import SceneExtensions
+
+if TYPE_CHECKING:
+    from seafoam.api.traces import Traces
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
@@ -87,7 +92,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     """Create the server's application.
 
     settings: absent: read from the environment. renderer: factory of the workers' renderer, absent: the GL executor;
-    must be importable, because the workers are spawned.
+    must be importable, because the workers are spawned. Raises :class:`MissingExtraError` and
+    :class:`UnsupportedTelemetryError` where ``OTEL_*`` variables ask for what is not there.
     """
     settings = settings or Settings()
     pool = RenderPool(
@@ -101,10 +107,11 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
     source = FrameSource(pool, disk, settings.cache_memory)
     metrics = Metrics(pool, source)
+    traces = configured_traces()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        context = app.state.context = _context(settings, pool, source, metrics)
+        context = app.state.context = _context(settings, pool, source, metrics, traces)
         await pool.start()
         warming = asyncio.create_task(presets.warm(context.plans))
         yield
@@ -115,6 +122,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
         await source.close()
+        if traces is not None:
+            await asyncio.to_thread(traces.close)
 
     app = FastAPI(
         title="Seafoam",
@@ -125,6 +134,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         lifespan=lifespan,
         dependencies=[Depends(one_value_each)],
         middleware=_middleware(settings, metrics),
+        telemetry=NO_TELEMETRY if traces is None else traces.requests,
     )
     for router in _ROUTERS:
         app.include_router(router, responses=problem_responses(400, 401, 429, 500))
@@ -166,7 +176,9 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
     ]
 
 
-def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics) -> Context:
+def _context(
+    settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics, traces: "Traces | None"
+) -> Context:
     """Make what the handlers share; sweeps and sequences are drawn on the running event loop."""
     return Context(
         settings,
@@ -175,6 +187,7 @@ def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics:
         KnownPlans(source.disk),
         Requests(),
         metrics,
+        traces,
         plans=ThreadPool(2, 64),
         masks=ThreadPool(1, 8),
         sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),

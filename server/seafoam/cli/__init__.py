@@ -47,12 +47,18 @@ def serve(
     from seafoam.api import logs
     from seafoam.api.app import create_app
     from seafoam.api.settings import Settings
+    from seafoam.api.telemetry import UnsupportedTelemetryError
+    from seafoam.extras import MissingExtraError
 
     given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     try:
         settings = Settings(**given).served
     except ValidationError as error:
         refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+    try:
+        application = create_app(settings)
+    except (MissingExtraError, UnsupportedTelemetryError) as error:
+        raise CommandError(str(error), UNABLE) from error
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
     except OSError as error:
@@ -64,7 +70,7 @@ def serve(
     address = f"http://{shown}:{listening.getsockname()[1]}"
     # The application itself heeds what trusted proxies say.
     config = uvicorn.Config(
-        create_app(settings),
+        application,
         limit_concurrency=OPEN_CONNECTIONS,
         timeout_graceful_shutdown=5,
         proxy_headers=False,
