@@ -140,7 +140,7 @@ fronts: setup
 
 lock: $(VENV)/.installed
 	$(BIN)/pip install -q uv
-	$(BIN)/uv pip compile pyproject.toml $(addprefix --extra ,dev reports notebook video cluster) --universal \
+	$(BIN)/uv pip compile pyproject.toml $(addprefix --extra ,dev reports notebook video cluster telemetry) --universal \
 		--python-version 3.11 --generate-hashes \
 		--no-emit-index-url --no-header --upgrade -o requirements.lock
 

@@ -3,7 +3,7 @@
 from importlib.util import find_spec
 from typing import Literal
 
-Extra = Literal["reports", "notebook", "video", "cluster"]
+Extra = Literal["reports", "notebook", "video", "cluster", "telemetry"]
 
 REPORTS = ("matplotlib", "flip_evaluator")
 """What plots and measurements of accuracy need beyond rendering."""
@@ -12,6 +12,7 @@ _NEEDS: dict[Extra, tuple[str, tuple[str, ...]]] = {
     "reports": ("plots and measurements of accuracy need", REPORTS),
     "notebook": ("the widget for notebooks needs", ("anywidget",)),
     "video": ("MP4 files need", ("av",)),
+    "telemetry": ("traces need", ("opentelemetry.sdk", "opentelemetry.exporter.otlp.proto.http")),
     "cluster": ("work on several processes or machines needs", ("distributed",)),
 }
 """Extra -> the beginning of the error, and the modules of its packages."""
@@ -27,9 +28,16 @@ class MissingExtraError(RuntimeError):
 
 def require(extra: Extra) -> None:
     """Raise :class:`MissingExtraError` unless the packages of an extra are installed."""
-    missing = tuple(name.replace("_", "-") for name in _NEEDS[extra][1] if find_spec(name) is None)
+    missing = tuple(name.replace("_", "-") for name in _NEEDS[extra][1] if not _installed(name))
     if missing:
         raise MissingExtraError(missing, extra)
+
+
+def _installed(module: str) -> bool:
+    try:
+        return find_spec(module) is not None
+    except ModuleNotFoundError:  # a package above it
+        return False
 
 
 def require_reports() -> None:

@@ -3,12 +3,15 @@
 import io
 from collections.abc import Iterator
 from contextlib import contextmanager
+from types import SimpleNamespace
 
 from PIL import Image
 from starlette.testclient import TestClient
 
 from seafoam.api.app import create_app
+from seafoam.api.known import Requests
 from seafoam.api.settings import Settings
+from seafoam.api.threads import ThreadPool
 from support.api_fakes import FakeRenderer
 
 SMALL = {"width": 24, "height": 16}
@@ -30,3 +33,15 @@ def frame(client, suffix="png", preset="default", **params):
 
 def picture(response):
     return Image.open(io.BytesIO(response.content))
+
+
+def answering(**settings) -> TestClient:
+    """The app without a render pool, for what does not depend on frames: it starts nothing, and costs nothing."""
+    app = create_app(Settings(**settings), renderer=FakeRenderer)
+    app.state.context = SimpleNamespace(
+        settings=Settings(**settings),
+        requests=Requests(),
+        pool=SimpleNamespace(info={}, state="starting"),
+        masks=ThreadPool(1, 8),
+    )
+    return TestClient(app, raise_server_exceptions=False)

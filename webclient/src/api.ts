@@ -60,8 +60,8 @@ export class ApiError extends Error {
   }
 }
 
-/** Status of a busy server, and the number of attempts. */
-const BUSY = 503;
+/** Status of a busy server and of one that was asked too often, and the number of attempts. */
+const LATER = [429, 503];
 const ATTEMPTS = 4;
 
 export class Api {
@@ -127,7 +127,7 @@ export class Api {
     return (await this.fetch(path, init)).json() as Promise<T>;
   }
 
-  /** A successful response; retries while the server is busy, throws an `ApiError` otherwise. */
+  /** A successful response; retries while the server is busy or was asked too often, throws an `ApiError` otherwise. */
   async fetch(path: string, init?: RequestInit): Promise<Response> {
     for (let attempt = 1; ; attempt++) {
       let response: Response;
@@ -138,7 +138,7 @@ export class Api {
         throw new ApiError("The server does not respond.", 0);
       }
       if (response.ok) return response;
-      if (response.status !== BUSY || attempt === ATTEMPTS) throw await apiError(response);
+      if (!LATER.includes(response.status) || attempt === ATTEMPTS) throw await apiError(response);
       await new Promise((resolve) => setTimeout(resolve, 1000 * (Number(response.headers.get("Retry-After")) || attempt)));
     }
   }

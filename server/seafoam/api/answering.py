@@ -110,6 +110,8 @@ async def answer(identified: Identified, request: Request, context: Context, *, 
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     if found.origin == "drawn":
         context.metrics.count_frame(found.frame, identified.job.format)
+        if context.traces is not None:
+            context.traces.stages({stage: found.frame.timings[stage] for stage in STAGES})
     return _response(identified, found.frame.content, _timing(found))
 
 

@@ -5,23 +5,28 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import partial
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from fastapi import Depends, FastAPI
 from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
+from starlette.middleware.cors import CORSMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
+from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from seafoam.accuracy.cache import cache_dir
 from seafoam.api import errors, pages
 from seafoam.api.answering import Repeats
 from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
+from seafoam.api.gate import Gate
 from seafoam.api.known import KnownPlans, Requests
+from seafoam.api.logs import REQUEST_ID, LogRequests
 from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
 from seafoam.api.parameters import one_value_each
+from seafoam.api.rates import TokenBuckets
 from seafoam.api.routers import (
     accuracy,
     export,
@@ -37,6 +42,8 @@ from seafoam.api.routers import (
 )
 from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
+from seafoam.api.telemetry import NO_TELEMETRY
+from seafoam.api.telemetry import traces as configured_traces
 from seafoam.api.threads import ThreadPool
 from seafoam.quality import QualityExtensions
 from seafoam.render.gl.executor import Executor
@@ -45,6 +52,9 @@ from seafoam.render.service.jobs import Renderer
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.source import FrameSource
 from seafoam.scene.models import SceneExtensions
+
+if TYPE_CHECKING:
+    from seafoam.api.traces import Traces
 
 GZIP_LEVEL = 4
 """Level 4 compresses plans to a tenth; level 9 gains little more."""
@@ -57,6 +67,12 @@ NOT_WORTH_GZIP = (
     "font/*",
     "video/*",
 )
+
+READABLE_ELSEWHERE = (
+    "ETag", "Link", "Server-Timing", "Seafoam-Plan", "Seafoam-Renderer", "Retry-After", "RateLimit", "RateLimit-Policy",
+    REQUEST_ID,
+)  # fmt: skip
+"""Headers that a page of another origin may read, besides those that every page may."""
 
 _ROUTERS = tuple(
     each.router for each in (presets, scenes, plans, plan_frames, frames, sequences, accuracy, masks, textures, export)
@@ -76,7 +92,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     """Create the server's application.
 
     settings: absent: read from the environment. renderer: factory of the workers' renderer, absent: the GL executor;
-    must be importable, because the workers are spawned.
+    must be importable, because the workers are spawned. Raises :class:`MissingExtraError` and
+    :class:`UnsupportedTelemetryError` where ``OTEL_*`` variables ask for what is not there.
     """
     settings = settings or Settings()
     pool = RenderPool(
@@ -84,15 +101,17 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         queue=settings.queue,
         deadline=settings.deadline,
         recycle=settings.recycle,
+        check_seconds=settings.canary,
         factory=renderer or partial(Executor, settings.device_index),
     )
     disk = DiskCache((settings.cache or cache_dir()) / "frames", settings.cache_size) if settings.cache_size else None
     source = FrameSource(pool, disk, settings.cache_memory)
     metrics = Metrics(pool, source)
+    traces = configured_traces()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        context = app.state.context = _context(settings, pool, source, metrics)
+        context = app.state.context = _context(settings, pool, source, metrics, traces)
         await pool.start()
         warming = asyncio.create_task(presets.warm(context.plans))
         yield
@@ -103,6 +122,8 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         await asyncio.to_thread(context.sequences.stop)
         await pool.stop()
         await source.close()
+        if traces is not None:
+            await asyncio.to_thread(traces.close)
 
     app = FastAPI(
         title="Seafoam",
@@ -112,17 +133,11 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         redoc_url=None,
         lifespan=lifespan,
         dependencies=[Depends(one_value_each)],
-        middleware=[
-            Middleware(HeadAsGet),
-            Middleware(SecurityHeaders),
-            Middleware(MeasureRequests, metrics=metrics),
-            Middleware(Repeats),
-            Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
-            Middleware(LimitBody, limit=settings.max_body),
-        ],
+        middleware=_middleware(settings, metrics),
+        telemetry=NO_TELEMETRY if traces is None else traces.requests,
     )
     for router in _ROUTERS:
-        app.include_router(router, responses=problem_responses(400, 500))
+        app.include_router(router, responses=problem_responses(400, 401, 429, 500))
     app.include_router(health.router)
     errors.install(app)
     pages.install(app)
@@ -130,7 +145,40 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
     return app
 
 
-def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics) -> Context:
+def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
+    """Return what a request passes, from the outside in."""
+    outside = []
+    if settings.trusted_proxies:
+        outside.append(Middleware(ProxyHeadersMiddleware, trusted_hosts=list(settings.trusted_proxies)))
+    outside.append(Middleware(LogRequests, written=settings.log_format == "json"))
+    if settings.cors_origins:
+        cors = Middleware(
+            CORSMiddleware,
+            allow_origins=settings.cors_origins,
+            allow_methods=("GET", "POST", "DELETE"),
+            allow_headers=("Authorization", "Content-Type", "If-None-Match", REQUEST_ID),
+            expose_headers=READABLE_ELSEWHERE,
+        )
+        outside.append(cors)
+    return [
+        *outside,
+        Middleware(HeadAsGet),
+        Middleware(SecurityHeaders),
+        Middleware(MeasureRequests, metrics=metrics),
+        Middleware(
+            Gate,
+            access=settings.access,
+            rates=TokenBuckets(settings.rate, settings.rate_burst) if settings.rate else None,
+        ),
+        Middleware(Repeats),
+        Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
+        Middleware(LimitBody, limit=settings.max_body),
+    ]
+
+
+def _context(
+    settings: Settings, pool: RenderPool, source: FrameSource, metrics: Metrics, traces: "Traces | None"
+) -> Context:
     """Make what the handlers share; sweeps and sequences are drawn on the running event loop."""
     return Context(
         settings,
@@ -139,6 +187,7 @@ def _context(settings: Settings, pool: RenderPool, source: FrameSource, metrics:
         KnownPlans(source.disk),
         Requests(),
         metrics,
+        traces,
         plans=ThreadPool(2, 64),
         masks=ThreadPool(1, 8),
         sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),

@@ -1,7 +1,7 @@
 """State that the request handlers of an application share."""
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from fastapi import Depends, Request
 
@@ -14,13 +14,16 @@ from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.source import FrameSource
 from seafoam.sequences.service import SequenceService
 
+if TYPE_CHECKING:
+    from seafoam.api.traces import Traces
+
 
 @dataclass(frozen=True, slots=True)
 class Context:
     """Settings, render pool, metrics, thread pools of the web process, services for sweeps and for sequences.
 
     ``frames`` gives the pool's frames, and those that it has drawn before; ``known``: the plans that
-    have addresses; ``requests``: what earlier requests asked for.
+    have addresses; ``requests``: what earlier requests asked for; ``traces``: where spans go, if anywhere.
     ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans.
     """
 
@@ -30,6 +33,7 @@ class Context:
     known: KnownPlans
     requests: Requests
     metrics: Metrics
+    traces: "Traces | None"
     plans: ThreadPool
     masks: ThreadPool
     sweeps: SweepService

@@ -27,6 +27,7 @@ from starlette.responses import JSONResponse
 
 from seafoam.accuracy.sweep_service import FailedError
 from seafoam.api.allowed import Schema, allowed_at
+from seafoam.api.logs import REQUEST_ID, request_id
 from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError
 from seafoam.render.service.errors import (
@@ -68,6 +69,7 @@ class Problem(BaseModel):
     status: int = Field(description="HTTP status code")
     detail: str = Field(description="Description of this occurrence of the problem")
     instance: str = Field(description="Path of the request")
+    request_id: str | None = Field(default=None, description="The request's X-Request-ID, as in the server's log")
     errors: list[FieldProblem] | None = Field(default=None, description="Errors of single fields and parameters")
     remedy: str | None = Field(default=None, description="How the operator of the server can fix it")
 
@@ -171,19 +173,22 @@ def problem(
     headers: Mapping[str, str] | None = None,
 ) -> JSONResponse:
     """Return a problem+json response, which is never cached."""
+    identity = request_id.get()
     content = Problem(
         type=f"urn:seafoam:problem:{name}" if name else "about:blank",
         title=title or HTTPStatus(status).phrase,
         status=status,
         detail=detail,
         instance=request_path,
+        request_id=identity,
         errors=list(errors) or None,
         remedy=remedy,
     )
     return JSONResponse(
         content.model_dump(mode="json", exclude_none=True),
         status,
-        {"Cache-Control": "no-store", **(headers or {})},
+        # The answer to an unexpected error passes no middleware that would add the id.
+        {"Cache-Control": "no-store", **({REQUEST_ID: identity} if identity else {}), **(headers or {})},
         MEDIA_TYPE,
     )
 

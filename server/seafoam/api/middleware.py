@@ -47,7 +47,12 @@ class HeadAsGet:
                 message = {**message, "body": b""}
             await send(message)
 
-        await self.app({**scope, "method": "GET"}, receive, bodiless)
+        inner = {**scope, "method": "GET"}
+        try:
+            await self.app(inner, receive, bodiless)
+        finally:
+            # By which requests are logged, outside.
+            scope["route"] = inner.get("route")
 
 
 class LimitBody:

@@ -1,11 +1,15 @@
 """Settings of the server: environment variables that begin with ``SEAFOAM_``."""
 
 import os
+import re
+from ipaddress import ip_network
 from pathlib import Path
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
-from pydantic_settings import BaseSettings, SettingsConfigDict
+from pydantic import Field, SecretStr, field_validator, model_validator
+from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
+from seafoam.api.access import Access, Signing, api_keys_of
 from seafoam.render.service.limits import FrameLimits
 
 
@@ -74,6 +78,87 @@ class Settings(BaseSettings):
         ge=0,
         description="Maximum size of the frames in memory, bytes; 0: none. `seafoam serve` sets 64 MiB if absent",
     )
+
+    canary: float = Field(
+        default=60.0, gt=0.0, le=3600.0, description="Interval at which an idle renderer draws its test picture, s"
+    )
+    ready_age: float = Field(
+        default=180.0,
+        gt=0.0,
+        le=86_400.0,
+        description="Age of the last picture from which /readyz answers 503, s; at least twice the canary's interval",
+    )
+
+    api_keys: SecretStr = Field(
+        default=SecretStr(""),
+        description="Keys that the API asks for, as name:key,name:key; a key has 16 characters or more. Absent: none",
+    )
+    signing_key: SecretStr = Field(
+        default=SecretStr(""), description="Key of signed links, 16 bytes or more in hexadecimal digits; absent: none"
+    )
+    signing_salt: SecretStr = Field(
+        default=SecretStr(""), description="Salt of signed links, in hexadecimal digits; given with the key"
+    )
+    rate: float = Field(
+        default=0.0, ge=0.0, le=1e6, description="Requests to the API that a client may make, 1/s; 0: any number"
+    )
+    rate_burst: int = Field(
+        default=200, ge=1, le=1_000_000, description="Requests to the API that a client may make at once after a pause"
+    )
+    trusted_proxies: Annotated[tuple[str, ...], NoDecode] = Field(
+        default=("127.0.0.1",),
+        description="Addresses and networks of proxies whose X-Forwarded-For and X-Forwarded-Proto are believed, with "
+        "commas between; empty: none",
+    )
+    cors_origins: Annotated[tuple[str, ...], NoDecode] = Field(
+        default=(),
+        description="Origins of other pages that may use the API, such as https://example.org, with commas between; "
+        "*: any; absent: none",
+    )
+    log_format: Literal["text", "json"] = Field(
+        default="text", description="Form of the log: text, or json with an object for each line and request"
+    )
+
+    @field_validator("trusted_proxies", "cors_origins", mode="before")
+    @classmethod
+    def _listed(cls, value: Any) -> Any:
+        return tuple(part.strip() for part in value.split(",") if part.strip()) if isinstance(value, str) else value
+
+    @field_validator("trusted_proxies")
+    @classmethod
+    def _networks(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        for part in value:
+            ip_network(part)
+        return value
+
+    @field_validator("cors_origins")
+    @classmethod
+    def _origins(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        for part in value:
+            if part != "*" and not re.fullmatch(r"https?://[^\s/?#@]+", part):
+                raise ValueError(f"{part!r} is not an origin: scheme, host and port")
+        return value
+
+    @field_validator("api_keys")
+    @classmethod
+    def _keys(cls, value: SecretStr) -> SecretStr:
+        api_keys_of(value.get_secret_value())
+        return value
+
+    @model_validator(mode="after")
+    def _signed(self) -> "Settings":
+        self._signing()
+        if self.ready_age < 2 * self.canary:
+            raise ValueError(f"ready_age must be at least twice canary, which is {self.canary:g} s")
+        return self
+
+    def _signing(self) -> Signing | None:
+        return Signing.of(self.signing_key.get_secret_value(), self.signing_salt.get_secret_value())
+
+    @property
+    def access(self) -> Access:
+        """Return who may use the API."""
+        return Access(api_keys_of(self.api_keys.get_secret_value()), self._signing())
 
     @property
     def served(self) -> "Settings":

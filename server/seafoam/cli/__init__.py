@@ -1,4 +1,4 @@
-"""The command ``seafoam``: serve, render, sequence, accuracy, masks, doctor.
+"""The command ``seafoam``: serve, render, sequence, accuracy, masks, sign, doctor.
 
 Invalid input prints one line that names the field and its allowed values, with exit code 2; a missing driver or tool
 prints one line with the remedy, with exit code 1. Commands import heavy modules themselves, because spawned render
@@ -6,7 +6,6 @@ workers import this module too.
 """
 
 import json
-import logging
 import socket
 import sys
 import webbrowser
@@ -33,7 +32,6 @@ app.command()(sequence)
 
 OPEN_CONNECTIONS = 256
 """Connections beyond which the server answers 503 at once: a page uses a dozen; the render queue has its own limit."""
-_QUIET = ("/healthz", "/readyz", "/metrics")
 
 
 @app.command()
@@ -46,14 +44,21 @@ def serve(
     import uvicorn
     from pydantic import ValidationError
 
+    from seafoam.api import logs
     from seafoam.api.app import create_app
     from seafoam.api.settings import Settings
+    from seafoam.api.telemetry import UnsupportedTelemetryError
+    from seafoam.extras import MissingExtraError
 
     given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     try:
         settings = Settings(**given).served
     except ValidationError as error:
         refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
+    try:
+        application = create_app(settings)
+    except (MissingExtraError, UnsupportedTelemetryError) as error:
+        raise CommandError(str(error), UNABLE) from error
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
     except OSError as error:
@@ -63,9 +68,14 @@ def serve(
     listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     shown = "127.0.0.1" if settings.host in ("", "0.0.0.0", "::") else settings.host
     address = f"http://{shown}:{listening.getsockname()[1]}"
-    logging.basicConfig(level=logging.INFO, format="%(levelname)s: %(message)s")
-    config = uvicorn.Config(create_app(settings), limit_concurrency=OPEN_CONNECTIONS, timeout_graceful_shutdown=5)
-    logging.getLogger("uvicorn.access").addFilter(_not_a_probe)
+    # The application itself heeds what trusted proxies say.
+    config = uvicorn.Config(
+        application,
+        limit_concurrency=OPEN_CONNECTIONS,
+        timeout_graceful_shutdown=5,
+        proxy_headers=False,
+        **logs.configure(settings.log_format),
+    )
 
     class Server(uvicorn.Server):
         async def startup(self, sockets: list[socket.socket] | None = None) -> None:
@@ -201,6 +211,27 @@ def openapi() -> None:
     typer.echo(json.dumps(create_app().openapi(), indent=1, ensure_ascii=False))
 
 
+@app.command()
+def sign(
+    address: Annotated[str, typer.Argument(help="Path of the API with its query, as it will be sent.")],
+) -> None:
+    """Print the signed link of an address, with SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT from the environment."""
+    from pydantic import ValidationError
+
+    from seafoam.api.settings import Settings
+
+    try:
+        signing = Settings().access.signing
+    except ValidationError as error:
+        refuse(error, Settings, lambda field: f"SEAFOAM_{field.upper()}")
+    if signing is None:
+        raise CommandError("SEAFOAM_SIGNING_KEY and SEAFOAM_SIGNING_SALT: required, in hexadecimal digits")
+    try:
+        typer.echo(signing.link(address))
+    except ValueError as error:
+        raise CommandError(f"ADDRESS: {error}") from error
+
+
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run the command and exit with 0, 1 if the machine lacks something, 2 for invalid input, 130 if interrupted."""
     try:
@@ -213,12 +244,6 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     except typer.Abort:
         sys.exit(130)
     sys.exit(code or 0)
-
-
-def _not_a_probe(record: logging.LogRecord) -> bool:
-    """Keep health checks, which arrive every few seconds, out of the access log."""
-    arguments = record.args
-    return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(_QUIET))
 
 
 def _draw_again(picture: Path, output: Path | None, others: Mapping[str, Any]) -> None:

@@ -32,7 +32,15 @@ def refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> N
     schema: Mapping[str, Any] = model.model_json_schema()
     lines = []
     for item in error.errors():
+        message = item["msg"].removeprefix("Value error, ")
+        if not item["loc"]:
+            lines.append(message)
+            continue
         field = str(item["loc"][0])
+        if schema["properties"][field].get("writeOnly"):
+            # A secret: what it is must not reach a log.
+            lines.append(f"{option(field)}: {message}")
+            continue
         allowed = allowed_at(schema, schema, (field,))
         may_be = f" (allowed: {describe_allowed(allowed)})" if allowed else ""
         lines.append(f"{option(field)}: {item['input']!r} is not allowed{may_be}")

@@ -46,13 +46,13 @@ mask_async = HERE.mask_async
 close = HERE.close
 
 
-def connect(url: str, *, timeout: float = 60.0) -> Connection:
+def connect(url: str, *, key: str | None = None, timeout: float = 60.0) -> Connection:
     """Return a source that draws on a Seafoam server, at ``http://`` or ``https://``.
 
-    Nothing is sent before the first picture is asked for. timeout: s, of each request. Raises
-    :class:`InvalidRequestError` for another kind of address.
+    Nothing is sent before the first picture is asked for. key: of the server's API, where it asks for one. timeout:
+    s, of each request. Raises :class:`InvalidRequestError` for another kind of address.
     """
-    return Connection(url, timeout=timeout)
+    return Connection(url, key=key, timeout=timeout)
 
 
 def presets() -> tuple[str, ...]:

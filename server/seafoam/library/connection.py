@@ -21,20 +21,25 @@ ATTEMPTS = 4
 """Requests for one picture while the server is busy."""
 LONGEST_WAIT = 30.0
 """Between two of them, s, however long the server asks to wait."""
+_LATER = (HTTPStatus.TOO_MANY_REQUESTS, HTTPStatus.SERVICE_UNAVAILABLE)
 _REFUSED = (HTTPStatus.NOT_FOUND, HTTPStatus.REQUEST_ENTITY_TOO_LARGE, HTTPStatus.UNPROCESSABLE_ENTITY)
 
 
 class Connection(Source):
     """Draws on a server; scenes are sent whole, so the server needs no preset of the name.
 
-    A busy server (503) is asked again after the time that it names. The server's limits of size hold.
+    A busy server (503), or one that is asked too often (429), is asked again after the time that it names. The server's
+    limits of size hold.
     """
 
-    def __init__(self, url: str, *, timeout: float = 60.0, sleep: Callable[[float], None] = time.sleep) -> None:
+    def __init__(
+        self, url: str, *, key: str | None = None, timeout: float = 60.0, sleep: Callable[[float], None] = time.sleep
+    ) -> None:
         parts = urlsplit(url)
         if parts.scheme not in ("http", "https") or not parts.netloc:
             raise InvalidRequestError(f"url: must begin with http:// or https://, not {url!r}")
         self.url = url.rstrip("/")
+        self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
         self._timeout = timeout
         self._sleep = sleep
         self._threads = ThreadPoolExecutor(REQUESTS, "seafoam-connection")
@@ -64,7 +69,8 @@ class Connection(Source):
         return self._threads.submit(self._ask, f"/api/masks/custom/data.npy?{query}", None)
 
     def _ask(self, path: str, body: bytes | None) -> bytes:
-        request = Request(self.url + path, body, {} if body is None else {"Content-Type": "application/json"})
+        media = {} if body is None else {"Content-Type": "application/json"}
+        request = Request(self.url + path, body, self._headers | media)
         for attempt in range(1, ATTEMPTS + 1):
             try:
                 with urlopen(request, timeout=self._timeout) as response:
@@ -73,7 +79,7 @@ class Connection(Source):
             except HTTPError as error:
                 with error:
                     problem = _problem(error)
-                if error.code != HTTPStatus.SERVICE_UNAVAILABLE or attempt == ATTEMPTS:
+                if error.code not in _LATER or attempt == ATTEMPTS:
                     kind = InvalidRequestError if error.code in _REFUSED else None
                     raise (kind(problem) if kind else ServerError(problem, error.code)) from None
                 self._sleep(_wait(error, attempt))

@@ -10,8 +10,10 @@ from typing import Any, get_args
 
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
+from pydantic import ValidationError
 
 from seafoam.api.routers.presets import _summary, warm
+from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS
@@ -206,7 +208,27 @@ def test_health_and_readiness(client):
     body = ready.json()
     assert body["renderer"] == {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
     assert 0 <= body["last_drawn"] < 60
+    assert body["ready_age"] == 180.0
     assert (body["workers"], body["waiting"], body["queue"]) == (1, 0, 2)
+
+
+def test_a_renderer_that_drew_nothing_lately_is_not_ready(client, monkeypatch):
+    client.get("/api/frames/default.png?width=4&height=4")
+    pool = client.app.state.context.pool
+    monkeypatch.setattr(pool, "succeeded_at", pool.succeeded_at - 1000.0)
+    response = client.get("/readyz")
+    assert response.status_code == 503
+    assert response.headers["Retry-After"] == "60"
+    assert re.search(r"drawn \d{4} s ago, which is more than 180 s", response.json()["detail"])
+    # The next frame is proof.
+    client.get("/api/frames/default.png?width=4&height=5")
+    assert client.get("/readyz").status_code == 200
+
+
+@pytest.mark.parametrize(("canary", "age"), [(60.0, 119.0), (0.0, 180.0), (3601.0, 9000.0)])
+def test_readiness_outlasts_two_canaries(canary, age):
+    with pytest.raises(ValidationError, match=r"canary"):
+        Settings(canary=canary, ready_age=age)
 
 
 def test_metrics_count_requests_by_route_and_frames_by_stage(client):

@@ -14,6 +14,7 @@ import pytest
 from PIL import Image
 
 from seafoam import cli, doctor
+from seafoam.api.logs import not_a_probe
 from seafoam.doctor import Finding
 from seafoam.masks.catalogue import load_mask
 from seafoam.masks.construct import make_mask
@@ -289,4 +290,4 @@ def test_a_port_in_use(seafoam):
 def test_health_checks_are_not_logged(path, kept):
     arguments = ("127.0.0.1:5", "GET", path, "1.1", 200)
     record = logging.LogRecord("uvicorn.access", logging.INFO, "", 0, '%s - "%s %s HTTP/%s" %d', arguments, None)
-    assert cli._not_a_probe(record) is kept
+    assert not_a_probe(record) is kept

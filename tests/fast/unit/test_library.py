@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from urllib.parse import urlsplit
+from urllib.request import Request
 
 import numpy as np
 import pytest
@@ -229,7 +230,7 @@ def _npy(shape: tuple[int, ...]) -> bytes:
 
 
 def test_a_connection_sends_the_scene_and_waits_while_the_server_is_busy(served) -> None:
-    url, asked = served([(503, {"Retry-After": "7"}, b"{}"), (503, {}, b"{}"), (200, {}, _npy((16, 24, 4)))])
+    url, asked = served([(429, {"Retry-After": "7"}, b"{}"), (503, {}, b"{}"), (200, {}, _npy((16, 24, 4)))])
     waited: list[float] = []
     with Connection(url + "/", sleep=waited.append) as source:
         assert source.linear("default", size=SMALL, quality="draft", time=9).shape == (16, 24, 4)
@@ -240,6 +241,20 @@ def test_a_connection_sends_the_scene_and_waits_while_the_server_is_busy(served)
     assert (sent["width"], sent["height"], sent["time"], sent["format"]) == (24, 16, 9.0, "npy")
     assert (sent["quality"], sent["preset"]) == ("draft", "default")
     assert sent["scene"] == load_preset("default").scene.model_dump(mode="json")
+
+
+def test_a_connection_sends_its_key(monkeypatch: pytest.MonkeyPatch) -> None:
+    sent = []
+
+    def answer(request: Request, timeout: float) -> io.BytesIO:
+        sent.append(request.get_header("Authorization"))
+        return io.BytesIO(_npy((8, 8)))
+
+    monkeypatch.setattr("seafoam.library.connection.urlopen", answer)
+    for key in ("correct-horse-battery", None):
+        with seafoam.connect("http://127.0.0.1:1", key=key) as source:
+            source.mask("vac-24")
+    assert sent == ["Bearer correct-horse-battery", None]
 
 
 def test_a_connections_masks(served) -> None:

@@ -1,8 +1,7 @@
-"""The snippets of docs/python.md and docs/sequences.md, run as they stand, with GL and against a real server."""
+"""The snippets of README.md (smaller), docs/python.md and docs/sequences.md, with GL and against a real server."""
 
 import json
 import os
-import re
 import shlex
 import signal
 import subprocess
@@ -14,9 +13,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from seafoam.cli import main
+from seafoam.render.gl.executor import Executor
 from support.command import COMMAND, run
+from support.snippets import NOT_RUN, blocks, commands
 
-DOCS = Path(__file__).parents[3] / "docs"
 ADDRESS = "http://127.0.0.1:8000"
 
 
@@ -34,13 +35,44 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         process.wait(20)
 
 
-def snippets(page: str, language: str) -> list[str]:
-    text = (DOCS / page).read_text(encoding="utf-8")
-    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+SMALLER = {
+    "1280x720": "96x54",
+    "width=1280&height=720": "width=96&height=54&quality=draft",
+    "--size 256": "--size 64",
+    "size=256": "size=64",
+    "render default -o": "render default --size 96x54 -o",
+    "render default": "render default --quality draft",
+}
+
+
+def test_readme(server: str, executor: Executor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    # One context for all: its programs are compiled once.
+    monkeypatch.setattr("seafoam.render.gl.executor.Executor", lambda: executor)
+    monkeypatch.setattr(executor, "close", lambda: None)
+    written: dict[str, int] = {}
+    for command in commands("README.md"):
+        if any(command.startswith(beginning) for beginning in NOT_RUN):
+            continue
+        for large, small in SMALLER.items():
+            command = command.replace(large, small)
+        program, *arguments = shlex.split(command.replace(ADDRESS, server))
+        if program == "curl":
+            subprocess.run(["curl", "-sSf", *arguments], check=True, capture_output=True)
+        else:
+            assert program == ".venv/bin/seafoam"
+            with pytest.raises(SystemExit) as left:
+                main(arguments)
+            assert left.value.code == 0, command
+        if "-o" in arguments:
+            file = arguments[arguments.index("-o") + 1]
+            written[file] = Path(file).stat().st_size
+    assert {Path(file).suffix for file in written} == {".png", ".exr", ".npy"}
+    assert min(written.values()) > 500
 
 
 def test_python(server: str, tmp_path: Path) -> None:
-    code = "\n".join(snippets("python.md", "python")).replace(ADDRESS, server)
+    code = "\n".join(blocks("docs/python.md", "python")).replace(ADDRESS, server)
     checks = """
 assert sea.size == (640, 360) and coverage > 0
 assert thresholds.shape == (64, 64) and abs(foam.mean() - 0.3) < 1e-4
@@ -59,7 +91,7 @@ seafoam.close()
 
 def test_sequences(server: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    for line in "".join(snippets("sequences.md", "sh")).replace(ADDRESS, server).splitlines():
+    for line in "".join(blocks("docs/sequences.md", "sh")).replace(ADDRESS, server).splitlines():
         program, *arguments = shlex.split(line)
         if program == "seafoam":
             done = run(*arguments)

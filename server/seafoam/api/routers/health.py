@@ -1,5 +1,6 @@
 """``/healthz``, ``/readyz`` and ``/metrics``: answered by the web process, without the render queue."""
 
+import math
 import time
 from typing import Annotated, Literal
 
@@ -37,6 +38,7 @@ class Ready(BaseModel):
     status: Literal["ready"] = "ready"
     renderer: RendererInfo
     last_drawn: float = Field(description="Time since the last rendered frame or test frame, s")
+    ready_age: float = Field(description="Value of `last_drawn` from which the renderer does not count as ready, s")
     workers: int = Field(description="Number of render workers")
     active: int = Field(description="Number of busy render workers")
     waiting: int = Field(description="Number of frames in the queue")
@@ -52,15 +54,25 @@ async def get_health(_: Annotated[Parameters, Query()], response: Response) -> A
 
 @router.get("/readyz", response_model=Ready, responses=problem_responses(422, 503))
 async def get_readiness(_: Annotated[Parameters, Query()], context: InContext) -> Response:
-    """Check whether frames can be rendered, and by which renderer. Plans, masks and the page need none."""
+    """Check whether frames are rendered, by the age of the last one, and by which renderer.
+
+    An idle renderer draws a test frame every minute. Plans, masks and the page need none.
+    """
     pool = context.pool
     if pool.state == "starting":
         raise BusyError("the renderer is starting", retry_after=1)
     if pool.state != "ready":
         raise RendererUnavailableError(pool.remedy or "the renderer is stopped")
+    age = time.time() - pool.succeeded_at
+    if age > context.settings.ready_age:
+        raise BusyError(
+            f"the last frame was drawn {age:.0f} s ago, which is more than {context.settings.ready_age:g} s",
+            retry_after=math.ceil(context.settings.canary),
+        )
     ready = Ready(
         renderer=RendererInfo.model_validate({key: pool.info[key] for key in RendererInfo.model_fields}),
-        last_drawn=round(time.time() - pool.succeeded_at, 3),
+        last_drawn=round(age, 3),
+        ready_age=context.settings.ready_age,
         workers=pool.workers,
         active=pool.active,
         waiting=pool.waiting,

@@ -1,0 +1,113 @@
+"""Request ids, and the log as text or as lines of JSON."""
+
+import json
+import logging
+import re
+import time
+import uuid
+from contextvars import ContextVar
+from datetime import UTC, datetime
+from typing import Any, Literal
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+REQUEST_ID = "X-Request-ID"
+PROBES = ("/healthz", "/readyz", "/metrics")
+"""Paths of requests that arrive every few seconds, and are not logged."""
+_SANE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:-]{0,127}")
+"""An id that can stand in a header, a log and a shell."""
+
+request_id: ContextVar[str | None] = ContextVar("request_id", default=None)
+"""Id of the request that is being answered."""
+
+log = logging.getLogger(__name__)
+
+
+class LogRequests:
+    """ASGI middleware: gives each request an id, returns it, and writes a line when the request has been answered.
+
+    An id that the client sends in ``X-Request-ID`` is kept if it is sane. written: False: ids only.
+    """
+
+    def __init__(self, app: ASGIApp, written: bool) -> None:
+        self.app = app
+        self.written = written
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            await self.app(scope, receive, send)
+            return
+        asked = Headers(scope=scope).get(REQUEST_ID, "")
+        identity = asked if _SANE.fullmatch(asked) else uuid.uuid4().hex
+        # Not reset: each request is a task of its own, and the answer to an unexpected error is made outside of this.
+        request_id.set(identity)
+        scope.setdefault("state", {})
+        began = time.perf_counter()
+        status, sent = 500, 0
+
+        async def marking(message: Message) -> None:
+            nonlocal status, sent
+            if message["type"] == "http.response.start":
+                status = message["status"]
+                MutableHeaders(scope=message)[REQUEST_ID] = identity
+            elif message["type"] == "http.response.body":
+                sent += len(message.get("body", b""))
+            await send(message)
+
+        try:
+            await self.app(scope, receive, marking)
+        finally:
+            if self.written and scope["path"] not in PROBES:
+                _write(scope, status, sent, time.perf_counter() - began)
+
+
+def _write(scope: Scope, status: int, sent: int, seconds: float) -> None:
+    route = getattr(scope.get("route"), "path_format", "(page)")
+    fields = {
+        "method": scope["method"],
+        "route": route,
+        "path": scope["path"],
+        "status": status,
+        "duration_ms": round(1000 * seconds, 3),
+        "bytes": sent,
+        "client": scope["state"].get("client") or (scope.get("client") or ("",))[0],
+    }
+    log.info("%s %s %d", scope["method"], route, status, extra={"fields": fields})
+
+
+class JsonLines(logging.Formatter):
+    """A log record as one line of JSON: time (ISO 8601, UTC), level, logger, message, request_id, and its fields."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Return the line."""
+        line: dict[str, Any] = {
+            "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
+            "level": record.levelname.lower(),
+            "logger": record.name,
+            "message": record.getMessage(),
+        }
+        if identity := request_id.get():
+            line["request_id"] = identity
+        line |= getattr(record, "fields", {})
+        if record.exc_info:
+            line["exception"] = self.formatException(record.exc_info)
+        return json.dumps(line, ensure_ascii=False)
+
+
+def configure(form: Literal["text", "json"]) -> dict[str, Any]:
+    """Set up the process's log, on stderr, and return the options with which uvicorn joins in."""
+    if form == "text":
+        logging.basicConfig(level=logging.INFO, format="%(levelname)s: %(message)s")
+        logging.getLogger("uvicorn.access").addFilter(not_a_probe)
+        return {}
+    handler = logging.StreamHandler()
+    handler.setFormatter(JsonLines())
+    logging.basicConfig(level=logging.INFO, handlers=[handler])
+    return {"log_config": None, "access_log": False}
+
+
+def not_a_probe(record: logging.LogRecord) -> bool:
+    """Keep probes out of uvicorn's access log."""
+    arguments = record.args
+    return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(PROBES))

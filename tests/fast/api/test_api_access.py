@@ -1,0 +1,174 @@
+"""API keys and signed links: what they protect, what they let in, and what is refused."""
+
+import base64
+
+import pytest
+from pydantic import ValidationError
+from starlette.testclient import TestClient
+
+from seafoam.api.access import Access, Signing, api_keys_of
+from seafoam.api.settings import Settings
+from support.command import run
+from support.serving import answering
+
+KEY = "correct-horse-battery"
+OTHER = "staple-correct-horse"
+# The key, salt and path of imgproxy's own example, https://docs.imgproxy.net/usage/signing_url.
+IMGPROXY = Signing(b"secret", b"hello")
+SIGNING = {"signing_key": "7365637265747365637265747365637265", "signing_salt": "68656c6c6f"}
+MASK = "/api/masks/custom/data.png?family=blur&sigma=4&size=32&seed=7"
+
+
+@pytest.fixture(scope="module")
+def restricted() -> TestClient:
+    """Asks for a key or a signature."""
+    return answering(api_keys=f"alice:{KEY},bob:{OTHER}", **SIGNING)
+
+
+@pytest.fixture(scope="module")
+def signing() -> Signing:
+    made = Signing.of(SIGNING["signing_key"], SIGNING["signing_salt"])
+    assert made is not None
+    return made
+
+
+def basic(key: str) -> dict[str, str]:
+    return {"Authorization": "Basic " + base64.b64encode(f"anyone:{key}".encode()).decode()}
+
+
+def bearer(key: str) -> dict[str, str]:
+    return {"Authorization": f"Bearer {key}"}
+
+
+def test_signatures_are_imgproxys() -> None:
+    path = b"/rs:fill:300:400:0/g:sm/aHR0cDovL2V4YW1w/bGUuY29tL2ltYWdl/cy9jdXJpb3NpdHku/anBn.png"
+    assert IMGPROXY.signature(path) == "oKfUtW34Dvo2BGQehJFR4Nr0_rIjOtdtzJ3QFsUcXH8"
+
+
+@pytest.mark.parametrize("url", ["/", "/docs", "/openapi.json", "/icon.svg", "/healthz", "/water/default"])
+def test_pages_and_health_checks_need_no_key(restricted: TestClient, url: str) -> None:
+    assert restricted.get(url).status_code == 200
+
+
+@pytest.mark.parametrize("url", ["/api/quality", MASK, "/api/nothing", "/api/schema"])
+def test_the_api_asks_for_a_key(restricted: TestClient, url: str) -> None:
+    response = restricted.get(url)
+    assert response.status_code == 401
+    assert response.headers["Content-Type"] == "application/problem+json"
+    assert {each.split()[0] for each in response.headers["WWW-Authenticate"].split(", ")} >= {"Basic", "Bearer"}
+    assert response.json()["type"] == "urn:seafoam:problem:unauthorized"
+    assert "Bearer" in response.json()["detail"]
+
+
+@pytest.mark.parametrize("headers", [bearer(KEY), bearer(OTHER), basic(KEY), {"Authorization": f"bearer {KEY}"}])
+def test_a_key_opens_the_api(restricted: TestClient, headers: dict[str, str]) -> None:
+    assert restricted.get("/api/quality", headers=headers).status_code == 200
+    assert restricted.get(MASK, headers=headers).status_code == 200
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "", "Bearer", "Bearer ", f"Bearer {KEY}x", f"Bearer {KEY[:-1]}", f"Digest {KEY}", KEY, "Bearer alice",
+        "Basic !!!", "Basic /w==", f"Basic {base64.b64encode(KEY.encode()).decode()}",
+    ],
+)  # fmt: skip
+def test_another_key_does_not(restricted: TestClient, value: str) -> None:
+    assert restricted.get("/api/quality", headers={"Authorization": value}).status_code == 401
+
+
+def test_an_answer_to_a_key_is_not_for_shared_caches(restricted: TestClient, signing: Signing) -> None:
+    assert restricted.get(MASK, headers=bearer(KEY)).headers["Cache-Control"].startswith("private")
+    # From memory too.
+    assert restricted.get(MASK, headers=bearer(KEY)).headers["Cache-Control"].startswith("private")
+    assert restricted.get(MASK).status_code == 401
+    assert restricted.get(signing.link(MASK)).headers["Cache-Control"].startswith("public")
+
+
+def test_a_signed_link_is_its_own_permission(restricted: TestClient, signing: Signing) -> None:
+    link = signing.link(MASK)
+    response = restricted.get(link)
+    assert response.status_code == 200
+    assert response.headers["Content-Type"] == "image/png"
+    assert restricted.head(link).status_code == 200
+    assert restricted.get(link, headers={"If-None-Match": response.headers["ETag"]}).status_code == 304
+    assert restricted.get(signing.link(MASK.replace("custom", "c%75stom"))).content == response.content
+
+
+def test_an_altered_link_is_refused(restricted: TestClient, signing: Signing) -> None:
+    link = signing.link(MASK)
+    signature = link.split("/")[2]
+    altered = [
+        link.replace("seed=7", "seed=8"),
+        link.replace("data.png", "data.npy"),
+        link + "&seed=7",
+        link.split("?")[0],
+        link.replace("masks", "m%61sks"),
+        link.replace(signature, signature[:-1]),
+        link.replace(signature, "x" * len(signature)),
+        link.replace(signature, "é"),
+        f"/signed/{signature}",
+        "/signed/",
+        f"/signed/{signature}/docs",
+        "/signed" + MASK,
+    ]
+    for each in altered:
+        response = restricted.get(each)
+        assert response.status_code == 403, each
+        assert response.json()["type"] == "urn:seafoam:problem:bad-signature"
+        assert response.headers["Cache-Control"] == "no-store"
+
+
+def test_a_signature_permits_reading_alone(restricted: TestClient, signing: Signing) -> None:
+    response = restricted.post(signing.link("/api/frames"), json={})
+    assert response.status_code == 405
+    assert response.headers["Allow"] == "GET, HEAD"
+
+
+def test_with_signing_alone_every_other_request_is_refused(signing: Signing) -> None:
+    client = answering(**SIGNING)
+    assert client.get("/api/quality", headers=bearer(KEY)).status_code == 401
+    assert client.get(signing.link("/api/quality")).status_code == 200
+
+
+def test_repeats_are_answered_behind_the_gate() -> None:
+    names = [each.cls.__name__ for each in answering().app.user_middleware]
+    assert names.index("Gate") < names.index("Repeats")
+
+
+def test_without_settings_the_api_is_open(signing: Signing) -> None:
+    client = answering()
+    assert client.get(MASK, headers=bearer(KEY)).headers["Cache-Control"].startswith("public")
+    assert client.get(signing.link("/api/quality")).status_code == 404
+
+
+@pytest.mark.parametrize(
+    "text", [KEY, f"alice:{KEY[:15]}", f"alice:{KEY},alice:{OTHER}", f"a:{KEY},b:{KEY}", f"a b:{KEY}", f"a:{KEY} {KEY}"]
+)
+def test_keys_must_have_names_and_length(text: str) -> None:
+    with pytest.raises(ValueError, match=r"key \d") as refused:
+        api_keys_of(text)
+    assert KEY[:15] not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("key", "salt"), [("00" * 16, ""), ("", "00"), ("00" * 15, "00"), ("0" * 33, "00"), ("xy" * 16, "00")]
+)
+def test_key_and_salt_are_hexadecimal_and_long_enough(key: str, salt: str) -> None:
+    with pytest.raises(ValidationError, match="signing_key"):
+        Settings(signing_key=key, signing_salt=salt)
+
+
+def test_secrets_are_not_shown() -> None:
+    settings = Settings(api_keys=f"alice:{KEY}", **SIGNING)
+    assert KEY not in repr(settings)
+    assert SIGNING["signing_key"] not in repr(settings)
+    assert isinstance(settings.access, Access)
+
+
+def test_the_command_signs_what_the_server_accepts(restricted: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in SIGNING.items():
+        monkeypatch.setenv(f"SEAFOAM_{name.upper()}", value)
+    done = run("sign", MASK)
+    assert done.returncode == 0, done.stderr
+    assert restricted.get(done.stdout.strip()).status_code == 200

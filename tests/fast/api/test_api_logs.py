@@ -1,0 +1,147 @@
+"""Request ids, the log as lines of JSON, and pages of other origins."""
+
+import io
+import json
+import logging
+import re
+from collections.abc import Callable, Iterator
+
+import pytest
+from pydantic import ValidationError
+from starlette.testclient import TestClient
+
+from seafoam.api import logs
+from seafoam.api.settings import Settings
+from support.serving import answering
+
+
+@pytest.fixture
+def logged() -> Iterator[Callable[[], list[dict[str, object]]]]:
+    """What was written since, a line each."""
+    stream = io.StringIO()
+    handler = logging.StreamHandler(stream)
+    handler.setFormatter(logs.JsonLines())
+    logs.log.addHandler(handler)
+    level = logs.log.level
+    logs.log.setLevel(logging.INFO)
+    yield lambda: [json.loads(line) for line in stream.getvalue().splitlines()]
+    logs.log.removeHandler(handler)
+    logs.log.setLevel(level)
+
+
+@pytest.fixture(scope="module")
+def client() -> TestClient:
+    return answering(log_format="json")
+
+
+def test_each_request_has_an_id(client: TestClient) -> None:
+    one, other = (client.get("/healthz").headers["X-Request-ID"] for _ in range(2))
+    assert re.fullmatch("[0-9a-f]{32}", one)
+    assert one != other
+
+
+@pytest.mark.parametrize("sent", ["abc", "01J8-X_y.z:1", "a" * 128])
+def test_a_sane_id_is_kept(client: TestClient, sent: str) -> None:
+    response = client.get("/api/presets/none", headers={"X-Request-ID": sent})
+    assert response.headers["X-Request-ID"] == sent
+    assert response.json()["request_id"] == sent
+
+
+@pytest.mark.parametrize("sent", ["", " ", "a b", "a" * 129, '{"a":1}', "é".encode(), b"\xff", "a,b", "-a", "<b>"])
+def test_another_is_replaced(client: TestClient, sent: str | bytes) -> None:
+    response = client.get("/healthz", headers={"X-Request-ID": sent})
+    assert re.fullmatch("[0-9a-f]{32}", response.headers["X-Request-ID"])
+
+
+def test_an_unexpected_error_has_its_id_too(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
+    response = client.get("/api/quality", headers={"X-Request-ID": "one"})
+    assert response.status_code == 500
+    assert response.headers["X-Request-ID"] == response.json()["request_id"] == "one"
+
+
+def test_a_line_for_each_request(client: TestClient, logged: Callable[[], list[dict[str, object]]]) -> None:
+    response = client.get("/api/presets/none?x=1", headers={"X-Request-ID": "one"})
+    client.head("/api/quality")
+    client.get("/learn/")
+    first, second, third = logged()
+    assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}\+00:00", str(first.pop("time")))
+    assert 0.0 < float(str(first.pop("duration_ms"))) < 60_000.0
+    assert first == {
+        "level": "info", "logger": "seafoam.api.logs", "message": "GET /api/presets/{preset} 422", "request_id": "one",
+        "method": "GET", "route": "/api/presets/{preset}", "path": "/api/presets/none", "status": 422,
+        "bytes": len(response.content), "client": "testclient",
+    }  # fmt: skip
+    assert (second["method"], second["route"], second["bytes"]) == ("HEAD", "/api/quality", 0)
+    assert third["route"] == "(page)"
+
+
+def test_a_key_is_logged_by_its_name(logged: Callable[[], list[dict[str, object]]]) -> None:
+    key = "correct-horse-battery"
+    restricted = answering(log_format="json", api_keys=f"alice:{key}")
+    restricted.get("/api/quality", headers={"Authorization": f"Bearer {key}"})
+    restricted.get("/api/quality")
+    assert [(line["client"], line["status"]) for line in logged()] == [("alice", 200), ("testclient", 401)]
+    assert key not in json.dumps(logged())
+
+
+def test_probes_are_not_logged(client: TestClient, logged: Callable[[], list[dict[str, object]]]) -> None:
+    client.get("/healthz")
+    client.get("/readyz")
+    assert logged() == []
+
+
+def test_as_text_uvicorn_writes_the_lines(logged: Callable[[], list[dict[str, object]]]) -> None:
+    answering().get("/api/quality")
+    assert logged() == []
+
+
+def test_an_exception_is_part_of_its_line() -> None:
+    try:
+        raise ValueError("two\nlines")
+    except ValueError as error:
+        record = logging.LogRecord("x", logging.ERROR, "", 0, "failed: %s", ("it",), (type(error), error, None))
+    line = json.loads(logs.JsonLines().format(record))
+    assert line["message"] == "failed: it"
+    assert line["level"] == "error"
+    assert "ValueError: two\nlines" in line["exception"]
+
+
+def test_json_replaces_uvicorns_own_log(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: dict[str, object] = {}
+    monkeypatch.setattr(logging, "basicConfig", lambda **options: made.update(options))
+    assert logs.configure("json") == {"log_config": None, "access_log": False}
+    assert isinstance(made["handlers"][0].formatter, logs.JsonLines)  # type: ignore[index]
+
+
+def test_other_origins_are_let_in_by_setting_alone() -> None:
+    origin = {"Origin": "https://example.org"}
+    assert "Access-Control-Allow-Origin" not in answering().get("/api/quality", headers=origin).headers
+    client = answering(cors_origins="https://example.org, https://a.test:8443", api_keys="a:correct-horse-battery")
+    # An error too, so that the page can read it.
+    response = client.get("/api/quality", headers=origin)
+    assert response.status_code == 401
+    assert response.headers["Access-Control-Allow-Origin"] == "https://example.org"
+    readable = response.headers["Access-Control-Expose-Headers"]
+    assert {"ETag", "Seafoam-Plan", "Retry-After", "RateLimit"} <= set(readable.split(", "))
+    other = client.get("/api/quality", headers={"Origin": "https://example.com"})
+    assert "Access-Control-Allow-Origin" not in other.headers
+
+
+def test_a_preflight_needs_no_key() -> None:
+    client = answering(cors_origins="https://example.org", api_keys="a:correct-horse-battery")
+    asked = {
+        "Origin": "https://example.org",
+        "Access-Control-Request-Method": "POST",
+        "Access-Control-Request-Headers": "authorization,content-type",
+    }
+    assert client.options("/api/frames", headers=asked).status_code == 200
+    assert client.options("/api/frames", headers=asked | {"Origin": "https://example.com"}).status_code == 400
+
+
+@pytest.mark.parametrize(
+    "origins", ["example.org", "https://example.org/", "https://example.org/a", "https://a b", "null"]
+)
+def test_origins_are_scheme_host_and_port(origins: str) -> None:
+    with pytest.raises(ValidationError, match="cors_origins"):
+        Settings(cors_origins=origins)

@@ -1,0 +1,179 @@
+"""Traces by OpenTelemetry: when they are made, and what they hold."""
+
+import asyncio
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from itertools import pairwise
+from types import SimpleNamespace
+from typing import get_args
+
+import pytest
+from opentelemetry.proto.collector.trace.v1.trace_service_pb2 import ExportTraceServiceRequest
+from opentelemetry.sdk.trace import ReadableSpan
+from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
+
+from seafoam.api import telemetry
+from seafoam.api.answering import answer
+from seafoam.api.known import Identified
+from seafoam.api.telemetry import UnsupportedTelemetryError, configured
+from seafoam.api.traces import Traces
+from seafoam.extras import MissingExtraError
+from seafoam.render.service.jobs import Frame
+from seafoam.render.service.source import Found, Origin
+from support.serving import answering
+
+ENDPOINT = {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:4318"}
+PARENT = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"
+
+
+class Recorded:
+    """Traces that stay here."""
+
+    def __init__(self) -> None:
+        self.exporter = InMemorySpanExporter()
+        self.traces = Traces(self.exporter)
+
+    def spans(self) -> list[ReadableSpan]:
+        self.traces._provider.force_flush()
+        return list(self.exporter.get_finished_spans())
+
+
+@pytest.fixture
+def recorded(monkeypatch: pytest.MonkeyPatch) -> Iterator[Recorded]:
+    made = Recorded()
+    monkeypatch.setattr("seafoam.api.app.configured_traces", lambda: made.traces)
+    yield made
+    made.traces.close()
+
+
+@pytest.mark.parametrize(
+    ("environment", "expected"),
+    [
+        ({}, False),
+        ({"OTEL_SERVICE_NAME": "sea"}, False),
+        (ENDPOINT, True),
+        ({"OTEL_EXPORTER_OTLP_TRACES_ENDPOINT": "http://a/v1/traces"}, True),
+        ({**ENDPOINT, "OTEL_SDK_DISABLED": "true"}, False),
+        ({**ENDPOINT, "OTEL_TRACES_EXPORTER": "none"}, False),
+        ({**ENDPOINT, "OTEL_TRACES_EXPORTER": "otlp", "OTEL_EXPORTER_OTLP_PROTOCOL": "http/protobuf"}, True),
+    ],
+)
+def test_the_standard_variables_switch_it_on(environment: dict[str, str], expected: bool) -> None:
+    assert configured(environment) is expected
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("OTEL_TRACES_EXPORTER", "console"), ("OTEL_EXPORTER_OTLP_PROTOCOL", "grpc")]
+)
+def test_what_is_not_supported_is_refused(name: str, value: str) -> None:
+    with pytest.raises(UnsupportedTelemetryError, match=rf"{name}: must be .*, not '{value}'"):
+        configured({**ENDPOINT, name: value})
+
+
+def test_without_the_packages_the_error_names_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(*next(iter(ENDPOINT.items())))
+    monkeypatch.setattr("seafoam.extras._installed", lambda module: False)
+    with pytest.raises(MissingExtraError, match=r"seafoam\[telemetry\]"):
+        telemetry.traces()
+
+
+def test_nothing_is_imported_where_nothing_asks_for_it() -> None:
+    # FastAPI imports the API of OpenTelemetry itself.
+    code = """
+import sys
+from seafoam.api.app import create_app
+create_app()
+sys.exit(any(name.startswith(("opentelemetry.sdk", "opentelemetry.exporter")) for name in sys.modules))
+"""
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_span_for_each_request(recorded: Recorded) -> None:
+    client = answering()
+    client.get("/api/presets/none", headers={"traceparent": PARENT})
+    client.head("/api/quality")
+    client.get("/healthz")
+    first, second = recorded.spans()
+    assert first.name == "GET /api/presets/{preset}"
+    assert first.attributes is not None
+    assert first.attributes["http.response.status_code"] == 404
+    assert first.attributes["url.path"] == "/api/presets/none"
+    assert first.parent is not None
+    assert f"{first.parent.trace_id:032x}" == PARENT.split("-")[1]
+    assert first.status.is_unset
+    assert second.name == "HEAD /api/quality"
+    assert second.parent is None
+
+
+def test_an_unexpected_error_is_one_of_its_span(recorded: Recorded, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("seafoam.api.routers.presets.every_parameter", lambda: 1 / 0)
+    answering().get("/api/quality")
+    (span,) = recorded.spans()
+    assert not span.status.is_ok
+    assert not span.status.is_unset
+
+
+def test_a_drawn_frames_stages_are_spans_within_its_request(recorded: Recorded) -> None:
+    timings = {"queue": 0.5, "plan": 0.001, "render": 0.02, "read": 0.001, "encode": 0.004}
+
+    async def draw(*_: object, **__: object) -> Found:
+        return Found(Frame(b"", timings), origin)
+
+    async def leave() -> None:
+        await asyncio.Event().wait()
+
+    for origin in get_args(Origin):
+        frames = SimpleNamespace(frame=draw, at_hand=lambda key: None)
+        context = SimpleNamespace(
+            frames=frames, traces=recorded.traces, metrics=SimpleNamespace(count_frame=lambda *_: None)
+        )
+        job = SimpleNamespace(format="png")
+        request = SimpleNamespace(method="POST", receive=leave)
+        with recorded.traces._tracer.start_as_current_span(origin):
+            asyncio.run(answer(Identified(job, "", {}, None), request, context))  # type: ignore[arg-type]
+    spans = recorded.spans()
+    parent = next(each for each in spans if each.name == "drawn")
+    stages = [each for each in spans if each.name not in get_args(Origin)]
+    assert [each.name for each in stages] == list(timings)
+    for before, after in pairwise(stages):
+        assert before.end_time == after.start_time
+    for each in stages:
+        assert each.parent is not None
+        assert each.parent.span_id == parent.context.span_id
+        assert each.end_time - each.start_time == pytest.approx(1e9 * timings[each.name], abs=1)
+
+
+def test_spans_reach_a_collector(monkeypatch: pytest.MonkeyPatch) -> None:
+    received = []
+
+    class Collector(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            received.append((self.path, self.rfile.read(int(self.headers["Content-Length"]))))
+            self.send_response(200)
+            self.send_header("Content-Length", "0")
+            self.end_headers()
+
+        def log_message(self, *_: object) -> None:
+            """Say nothing."""
+
+    with HTTPServer(("127.0.0.1", 0), Collector) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        monkeypatch.setenv("OTEL_EXPORTER_OTLP_ENDPOINT", f"http://127.0.0.1:{server.server_port}")
+        monkeypatch.setenv("OTEL_SERVICE_NAME", "sea")
+        made = telemetry.traces()
+        assert made is not None
+        made.stages({"render": 0.25})
+        made.close()
+        server.shutdown()
+        thread.join()
+    ((path, body),) = received
+    assert path == "/v1/traces"
+    sent = ExportTraceServiceRequest.FromString(body).resource_spans[0]
+    assert {each.key: each.value.string_value for each in sent.resource.attributes}["service.name"] == "sea"
+    (span,) = sent.scope_spans[0].spans
+    assert span.name == "render"
+    assert span.end_time_unix_nano - span.start_time_unix_nano == 250_000_000

@@ -1,0 +1,42 @@
+"""The commands and the Python of README.md and docs: what is in the pages, and what no test runs, with the reason."""
+
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+PAGES = sorted(str(each.relative_to(ROOT)) for each in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
+_PROGRAMS = r"make|curl|python|dask|seafoam|pip|npm|docker|\.venv/bin/"
+_COMMAND = re.compile(rf"^    (?:[A-Z_]+=\S+ )?((?:{_PROGRAMS})\S* .*?)(?:  +# .*|  \(.*)?$", re.MULTILINE)
+
+NOT_RUN = {
+    "make demo": "installs packages and serves until it is stopped; its server is the one that other snippets ask",
+    "make test": "runs all tests",
+    "make bench": "half an hour; -m bench is run by tests/fast/unit/test_bench.py in parts",
+    ".venv/bin/python -m bench": "minutes to half an hour; that its options exist is tested here",
+    ".venv/bin/pytest": "the tests themselves; that the files exist is tested here",
+    ".venv/bin/python docs/make_stability.py": "needs what browsers measured; test_generated.py has its own",
+    "python docs/make_whitecaps.py": "minutes",
+    ".venv/bin/seafoam serve": "the server that the other snippets ask",
+    ".venv/bin/seafoam accuracy": "minutes; tests/gpu/accuracy measures small ones",
+    ".venv/bin/python -c": "docs/python.md begins with the same, and is run",
+    ".venv/bin/seafoam sequence": "those of docs/sequences.md are run",
+    "seafoam accuracy PRESET": "the same, for every preset",
+    "npm pack three": "tests/browser/test_three_example.py runs the example with the same package",
+    "dask ": "a cluster of machines; tests/fast/sequences/test_fleet.py has one in processes",
+}
+"""Beginnings of commands -> why no test runs them as they stand."""
+
+
+def text(page: str) -> str:
+    """A page's text."""
+    return (ROOT / page).read_text(encoding="utf-8")
+
+
+def blocks(page: str, language: str) -> list[str]:
+    """The fenced snippets of a language."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", text(page), re.MULTILINE | re.DOTALL)
+
+
+def commands(page: str) -> list[str]:
+    """The indented command lines, without their comments."""
+    return [found.strip() for found in _COMMAND.findall(text(page))]
