@@ -12,7 +12,7 @@ import pytest
 from prometheus_client.parser import text_string_to_metric_families
 from pydantic import ValidationError
 
-from seafoam.api.routers.presets import _summary, warm
+from seafoam.api.routers.presets import _made_summary, warm
 from seafoam.api.settings import Settings
 from seafoam.api.threads import ThreadPool
 from seafoam.framegraph.plan import FramePlan
@@ -285,7 +285,7 @@ def test_presets_are_planned_before_a_visitor_asks() -> None:
 
     asyncio.run(warm(Noted(1, 1)))
     assert asked == list(preset_names())
-    planned = _summary.cache_info()
+    planned = _made_summary.cache_info()
     assert planned.currsize == len(asked)
     asyncio.run(warm(Noted(1, 1)))
-    assert _summary.cache_info().misses == planned.misses
+    assert _made_summary.cache_info().misses == planned.misses

@@ -1,6 +1,7 @@
 """``/api/presets``: the named scenes. ``/api/quality``: quality tiers and settings."""
 
 from functools import cache
+from threading import Lock
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query
@@ -67,9 +68,19 @@ def known_preset(name: str | None) -> None:
         )
 
 
-@cache
+_one_at_a_time = Lock()
+
+
 def _summary(name: str) -> PresetSummary:
-    """Return a preset's list entry, cached, because its effects require a plan. Raises ``KeyError``."""
+    """Return a preset's list entry. Raises ``KeyError``."""
+    # A list that is asked for while presets are still planned waits for these plans, and does not make them again.
+    with _one_at_a_time:
+        return _made_summary(name)
+
+
+@cache
+def _made_summary(name: str) -> PresetSummary:
+    """A preset's list entry, cached, because its effects require a plan."""
     preset = load_preset(name)
     compiled = compile_scene(preset.scene, TIERS["standard"], scene_at="")
     effects = [effect.name for effect in compiled.plan.effects]
