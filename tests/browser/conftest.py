@@ -11,10 +11,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, Playwright, sync_playwright
+from playwright.sync_api import Page, Playwright, expect, sync_playwright
 
 from support.browsers import Lane, launched, opened
 from support.visits import Visit, link, visit
+
+# Beside other tests, what a page shows takes longer than the 5 s that Playwright would wait.
+expect.set_options(timeout=30_000)
 
 
 @pytest.fixture(scope="session")

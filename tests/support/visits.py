@@ -46,7 +46,7 @@ class Visit:
     def settle(self) -> None:
         """Wait until the picture shows what was asked for, at rest and sharp."""
         try:
-            self.page.wait_for_function("() => window.seafoam?.state().settled === true", timeout=60_000)
+            self.page.wait_for_function("() => window.seafoam?.state().settled === true", timeout=180_000)
         except TimeoutError as error:
             state = self.page.evaluate("() => window.seafoam?.state()")
             raise AssertionError(
@@ -63,7 +63,7 @@ class Visit:
 
     def saved(self, button: str = "Save image as PNG") -> tuple[Pixels, str]:
         """The PNG behind a button, (height, width, 3), and its name."""
-        with self.page.expect_download(timeout=60_000) as download:
+        with self.page.expect_download(timeout=180_000) as download:
             self.page.get_by_role("button", name=button).click()
         png = Image.open(io.BytesIO(Path(download.value.path()).read_bytes()))
         assert png.format == "PNG"
@@ -71,7 +71,7 @@ class Visit:
 
     def picture(self) -> Pixels:
         """What the canvas shows, at full size, once the plans that were asked for are here."""
-        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
+        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
         return self.saved()[0]
 
     def canvas(self) -> Pixels:
@@ -90,7 +90,7 @@ class Visit:
         self.page.evaluate("(hash) => { location.hash = hash; }", f"{fragment}&mark={self.followed}")
         # The event comes in a task of its own.
         self.frames(2)
-        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=60_000)
+        self.page.wait_for_function("() => !window.seafoam.state().busy", timeout=180_000)
 
     def frames(self, count: int) -> None:
         """Let that many animation frames pass."""

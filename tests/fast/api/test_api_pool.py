@@ -32,7 +32,7 @@ def with_pool(work, **settings):
     """Run ``work(pool)`` with a started pool, on a loop of its own."""
 
     async def run():
-        pool = RenderPool(**{"factory": FakeRenderer, **settings})
+        pool = RenderPool(**{"factory": FakeRenderer, "deadline": 60.0, **settings})
         await pool.start()
         try:
             return await work(pool)
@@ -42,7 +42,7 @@ def with_pool(work, **settings):
     return asyncio.run(run())
 
 
-async def eventually(condition, seconds=5.0):
+async def eventually(condition, seconds=30.0):
     async with asyncio.timeout(seconds):
         while not condition():
             await asyncio.sleep(0.02)
