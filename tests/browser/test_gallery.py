@@ -110,7 +110,7 @@ def test_the_strip_goes_by_keys(small: Visit) -> None:
     page, names = small.page, preset_names()
     strip = page.locator("#gallery .strip")
     # One thumbnail is in the order of the tab key: the chosen one.
-    assert strip.locator("[tabindex='0']").evaluate_all("(all) => all.map((one) => one.dataset.preset)") == ["default"]
+    expect(strip.locator("[tabindex='0']")).to_have_attribute("data-preset", "default")
     strip.locator("[tabindex='0']").focus()
     for key, name in (("End", names[-1]), ("ArrowLeft", names[-2]), ("Home", names[0]), ("ArrowRight", names[1])):
         page.keyboard.press(key)
