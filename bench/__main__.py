@@ -21,6 +21,7 @@ from bench import (
     foam,
     frames,
     http,
+    load,
     machine,
     motion,
     page,
@@ -36,11 +37,11 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import preset_names
 
 USUAL = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")
-LONG = ("motion", "adaptive")
-"""Sections that are measured only where they are named: their samples take longer than all others together."""
-DRAWN = (*USUAL, *LONG)
+LONG = ("motion", "adaptive", "load", "soak")
+"""Sections that are measured only where they are named: they take longer than all others together."""
+DRAWN = (*USUAL, *(name for name in LONG if name != "soak"))
 SERVED = ("yardstick", "http", "page")
-SECTIONS = (*DRAWN, "compiler", "http", "page")
+SECTIONS = (*DRAWN, "compiler", "http", "page", "soak")
 QUICK = 0.2
 
 
@@ -80,6 +81,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 run.add("compiler", tables)
             if set(SERVED) & set(asked.only):
                 _serve(run, asked, watch)
+            if "soak" in asked.only:
+                run.add("soak", load.soak(watch))
         except Exception:
             # Results up to the failure are still printed.
             failure = traceback.format_exc()
@@ -105,8 +108,8 @@ def _asked(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--only",
         choices=SECTIONS,
         nargs="+",
-        default=(*USUAL, *SECTIONS[len(DRAWN) :]),
-        help="measure only these parts, of which motion and adaptive are left out unless named",
+        default=tuple(name for name in SECTIONS if name not in LONG),
+        help=f"measure only these parts, of which {', '.join(LONG)} are left out unless named",
     )
     parser.add_argument(
         "--presets",
@@ -152,6 +155,7 @@ def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
             "foam": foam,
             "budget": budget,
             "motion": motion,
+            "load": load,
         }
         for name, section in drawn.items():
             if name in asked.only:

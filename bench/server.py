@@ -37,19 +37,20 @@ class Answer:
 
 
 @contextmanager
-def running() -> Iterator[int]:
-    """Run a server while the context lasts; yields its port.
+def running(**settings: str) -> Iterator[int]:
+    """Run a server while the context lasts; yields its port. settings: environment variables; empty ones are unset.
 
-    The driver's shader cache is disabled, so that programs new to the server are compiled.
+    The driver's shader cache is disabled, so that programs new to the server are compiled; the frames' too unless
+    settings say otherwise, so that every frame is drawn.
     """
     with socket.socket() as probe:
         probe.bind((HOST, 0))
         port = probe.getsockname()[1]
     command = [str(Path(sys.executable).with_name("seafoam")), "serve", "--port", str(port)]
-    environment = {**os.environ, "SEAFOAM_QUEUE": str(QUEUE), "MESA_SHADER_CACHE_DISABLE": "true"}
-    # Every frame is drawn, whatever earlier runs drew.
-    environment |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
-    with tempfile.TemporaryFile("w+") as log:
+    usual = {"SEAFOAM_QUEUE": str(QUEUE), "SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
+    wanted = {**os.environ, "MESA_SHADER_CACHE_DISABLE": "true", **usual, **settings}
+    with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryFile("w+") as log:
+        environment = {"SEAFOAM_CACHE": folder} | {name: value for name, value in wanted.items() if value}
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=log, env=environment)
         try:
             until = time.monotonic() + START_SECONDS

@@ -14,6 +14,7 @@ from support import inputs
 from support.probe import Probe
 from support.report import REPORT, Report
 from support.room import LIMIT, Room, give_back, resident
+from support.sweep import leave_to_sweep
 
 # llvmpipe compiles in half the time without LLVM's optimisations, and draws the same bytes (test_driver.py); most of
 # what tests draw is drawn once, and small. Servers that they start inherit it, browsers do not.
@@ -23,6 +24,10 @@ os.environ |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
 
 
 BROWSER = Path(__file__).with_name("browser")
+DRAWING = (Path(__file__).with_name("gpu"), BROWSER)
+"""Where a case takes seconds."""
+MOST = 8
+"""Cases of one test function there, but for the sweep."""
 
 
 @cache
@@ -38,8 +43,12 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Browsers last: Playwright leaves an event loop running in this thread, and the API's clients start their own."""
+    """Browsers last: Playwright leaves an event loop running in this thread, and the API's clients start their own.
+
+    Of large tables a few cases, but for the sweep.
+    """
     items.sort(key=lambda item: BROWSER in item.path.parents)
+    leave_to_sweep((item for item in items if any(folder in item.path.parents for folder in DRAWING)), MOST)
 
 
 def pytest_unconfigure() -> None:

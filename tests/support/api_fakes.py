@@ -1,9 +1,11 @@
 """Renderers for tests, importable by spawned workers."""
 
 import os
+import resource
 import signal
 import time as clock
 from dataclasses import dataclass
+from pathlib import Path
 from zlib import crc32
 
 import numpy as np
@@ -15,6 +17,9 @@ CRASH = 666.0
 RAISE = 555.0
 SLOW = 444.0
 SLOW_SECONDS = 0.5
+GREEDY = 333.0
+LOST = "SEAFOAM_TEST_LOST"
+"""Variable that names a file; a :class:`LostRenderer` that finds it loses its context."""
 REMEDY = "no OpenGL context: none here; install a driver"
 
 
@@ -40,6 +45,10 @@ class FakeRenderer:
                 raise ValueError("secret of the driver")
             case 444.0:
                 clock.sleep(SLOW_SECONDS)
+            case 333.0:
+                # What is left of its limit is too little for the frame.
+                resource.setrlimit(resource.RLIMIT_AS, (1 << 20, resource.RLIM_INFINITY))
+                np.ones((8192, 8192))
         seed = crc32(repr((plan.sha256, time, camera)).encode())
         ramp = np.linspace(0.0, 1.0, width * height * 4).reshape(height, width, 4)
         pixels = {
@@ -50,6 +59,20 @@ class FakeRenderer:
         # No two of the tests' frames are alike by chance.
         pixels[0, 0, :3] = [(seed >> shift & 255) * (257 if output == "rgba16" else 1) for shift in (0, 8, 16)]
         return FakeRendered(pixels, {"render": 0.001, "read": 0.001})
+
+
+class LostRenderer(FakeRenderer):
+    """Loses its context when a file says so, and takes the file away: its successor's is sound."""
+
+    lost = False
+
+    def render(self, plan, *, time, camera, width, height, output):
+        drawn = super().render(plan, time=time, camera=camera, width=width, height=height, output=output)
+        told = Path(os.environ[LOST])
+        if told.exists():
+            told.unlink()
+            self.lost = True
+        return FakeRendered(0 * drawn.pixels, drawn.timings) if self.lost else drawn
 
 
 class BlankRenderer(FakeRenderer):

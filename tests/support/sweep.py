@@ -1,7 +1,9 @@
 """What ``make test`` runs of large tables of cases, evenly spread; ``make sweep`` runs the rest."""
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -31,3 +33,21 @@ def rested(parameters: Iterable[Any], every: int) -> list[Any]:
         one if i % every == 0 else pytest.param(*one.values, id=one.id, marks=(*one.marks, REST))
         for i, one in enumerate(parameters)
     ]
+
+
+def leave_to_sweep(items: Iterable[pytest.Item], most: int) -> None:
+    """Mark all but ``most`` cases of each test function, evenly spread, as the sweep's.
+
+    Not where the function says itself what is left to the sweep, or is marked whole.
+    """
+    tables: dict[tuple[Path, str], list[pytest.Item]] = defaultdict(list)
+    for item in items:
+        if isinstance(item, pytest.Function):
+            tables[item.path, item.originalname].append(item)
+    for cases in tables.values():
+        if any(case.get_closest_marker(name) for case in cases for name in (REST.name, "whole")):
+            continue
+        kept = {i * len(cases) // most for i in range(min(most, len(cases)))}
+        for i, case in enumerate(cases):
+            if len(cases) > most and i not in kept:
+                case.add_marker(REST)

@@ -2,22 +2,24 @@
 
 Every worker process owns one GL context, created by its first task in the thread that draws for good: a context belongs
 to one thread, so a worker has only one. Dask runs the frames of a lost worker again on the others, and takes waiting
-frames from slow ones; a frame depends on its job alone, so the bytes are the same wherever it is drawn.
+frames from slow ones; a scheduler that went away and came back is asked for them once more. A frame depends on its job
+alone, so the bytes are the same wherever it is drawn.
 """
 
 import os
 import threading
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Callable, Generator, Iterator, Mapping
 from contextlib import ExitStack
 from functools import partial
-from itertools import islice
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
 from seafoam.extras import require
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import FrameJob, Renderer, render_frame
 from seafoam.sequences.errors import MixedFleetError, SequenceError
-from seafoam.sequences.workers import Drawn, Units
+from seafoam.sequences.workers import Drawn, Unit, Units
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -26,6 +28,10 @@ AHEAD = 4
 """Frames for each worker that are asked for before they are needed: enough that none waits, few to lose by a stop."""
 CONNECT_SECONDS = 10.0
 """Timeout of the connection to a scheduler, s."""
+RETURN_SECONDS = 120.0
+"""How long a scheduler that went away is waited for, until it is back with a worker, s."""
+RETURN_POLL = 0.5
+"""Interval of the attempts, s."""
 _mine = threading.local()
 
 
@@ -48,35 +54,69 @@ class DaskWorkers:
         factory: Callable[[], Renderer] = Executor,
     ) -> None:
         require("cluster")
+        self._scheduler, self._workers = scheduler, workers
         self._mixed = mixed
         self._factory = factory
         self._stack = ExitStack()
         try:
             self.client = self._connected(scheduler, workers)
-            self.info: Mapping[str, str] = self._common_renderer()
+            self.info: Mapping[str, str] = {}
+            self._common_renderer()
         except BaseException:
             self._stack.close()
             raise
 
     def draw(self, units: Units) -> Drawn:
-        """Draw frames, each as soon as a worker is free, in the order in which they are finished."""
+        """Draw frames, each as soon as a worker is free, in the order in which they are finished.
+
+        Raises :class:`SequenceError` if the scheduler goes away and does not return within ``RETURN_SECONDS``.
+        """
+        waiting = iter(units)
+        while lost := (yield from self._draw_while_connected(waiting)):
+            self._rejoin()
+            waiting = chain(lost, waiting)
+
+    def _draw_while_connected(self, waiting: Iterator[Unit]) -> Generator[tuple[int, bytes], None, list[Unit]]:
+        """Draw until nothing is left; return the frames that were lost with the connection to the scheduler."""
         from distributed import as_completed
 
-        waiting = iter(units)
         ahead = AHEAD * max(1, len(self._addresses()))
-        running = {self._submit(job): index for index, job in islice(waiting, ahead)}
+        running = {self._submit(unit): unit for unit in islice(waiting, ahead)}
+        lost: list[Unit] = []
         try:
             finished = as_completed(list(running), loop=self.client.loop, with_results=True)
-            for future, (content, info) in finished:
-                index = running.pop(future)
+            for future, result in finished:
+                unit = running.pop(future)
+                if future.cancelled():
+                    lost.append(unit)
+                    continue
+                content, info = result
                 self._compare(info)
-                for following, job in islice(waiting, 1):
-                    another = self._submit(job)
+                for following in islice(waiting, 0 if lost else 1):
+                    another = self._submit(following)
                     running[another] = following
                     finished.add(another)
-                yield index, content
+                yield unit[0], content
         finally:
             self.client.cancel(list(running))
+        return lost
+
+    def _rejoin(self) -> None:
+        """Connect anew to a scheduler that went away, when it is back with a worker."""
+        self._stack.close()
+        until = time.monotonic() + RETURN_SECONDS
+        while True:
+            try:
+                self.client = self._connected(self._scheduler, self._workers)
+                self._common_renderer()
+                return
+            except MixedFleetError:
+                raise
+            except SequenceError as error:
+                self._stack.close()
+                if time.monotonic() > until:
+                    raise SequenceError(f"the scheduler went away and did not return: {error}") from error
+                time.sleep(RETURN_POLL)
 
     def close(self) -> None:
         """Leave the cluster, and end the local one."""
@@ -114,8 +154,8 @@ class DaskWorkers:
         found: dict[str, Any] = self.client.scheduler_info(n_workers=-1)["workers"]
         return found
 
-    def _common_renderer(self) -> Mapping[str, str]:
-        """Ask every worker for its renderer, in the thread that will draw."""
+    def _common_renderer(self) -> None:
+        """Ask every worker for its renderer, in the thread that will draw; the first one's is that of the fleet."""
         workers = self._addresses()
         if not workers:
             raise SequenceError("the cluster has no workers: start some with: dask worker ADDRESS --nthreads 1")
@@ -127,10 +167,9 @@ class DaskWorkers:
             for address in workers
         ]
         reports: list[dict[str, str]] = self.client.gather(asked)
-        self.info = reports[0]
+        self.info = self.info or reports[0]
         for report in reports:
             self._compare(report)
-        return self.info
 
     def _compare(self, info: Mapping[str, str]) -> None:
         """Raise :class:`MixedFleetError` for another renderer; a worker can join at any time."""
@@ -138,8 +177,8 @@ class DaskWorkers:
             names = " and ".join(f"{one['renderer']}, {one['version']}" for one in (self.info, info))
             raise MixedFleetError(f"the workers have different renderers: {names}; their frames differ")
 
-    def _submit(self, job: FrameJob) -> Any:
-        return self.client.submit(partial(_drawn, self._factory), job, pure=False)
+    def _submit(self, unit: Unit) -> Any:
+        return self.client.submit(partial(_drawn, self._factory), unit[1], pure=False)
 
 
 def _renderer(factory: Callable[[], Renderer]) -> Renderer:

@@ -19,7 +19,20 @@ from seafoam.render.service.jobs import FrameJob
 from seafoam.render.service.limits import FrameLimits
 from seafoam.render.service.pool import RenderPool
 from seafoam.scene.models import Scene
-from support.api_fakes import CRASH, HANG, RAISE, REMEDY, SLOW, SLOW_SECONDS, BlankRenderer, DyingRenderer, FakeRenderer
+from support.api_fakes import (
+    CRASH,
+    GREEDY,
+    HANG,
+    LOST,
+    RAISE,
+    REMEDY,
+    SLOW,
+    SLOW_SECONDS,
+    BlankRenderer,
+    DyingRenderer,
+    FakeRenderer,
+    LostRenderer,
+)
 
 SCENE = Scene()
 
@@ -123,6 +136,40 @@ def test_an_exception_in_a_worker_costs_neither_worker_nor_pool():
         assert await worker_of(pool) == worker
 
     with_pool(work)
+
+
+def test_a_worker_out_of_memory_gives_it_back():
+    """Its frame is tried by another, which fails as well; the next has all the memory again."""
+
+    async def work(pool):
+        worker = await worker_of(pool)
+        with pytest.raises(RenderFailedError, match="twice"):
+            await pool.render(job(GREEDY))
+        assert (await pool.render(job())).content
+        assert await worker_of(pool) != worker
+        assert pool.restarts["crash"] == 2
+        assert pool.state == "ready"
+
+    with_pool(work)
+
+
+@pytest.mark.parametrize("at_work", [True, False], ids=["at work", "idle"])
+def test_a_lost_context_costs_a_worker_and_no_frame(monkeypatch, tmp_path, at_work):
+    """No black picture is answered; an idle pool finds out by its test picture."""
+    monkeypatch.setenv(LOST, str(tmp_path / "lost"))
+
+    async def work(pool):
+        sound = (await pool.render(job())).content
+        worker = await worker_of(pool)
+        (tmp_path / "lost").touch()
+        if not at_work:
+            await eventually(lambda: pool.restarts["crash"] == 1)
+        assert (await pool.render(job())).content == sound
+        assert await worker_of(pool) != worker
+        assert pool.restarts["crash"] == 1
+        assert pool.state == "ready"
+
+    with_pool(work, factory=LostRenderer, check_seconds=600.0 if at_work else 0.2)
 
 
 def test_a_full_queue_refuses_at_once_and_says_when_to_ask_again():

@@ -59,7 +59,7 @@ def check(case, address: str) -> None:
     case.validate_response(response, excluded_checks=excluded)
 
 
-few = hypothesis.settings(deadline=None, suppress_health_check=list(hypothesis.HealthCheck), max_examples=4)
+few = hypothesis.settings(deadline=None, suppress_health_check=list(hypothesis.HealthCheck), max_examples=2)
 
 
 @schema.exclude(path=SCENES).parametrize()

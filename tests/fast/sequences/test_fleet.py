@@ -2,7 +2,12 @@
 
 import os
 import signal
+import socket
+import subprocess
+import sys
+import time
 from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import pytest
@@ -48,20 +53,93 @@ def pids(fleet: DaskWorkers) -> list[int]:
 
 def test_a_lost_worker_loses_no_frame(fleet: DaskWorkers, tmp_path: Path) -> None:
     local, output = Output(tmp_path / "local", "frames"), Output(tmp_path / "fleet", "frames")
-    make_sequence(spec(24), local, InProcess(FakeRenderer()))
+    make_sequence(spec(300), local, InProcess(FakeRenderer()))
     first, second = pids(fleet)
     assert os.getpid() not in (first, second)
 
     def tell(progress: Progress) -> None:
-        if progress.done == 8:
+        if progress.done == 150:
             os.kill(first, signal.SIGKILL)
 
-    made = make_sequence(spec(24), output, fleet, tell=tell)
-    assert made.drawn == 24
+    made = make_sequence(spec(300), output, fleet, tell=tell)
+    assert made.drawn == 300
     assert first not in pids(fleet)
     assert frames(output.path) == frames(local.path)
     # The other's renderer has the same name, so a local run finds all of them.
-    assert make_sequence(spec(24), output, InProcess(FakeRenderer())).found == 24
+    assert make_sequence(spec(300), output, InProcess(FakeRenderer())).found == 300
+
+
+@contextmanager
+def started(*arguments: str) -> Iterator[subprocess.Popen[bytes]]:
+    """A process of Dask's command, with the tests' renderer importable."""
+    paths = os.pathsep.join([str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
+    command = [sys.executable, "-m", "dask", *arguments]
+    process = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": paths}, stderr=subprocess.DEVNULL)
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+@contextmanager
+def cluster(port: int) -> Iterator[subprocess.Popen[bytes]]:
+    """A scheduler and a worker; gives the former."""
+    with (
+        started("scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard") as scheduler,
+        started("worker", f"tcp://127.0.0.1:{port}", "--nthreads", "1", "--no-nanny", "--no-dashboard"),
+    ):
+        yield scheduler
+
+
+def joined(address: str) -> DaskWorkers:
+    for _ in range(120):
+        try:
+            return DaskWorkers(address, factory=FakeRenderer)
+        except SequenceError:
+            time.sleep(0.5)
+    raise AssertionError("the cluster did not start")
+
+
+def test_a_scheduler_that_comes_back_is_asked_again(tmp_path: Path) -> None:
+    local, output = Output(tmp_path / "local", "frames"), Output(tmp_path / "fleet", "frames")
+    make_sequence(spec(100), local, InProcess(FakeRenderer()))
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    with ExitStack() as second, ExitStack() as first:
+        scheduler = first.enter_context(cluster(port))
+
+        def tell(progress: Progress) -> None:
+            if progress.done == 40 and scheduler.poll() is None:
+                first.close()
+                second.enter_context(cluster(port))
+
+        with joined(f"tcp://127.0.0.1:{port}") as workers:
+            made = make_sequence(spec(100), output, workers, tell=tell)
+        assert scheduler.poll() is not None
+    assert made.drawn == 100
+    assert frames(output.path) == frames(local.path)
+
+
+def test_a_scheduler_that_stays_away_ends_the_sequence_and_keeps_its_frames(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("seafoam.sequences.fleet.CONNECT_SECONDS", 1.0)
+    monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
+    output = Output(tmp_path / "fleet", "frames")
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    with cluster(port) as scheduler, joined(f"tcp://127.0.0.1:{port}") as workers:
+
+        def tell(progress: Progress) -> None:
+            if progress.done == 20:
+                scheduler.kill()
+
+        with pytest.raises(SequenceError, match="went away and did not return"):
+            make_sequence(spec(100), output, workers, tell=tell)
+    assert make_sequence(spec(100), output, InProcess(FakeRenderer())).found >= 20
 
 
 def test_what_a_worker_raises_ends_the_sequence(fleet: DaskWorkers, tmp_path: Path) -> None:

@@ -1,9 +1,16 @@
 """The command in processes of its own: it draws with GL, and it serves."""
 
+import http.client
 import json
+import os
 import signal
+import socket
 import subprocess
+import threading
+import time
 import urllib.request
+from collections import defaultdict
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -48,3 +55,72 @@ def test_serve_answers_without_delay_and_stops_when_told():
         process.send_signal(signal.SIGTERM)
         process.stdout.close()
     assert process.wait(20) in (0, -signal.SIGTERM)
+
+
+@contextmanager
+def serving(port, cache):
+    """The command at a port; it must end when it is told to."""
+    environment = {**os.environ, "SEAFOAM_CACHE": str(cache), "SEAFOAM_CACHE_SIZE": str(2**26)}
+    process = subprocess.Popen(
+        [*COMMAND, "serve", "--port", str(port)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment
+    )
+    try:
+        yield process
+    finally:
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(30) in (0, -signal.SIGTERM)
+
+
+def test_a_restart_under_load_tears_no_answer(tmp_path):
+    """Clients see whole answers, refusals, or no server; an address has the same bytes before and after."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=draft&time={time}" for time in range(12)]
+    answers, wrong, over = defaultdict(set), [], threading.Event()
+    counts = {"200": 0, "away": 0}
+
+    def client(offset):
+        while not over.is_set():
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
+            try:
+                for path in paths[offset:] + paths[:offset]:
+                    connection.request("GET", path)
+                    response = connection.getresponse()
+                    body = response.read()
+                    if response.status == 200:
+                        counts["200"] += 1
+                        answers[path].add(body)
+                    elif response.status != 503 or "Retry-After" not in response.headers:
+                        wrong.append(f"{response.status}: {body[:200]}")
+            except http.client.IncompleteRead as torn:
+                wrong.append(repr(torn))
+            except (OSError, http.client.HTTPException):
+                counts["away"] += 1
+                time.sleep(0.1)
+            finally:
+                connection.close()
+
+    def answered(least):
+        until = time.monotonic() + 120
+        while counts["200"] < least:
+            assert time.monotonic() < until, (counts, wrong)
+            time.sleep(0.05)
+
+    clients = [threading.Thread(target=client, args=(3 * index,)) for index in range(4)]
+    for each in clients:
+        each.start()
+    try:
+        with serving(port, tmp_path):
+            answered(100)
+        away, before = counts["away"], counts["200"]
+        with serving(port, tmp_path):
+            answered(before + 100)
+            over.set()
+            for each in clients:
+                each.join()
+    finally:
+        over.set()
+    assert wrong == []
+    assert away < counts["away"]
+    assert all(len(answers[path]) == 1 for path in paths)

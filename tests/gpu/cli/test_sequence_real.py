@@ -15,15 +15,18 @@ from seafoam.sequences.making import Output, Progress, make_sequence
 from seafoam.sequences.spec import SequenceSpec
 from support.command import run
 
+FRAMES = 300
+
 
 @pytest.fixture(scope="module")
 def local(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """24 frames of the command."""
+    """300 frames of the command."""
     folder = tmp_path_factory.mktemp("local") / "frames"
-    arguments = ("--start", "0", "--stop", "1", "--size", "64x36", "--quality", "draft", "-o", folder)
+    stop = str(FRAMES / 24)
+    arguments = ("--start", "0", "--stop", stop, "--size", "64x36", "--quality", "draft", "-o", folder)
     done = run("sequence", "paper-halftone", *arguments)
     assert done.returncode == 0, done.stderr
-    assert "24 frames" in done.stdout
+    assert f"{FRAMES} frames" in done.stdout
     return folder
 
 
@@ -33,7 +36,7 @@ def frames(folder: Path) -> dict[str, bytes]:
 
 def test_the_water_moves(local: Path) -> None:
     pictures = [np.asarray(Image.open(path)).astype(float) for path in sorted(local.glob("frame-*.png"))]
-    assert len(pictures) == 24
+    assert len(pictures) == FRAMES
     assert all(picture.std() > 5 for picture in pictures)
     assert all((earlier != later).any() for earlier, later in pairwise(pictures))
 
@@ -44,11 +47,13 @@ def test_two_workers_one_killed_midway_draw_the_same_bytes(local: Path, tmp_path
     with DaskWorkers(workers=2) as workers:
 
         def tell(progress: Progress) -> None:
-            if progress.done == 10:
+            if progress.done == FRAMES // 2:
                 killed.append(min(workers.client.run(os.getpid).values()))
                 os.kill(killed[0], signal.SIGKILL)
 
-        made = make_sequence(SequenceSpec(job, 1.0, 24.0), Output(tmp_path / "fleet", "frames"), workers, tell=tell)
+        made = make_sequence(
+            SequenceSpec(job, FRAMES / 24, 24.0), Output(tmp_path / "fleet", "frames"), workers, tell=tell
+        )
     assert killed
-    assert made.drawn == 24
+    assert made.drawn == FRAMES
     assert frames(tmp_path / "fleet") == frames(local)

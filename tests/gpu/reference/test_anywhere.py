@@ -21,7 +21,7 @@ from support.sweep import crossed
 SIZE = (64, 36)
 STEP = 1e-3
 """Between frames that must look alike, m and s."""
-PARTS = 4
+PARTS = 8
 """Of the places, each drawn by itself."""
 LEVELS = 12.0
 """Most by which their means may differ."""

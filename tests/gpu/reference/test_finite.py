@@ -37,7 +37,7 @@ def finite(executor: Executor, scene: Scene, tier: str, camera: Camera, time: fl
     return bool(np.isfinite(pixels).all() and (pixels >= 0.0).all() and (pixels[..., 3] <= 1.0).all())
 
 
-@pytest.mark.parametrize(("preset", "view"), crossed(preset_names(), CAMERAS, 4))
+@pytest.mark.parametrize(("preset", "view"), crossed(preset_names(), CAMERAS, 8))
 def test_presets_are_finite_at_their_most_exact(executor: Executor, preset: str, view: str) -> None:
     """At the usual tier ``test_anywhere`` asks it of more places."""
     assert finite(executor, load_preset(preset).scene, "reference", CAMERAS[view], 2.7)

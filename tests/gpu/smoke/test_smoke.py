@@ -12,6 +12,7 @@ from support.pictures import colours, draw
 SIZE = (64, 36)
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("preset", preset_names())
 def test_a_preset_draws(executor: Executor, preset: str) -> None:
     found = load_preset(preset)

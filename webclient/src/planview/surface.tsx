@@ -1,7 +1,7 @@
 /** "Frame plan": what runs for the current scene, why, what was left out, and the GLSL. */
 import { useSignal } from "@preact/signals";
 import { render } from "preact";
-import { useEffect } from "preact/hooks";
+import { useEffect, useLayoutEffect } from "preact/hooks";
 import type { FramePlan, Pass } from "../generated/api";
 import { labelOf } from "../panel/model";
 import type { SurfaceContext } from "../surfaces/context";
@@ -97,7 +97,8 @@ function Plan({ context }: { context: SurfaceContext }) {
   const view = useSignal<View>("Passes");
   const source = useSignal<{ program: string; stage: Stage }>({ program: "surface", stage: "fragment" });
   const times = useSignal<ReadonlyMap<Pass, number> | null>(null);
-  useEffect(
+  // An effect waits for a paint: a plan that comes before it would be missed.
+  useLayoutEffect(
     () =>
       context.onChange(() => {
         if (plan.value === context.plan()) return;

@@ -1,7 +1,7 @@
 /** "Take home": everything that leaves the page, for the current scene and frame. */
 import { useSignal } from "@preact/signals";
 import { render } from "preact";
-import { useEffect } from "preact/hooks";
+import { useLayoutEffect } from "preact/hooks";
 import type { SurfaceContext } from "../surfaces/context";
 import { CodeBlock, Head, TaskButton } from "../surfaces/parts";
 import { download } from "../ui/dom";
@@ -17,7 +17,7 @@ function Frame({ context }: { context: SurfaceContext }) {
     recipe.value = context.recipe();
   };
   // A moving picture would change the text while it is read.
-  useEffect(() => context.onChange(() => context.playing() || update()), []);
+  useLayoutEffect(() => context.onChange(() => context.playing() || update()), []);
   const { time, width, height } = recipe.value;
   const request = requestOf(recipe.value, context.selection().preset, document.baseURI);
   return (

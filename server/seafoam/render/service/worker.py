@@ -1,11 +1,12 @@
 """Code of worker processes: one renderer, and a function for each kind of job."""
 
+import logging
 import os
 import time
 import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NoReturn, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,8 @@ from seafoam.render.gl.executor import NoRendererError
 from seafoam.render.service.canvas import Address, Sent, send
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Renderer, draw_frame, measure
 from seafoam.scene.models import Scene
+
+log = logging.getLogger(__name__)
 
 CANARY_SIDE = 16
 """Side of the test picture that a new worker draws, pixels."""
@@ -92,10 +95,24 @@ def work_canary() -> Answer[dict[str, str]]:
     try:
         draw_canary(_renderer)
         return Answer(os.getpid(), dict(_renderer.info))
-    except NoRendererError as error:
-        return Answer(os.getpid(), Unavailable(str(error)))
     except Exception:
-        return Answer(os.getpid(), Failed(traceback.format_exc()))
+        _give_way()
+
+
+def _give_way() -> NoReturn:
+    """End this process after an error that another one may not have: the pool tries the job there."""
+    log.exception("A render worker gives way to another")
+    os._exit(1)
+
+
+def _failed(renderer: Renderer) -> Failed:
+    """Return the response to the error being handled, if the renderer still draws; else end this process."""
+    failed = Failed(traceback.format_exc())
+    try:
+        draw_canary(renderer)
+    except Exception:
+        _give_way()
+    return failed
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,10 +136,15 @@ def work_frame(job: FrameJob, expires: float, canvas: Address | None) -> Answer[
         return Answer(os.getpid(), Expired())
     try:
         drawn = draw_frame(_renderer, job)
+        if not drawn.pixels.any():
+            # A night may be black in float32; a lost context is, without an error.
+            draw_canary(_renderer)
         posted = Posted(send(drawn.pixels, canvas), drawn.plan, drawn.info, drawn.timings)
         return Answer(os.getpid(), posted)
+    except MemoryError:
+        _give_way()
     except Exception:
-        return Answer(os.getpid(), Failed(traceback.format_exc()))
+        return Answer(os.getpid(), _failed(_renderer))
 
 
 def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
@@ -133,5 +155,7 @@ def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
         return Answer(os.getpid(), Expired())
     try:
         return Answer(os.getpid(), measure(_renderer, job))
+    except MemoryError:
+        _give_way()
     except Exception:
-        return Answer(os.getpid(), Failed(traceback.format_exc()))
+        return Answer(os.getpid(), _failed(_renderer))

@@ -1,0 +1,399 @@
+"""A server under load: time outside GL, throughput, twice its capacity for a minute, repeats, and a long run."""
+
+import contextlib
+import itertools
+import re
+import threading
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from http.client import HTTPConnection, HTTPException
+from pathlib import Path
+from statistics import median, quantiles
+
+import numpy as np
+
+from bench.report import Column, Spread, Table, count, ms, times
+from bench.server import HOST, REQUEST_SECONDS, Answer, ask, running
+from bench.watch import Watch
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.presets import load_preset, preset_names
+
+PRESET = "default"
+OVERLOAD = 2.0
+"""Requests that arrive, over those that the server can draw."""
+OVERLOAD_SECONDS = 60.0
+PROBE_SECONDS = 0.1
+"""Between two requests for health and page."""
+REPEAT_SECONDS = 10.0
+THROUGHPUT_SECONDS = 8.0
+DEADLINE_SECONDS = 10.0
+"""Of the server, as it comes."""
+OUTSIDE = ("queue", "plan", "read", "encode")
+"""Stages in which GL does not draw."""
+SOAK_FRAMES = 5000
+SOAK_SAMPLES = 100
+"""How often the long run reads the memory."""
+MEBIBYTE = 2**20
+
+
+@dataclass(frozen=True)
+class _Reply:
+    """How a request ended: its status, 0 for none, and when."""
+
+    status: int
+    seconds: float
+    ended: float
+
+
+def measure(executor: Executor, watch: Watch) -> list[Table]:
+    """Measure servers of their own, as ``seafoam serve`` starts them but for what the tables say."""
+    with running() as port:
+        tables = [_outside_gl(port, watch), _throughput(executor, port, watch)]
+    executor.forget()
+    with running(SEAFOAM_QUEUE="") as port:
+        tables.append(_overload(port, watch))
+    with running(SEAFOAM_CACHE_SIZE="", SEAFOAM_CACHE_MEMORY="") as port:
+        tables.append(_repeats(port, watch))
+    return tables
+
+
+def soak(watch: Watch) -> list[Table]:
+    """Draw frames of all presets in many sizes, qualities and formats, and read the memory of every process."""
+    with running() as port:
+        return [_soak(port, watch)]
+
+
+def _moments() -> Iterator[str]:
+    return (f"{9.0 + 0.37 * index:.2f}" for index in itertools.count())
+
+
+def _outside_gl(port: int, watch: Watch) -> Table:
+    """Wall time of a request less the time for which GL drew, one client."""
+    forms = {"exact": "&dither=false", "dithered": ""}
+    outside: dict[str, list[float]] = {name: [] for name in forms}
+    stages: dict[str, list[Answer]] = {name: [] for name in forms}
+    moments = _moments()
+    with _connected(port) as connection:
+        for index in watch.rounds("time outside GL", 40, 40.0):
+            for name, query in forms.items():
+                answer = _sure(ask(connection, f"/api/frames/{PRESET}.png?time={next(moments)}{query}"))
+                if index > 0:
+                    outside[name].append(answer.wall - answer.stages["render"])
+                    stages[name].append(answer)
+    width, height = load_preset(PRESET).size
+    return Table(
+        "Time outside GL",
+        f"A PNG of {PRESET}, {width} x {height}, quality standard, each of another time, one client: wall "
+        "time less the "
+        "stage render. The way to the worker and back is in queue.",
+        (
+            Column("form", "PNG"),
+            Column("outside", "outside GL, ms", _spread),
+            Column("least", "least", ms),
+            Column("queue", "queue", ms),
+            Column("plan", "plan", ms),
+            Column("read", "read", ms),
+            Column("encode", "encode", ms),
+            Column("requests", "requests", count),
+        ),
+        [
+            (
+                name,
+                Spread.of(outside[name]),
+                min(outside[name]),
+                *(median(answer.stages[stage] for answer in stages[name]) for stage in OUTSIDE),
+                len(outside[name]),
+            )
+            for name in forms
+        ],
+    )
+
+
+def _spread(seconds: Spread) -> str:
+    return f"{ms(seconds.median)}  ({ms(seconds.low)} to {ms(seconds.high)})"
+
+
+def _throughput(executor: Executor, port: int, watch: Watch) -> Table:
+    """Frames a second of the server with one worker, and of a loop that only draws, in turn."""
+    preset = load_preset(PRESET)
+    width, height = preset.size
+    plan = make_plan(preset.scene, TIERS["standard"])
+    moments = _moments()
+
+    def draw() -> None:
+        executor.render(
+            plan, time=float(next(moments)), camera=preset.scene.camera, width=width, height=height, output="rgba16"
+        )
+
+    draw()
+    served: list[float] = []
+    bare: list[float] = []
+    for _ in watch.rounds("throughput, in turn with a bare loop", 5, 90.0):
+        bare.append(_rate(draw, watch.seconds(THROUGHPUT_SECONDS)))
+        served.append(_capacity(port, moments, watch.seconds(THROUGHPUT_SECONDS), clients=2))
+    return Table(
+        "Throughput",
+        f"PNG of {PRESET}, {width} x {height}, quality standard, dithered, for two clients, against a loop "
+        "that draws the "
+        f"same plan with 16 bits a channel and reads it, without encoding; "
+        f"{watch.seconds(THROUGHPUT_SECONDS):g} s each "
+        "in turn.",
+        (
+            Column("bare", "loop, frames/s", lambda value: f"{value:.2f}"),
+            Column("served", "server, frames/s", lambda value: f"{value:.2f}"),
+            Column("ratio", "server / loop", times),
+            Column("rounds", "rounds", count),
+        ),
+        [
+            (
+                median(bare),
+                median(served),
+                Spread.of([a / b for a, b in zip(served, bare, strict=True)]),
+                len(bare),
+            )
+        ],
+    )
+
+
+def _rate(draw: Callable[[], None], seconds: float) -> float:
+    began = time.perf_counter()
+    done = 0
+    while time.perf_counter() - began < seconds:
+        draw()
+        done += 1
+    return done / (time.perf_counter() - began)
+
+
+def _capacity(port: int, moments: Iterator[str], seconds: float, clients: int) -> float:
+    """Frames a second for clients that ask as soon as they are answered."""
+    lock = threading.Lock()
+    began = time.perf_counter()
+    ends: list[float] = []
+
+    def client() -> None:
+        with _connected(port) as connection:
+            while time.perf_counter() - began < seconds:
+                with lock:
+                    moment = next(moments)
+                _sure(ask(connection, f"/api/frames/{PRESET}.png?time={moment}"))
+                ends.append(time.perf_counter())
+
+    threads = [threading.Thread(target=client) for _ in range(clients)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return len(ends) / (max(ends) - began)
+
+
+def _overload(port: int, watch: Watch) -> Table:
+    """Requests at twice the rate of what can be drawn, whether or not earlier ones are answered; and "
+    "what else is asked."""
+    moments = _moments()
+    _capacity(port, moments, 2.0, clients=1)
+    seconds = watch.seconds(OVERLOAD_SECONDS)
+    with watch.step("capacity"):
+        capacity = _capacity(port, moments, seconds / 3, clients=2)
+    replies: list[_Reply] = []
+    probes: dict[str, list[float]] = {"/healthz": [], "/": []}
+    over = threading.Event()
+    watchers = [threading.Thread(target=_probe, args=(port, path, found, over)) for path, found in probes.items()]
+    with watch.step(f"{OVERLOAD:g} times the capacity"), ThreadPoolExecutor(256) as threads:
+        for watcher in watchers:
+            watcher.start()
+        began = time.perf_counter()
+        sent: list[Future[_Reply]] = []
+        for index in range(round(seconds * OVERLOAD * capacity)):
+            time.sleep(max(0.0, began + index / (OVERLOAD * capacity) - time.perf_counter()))
+            sent.append(threads.submit(_once, port, f"/api/frames/{PRESET}.png?time={next(moments)}"))
+        replies = [each.result() for each in sent]
+        over.set()
+        for watcher in watchers:
+            watcher.join()
+    ended = Counter(reply.status for reply in replies)
+    good = [reply.seconds for reply in replies if reply.status == 200]
+    within = sum(reply.status == 200 and reply.ended - began <= seconds for reply in replies)
+    statuses = ", ".join(f"{number:,} × {status or 'no answer'}" for status, number in sorted(ended.items()))
+    late = sum(reply.seconds > DEADLINE_SECONDS for reply in replies)
+    health, page = (quantiles(probes[path], n=100, method="inclusive") for path in probes)
+    return Table(
+        "Twice the capacity",
+        f"PNG of {PRESET}, each of another time, one worker, a queue of two, the deadline "
+        f"{DEADLINE_SECONDS:g} s. Capacity: "
+        f"two clients, each asking when it is answered. Then requests arrive at {OVERLOAD:g} times that rate for "
+        f"{seconds:g} s, each over a connection of its own, and health and page are asked for every "
+        f"{PROBE_SECONDS:g} s.",
+        (Column("what", "what"), Column("value", "measured")),
+        [
+            ("capacity, frames a second", f"{capacity:.2f}"),
+            ("requests and how they ended", statuses),
+            ("past the deadline", count(late)),
+            ("goodput, frames a second", f"{within / seconds:.2f}"),
+            ("goodput / capacity", f"{within / seconds / capacity:.2f}"),
+            ("frames, ms: median and slowest", f"{ms(median(good))}  {ms(max(good))}"),
+            ("/healthz, ms: median and 99 %", f"{ms(health[49])}  {ms(health[98])}"),
+            ("the page's HTML, ms: median and 99 %", f"{ms(page[49])}  {ms(page[98])}"),
+        ],
+    )
+
+
+def _once(port: int, path: str) -> _Reply:
+    began = time.perf_counter()
+    try:
+        with _connected(port) as connection:
+            status = ask(connection, path).status
+    except (OSError, HTTPException):
+        status = 0
+    ended = time.perf_counter()
+    return _Reply(status, ended - began, ended)
+
+
+def _probe(port: int, path: str, found: list[float], over: threading.Event) -> None:
+    with _connected(port) as connection:
+        while not over.wait(PROBE_SECONDS):
+            found.append(_sure(ask(connection, path)).wall)
+
+
+def _repeats(port: int, watch: Watch) -> Table:
+    """Requests for what was drawn before, from memory and from disk, two clients."""
+    # Memory holds 64 MiB: sixteen pictures of a megabyte stay there, a hundred of them do not.
+    pictures = {
+        "memory, 16 PNG of 1280 × 720": [f"/api/frames/{PRESET}.png?time={index}" for index in range(16)],
+        "memory, 16 WebP of 320 × 180": [
+            f"/api/frames/{PRESET}.webp?width=320&height=180&time={index}" for index in range(16)
+        ],
+        "disk, 100 PNG of 1280 × 720": [f"/api/frames/{PRESET}.png?time={index}" for index in range(100)],
+    }
+    with watch.step("frames to repeat"), _connected(port) as connection:
+        for path in dict.fromkeys(itertools.chain.from_iterable(pictures.values())):
+            _sure(ask(connection, path))
+    rows = []
+    for name, paths in pictures.items():
+        with watch.step(name), _connected(port) as connection:
+            for path in paths:
+                _sure(ask(connection, path))
+            before = _origins(connection)
+            rate, size = _repeated(port, paths, watch.seconds(REPEAT_SECONDS))
+            after = _origins(connection)
+        origin = max(after, key=lambda each: after[each] - before.get(each, 0.0))
+        rows.append((name, origin, rate, size))
+    return Table(
+        "Repeats",
+        f"Frames that were drawn before, by two clients for {watch.seconds(REPEAT_SECONDS):g} s each, with "
+        "the caches of "
+        "seafoam serve. Origin: which cache answered most of them, by the server's counters.",
+        (
+            Column("what", "what"),
+            Column("origin", "origin"),
+            Column("rate", "a second", lambda value: f"{value:.0f}"),
+            Column("bytes", "bytes each", count),
+        ),
+        rows,
+    )
+
+
+def _repeated(port: int, paths: list[str], seconds: float) -> tuple[float, int]:
+    """Answers a second, and bytes of the last one."""
+    began = time.perf_counter()
+
+    def client(offset: int) -> tuple[int, int]:
+        done = size = 0
+        with _connected(port) as connection:
+            for path in itertools.islice(itertools.cycle(paths), offset, None):
+                if time.perf_counter() - began >= seconds:
+                    break
+                size = _sure(ask(connection, path)).size
+                done += 1
+        return done, size
+
+    with ThreadPoolExecutor(2) as threads:
+        found = list(threads.map(client, (0, len(paths) // 2)))
+    return sum(done for done, _ in found) / (time.perf_counter() - began), found[0][1]
+
+
+def _origins(connection: HTTPConnection) -> dict[str, float]:
+    connection.request("GET", "/metrics")
+    text = connection.getresponse().read().decode()
+    found = re.findall(r'seafoam_frame_origins_total\{origin="(\w+)"\} ([\d.e+]+)', text)
+    return {name: float(value) for name, value in found}
+
+
+def _soak(port: int, watch: Watch) -> Table:
+    """A long run of frames that differ in everything, by one client."""
+    frames = round(watch.seconds(SOAK_FRAMES))
+    random = np.random.default_rng(17)
+    presets = preset_names()
+    memory: list[tuple[int, float]] = []
+    every = max(1, frames // SOAK_SAMPLES)
+    refused: Counter[int] = Counter()
+    with watch.step(f"{frames} mixed frames"), _connected(port) as connection:
+        for index in range(frames):
+            width, height = (int(side) for side in random.integers(16, 320, 2))
+            preset, form = random.choice(presets), random.choice(["png", "webp", "exr", "npy"])
+            tier = random.choice(["draft", "standard"], p=[0.9, 0.1])
+            moment = random.uniform(0.0, 1e4)
+            path = f"/api/frames/{preset}.{form}?time={moment:.3f}&width={width}&height={height}&quality={tier}"
+            status = ask(connection, path).status
+            if status != 200:
+                refused[status] += 1
+            if index % every == 0:
+                memory.append((index, _resident()))
+    # The first third fills the caches.
+    late = np.array(memory[len(memory) // 3 :])
+    slope = float(np.polynomial.Polynomial.fit(late[:, 0], late[:, 1], 1).convert().coef[1]) * 1000.0
+    return Table(
+        "A long run",
+        f"{frames:,} frames of random presets, sizes from 16 to 320 pixels a side, formats, times and, one in "
+        "ten, quality "
+        "standard instead of draft. Memory: the proportional set size of the server and its workers together, read "
+        f"{len(memory)} times; slope: the straight line through the last two thirds.",
+        (Column("what", "what"), Column("value", "measured")),
+        [
+            ("answers other than 200", ", ".join(f"{n} × {status}" for status, n in refused.items()) or "none"),
+            ("memory after a third, MiB", f"{late[0, 1] / MEBIBYTE:.1f}"),
+            ("memory at the end, MiB", f"{late[-1, 1] / MEBIBYTE:.1f}"),
+            ("slope, MiB for 1,000 frames", f"{slope / MEBIBYTE:+.2f}"),
+        ],
+    )
+
+
+def _resident() -> float:
+    """Proportional set size of all servers of this process and what they started, bytes."""
+    return sum(_proportional(pid) for pid in _descendants(Path("/proc/self").resolve().name))
+
+
+def _descendants(pid: str) -> Iterator[str]:
+    for task in Path(f"/proc/{pid}/task").iterdir():
+        with contextlib.suppress(FileNotFoundError):
+            for child in (task / "children").read_text().split():
+                yield child
+                yield from _descendants(child)
+
+
+def _proportional(pid: str) -> float:
+    try:
+        text = Path(f"/proc/{pid}/smaps_rollup").read_text()
+    except (FileNotFoundError, ProcessLookupError):
+        return 0.0
+    found = re.search(r"^Pss:\s+(\d+) kB", text, re.MULTILINE)
+    return 1024.0 * float(found[1]) if found else 0.0
+
+
+@contextlib.contextmanager
+def _connected(port: int) -> Iterator[HTTPConnection]:
+    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
+    try:
+        yield connection
+    finally:
+        connection.close()
+
+
+def _sure(answer: Answer) -> Answer:
+    if answer.status != 200:
+        raise RuntimeError(f"a request was answered with status {answer.status}")
+    return answer

@@ -1,0 +1,207 @@
+"""Bad requests by the thousand, over the whole OpenAPI document, to a server of its own: no 500, no hang, no memory."""
+
+import copy
+import json
+import os
+import random
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import hypothesis
+import numpy as np
+import pytest
+import requests
+import schemathesis
+from hypothesis.errors import Unsatisfiable
+from schemathesis import GenerationMode
+
+from seafoam.api.app import create_app
+from seafoam.api.settings import Settings
+from seafoam.scene.presets import load_preset, preset_names
+from support.api_fakes import FakeRenderer
+from support.report import Report
+from support.sweep import REST
+
+HUNG = 20.0
+"""Seconds; the server's deadline for a frame is ten."""
+SCENES = {
+    "/api/scenes": {},
+    "/api/plans": {"quality": "draft"},
+    "/api/frames": {"quality": "draft", "time": 1.0, "width": 16, "height": 16, "format": "png"},
+    "/api/export": {"quality": "draft"},
+    "/api/sequences": {"stop": 0.1, "width": 16, "height": 16, "quality": "draft", "format": "zip"},
+}
+"""Bodies that hold a whole scene, which is what is made bad in them: random ones take seconds each to make."""
+SERVER = """
+import sys, tempfile, uvicorn
+from seafoam.api.app import create_app
+from seafoam.api.settings import Settings
+from support.api_fakes import FakeRenderer
+settings = Settings(workers=1, queue=64, max_side=64, cache=tempfile.mkdtemp(), accuracy_width=16, accuracy_height=16)
+if __name__ == "__main__":
+    uvicorn.run(create_app(settings, renderer=FakeRenderer), port=int(sys.argv[1]), log_level="error")
+"""
+WRONG: list[Any] = [
+    None, True, -1, 0, 1e308, -1e308, 1e-320, 2**70, "", "x" * 5000, "\x00", "../../etc/passwd", "💧", [], {},
+    [[]] * 50, {"model": "tsunami"}, "NaN", "Infinity", float("nan"), float("inf"),
+]  # fmt: skip
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[tuple[str, int]]:
+    """A running server; gives its address and its process."""
+    script = folder / "served.py"
+    script.write_text(SERVER)
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    paths = {"PYTHONPATH": str(Path(__file__).parents[2])}
+
+    process = subprocess.Popen([sys.executable, script, str(port)], env={**os.environ, **paths})
+    address = f"http://127.0.0.1:{port}"
+    try:
+        for _ in range(600):
+            assert process.poll() is None
+            try:
+                urllib.request.urlopen(f"{address}/api/presets", timeout=120).close()
+                break
+            except OSError:
+                time.sleep(0.1)
+        yield address, process.pid
+    finally:
+        process.terminate()
+        process.wait(20)
+
+
+def memory(pid: int) -> float:
+    """Resident size of a process, MB."""
+    lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+    return next(float(line.split()[1]) / 1000 for line in lines if line.startswith("VmRSS"))
+
+
+def spoilt(document: Any, chance: random.Random) -> Any:
+    """The document with one of its values made wrong, removed, or joined by one that nobody knows."""
+    result = copy.deepcopy(document)
+    inner: Any = result
+    while True:
+        keys = list(inner) if isinstance(inner, dict) else list(range(len(inner)))
+        if not keys:
+            break
+        key = chance.choice(keys)
+        if isinstance(inner[key], dict | list) and inner[key] and chance.random() < 0.8:
+            inner = inner[key]
+            continue
+        match chance.randrange(6):
+            case 0:
+                del inner[key]
+            case 1 if isinstance(inner, dict):
+                inner["unknown"] = chance.choice(WRONG)
+            case _:
+                inner[key] = chance.choice(WRONG)
+        break
+    return result
+
+
+class Judge:
+    """Sends requests, counts how they end, and watches the server's memory."""
+
+    def __init__(self, address: str, pid: int) -> None:
+        self.address = address
+        self.pid = pid
+        self.statuses: Counter[int] = Counter()
+        self.slowest = 0.0
+        self.memory: list[tuple[int, float]] = []
+
+    @property
+    def bad(self) -> int:
+        """Requests that were refused as bad."""
+        return sum(number for status, number in self.statuses.items() if 400 <= status < 500)
+
+    def note(self, status: int, began: float, what: str) -> None:
+        seconds = time.perf_counter() - began
+        assert status < 500 or status in (503, 504), f"{status} for {what[:2000]}"
+        assert seconds < HUNG, f"{seconds:.1f} s for {what[:2000]}"
+        self.statuses[status] += 1
+        self.slowest = max(self.slowest, seconds)
+        done = sum(self.statuses.values())
+        if done % 20 == 0:
+            self.memory.append((done, memory(self.pid)))
+
+    def generated(self, each: int) -> None:
+        """Requests that break the description of each operation, as many of each."""
+        schema = schemathesis.openapi.from_dict(create_app(Settings(), renderer=FakeRenderer).openapi())
+        for found in schema.get_all_operations():
+            operation = found.ok()
+            if operation.path in SCENES and operation.method == "post":
+                continue
+
+            @hypothesis.seed(17)
+            @hypothesis.settings(
+                max_examples=each, deadline=None, database=None, phases=[hypothesis.Phase.generate],
+                suppress_health_check=list(hypothesis.HealthCheck),
+            )  # fmt: skip
+            @hypothesis.given(case=operation.as_strategy(generation_mode=GenerationMode.NEGATIVE))
+            def ask(case: schemathesis.Case) -> None:
+                began = time.perf_counter()
+                answer = case.call(base_url=self.address, timeout=2 * HUNG)
+                self.note(answer.status_code, began, case.as_curl_command())
+
+            try:
+                ask()
+            except Unsatisfiable:
+                # It has nothing that could be bad: but for its method, and its address.
+                for method in ("PATCH", "TRACE"):
+                    began = time.perf_counter()
+                    answer = requests.request(method, f"{self.address}{operation.path}", timeout=2 * HUNG)
+                    self.note(answer.status_code, began, f"{method} {operation.path}")
+
+    def scenes(self, until: int) -> None:
+        """Scenes of presets with something wrong, to all that takes a scene, until so many requests were bad."""
+        chance = random.Random(17)
+        scenes = [load_preset(name).scene.model_dump(mode="json") for name in preset_names()]
+        with requests.Session() as session:
+            while self.bad < until:
+                path, others = chance.choice(list(SCENES.items()))
+                scene = chance.choice(scenes)
+                whole = scene if path == "/api/scenes" else {"scene": scene, **others}
+
+                body = json.dumps(spoilt(whole, chance))
+                if chance.random() < 0.05:
+                    body = body[: chance.randrange(len(body))]
+                began = time.perf_counter()
+                answer = session.post(
+                    self.address + path, body, headers={"Content-Type": "application/json"}, timeout=2 * HUNG
+                )
+                self.note(answer.status_code, began, f"{path} {body}")
+
+
+@pytest.mark.parametrize("least", [400, pytest.param(10_000, marks=REST)])
+def test_bad_requests_are_refused_and_cost_nothing(least: int, tmp_path: Path, report: Report) -> None:
+    with served(tmp_path) as (address, pid):
+        judge = Judge(address, pid)
+        judge.generated(each=max(2, least // 100))
+        judge.scenes(until=least)
+        assert requests.get(f"{address}/healthz", timeout=HUNG).status_code == 200
+    done, sizes = np.array(judge.memory[len(judge.memory) // 2 :]).T
+    slope = 1000 * np.polynomial.Polynomial.fit(done, sizes, 1).convert().coef[1] if len(done) > 1 else 0.0
+    assert judge.bad >= least
+    # What a few requests grow is Python's and the server's start.
+    assert sizes.max() - sizes.min() < 40.0
+    assert least < 10_000 or slope < 1.0, f"{slope:.2f} MB for 1,000 requests"
+    report.add(
+        "Bad requests",
+        requests=f"{sum(judge.statuses.values())}",
+        refused=f"{judge.bad}",
+        statuses=", ".join(f"{number} × {status}" for status, number in sorted(judge.statuses.items())),
+        slowest=f"{judge.slowest:.2f} s",
+        memory=f"{sizes[-1]:.0f} MB",
+        growth=f"{slope:+.2f} MB for 1,000",
+    )
