@@ -1,39 +1,18 @@
 // Rays against all boats as they float now. Metres from the eye's own (x, z).
-uniform sampler2D u_boat_pose;
 uniform vec3 u_boat_rig[BOAT_COUNT];   // 1 for a motor boat, cosine and sine of the boom's angle
 uniform vec3 u_boat_hull[BOAT_COUNT];  // reflectance
 uniform vec3 u_boat_sails[BOAT_COUNT];
-
-struct BoatFrame {
-    vec3 at;
-    vec3 ahead;
-    vec3 up;
-    vec3 right;
-};
-
-BoatFrame boat_frame(int i) {
-    vec3 pose = texelFetch(u_boat_pose, ivec2(i, 0), 0).xyz;
-    vec2 place = boat_place(i);
-    vec2 heading = boat_forward(i);
-    vec3 up = normalize(vec3(-pose.y, 1.0, -pose.z));
-    vec3 ahead = vec3(heading.x, 0.0, heading.y);
-    ahead = normalize(ahead - dot(ahead, up) * up);
-    vec3 right = cross(ahead, up);
-    vec2 heel = u_boat_form[i].zw;
-    return BoatFrame(vec3(place.x, pose.x, place.y), ahead, heel.x * up + heel.y * right, heel.x * right - heel.y * up);
-}
 
 // Whether a ray o + t d with t >= 0, d a unit vector, meets the box that holds a boat, which is `spread` wider for every length of way.
 bool meets_boat(BoatFrame f, float size, vec3 o, vec3 d, float spread) {
     vec3 from = o - f.at;
     vec3 local = vec3(dot(from, f.ahead), dot(from, f.up), dot(from, f.right)) / size;
     vec3 way = vec3(dot(d, f.ahead), dot(d, f.up), dot(d, f.right));
-    vec3 middle = vec3(0.03, 0.5, 0.0);
-    vec3 half_box = vec3(0.56, 0.74, 0.5) + spread * (length(local) + 1.3);
+    vec3 half_box = BOAT_BOX_HALF + spread * (length(local) + 1.3);
     // A ray along a side of the box: so slow across it that it stays.
     vec3 over = 1.0 / mix(way, vec3(1e-6), lessThan(abs(way), vec3(1e-6)));
-    vec3 one = (middle - half_box - local) * over;
-    vec3 two = (middle + half_box - local) * over;
+    vec3 one = (BOAT_BOX_MIDDLE - half_box - local) * over;
+    vec3 two = (BOAT_BOX_MIDDLE + half_box - local) * over;
     vec3 enter = min(one, two);
     vec3 leave = max(one, two);
     return max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), leave.z);

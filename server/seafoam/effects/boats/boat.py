@@ -19,7 +19,7 @@ from seafoam.effects.effect import (
 from seafoam.effects.light.light import ILLUMINATION
 from seafoam.effects.shore.maps import FIND_LAND
 from seafoam.effects.water.underside import WATER
-from seafoam.framegraph.passes import BoundingSphere
+from seafoam.framegraph.passes import BoundingSphere, Quads
 from seafoam.framegraph.resources import FixedSize, Target, TargetInput
 from seafoam.framegraph.rules import (
     Clamp,
@@ -48,7 +48,8 @@ FAR = 1e8
 """Limit of the distance from a course's centre to the camera, along each axis, m: beyond what any picture shows."""
 
 COURSE = "boats/hull/course.glsl"
-TRACE = (COURSE, "boats/hull/hull.glsl", "boats/hull/trace.glsl")
+FRAME = "boats/hull/frame.glsl"
+TRACE = (COURSE, "boats/hull/hull.glsl", FRAME, "boats/hull/trace.glsl")
 LIGHT = ("lib/refraction.glsl", *ILLUMINATION, "boats/hull/light.glsl")
 
 
@@ -163,6 +164,8 @@ def _picture_pass(scene: Scene) -> PassSpec:
         program="boat",
         fragment=(*common, "boats/hull/over.glsl", "boats/hull/main.glsl"),
         under=() if scene.light is None else (*common, *under, "boats/hull/main.glsl"),
+        vertex=("lib/numbers.glsl", "lib/camera.glsl", COURSE, FRAME, "boats/hull/vertex.glsl"),
+        mesh=Quads(count=1),
         target=ABOVE,
         stage="after",
         blend="over",
