@@ -16,6 +16,7 @@ NO_BUBBLES = Inline(
     "vec3 aerated(vec3 body, vec3 deep, vec3 below, vec3 extinction, float cv, float f) {\n    return body;\n}\n"
 )
 NO_CLOUDS = Inline(
+    "vec4 clouds_along_horizon() {\n    return vec4(0.0);\n}\n\n"
     "vec4 clouds(vec3 d, vec2 spread, out float hidden) {\n    hidden = 0.0;\n    return vec4(0.0);\n}\n"
 )
 NO_CIRRUS = Inline(

@@ -42,12 +42,21 @@ vec3 cloud_octaves(vec3 x, float width, int end, out float lost) {
     return sum;
 }
 
+// Clouds drown in the air along the horizon, which has their mean light; from above there are none.
+float clouds_stand_over() {
+    return 1.0 - smoothstep(0.5, 0.9, u_eye_height / u_cloud_shape.x);
+}
+
+// What clouds() is for a level look.
+vec4 clouds_along_horizon() {
+    return clouds_stand_over() * u_cloud_far;
+}
+
 // Premultiplied light of the clouds toward d, and how much they cover of the sky there, seen with a spread of looks (deviation up and
 // down, and aside; rad); hidden: how much of what is behind all air.
 vec4 clouds(vec3 d, vec2 spread, out float hidden) {
     hidden = 0.0;
-    // Clouds drown in the air along the horizon, which has their mean light; from above there are none.
-    float under = 1.0 - smoothstep(0.5, 0.9, u_eye_height / u_cloud_shape.x);
+    float under = clouds_stand_over();
     float seen = under * smoothstep(0.01, 0.08, d.y);
     if (seen <= 0.0) {
         return under * u_cloud_far;

@@ -24,11 +24,12 @@ vec3 sky_light(vec3 d) {
     return sky_seen(d, SKY_EYE);
 }
 
-// Of the haze before the horizon under or over d, where clouds are one; straight up and down are of no heading.
+// Of the haze before the horizon under or over d, where clouds are one; straight up and down are of no heading. There is neither
+// cirrus nor rain, and every program that has air would hold all clouds once more.
 vec3 horizon_light(vec3 d) {
     vec2 level = d.xz / max(length(d.xz), 1e-6);
-    float hidden;
-    return behind_clouds(sun_glow_rim(level, d) + moon_glow_rim(level, d), vec3(level.x, 0.0, level.y), SKY_EYE, hidden);
+    vec4 layer = clouds_along_horizon();
+    return (sun_glow_rim(level, d) + moon_glow_rim(level, d)) * (1.0 - layer.a) + layer.rgb;
 }
 
 // As water mirrors it, whose slopes spread the reflected looks up and down and aside, and up and down those that no sample resolves
