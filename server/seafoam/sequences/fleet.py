@@ -9,10 +9,12 @@ alone, so the bytes are the same wherever it is drawn.
 import os
 import threading
 import time
-from collections.abc import Callable, Generator, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from concurrent.futures import CancelledError
 from contextlib import ExitStack
 from functools import partial
 from itertools import chain, islice
+from queue import Empty, Queue
 from typing import TYPE_CHECKING, Any
 
 from seafoam.extras import require
@@ -32,6 +34,8 @@ RETURN_SECONDS = 120.0
 """How long a scheduler that went away is waited for, until it is back with a worker, s."""
 RETURN_POLL = 0.5
 """Interval of the attempts, s."""
+POLL_SECONDS = 1.0
+"""How long a frame is waited for before the scheduler is looked at again, s."""
 _mine = threading.local()
 
 
@@ -78,28 +82,48 @@ class DaskWorkers:
 
     def _draw_while_connected(self, waiting: Iterator[Unit]) -> Generator[tuple[int, bytes], None, list[Unit]]:
         """Draw until nothing is left; return the frames that were lost with the connection to the scheduler."""
-        from distributed import as_completed
-
-        ahead = AHEAD * max(1, len(self._addresses()))
-        running = {self._submit(unit): unit for unit in islice(waiting, ahead)}
+        finished: Queue[Any] = Queue()
+        running: dict[Any, Unit] = {}
         lost: list[Unit] = []
+
+        def submit(units: Iterable[Unit]) -> None:
+            for unit in units:
+                future = self.client.submit(partial(_drawn, self._factory), unit[1], pure=False)
+                running[future] = unit
+                future.add_done_callback(finished.put)
+
+        scheduler = self._scheduler_id()
         try:
-            finished = as_completed(list(running), loop=self.client.loop, with_results=True)
-            for future, result in finished:
+            submit(islice(waiting, AHEAD * max(1, len(self._addresses()))))
+            while running:
+                try:
+                    future = finished.get(timeout=POLL_SECONDS)
+                except Empty:
+                    # A scheduler that came back between two looks knows nothing of what its predecessor was asked for.
+                    if scheduler != self._scheduler_id():
+                        return [*lost, *running.values()]
+                    continue
                 unit = running.pop(future)
-                if future.cancelled():
+                try:
+                    content, info = future.result()
+                except (CancelledError, OSError):
+                    if not future.cancelled() and scheduler == self._scheduler_id():
+                        raise
                     lost.append(unit)
                     continue
-                content, info = result
                 self._compare(info)
-                for following in islice(waiting, 0 if lost else 1):
-                    another = self._submit(following)
-                    running[another] = following
-                    finished.add(another)
+                submit(islice(waiting, 0 if lost else 1))
                 yield unit[0], content
         finally:
             self.client.cancel(list(running))
         return lost
+
+    def _scheduler_id(self) -> str | None:
+        """Name of the connected scheduler's process; None while there is no connection."""
+        if self.client.status != "running":
+            return None
+        found: str = self.client.scheduler_info(n_workers=0)["id"]
+        return found
 
     def _rejoin(self) -> None:
         """Connect anew to a scheduler that went away, when it is back with a worker."""
@@ -176,9 +200,6 @@ class DaskWorkers:
         if not self._mixed and dict(info) != dict(self.info):
             names = " and ".join(f"{one['renderer']}, {one['version']}" for one in (self.info, info))
             raise MixedFleetError(f"the workers have different renderers: {names}; their frames differ")
-
-    def _submit(self, unit: Unit) -> Any:
-        return self.client.submit(partial(_drawn, self._factory), unit[1], pure=False)
 
 
 def _renderer(factory: Callable[[], Renderer]) -> Renderer:
