@@ -173,6 +173,7 @@ def visit(
     """
     width, height = size
     opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
+    opened.set_default_timeout(180_000)
     page = opened.new_page()
     page.add_init_script(before)
     made = Visit(page)
