@@ -12,12 +12,14 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from support.axe import AXE
 from support.bidi import Firefox
 from support.visits import DESKTOP, PHONE
 
 WIDTH, HEIGHT, TIME = 160, 90, 2.7
 PRESETS = ("paper-threshold", "default", "swell")
 """All 30 draw the server's pixels (once measured); these are fast ones of three kinds."""
+SIZES = pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
 SETTLED = "window.seafoam?.state().settled === true"
 OVERLAPS = """(() => {
   const parts = '#tools > *, #gallery button, .strip em, .strip a, #transport, h1, #summary';
@@ -84,7 +86,7 @@ def test_presets_are_the_servers_pixels(firefox: Firefox, server: str) -> None:
     assert firefox.complaints == []
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+@SIZES
 def test_nothing_lies_over_anything(firefox: Firefox, server: str, size: tuple[int, int]) -> None:
     opened(firefox, server, "paper-threshold", size)
     assert firefox.evaluate("document.querySelectorAll('.strip a').length") > 20
@@ -119,3 +121,69 @@ def test_a_touch_raises_a_ring(firefox: Firefox, server: str, kind: str) -> None
     firefox.until(f"window.seafoam.state().touches.length > 3 && {SETTLED}")
     assert firefox.evaluate("window.seafoam.state().camera") == camera
     assert firefox.complaints == []
+
+
+AXE_FINDS = """(async () => {
+  const over = ({ effect, playState }) => playState !== 'running' || effect.getTiming().iterations === Infinity;
+  while (!document.getAnimations().every(over)) await new Promise((done) => setTimeout(done, 50));
+  return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120))}`);
+})()"""
+
+
+def click(firefox: Firefox, name: str, within: str = "body") -> None:
+    """Press the button of that name, once it is there."""
+    found = (
+        f"[...document.querySelectorAll('{within} button, {within} [role=button]')].find((each) =>"
+        f" [each.getAttribute('aria-label'), each.textContent.trim()].includes('{name}'))"
+    )
+    firefox.until(f"{found} !== undefined")
+    firefox.evaluate(f"{found}.click()")
+
+
+def sound(firefox: Firefox, size: tuple[int, int]) -> None:
+    """Nothing is wider than the page, axe finds nothing, and the page has not complained."""
+    assert firefox.evaluate("document.documentElement.scrollWidth") <= size[0]
+    firefox.evaluate(f"(() => {{ {AXE.read_text(encoding='utf-8')}; return true; }})()")
+    assert firefox.evaluate(AXE_FINDS) == []
+    assert firefox.complaints == []
+
+
+@SIZES
+def test_surfaces_beside_the_picture(firefox: Firefox, server: str, size: tuple[int, int]) -> None:
+    """Plan view, take home, list of waters, undo."""
+    opened(firefox, server, "paper-threshold", size)
+    click(firefox, "Frame plan")
+    for view in ("Effects", "GLSL", "Changes", "Passes"):
+        click(firefox, view, ".sheet")
+    sound(firefox, size)
+    click(firefox, "Take home")
+    firefox.until("document.querySelector('[data-surface=take] pre')?.textContent.includes('curl')")
+    sound(firefox, size)
+    firefox.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', { key: '/', bubbles: true }))")
+    firefox.until("document.querySelectorAll('.waters a').length > 20")
+    sound(firefox, size)
+
+
+@SIZES
+def test_the_accuracy_benchmark_opens(firefox: Firefox, server: str, size: tuple[int, int]) -> None:
+    opened(firefox, server, "paper-threshold", size)
+    click(firefox, "Accuracy benchmark")
+    firefox.until("document.querySelector('#accuracy.open [role=status]') !== null")
+    click(firefox, "Cancel", "#accuracy")
+    sound(firefox, size)
+
+
+@SIZES
+def test_chapter_and_laboratories(firefox: Firefox, server: str, size: tuple[int, int]) -> None:
+    firefox.size(*size)
+    firefox.visit(f"{server}/learn/")
+    firefox.until("document.querySelector('figure[data-figure] .plate') !== null")
+    firefox.evaluate("document.querySelector('figure[data-figure]').scrollIntoView()")
+    firefox.until("document.querySelector('figure[data-live=true]') !== null")
+    sound(firefox, size)
+    firefox.visit(f"{server}/learn/laboratory/")
+    firefox.until("document.querySelector('#strips[data-live=true]') !== null")
+    sound(firefox, size)
+    firefox.visit(f"{server}/masks/")
+    firefox.until("document.querySelectorAll('.side[aria-busy=false]').length === 1")
+    sound(firefox, size)

@@ -17,7 +17,7 @@ CRASH = 666.0
 RAISE = 555.0
 SLOW = 444.0
 SLOW_SECONDS = 0.5
-GREEDY = 333.0
+GREEDY = 222.0
 LOST = "SEAFOAM_TEST_LOST"
 """Variable that names a file; a :class:`LostRenderer` that finds it loses its context."""
 REMEDY = "no OpenGL context: none here; install a driver"
@@ -45,7 +45,7 @@ class FakeRenderer:
                 raise ValueError("secret of the driver")
             case 444.0:
                 clock.sleep(SLOW_SECONDS)
-            case 333.0:
+            case 222.0:
                 # What is left of its limit is too little for the frame.
                 resource.setrlimit(resource.RLIMIT_AS, (1 << 20, resource.RLIM_INFINITY))
                 np.ones((8192, 8192))
