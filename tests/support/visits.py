@@ -19,6 +19,11 @@ DESKTOP = (1280, 800)
 PHONE = (390, 844)
 SMALL = (760, 500)
 """The desktop's layout on as few pixels as hold it: llvmpipe is slow."""
+ERRORS_STAY = """(() => {
+  const later = window.setTimeout.bind(window);
+  window.setTimeout = (run, delay, ...rest) => later(run, delay === 12000 ? 3600000 : delay, ...rest);
+})()"""
+"""A message of an error goes after twelve seconds: on a busy machine before a test has looked."""
 STILL = "#paused=1&quality=draft"
 FINGER = 44
 """Least side of what a finger must hit, px."""
@@ -175,6 +180,7 @@ def visit(
     opened = lane.browser.new_context(viewport={"width": width, "height": height}, **context)
     opened.set_default_timeout(180_000)
     page = opened.new_page()
+    page.add_init_script(ERRORS_STAY)
     page.add_init_script(before)
     made = Visit(page)
     page.on("console", lambda said: made.complaints.append(said.text) if said.type == "error" else None)
