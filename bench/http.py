@@ -1,15 +1,12 @@
 """Frames over HTTP: time of a request by stage, cost of the formats, and frames per second."""
 
 import itertools
-import time
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from http.client import HTTPConnection
 from statistics import median, quantiles
 from typing import get_args
 
 from bench.report import Column, Table, count, ms
-from bench.server import HOST, REQUEST_SECONDS, Answer, ask
+from bench.server import Answer, closed_loop, connected, sure
 from bench.watch import Watch
 from seafoam.render.encode import FRAME_FORMATS
 from seafoam.scene.foam import Look
@@ -19,38 +16,26 @@ PRESET = "default"
 STAGES = ("queue", "plan", "render", "read", "encode")
 CLIENTS = (1, 4)
 THROUGHPUT_SECONDS = 10.0
-MOST_FRAMES = 2000
-"""Of one client."""
 
 
 def measure(port: int, watch: Watch) -> list[Table]:
     """Request frames, each at a different time so that none is cached, and tabulate the responses."""
     moments = (f"time={9.0 + 0.37 * index:.2f}" for index in itertools.count())
-    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
-    try:
+    with connected(port) as connection:
         for format in FRAME_FORMATS:
-            _frame(connection, f"{PRESET}.{format}?{next(moments)}")
+            sure(connection, f"/api/frames/{PRESET}.{format}?{next(moments)}")
         warm: dict[str, list[Answer]] = {format: [] for format in FRAME_FORMATS}
         for _ in watch.rounds("requests by format", 15, 25.0):
             for format in FRAME_FORMATS:
-                warm[format].append(_frame(connection, f"{PRESET}.{format}?{next(moments)}"))
+                warm[format].append(sure(connection, f"/api/frames/{PRESET}.{format}?{next(moments)}"))
         foam = load_preset(PRESET).scene.foam
         assert foam is not None
         unseen = [look for look in get_args(Look) if look != foam.look]
         fresh = [
-            _frame(connection, f"{PRESET}.png?{next(moments)}&look={unseen[index]}")
+            sure(connection, f"/api/frames/{PRESET}.png?{next(moments)}&look={unseen[index]}")
             for index in watch.rounds("requests with a new look", len(unseen), 15.0)
         ]
-    finally:
-        connection.close()
     return [_stages(warm, fresh), _throughput(port, moments, watch)]
-
-
-def _frame(connection: HTTPConnection, path: str) -> Answer:
-    answer = ask(connection, f"/api/frames/{path}")
-    if answer.status != 200:
-        raise RuntimeError(f"{path} was answered with status {answer.status}")
-    return answer
 
 
 def _stages(warm: dict[str, list[Answer]], fresh: Sequence[Answer]) -> Table:
@@ -85,14 +70,9 @@ def _stages(warm: dict[str, list[Answer]], fresh: Sequence[Answer]) -> Table:
 def _throughput(port: int, moments: Iterator[str], watch: Watch) -> Table:
     rows = []
     for clients in CLIENTS:
-        # Generated beforehand, because a generator cannot be shared by threads.
-        paths = [[f"/api/frames/{PRESET}.png?{next(moments)}" for _ in range(MOST_FRAMES)] for _ in range(clients)]
-        with watch.step(f"frames a second, {clients} at once"), ThreadPoolExecutor(clients) as threads:
-            began = time.perf_counter()
-            until = began + watch.seconds(THROUGHPUT_SECONDS)
-            each = threads.map(_until, itertools.repeat(port), paths, itertools.repeat(until))
-            answers = list(itertools.chain.from_iterable(each))
-            elapsed = time.perf_counter() - began
+        paths = (f"/api/frames/{PRESET}.png?{moment}" for moment in moments)
+        with watch.step(f"frames a second, {clients} at once"):
+            answers, elapsed = closed_loop(port, paths, clients, watch.seconds(THROUGHPUT_SECONDS))
         good = [answer.wall for answer in answers if answer.status == 200]
         slow = quantiles(good, n=10, method="inclusive")[-1] if len(good) > 1 else None
         rows.append(
@@ -111,12 +91,3 @@ def _throughput(port: int, moments: Iterator[str], watch: Watch) -> Table:
         ),
         rows,
     )
-
-
-def _until(port: int, paths: Sequence[str], until: float) -> list[Answer]:
-    """Responses to one client's consecutive requests; the last one begins before ``until``."""
-    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
-    try:
-        return [ask(connection, path) for path in itertools.takewhile(lambda _: time.perf_counter() < until, paths)]
-    finally:
-        connection.close()

@@ -6,17 +6,17 @@ import re
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from http.client import HTTPConnection, HTTPException
-from pathlib import Path
 from statistics import median, quantiles
 
 import numpy as np
+import psutil
 
 from bench.report import Column, Spread, Table, count, ms, times
-from bench.server import HOST, REQUEST_SECONDS, Answer, ask, running
+from bench.server import Answer, ask, closed_loop, connected, running, sure
 from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -78,10 +78,10 @@ def _outside_gl(port: int, watch: Watch) -> Table:
     outside: dict[str, list[float]] = {name: [] for name in forms}
     stages: dict[str, list[Answer]] = {name: [] for name in forms}
     moments = _moments()
-    with _connected(port) as connection:
+    with connected(port) as connection:
         for index in watch.rounds("time outside GL", 40, 40.0):
             for name, query in forms.items():
-                answer = _sure(ask(connection, f"/api/frames/{PRESET}.png?time={next(moments)}{query}"))
+                answer = sure(connection, f"/api/frames/{PRESET}.png?time={next(moments)}{query}")
                 if index > 0:
                     outside[name].append(answer.wall - answer.stages["render"])
                     stages[name].append(answer)
@@ -135,14 +135,12 @@ def _throughput(executor: Executor, port: int, watch: Watch) -> Table:
     bare: list[float] = []
     for _ in watch.rounds("throughput, in turn with a bare loop", 5, 90.0):
         bare.append(_rate(draw, watch.seconds(THROUGHPUT_SECONDS)))
-        served.append(_capacity(port, moments, watch.seconds(THROUGHPUT_SECONDS), clients=2))
+        served.append(_capacity(port, moments, watch.seconds(THROUGHPUT_SECONDS)))
     return Table(
         "Throughput",
-        f"PNG of {PRESET}, {width} x {height}, quality standard, dithered, for two clients, against a loop "
-        "that draws the "
-        f"same plan with 16 bits a channel and reads it, without encoding; "
-        f"{watch.seconds(THROUGHPUT_SECONDS):g} s each "
-        "in turn.",
+        f"PNG of {PRESET}, {width} x {height}, quality standard, dithered, for two clients, against a loop that draws "
+        "the same plan with 16 bits a channel and reads it, without encoding; "
+        f"{watch.seconds(THROUGHPUT_SECONDS):g} s each in turn.",
         (
             Column("bare", "loop, frames/s", lambda value: f"{value:.2f}"),
             Column("served", "server, frames/s", lambda value: f"{value:.2f}"),
@@ -169,36 +167,27 @@ def _rate(draw: Callable[[], None], seconds: float) -> float:
     return done / (time.perf_counter() - began)
 
 
-def _capacity(port: int, moments: Iterator[str], seconds: float, clients: int) -> float:
-    """Frames a second for clients that ask as soon as they are answered."""
-    lock = threading.Lock()
-    began = time.perf_counter()
-    ends: list[float] = []
+def _capacity(port: int, moments: Iterator[str], seconds: float) -> float:
+    """Frames a second for two clients that ask as soon as they are answered."""
+    paths = (f"/api/frames/{PRESET}.png?time={moment}" for moment in moments)
+    return _answered(*closed_loop(port, paths, 2, seconds))
 
-    def client() -> None:
-        with _connected(port) as connection:
-            while time.perf_counter() - began < seconds:
-                with lock:
-                    moment = next(moments)
-                _sure(ask(connection, f"/api/frames/{PRESET}.png?time={moment}"))
-                ends.append(time.perf_counter())
 
-    threads = [threading.Thread(target=client) for _ in range(clients)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    return len(ends) / (max(ends) - began)
+def _answered(answers: Sequence[Answer], seconds: float) -> float:
+    """Answers a second, all of which must be 200."""
+    refused = Counter(answer.status for answer in answers if answer.status != 200)
+    if refused:
+        raise RuntimeError(f"requests were answered with {dict(refused)}")
+    return len(answers) / seconds
 
 
 def _overload(port: int, watch: Watch) -> Table:
-    """Requests at twice the rate of what can be drawn, whether or not earlier ones are answered; and "
-    "what else is asked."""
+    """Requests at twice the rate of what can be drawn, whether or not earlier ones are answered."""
     moments = _moments()
-    _capacity(port, moments, 2.0, clients=1)
+    _capacity(port, moments, 2.0)
     seconds = watch.seconds(OVERLOAD_SECONDS)
     with watch.step("capacity"):
-        capacity = _capacity(port, moments, seconds / 3, clients=2)
+        capacity = _capacity(port, moments, seconds / 3)
     replies: list[_Reply] = []
     probes: dict[str, list[float]] = {"/healthz": [], "/": []}
     over = threading.Event()
@@ -223,10 +212,9 @@ def _overload(port: int, watch: Watch) -> Table:
     health, page = (quantiles(probes[path], n=100, method="inclusive") for path in probes)
     return Table(
         "Twice the capacity",
-        f"PNG of {PRESET}, each of another time, one worker, a queue of two, the deadline "
-        f"{DEADLINE_SECONDS:g} s. Capacity: "
-        f"two clients, each asking when it is answered. Then requests arrive at {OVERLOAD:g} times that rate for "
-        f"{seconds:g} s, each over a connection of its own, and health and page are asked for every "
+        f"PNG of {PRESET}, each of another time, one worker, a queue of two, the deadline {DEADLINE_SECONDS:g} s. "
+        f"Capacity: two clients, each asking when it is answered. Then requests arrive at {OVERLOAD:g} times that rate "
+        f"for {seconds:g} s, each over a connection of its own, and health and page are asked for every "
         f"{PROBE_SECONDS:g} s.",
         (Column("what", "what"), Column("value", "measured")),
         [
@@ -245,7 +233,7 @@ def _overload(port: int, watch: Watch) -> Table:
 def _once(port: int, path: str) -> _Reply:
     began = time.perf_counter()
     try:
-        with _connected(port) as connection:
+        with connected(port) as connection:
             status = ask(connection, path).status
     except (OSError, HTTPException):
         status = 0
@@ -254,9 +242,9 @@ def _once(port: int, path: str) -> _Reply:
 
 
 def _probe(port: int, path: str, found: list[float], over: threading.Event) -> None:
-    with _connected(port) as connection:
+    with connected(port) as connection:
         while not over.wait(PROBE_SECONDS):
-            found.append(_sure(ask(connection, path)).wall)
+            found.append(sure(connection, path).wall)
 
 
 def _repeats(port: int, watch: Watch) -> Table:
@@ -269,24 +257,22 @@ def _repeats(port: int, watch: Watch) -> Table:
         ],
         "disk, 100 PNG of 1280 × 720": [f"/api/frames/{PRESET}.png?time={index}" for index in range(100)],
     }
-    with watch.step("frames to repeat"), _connected(port) as connection:
+    with watch.step("frames to repeat"), connected(port) as connection:
         for path in dict.fromkeys(itertools.chain.from_iterable(pictures.values())):
-            _sure(ask(connection, path))
+            sure(connection, path)
     rows = []
     for name, paths in pictures.items():
-        with watch.step(name), _connected(port) as connection:
-            for path in paths:
-                _sure(ask(connection, path))
+        with watch.step(name), connected(port) as connection:
+            size = [sure(connection, path).size for path in paths][-1]
             before = _origins(connection)
-            rate, size = _repeated(port, paths, watch.seconds(REPEAT_SECONDS))
+            rate = _answered(*closed_loop(port, itertools.cycle(paths), 2, watch.seconds(REPEAT_SECONDS)))
             after = _origins(connection)
         origin = max(after, key=lambda each: after[each] - before.get(each, 0.0))
         rows.append((name, origin, rate, size))
     return Table(
         "Repeats",
-        f"Frames that were drawn before, by two clients for {watch.seconds(REPEAT_SECONDS):g} s each, with "
-        "the caches of "
-        "seafoam serve. Origin: which cache answered most of them, by the server's counters.",
+        f"Frames that were drawn before, by two clients for {watch.seconds(REPEAT_SECONDS):g} s each, with the caches "
+        "of seafoam serve. Origin: which cache answered most of them, by the server's counters.",
         (
             Column("what", "what"),
             Column("origin", "origin"),
@@ -295,25 +281,6 @@ def _repeats(port: int, watch: Watch) -> Table:
         ),
         rows,
     )
-
-
-def _repeated(port: int, paths: list[str], seconds: float) -> tuple[float, int]:
-    """Answers a second, and bytes of the last one."""
-    began = time.perf_counter()
-
-    def client(offset: int) -> tuple[int, int]:
-        done = size = 0
-        with _connected(port) as connection:
-            for path in itertools.islice(itertools.cycle(paths), offset, None):
-                if time.perf_counter() - began >= seconds:
-                    break
-                size = _sure(ask(connection, path)).size
-                done += 1
-        return done, size
-
-    with ThreadPoolExecutor(2) as threads:
-        found = list(threads.map(client, (0, len(paths) // 2)))
-    return sum(done for done, _ in found) / (time.perf_counter() - began), found[0][1]
 
 
 def _origins(connection: HTTPConnection) -> dict[str, float]:
@@ -331,7 +298,7 @@ def _soak(port: int, watch: Watch) -> Table:
     memory: list[tuple[int, float]] = []
     every = max(1, frames // SOAK_SAMPLES)
     refused: Counter[int] = Counter()
-    with watch.step(f"{frames} mixed frames"), _connected(port) as connection:
+    with watch.step(f"{frames} mixed frames"), connected(port) as connection:
         for index in range(frames):
             width, height = (int(side) for side in random.integers(16, 320, 2))
             preset, form = random.choice(presets), random.choice(["png", "webp", "exr", "npy"])
@@ -348,10 +315,9 @@ def _soak(port: int, watch: Watch) -> Table:
     slope = float(np.polynomial.Polynomial.fit(late[:, 0], late[:, 1], 1).convert().coef[1]) * 1000.0
     return Table(
         "A long run",
-        f"{frames:,} frames of random presets, sizes from 16 to 320 pixels a side, formats, times and, one in "
-        "ten, quality "
-        "standard instead of draft. Memory: the proportional set size of the server and its workers together, read "
-        f"{len(memory)} times; slope: the straight line through the last two thirds.",
+        f"{frames:,} frames of random presets, sizes from 16 to 320 pixels a side, formats, times and, one in ten, "
+        "quality standard instead of draft. Memory: the proportional set size of the server and its workers together, "
+        f"read {len(memory)} times; slope: the straight line through the last two thirds.",
         (Column("what", "what"), Column("value", "measured")),
         [
             ("answers other than 200", ", ".join(f"{n} × {status}" for status, n in refused.items()) or "none"),
@@ -363,37 +329,9 @@ def _soak(port: int, watch: Watch) -> Table:
 
 
 def _resident() -> float:
-    """Proportional set size of all servers of this process and what they started, bytes."""
-    return sum(_proportional(pid) for pid in _descendants(Path("/proc/self").resolve().name))
-
-
-def _descendants(pid: str) -> Iterator[str]:
-    for task in Path(f"/proc/{pid}/task").iterdir():
-        with contextlib.suppress(FileNotFoundError):
-            for child in (task / "children").read_text().split():
-                yield child
-                yield from _descendants(child)
-
-
-def _proportional(pid: str) -> float:
-    try:
-        text = Path(f"/proc/{pid}/smaps_rollup").read_text()
-    except (FileNotFoundError, ProcessLookupError):
-        return 0.0
-    found = re.search(r"^Pss:\s+(\d+) kB", text, re.MULTILINE)
-    return 1024.0 * float(found[1]) if found else 0.0
-
-
-@contextlib.contextmanager
-def _connected(port: int) -> Iterator[HTTPConnection]:
-    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
-    try:
-        yield connection
-    finally:
-        connection.close()
-
-
-def _sure(answer: Answer) -> Answer:
-    if answer.status != 200:
-        raise RuntimeError(f"a request was answered with status {answer.status}")
-    return answer
+    """Proportional set size of all that this process has started, bytes."""
+    sizes = []
+    for process in psutil.Process().children(recursive=True):
+        with contextlib.suppress(psutil.NoSuchProcess):
+            sizes.append(process.memory_full_info().pss)
+    return float(sum(sizes))

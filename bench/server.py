@@ -6,8 +6,10 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from http.client import HTTPConnection
@@ -69,15 +71,22 @@ def running(**settings: str) -> Iterator[int]:
                 process.wait()
 
 
-def _ready(port: int) -> bool:
+@contextmanager
+def connected(port: int) -> Iterator[HTTPConnection]:
+    """Connect to the server while the context lasts."""
     connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
     try:
-        connection.request("GET", "/readyz")
-        return connection.getresponse().status == 200
-    except OSError:
-        return False
+        yield connection
     finally:
         connection.close()
+
+
+def _ready(port: int) -> bool:
+    with connected(port) as connection:
+        try:
+            return ask(connection, "/readyz").status == 200
+        except OSError:
+            return False
 
 
 def ask(connection: HTTPConnection, path: str) -> Answer:
@@ -90,3 +99,31 @@ def ask(connection: HTTPConnection, path: str) -> Answer:
     timing = response.getheader("Server-Timing", "")
     stages = {name: float(value) / 1000.0 for name, value in re.findall(r"(\w+);dur=([\d.]+)", timing)}
     return Answer(response.status, len(body), wall, stages)
+
+
+def sure(connection: HTTPConnection, path: str) -> Answer:
+    """Like :func:`ask`; raises ``RuntimeError`` for any status but 200."""
+    answer = ask(connection, path)
+    if answer.status != 200:
+        raise RuntimeError(f"{path} was answered with status {answer.status}")
+    return answer
+
+
+def closed_loop(port: int, paths: Iterator[str], clients: int, seconds: float) -> tuple[list[Answer], float]:
+    """Have clients ask for the next path as soon as they are answered; return the answers, and s until the last one."""
+    lock = threading.Lock()
+    began = time.perf_counter()
+
+    def client(_: int) -> list[Answer]:
+        answers = []
+        with connected(port) as connection:
+            while time.perf_counter() - began < seconds:
+                # A generator cannot be shared by threads.
+                with lock:
+                    path = next(paths)
+                answers.append(ask(connection, path))
+        return answers
+
+    with ThreadPoolExecutor(clients) as threads:
+        answers = [answer for each in threads.map(client, range(clients)) for answer in each]
+    return answers, time.perf_counter() - began

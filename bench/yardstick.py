@@ -9,7 +9,7 @@ from statistics import fmean, median
 
 from bench.frames import STEP, Cost, cost
 from bench.report import Column, Spread, Table, count, ms, times
-from bench.server import HOST, REQUEST_SECONDS, ask
+from bench.server import connected, sure
 from bench.steps import Steps, steps
 from bench.watch import Watch
 from bench.water_page import SIZE, Frames, WaterPage
@@ -220,10 +220,9 @@ def _groups(measured: Mapping[str, Measured]) -> Table:
 def pictures(port: int, three: WaterPage, watch: Watch) -> Table:
     """PNG files over HTTP from a running server, alternating with screenshots of three.js's page."""
     moments = (f"time={9.0 + STEP * index:.2f}" for index in itertools.count())
-    connection = HTTPConnection(HOST, port, timeout=REQUEST_SECONDS)
     taken: dict[str, list[tuple[float, int]]] = {name: [] for name in PICTURES}
     shots: list[tuple[float, int]] = []
-    try:
+    with connected(port) as connection:
         for name in PICTURES:
             _picture(connection, name, next(moments))
         three.screenshot()
@@ -231,8 +230,6 @@ def pictures(port: int, three: WaterPage, watch: Watch) -> Table:
             shots.append(three.screenshot())
             for name in PICTURES:
                 taken[name].append(_picture(connection, name, next(moments)))
-    finally:
-        connection.close()
     rows: list[tuple[object, ...]] = [
         ("three.js, screenshot", median(wall for wall, _ in shots), None, None, *_bytes(shots), len(shots))
     ]
@@ -261,7 +258,5 @@ def _bytes(pictures: Sequence[tuple[float, int]]) -> tuple[int]:
 
 
 def _picture(connection: HTTPConnection, name: str, moment: str) -> tuple[float, int]:
-    answer = ask(connection, f"/api/frames/{name}.png?{moment}&width={SIZE[0]}&height={SIZE[1]}")
-    if answer.status != 200:
-        raise RuntimeError(f"{name}.png was answered with status {answer.status}")
+    answer = sure(connection, f"/api/frames/{name}.png?{moment}&width={SIZE[0]}&height={SIZE[1]}")
     return answer.wall, answer.size

@@ -10,7 +10,6 @@ flat out vec3 v_form;      // optical depth of the middle, share that is covered
 
 void main() {
     int i = gl_VertexID / 6;
-    int corner = gl_VertexID - 6 * i;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     v_at = vec2(0.0);
     v_scattered = vec3(0.0);
@@ -48,7 +47,7 @@ void main() {
     // Narrower than a sample and a half: as wide, and hides as much.
     vec2 drawn = max(size, 0.75);
     float thin = size.x * size.y / (drawn.x * drawn.y);
-    v_at = vec2(corner == 1 || corner == 4 || corner == 5 ? 1.0 : -1.0, corner == 2 || corner == 3 || corner == 5 ? 1.0 : -1.0);
+    v_at = quad_corner();
     vec2 place = v_at.x * drawn.x * along + v_at.y * drawn.y * vec2(-along.y, along.x);
     v_scattered = scattered.rgb;
     v_onward = spray_entry(u_spray_air, i, 2).rgb;

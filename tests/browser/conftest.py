@@ -1,7 +1,6 @@
 """A served page in a real Chromium, on two renderers: the server's own llvmpipe, and SwiftShader."""
 
 import os
-import socket
 import subprocess
 import sys
 import time
@@ -14,6 +13,7 @@ import pytest
 from playwright.sync_api import Page, Playwright, expect, sync_playwright
 
 from support.browsers import Lane, launched, opened
+from support.command import free_port
 from support.visits import Visit, link, visit
 
 # Beside other tests, what a page shows takes longer than the 5 s that Playwright would wait.
@@ -23,9 +23,7 @@ expect.set_options(timeout=30_000)
 @pytest.fixture(scope="session")
 def server() -> Iterator[str]:
     """Address of a running server."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     # Frames wait for other tests' frames and programs here.
     command = [Path(sys.executable).with_name("seafoam"), "serve", "--port", str(port)]
     process = subprocess.Popen(command, env={**os.environ, "SEAFOAM_DEADLINE": "60"})

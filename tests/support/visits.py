@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -19,11 +20,13 @@ DESKTOP = (1280, 800)
 PHONE = (390, 844)
 SMALL = (760, 500)
 """The desktop's layout on as few pixels as hold it: llvmpipe is slow."""
-ERRORS_STAY = """(() => {
+_TOASTS = Path(__file__).parents[2] / "webclient/src/ui/toasts.ts"
+(_GOES,) = re.findall(r"\berror: (\d+)", _TOASTS.read_text(encoding="utf-8"))
+ERRORS_STAY = f"""(() => {{
   const later = window.setTimeout.bind(window);
-  window.setTimeout = (run, delay, ...rest) => later(run, delay === 12000 ? 3600000 : delay, ...rest);
-})()"""
-"""A message of an error goes after twelve seconds: on a busy machine before a test has looked."""
+  window.setTimeout = (run, delay, ...rest) => later(run, delay === {_GOES} ? 3600000 : delay, ...rest);
+}})()"""
+"""Keeps messages of errors, which go by the clock: on a busy machine before a test has looked."""
 STILL = "#paused=1&quality=draft"
 FINGER = 44
 """Least side of what a finger must hit, px."""

@@ -107,7 +107,7 @@ class DaskWorkers:
                 try:
                     content, info = future.result()
                 except (CancelledError, OSError):
-                    if not future.cancelled() and scheduler == self._scheduler_id():
+                    if future.status == "error":
                         raise
                     lost.append(unit)
                     continue

@@ -33,8 +33,5 @@ void main() {
     vec2 pad = 6.0 / u_viewport;
     low = clamp(low - pad, -1.0, 1.0);
     high = max(clamp(high + pad, -1.0, 1.0), low);
-    int corner = gl_VertexID % 6;
-    bool right = corner == 1 || corner == 4 || corner == 5;
-    bool upper = corner == 2 || corner == 3 || corner == 5;
-    gl_Position = vec4(right ? high.x : low.x, upper ? high.y : low.y, FULLSCREEN_DEPTH, 1.0);
+    gl_Position = vec4(mix(low, high, greaterThan(quad_corner(), vec2(0.0))), FULLSCREEN_DEPTH, 1.0);
 }

@@ -4,7 +4,6 @@ import copy
 import json
 import os
 import random
-import socket
 import subprocess
 import sys
 import time
@@ -17,6 +16,7 @@ from typing import Any
 
 import hypothesis
 import numpy as np
+import psutil
 import pytest
 import requests
 import schemathesis
@@ -27,6 +27,7 @@ from seafoam.api.app import create_app
 from seafoam.api.settings import Settings
 from seafoam.scene.presets import load_preset, preset_names
 from support.api_fakes import FakeRenderer
+from support.command import free_port
 from support.report import Report
 from support.sweep import REST
 
@@ -60,11 +61,8 @@ def served(folder: Path) -> Iterator[tuple[str, int]]:
     """A running server; gives its address and its process."""
     script = folder / "served.py"
     script.write_text(SERVER)
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     paths = {"PYTHONPATH": str(Path(__file__).parents[2])}
-
     process = subprocess.Popen([sys.executable, script, str(port)], env={**os.environ, **paths})
     address = f"http://127.0.0.1:{port}"
     try:
@@ -79,12 +77,6 @@ def served(folder: Path) -> Iterator[tuple[str, int]]:
     finally:
         process.terminate()
         process.wait(20)
-
-
-def memory(pid: int) -> float:
-    """Resident size of a process, MB."""
-    lines = Path(f"/proc/{pid}/status").read_text().splitlines()
-    return next(float(line.split()[1]) / 1000 for line in lines if line.startswith("VmRSS"))
 
 
 def spoilt(document: Any, chance: random.Random) -> Any:
@@ -115,7 +107,7 @@ class Judge:
 
     def __init__(self, address: str, pid: int) -> None:
         self.address = address
-        self.pid = pid
+        self.process = psutil.Process(pid)
         self.statuses: Counter[int] = Counter()
         self.slowest = 0.0
         self.memory: list[tuple[int, float]] = []
@@ -133,7 +125,7 @@ class Judge:
         self.slowest = max(self.slowest, seconds)
         done = sum(self.statuses.values())
         if done % 20 == 0:
-            self.memory.append((done, memory(self.pid)))
+            self.memory.append((done, self.process.memory_info().rss / 1e6))
 
     def generated(self, each: int) -> None:
         """Requests that break the description of each operation, as many of each."""
@@ -172,7 +164,6 @@ class Judge:
                 path, others = chance.choice(list(SCENES.items()))
                 scene = chance.choice(scenes)
                 whole = scene if path == "/api/scenes" else {"scene": scene, **others}
-
                 body = json.dumps(spoilt(whole, chance))
                 if chance.random() < 0.05:
                     body = body[: chance.randrange(len(body))]

@@ -2,7 +2,6 @@
 
 import os
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -21,6 +20,7 @@ from seafoam.sequences.making import Output, Progress, make_sequence
 from seafoam.sequences.spec import SequenceSpec
 from seafoam.sequences.workers import InProcess
 from support.api_fakes import RAISE, FakeRenderer
+from support.command import free_port
 
 
 def spec(frames: int, start: float = 0.0) -> SequenceSpec:
@@ -104,9 +104,7 @@ def joined(address: str) -> DaskWorkers:
 def test_a_scheduler_that_comes_back_is_asked_again(tmp_path: Path) -> None:
     local, output = Output(tmp_path / "local", "frames"), Output(tmp_path / "fleet", "frames")
     make_sequence(spec(100), local, InProcess(FakeRenderer()))
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     with ExitStack() as second, ExitStack() as first:
         scheduler = first.enter_context(cluster(port))
 
@@ -128,9 +126,7 @@ def test_a_scheduler_that_stays_away_ends_the_sequence_and_keeps_its_frames(
     monkeypatch.setattr("seafoam.sequences.fleet.CONNECT_SECONDS", 1.0)
     monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
     output = Output(tmp_path / "fleet", "frames")
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     with cluster(port) as scheduler, joined(f"tcp://127.0.0.1:{port}") as workers:
 
         def tell(progress: Progress) -> None:

@@ -4,7 +4,6 @@ import http.client
 import json
 import os
 import signal
-import socket
 import subprocess
 import threading
 import time
@@ -16,7 +15,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from support.command import COMMAND, run
+from support.command import COMMAND, free_port, run
 
 
 def test_render_with_gl_without_a_server(tmp_path):
@@ -73,9 +72,7 @@ def serving(port, cache):
 
 def test_a_restart_under_load_tears_no_answer(tmp_path):
     """Clients see whole answers, refusals, or no server; an address has the same bytes before and after."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     paths = [f"/api/frames/paper-halftone.png?width=64&height=36&quality=draft&time={time}" for time in range(12)]
     answers, wrong, over = defaultdict(set), [], threading.Event()
     counts = {"200": 0, "away": 0}

@@ -1,11 +1,11 @@
 /** "Frame plan": what runs for the current scene, why, what was left out, and the GLSL. */
 import { useSignal } from "@preact/signals";
 import { render } from "preact";
-import { useEffect, useLayoutEffect } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import type { FramePlan, Pass } from "../generated/api";
 import { labelOf } from "../panel/model";
 import type { SurfaceContext } from "../surfaces/context";
-import { Head, TaskButton } from "../surfaces/parts";
+import { Head, TaskButton, useChanges } from "../surfaces/parts";
 import { type Change, changesBetween } from "./changes";
 import { Passes } from "./passes";
 import { passTimes, reasonForNoTimes } from "./passtimes";
@@ -97,16 +97,11 @@ function Plan({ context }: { context: SurfaceContext }) {
   const view = useSignal<View>("Passes");
   const source = useSignal<{ program: string; stage: Stage }>({ program: "surface", stage: "fragment" });
   const times = useSignal<ReadonlyMap<Pass, number> | null>(null);
-  // An effect waits for a paint: a plan that comes before it would be missed.
-  useLayoutEffect(
-    () =>
-      context.onChange(() => {
-        if (plan.value === context.plan()) return;
-        plan.value = context.plan();
-        times.value = null;
-      }),
-    [],
-  );
+  useChanges(context, () => {
+    if (plan.value === context.plan()) return;
+    plan.value = context.plan();
+    times.value = null;
+  });
   const current = plan.value;
   if (current === null) return <p>Loading plan…</p>;
   const { display } = context;

@@ -1,7 +1,13 @@
 /** Parts that the surfaces share. */
 import type { ComponentChildren } from "preact";
-import { useState } from "preact/hooks";
+import { useLayoutEffect, useState } from "preact/hooks";
+import type { SurfaceContext } from "./context";
 import "./surface.css";
+
+/** Listens to the page from the first rendering on: an effect would wait for a paint, and miss what comes before it. */
+export function useChanges(context: SurfaceContext, listener: () => void): void {
+  useLayoutEffect(() => context.onChange(listener), []);
+}
 
 export function Head({ title, close }: { title: string; close: () => void }) {
   return (

@@ -1,9 +1,8 @@
 /** "Take home": everything that leaves the page, for the current scene and frame. */
 import { useSignal } from "@preact/signals";
 import { render } from "preact";
-import { useLayoutEffect } from "preact/hooks";
 import type { SurfaceContext } from "../surfaces/context";
-import { CodeBlock, Head, TaskButton } from "../surfaces/parts";
+import { CodeBlock, Head, TaskButton, useChanges } from "../surfaces/parts";
 import { download } from "../ui/dom";
 import { curl, exactFrame, frameBody, javascript, python, requestOf } from "./snippets";
 
@@ -17,7 +16,7 @@ function Frame({ context }: { context: SurfaceContext }) {
     recipe.value = context.recipe();
   };
   // A moving picture would change the text while it is read.
-  useLayoutEffect(() => context.onChange(() => context.playing() || update()), []);
+  useChanges(context, () => context.playing() || update());
   const { time, width, height } = recipe.value;
   const request = requestOf(recipe.value, context.selection().preset, document.baseURI);
   return (

@@ -164,7 +164,7 @@ def _picture_pass(scene: Scene) -> PassSpec:
         program="boat",
         fragment=(*common, "boats/hull/over.glsl", "boats/hull/main.glsl"),
         under=() if scene.light is None else (*common, *under, "boats/hull/main.glsl"),
-        vertex=("lib/numbers.glsl", "lib/camera.glsl", COURSE, FRAME, "boats/hull/vertex.glsl"),
+        vertex=("lib/numbers.glsl", "lib/camera.glsl", COURSE, FRAME, "vertex/quad.glsl", "boats/hull/vertex.glsl"),
         mesh=Quads(count=1),
         target=ABOVE,
         stage="after",

@@ -162,7 +162,7 @@ def _water_pass(scene: Scene, quality: Quality) -> PassSpec:
     return PassSpec(
         name="water in the air",
         program="spray",
-        vertex=(*_COMMON, *_TABLE, "spray/form.glsl", *sunward, "spray/vertex.glsl"),
+        vertex=(*_COMMON, *_TABLE, "spray/form.glsl", *sunward, "vertex/quad.glsl", "spray/vertex.glsl"),
         fragment=("spray/drop.glsl",),
         target="spray_thick",
         mesh=Quads(count=quality.spray_count),

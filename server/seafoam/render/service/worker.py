@@ -105,8 +105,10 @@ def _give_way() -> NoReturn:
     os._exit(1)
 
 
-def _failed(renderer: Renderer) -> Failed:
-    """Return the response to the error being handled, if the renderer still draws; else end this process."""
+def _failed(renderer: Renderer, error: Exception) -> Failed:
+    """Return the response to an error, if there is memory left and the renderer still draws; else end this process."""
+    if isinstance(error, MemoryError):
+        _give_way()
     failed = Failed(traceback.format_exc())
     try:
         draw_canary(renderer)
@@ -141,10 +143,8 @@ def work_frame(job: FrameJob, expires: float, canvas: Address | None) -> Answer[
             draw_canary(_renderer)
         posted = Posted(send(drawn.pixels, canvas), drawn.plan, drawn.info, drawn.timings)
         return Answer(os.getpid(), posted)
-    except MemoryError:
-        _give_way()
-    except Exception:
-        return Answer(os.getpid(), _failed(_renderer))
+    except Exception as error:
+        return Answer(os.getpid(), _failed(_renderer, error))
 
 
 def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
@@ -155,7 +155,5 @@ def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
         return Answer(os.getpid(), Expired())
     try:
         return Answer(os.getpid(), measure(_renderer, job))
-    except MemoryError:
-        _give_way()
-    except Exception:
-        return Answer(os.getpid(), _failed(_renderer))
+    except Exception as error:
+        return Answer(os.getpid(), _failed(_renderer, error))
