@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from http.client import HTTPConnection, HTTPException
+from http.client import HTTPException
 from statistics import median, quantiles
 
 import numpy as np
@@ -262,11 +262,12 @@ def _repeats(port: int, watch: Watch) -> Table:
             sure(connection, path)
     rows = []
     for name, paths in pictures.items():
-        with watch.step(name), connected(port) as connection:
-            size = [sure(connection, path).size for path in paths][-1]
-            before = _origins(connection)
+        with watch.step(name):
+            with connected(port) as connection:
+                size = [sure(connection, path).size for path in paths][-1]
+            before = _origins(port)
             rate = _answered(*closed_loop(port, itertools.cycle(paths), 2, watch.seconds(REPEAT_SECONDS)))
-            after = _origins(connection)
+            after = _origins(port)
         origin = max(after, key=lambda each: after[each] - before.get(each, 0.0))
         rows.append((name, origin, rate, size))
     return Table(
@@ -283,9 +284,11 @@ def _repeats(port: int, watch: Watch) -> Table:
     )
 
 
-def _origins(connection: HTTPConnection) -> dict[str, float]:
-    connection.request("GET", "/metrics")
-    text = connection.getresponse().read().decode()
+def _origins(port: int) -> dict[str, float]:
+    """Frames by where they came from, as the server counts them."""
+    with connected(port) as connection:
+        connection.request("GET", "/metrics")
+        text = connection.getresponse().read().decode()
     found = re.findall(r'seafoam_frame_origins_total\{origin="(\w+)"\} ([\d.e+]+)', text)
     return {name: float(value) for name, value in found}
 
