@@ -2,6 +2,7 @@
 // tau before which no ray of a tile of the picture meets: r + g the water's surface, b land over y = 0; a: second derivative of the
 // surface at most (1/m), from 60000 on unknown.
 uniform sampler2D u_start;
+uniform float u_surface_trough; // no water is lower, m
 
 // Of water, of land, and the second derivative. Outside the picture begins at 0 and nothing is known.
 // ray: not normalised, 1 along the view.

@@ -2,7 +2,6 @@
 // where the surface falls away from it, so that no back of a crest shows.
 // ray: from the eye, 1 along the view; returns tau < farthest, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
 uniform float u_surface_top;
-uniform float u_surface_trough; // no water is lower, m
 uniform float u_surface_grain; // what maps may add to the surface between their texels, m
 
 const float FARTHEST = 1e5;

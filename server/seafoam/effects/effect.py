@@ -126,7 +126,7 @@ class PassSpec:
     clear: bool = False
     view: View = "any"
     under: tuple[Piece | SlotRef, ...] = ()
-    """Files of the fragment shader for cameras that can be below crests; empty: the files of ``fragment``."""
+    """Files of the fragment shader for a camera under the water; empty: those of ``fragment`` for it too."""
 
 
 @dataclass(frozen=True, kw_only=True)

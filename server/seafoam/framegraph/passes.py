@@ -55,7 +55,9 @@ View = Literal["any", "rising", "falling"] | tuple[BoundingSphere, ...]
 above the camera; or in one of these bounding spheres."""
 
 
-Eye = Literal["any", "over", "under"]
+Eye = Literal["over", "between", "under"]
+"""Height of the camera: over all crests, between the highest crest and the deepest trough, under all troughs."""
+Eyes = Literal["any"] | tuple[Eye, ...]
 
 
 class State(PlanPart):
@@ -81,10 +83,10 @@ class Pass(PlanPart):
         "field among its uniforms, or those of what it reads, changes. frame: in every frame that "
         "needs its target. All passes into one target have the same value"
     )
-    eye: Eye = Field(
+    eye: Eyes = Field(
         default="any",
-        description="Camera height for which the pass is drawn. over: at the plan's top or higher; under: "
-        "below it, and correct at any height",
+        description="Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its "
+        "trough; between: neither. Passes for two of them draw nothing from the other side of the water",
     )
     view: View = Field(
         default="any",

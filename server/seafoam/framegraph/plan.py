@@ -43,6 +43,7 @@ class FramePlan(PlanPart):
     linear: str = Field(description="Target that holds the finished linear frame: exposed RGB, A = foam coverage")
     samples: int = Field(description="Samples per pixel")
     top: float = Field(description="Upper bound of the crests' height, m: a camera at or above it is above the water")
+    trough: float = Field(description="Lower bound of the troughs' height, m: a camera below it is under the water")
     bottom: float = Field(description="Lowest camera height from which more than ground is visible, m")
     live: tuple[str, ...] = Field(description="JSON pointers of scene fields that can change without a new plan")
 

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 from seafoam.framegraph.evaluation import axes
-from seafoam.framegraph.passes import BoundingSphere, Pass, View
+from seafoam.framegraph.passes import BoundingSphere, Eye, Pass, View
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import TargetInput
 from seafoam.scene.camera import Camera
@@ -16,17 +16,28 @@ LEVEL = 0.01
 """Vertical component, relative to the central ray's length, below which a ray may hit water or sky."""
 
 
+def eye_of(plan: FramePlan, camera: Camera) -> Eye:
+    """Return the camera's height relative to the plan's crests and troughs."""
+    height = camera.position[1]
+    return "over" if height >= plan.top else "between" if height >= plan.trough else "under"
+
+
+def applies_to(drawn: Pass, eye: Eye) -> bool:
+    """Whether a pass is drawn for this camera height."""
+    return drawn.eye == "any" or eye in drawn.eye
+
+
 def drawn_passes(plan: FramePlan, camera: Camera, width: int, height: int, target: str) -> dict[int, bool]:
     """Return the indices of the passes that ``target`` needs, in drawing order; False: only to clear their target.
 
     ``camera``: viewpoint, ``width`` × ``height`` pixels. A pass is needed if it draws into a target that is needed and
     matches the camera height; one out of view (:attr:`seafoam.framegraph.passes.Pass.view`) only if it clears.
     """
-    eye = "over" if camera.position[1] >= plan.top else "under"
+    eye = eye_of(plan, camera)
     needed = {target}
     selected: dict[int, bool] = {}
     for index, drawn in reversed([*enumerate(plan.passes)]):
-        if drawn.eye not in ("any", eye) or drawn.target not in needed:
+        if not applies_to(drawn, eye) or drawn.target not in needed:
             continue
         visible = in_view(drawn.view, plan.top, camera, width, height)
         if visible or drawn.state.clear:

@@ -14,6 +14,7 @@ from seafoam.framegraph.resources import FixedSize, Target, TargetInput, Texture
 from seafoam.framegraph.rules import Uniform, Viewport, vector
 from seafoam.framegraph.shader import Program
 from seafoam.planner.glsl import assemble
+from seafoam.planner.sides import one_sided
 from seafoam.quality import Quality
 
 PLACE = "lib/place.glsl"
@@ -43,12 +44,13 @@ _LISTS = {"u_chosen_cells": "chosen cells", "u_chosen_groups": "chosen groups", 
 class Redrawn:
     """A pass that is drawn again for selected pixels: ``original``, with these pieces of a fragment shader.
 
-    ``depth``: its depth in clip space.
+    ``depth``: its depth in clip space; ``sided``: consts of a vertex shader that draws from one side of the water.
     """
 
     original: Pass
     pieces: tuple[Piece, ...]
     depth: float = 0.0
+    sided: Mapping[str, Const] | None = None
 
 
 @dataclass
@@ -56,6 +58,8 @@ class Additions:
     """What adaptive sampling adds to a plan."""
 
     consts: dict[str, Const]
+    waves: tuple[Piece, ...]
+    """The surface's pieces, for vertex shaders that draw from one side of the water."""
     programs: dict[str, Program] = field(default_factory=dict)
     targets: dict[str, Target] = field(default_factory=dict)
     passes: list[Pass] = field(default_factory=list)
@@ -90,12 +94,20 @@ class Additions:
             )
         )
 
-    def program(self, vertex: tuple[str, ...], fragment: Iterable[Piece], depth: float = 0.0) -> Program:
+    def program(
+        self, vertex: Iterable[Piece], fragment: Iterable[Piece], vertex_consts: Mapping[str, Const] | None = None
+    ) -> Program:
         """Return a program with the constants of adaptive sampling."""
         return Program(
-            vertex=assemble(vertex, {**self.consts, "FULLSCREEN_DEPTH": depth}),
+            vertex=assemble(vertex, {**self.consts, "FULLSCREEN_DEPTH": 0.0, **(vertex_consts or {})}),
             fragment=assemble(fragment, self.consts),
         )
+
+    def redrawn(self, again: Redrawn) -> Program:
+        """Return the program of a pass that is drawn again."""
+        fragment = chain.from_iterable(_AT_CHOSEN if piece == PLACE else (piece,) for piece in again.pieces)
+        vertex = _ROWS if again.sided is None else one_sided(_ROWS, self.waves)
+        return self.program(vertex, fragment, {"FULLSCREEN_DEPTH": again.depth, **(again.sided or {})})
 
 
 def additional_samples(
@@ -105,10 +117,12 @@ def additional_samples(
     scene: tuple[Redrawn, ...],
     after: tuple[Redrawn, ...],
     consts: Mapping[str, Const],
+    waves: tuple[Piece, ...],
 ) -> Additions:
     """Return passes that read ``frame``, a target with one value per pixel, and draw the final frame into ``linear``.
 
-    ``scene``: surface and sky, in drawing order; ``after``: the passes blended over them.
+    ``scene``: surface and sky, in drawing order; ``after``: the passes blended over them; ``waves``: the surface's
+    pieces.
     """
     counts = quality.chosen_samples
     added = Additions(
@@ -121,6 +135,7 @@ def additional_samples(
             "CHOOSE_STEP": (MAX_CONTRAST / quality.samples_threshold) ** (1.0 / 3.0),
             "CHOOSE_BUDGET": quality.samples_budget,
         },
+        waves=waves,
         uniforms={
             "u_target": Uniform(type="vec2", rules=(Viewport(),)),
             "u_picture": Uniform(type="vec2", rules=(Viewport(of="picture"),)),
@@ -191,9 +206,8 @@ def _draw(added: Additions, count: int, layers: tuple[tuple[tuple[Redrawn, ...],
         for redrawn in group:
             program = f"{redrawn.original.program}, chosen"
             if program not in added.programs:
-                pieces = (_AT_CHOSEN if piece == PLACE else (piece,) for piece in redrawn.pieces)
-                added.programs[program] = added.program(_ROWS, chain.from_iterable(pieces), redrawn.depth)
-            clear = first and redrawn.original.name == group[0].original.name
+                added.programs[program] = added.redrawn(redrawn)
+            clear = first and redrawn.original.state.clear
             changes = {
                 "name": f"{redrawn.original.name}, {count} samples",
                 "program": program,

@@ -4,20 +4,22 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from seafoam.effects.effect import ABOVE, BENEATH, FINISHED, Const, PassSpec, Piece, SlotFile, SlotRef, Source, refine
-from seafoam.framegraph.passes import Eye, Fullscreen, Grid, Mesh, Pass, State
+from seafoam.effects.effect import ABOVE, BENEATH, FINISHED, Const, PassSpec, Piece, SlotFile, SlotRef, refine
+from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
 from seafoam.framegraph.shader import Program
 from seafoam.planner.adaptive import PLACE, Redrawn, additional_samples
 from seafoam.planner.collect import Collection
 from seafoam.planner.glsl import COMMON, FULLSCREEN, assemble, slot_pieces
+from seafoam.planner.sides import FROM_OVER, OVER, from_under, one_sided
 from seafoam.planner.slots import (
     GLARE,
     LAND,
     LAND_COLOR,
     LAND_FOAM,
-    MAIN,
+    NOW,
+    ONLY_OVER,
     SKY_PASS_SLOTS,
     TONE,
     UNDER_SLOTS,
@@ -33,15 +35,16 @@ START_SHARE = 0.25
 """Step length below which the search for a start distance ends, in heights of a tile at that distance."""
 
 UNDERWATER = "surface, underwater"
-"""Name of the surface's program for cameras that can be below crests."""
+"""Name of the surface's program for a camera under the water."""
+
+BETWEEN = "surface, between"
+"""Name of the program that draws it instead of a mesh for a camera over the water but not over all crests."""
 
 _MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl", refine("refine_water", "waves", "vec3")))
 _MARCH_START = SlotFile(
     "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
 )
 _SAMPLED: tuple[Piece, ...] = (*COMMON, PLACE)
-_FALLING: tuple[Piece, ...] = (*COMMON, "vertex/horizon.glsl", "vertex/falling.glsl")
-_RISING: tuple[Piece, ...] = (*COMMON, "vertex/horizon.glsl", "vertex/rising.glsl")
 _AT_FRONT = {"FULLSCREEN_DEPTH": 0.0}
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
@@ -75,6 +78,8 @@ class FrameBuilder:
         self.chosen, self.marched = self._chosen(), self._marched()
         self.fragments = self._fragments()
         self.programs: dict[str, Program] = {}
+        self.sided: dict[str, dict[str, Const]] = {}
+        """Programs that draw from one side of the water, with the constants of their vertex shaders."""
         self.uniforms: dict[str, Uniform] = {}
         self.targets = {
             **collection.targets,
@@ -106,7 +111,7 @@ class FrameBuilder:
         return [*files, _MARCH] if intersection == "march" else files
 
     def _marched(self) -> list[SlotFile]:
-        """The same files for passes and for cameras that can be below crests, which use no mesh."""
+        """The same files for passes and for cameras that are not over all crests, which use no mesh."""
         return [
             *self.collection.slots,
             SlotFile("find", f"surface/{'plane' if self.level else 'march'}.glsl"),
@@ -122,11 +127,7 @@ class FrameBuilder:
             surface += slot_pieces(slot, self.chosen)
             pieces = slot_pieces(slot, self.marched)
             marched += pieces
-            if slot is MAIN:
-                main = pieces.pop()
-                assert isinstance(main, str)
-                pieces.append(Source(main, (("main", "seen_from_above"),)))
-            low += pieces
+            low += [] if slot in ONLY_OVER else pieces
         for slot in UNDER_SLOTS if self.below else ():
             low += slot_pieces(slot, self.marched)
         sky = [*_SAMPLED, *(piece for slot in SKY_PASS_SLOTS for piece in slot_pieces(slot, self.chosen))]
@@ -148,16 +149,41 @@ class FrameBuilder:
         return pieces
 
     def _program(
-        self, name: str, fragment: Sequence[Piece | SlotRef], vertex: Sequence[Piece | SlotRef] = FULLSCREEN
+        self,
+        name: str,
+        fragment: Sequence[Piece | SlotRef],
+        vertex: Sequence[Piece | SlotRef] = FULLSCREEN,
+        *,
+        over: bool | None = None,
     ) -> None:
+        """Add a program; ``over``: it draws only if the camera is over the water, or under it, or whatever it is."""
+        placed = self._pieces(vertex)
+        if over is not None and self.below:
+            self.sided[name] = {FROM_OVER: over}
+            placed = one_sided(placed, self._waves)
         self.programs[name] = Program(
-            vertex=assemble(self._pieces(vertex), {**self.consts, **_AT_FRONT}),
+            vertex=assemble(placed, {**self.consts, **_AT_FRONT, **self.sided.get(name, {})}),
             fragment=assemble(self._pieces(fragment), self.consts),
         )
 
+    @property
+    def _waves(self) -> tuple[Piece, ...]:
+        return tuple(self._pieces([SlotRef("waves")]))
+
+    def _up_to_horizon(self, side: str) -> list[Piece]:
+        """Return the vertex shader of a triangle on one side of the line that rays to water do not cross."""
+        rise = ["vertex/rise_level.glsl"] if self.level else [*slot_pieces(NOW, self.marched), "vertex/rise.glsl"]
+        return [*COMMON, *self._waves, *rise, "vertex/horizon.glsl", side]
+
     def _surface_programs(self) -> None:
-        grid = [*COMMON, *slot_pieces(WAVES, self.chosen), "vertex/polar_grid.glsl"]
-        self._program("surface", self.fragments["surface"], grid if self.mesh else _FALLING)
+        falling, rising = (self._up_to_horizon(f"vertex/{side}.glsl") for side in ("falling", "rising"))
+        if self.mesh:
+            grid = [*COMMON, *slot_pieces(WAVES, self.chosen), "vertex/polar_grid.glsl"]
+            self._program("surface", self.fragments["surface"], grid)
+            if self.below:
+                self._program(BETWEEN, self.fragments["surface, marched"], falling, over=True)
+        else:
+            self._program("surface", self.fragments["surface"], falling, over=True)
         self.programs["sky"] = Program(
             vertex=assemble(FULLSCREEN, {"FULLSCREEN_DEPTH": _HORIZON_DEPTH}),
             fragment=assemble(self.fragments["sky"], self.consts),
@@ -166,27 +192,30 @@ class FrameBuilder:
             "present", [*slot_pieces(GLARE, self.chosen), *slot_pieces(TONE, self.chosen), "output/present.glsl"]
         )
         if self.below:
-            self._program(UNDERWATER, self.fragments[UNDERWATER])
+            self._program(UNDERWATER, self.fragments[UNDERWATER], over=False)
         if self.shore:
             met = [*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")]
             land = [*_SAMPLED]
             for slot in land_slots(self._combine, self.collection.fills(LAND_FOAM.name)):
                 land += slot_pieces(slot, self.marched)
-            self._program("met", [*met, "surface/met_pass.glsl"], _FALLING)
-            self._program("met, rising", [*met, "surface/met_rising_pass.glsl"], _RISING)
-            self._program("land", [*land, "shore/land_pass.glsl"])
+            self._program("met", [*met, "surface/met_pass.glsl"], falling, over=True)
+            self._program("met, rising", [*met, "surface/met_rising_pass.glsl"], rising, over=True)
+            self._program("land", [*land, "shore/land_pass.glsl"], over=True)
 
     def _effect_programs(self) -> None:
         for spec in self.collection.passes:
-            self._program(spec.program, spec.fragment, spec.vertex)
+            self._program(spec.program, spec.fragment, spec.vertex, over=True if spec.under else None)
             if self.below and spec.under:
-                self._program(f"{spec.program}, underwater", spec.under, spec.vertex)
+                self._program(f"{spec.program}, underwater", spec.under, spec.vertex, over=False)
 
     def _effect_passes(self, stage: str) -> list[Pass]:
         return [drawn for spec in self.collection.passes if spec.stage == stage for drawn in self._passes_of(spec)]
 
-    def _passes_of(self, spec: PassSpec) -> list[Pass]:
-        """Return the pass of a spec, or two if its shader differs for cameras above and below crests."""
+    def _passes_of(self, spec: PassSpec, *, first: bool = False) -> list[Pass]:
+        """Return the pass of a spec, or several if its shader differs for cameras over and under the water.
+
+        ``first``: of all passes into its target, which it clears.
+        """
         reads_slots = any(isinstance(part, SlotRef) for part in (*spec.vertex, *spec.fragment))
         always = Pass(
             name=spec.name,
@@ -197,12 +226,12 @@ class FrameBuilder:
             inputs={**self.collection.inputs, **spec.inputs} if reads_slots else spec.inputs,
             uniforms=spec.uniforms,
             view=spec.view,
-            state=State(clear=spec.clear, blend=spec.blend),
+            state=State(clear=spec.clear or first, blend=spec.blend),
         )
         if not self.below or not spec.under:
             return [always]
-        low = {"eye": "under", "program": f"{spec.program}, underwater"}
-        return [always.model_copy(update={"eye": "over"}), always.model_copy(update=low)]
+        low = always.model_copy(update={"program": f"{spec.program}, underwater"})
+        return [always.model_copy(update={"eye": OVER}), *from_under(low, self.level)]
 
     def _fullscreen(self, name: str, program: str, target: str, reads: Mapping[str, str]) -> Pass:
         inputs: dict[str, TextureInput | TargetInput] = {
@@ -212,9 +241,10 @@ class FrameBuilder:
 
     def _overlay(self) -> list[Pass]:
         """Passes that are blended over surface and sky, and the pass that blends them."""
-        after = self._effect_passes("after")
+        after = [spec for spec in self.collection.passes if spec.stage == "after"]
         if not after:
             return []
+        first = next(spec for spec in after if spec.target == ABOVE)
         self.drawn = BENEATH
         self.targets[BENEATH] = self.targets["samples"]
         self.targets[ABOVE] = Target(size=ViewportSize(scale=self.side), format="RGBA16F")
@@ -223,22 +253,35 @@ class FrameBuilder:
             vertex=assemble(FULLSCREEN, _AT_FRONT),
             fragment=assemble(["lib/numbers.glsl", "output/compose.glsl"], {}),
         )
-        first = next(drawn for drawn in after if drawn.target == ABOVE).name
         return [
-            *(_cleared(drawn) if drawn.name == first else drawn for drawn in after),
+            *(drawn for spec in after for drawn in self._passes_of(spec, first=spec is first)),
             self._fullscreen(
                 "what stands before the water", "compose", "samples", {"u_beneath": BENEATH, "u_above": ABOVE}
             ),
         ]
 
-    @property
-    def _surfaces(self) -> list[tuple[Eye, str, Mesh]]:
-        """Camera heights, program and mesh of the passes that draw the surface."""
+    def _surfaces(self) -> list[Pass]:
+        """Passes that draw the surface, for all camera heights."""
         cells = self.quality.surface.cells
-        own: Mesh = Grid(rows=cells, columns=cells) if self.mesh else Fullscreen()
-        return (
-            [("over", "surface", own), ("under", UNDERWATER, Fullscreen())] if self.below else [("any", "surface", own)]
+        own = Pass(
+            name="surface",
+            when="frame",
+            # Land extends above the horizon.
+            view="any" if self.shore else "falling",
+            program="surface",
+            target=self.drawn,
+            mesh=Grid(rows=cells, columns=cells) if self.mesh else Fullscreen(),
+            inputs=self.collection.inputs,
+            state=State(depth=True, clear=True),
         )
+        if not self.below:
+            return [own]
+        over = [own.model_copy(update={"eye": OVER})]
+        if self.mesh:
+            between = {"eye": ("between",), "program": BETWEEN, "mesh": Fullscreen()}
+            over = [own.model_copy(update={"eye": ("over",)}), own.model_copy(update=between)]
+        low = own.model_copy(update={"program": UNDERWATER, "mesh": Fullscreen()})
+        return [*over, *from_under(low, self.level)]
 
     def _display(self) -> list[Pass]:
         """Passes that show the finished frame: those of effects, and tone mapping."""
@@ -260,7 +303,7 @@ class FrameBuilder:
         return Pass(
             name=name,
             when="frame",
-            eye=self._surfaces[0][0],
+            eye=OVER if self.below else "any",
             program=program,
             target=target,
             mesh=Fullscreen(),
@@ -281,21 +324,6 @@ class FrameBuilder:
 
     def _scenery(self) -> list[Pass]:
         """Surface, land and sky."""
-        surfaces = [
-            Pass(
-                name="surface",
-                when="frame",
-                eye=eye,
-                # Land extends above the horizon.
-                view="any" if self.shore else "falling",
-                program=program,
-                target=self.drawn,
-                mesh=mesh,
-                inputs=self.collection.inputs,
-                state=State(depth=True, clear=True),
-            )
-            for eye, program, mesh in self._surfaces
-        ]
         land = [self._ashore("land", "land", self.drawn, State(depth=True))] if self.shore else []
         sky = Pass(
             name="sky",
@@ -307,7 +335,7 @@ class FrameBuilder:
             mesh=Fullscreen(),
             state=State(depth=True),
         )
-        return [*surfaces, *land, sky]
+        return [*self._surfaces(), *land, sky]
 
     def _resolve(self) -> list[Pass]:
         """The pass that averages each pixel's samples."""
@@ -323,13 +351,22 @@ class FrameBuilder:
         # Without light an additional sample costs less than its selection.
         if not self.quality.chosen_samples or self.scene.light is None:
             return []
-        fragments = {**self.fragments, "surface": self.fragments["surface, marched"]}
+        marched = self.fragments["surface, marched"]
+        fragments = {**self.fragments, "surface": marched, BETWEEN: marched}
         depths = {"sky": _HORIZON_DEPTH}
         redrawn = tuple(
-            Redrawn(drawn, tuple(fragments[drawn.program]), depths.get(drawn.program, 0.0)) for drawn in scenery
+            Redrawn(
+                drawn,
+                tuple(fragments[drawn.program]),
+                depths.get(drawn.program, 0.0),
+                self.sided.get(drawn.program),
+            )
+            for drawn in scenery
         )
         consts = self.consts | self.collection.chosen_consts
-        added = additional_samples(self.quality, self.linear, "finished", redrawn, self._redrawn_overlays(), consts)
+        added = additional_samples(
+            self.quality, self.linear, "finished", redrawn, self._redrawn_overlays(), consts, self._waves
+        )
         self.programs |= added.programs
         self.targets |= added.targets
         self.uniforms |= added.uniforms
@@ -340,12 +377,11 @@ class FrameBuilder:
         """Return the overlays as they are drawn again for selected pixels."""
         specs = [spec for spec in self.collection.passes if spec.stage == "after" and spec.target == ABOVE]
         return tuple(
-            Redrawn(drawn, tuple(self._pieces(spec.fragment if drawn.program == spec.program else spec.under)))
+            Redrawn(
+                drawn,
+                tuple(self._pieces(spec.fragment if drawn.program == spec.program else spec.under)),
+                sided=self.sided.get(drawn.program),
+            )
             for spec in specs
-            for drawn in self._passes_of(spec)
+            for drawn in self._passes_of(spec, first=spec is specs[0])
         )
-
-
-def _cleared(drawn: Pass) -> Pass:
-    """Return the pass with its target cleared first."""
-    return drawn.model_copy(update={"state": drawn.state.model_copy(update={"clear": True})})

@@ -60,6 +60,7 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         linear=frame.linear,
         samples=quality.samples,
         top=collection.max_height,
+        trough=collection.min_height,
         bottom=collection.min_ground,
         live=tuple(sorted(live_fields(used) - collection.bound_fields)),
     )

@@ -183,9 +183,11 @@ LAND_COLOR = Slot("land color")
 """Colour of the land; none without land."""
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
-"""Main function for a camera below the surface; for one above it calls ``seen_from_above``."""
+"""Main function for a camera under the surface."""
+ONLY_OVER = (FIND, RELIEF, FOAM_LAYER, THROUGH, LAND, LAND_FOAM, LAND_COLOR, MAIN)
+"""Slots that the shader for such a camera leaves out."""
 UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
-"""Additional slots of the shader for cameras that can be below crests."""
+"""Slots that it has besides."""
 GLARE = Slot("glare", default=defaults.NO_GLARE)
 TONE = Slot("tone", default="output/tone/clamp.glsl")
 

@@ -1,9 +1,7 @@
-// No light, seen from under the surface: foam is white in the underside, all else black. From over the surface: as ever.
+// No light, seen from under the surface: foam is white in the underside, all else black.
+out vec4 o_color;
+
 void main() {
-    if (u_eye_height >= waves(vec2(0.0)).x) {
-        seen_from_above();
-        return;
-    }
     vec3 ray = camera_ray(sample_place());
     float tau;
     vec3 wave;

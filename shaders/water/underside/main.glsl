@@ -1,5 +1,7 @@
 // What an eye under the surface sees: Snell's window and total reflection at the underside, and the floor. docs/formulae.md,
-// section 11. From over the surface: as ever.
+// section 11. Linear light, A = foam amount.
+out vec4 o_color;
+
 // Light of floor and water along d (unit) from a place p at height y, where the floor is `reach` metres away; fp: footprint there.
 vec3 below_bed(vec2 p, float y, vec3 d, float reach, Footprint fp) {
     vec3 bed = bed_light(p + reach * d.xz, max(-y - reach * d.y, 0.0), fp);
@@ -36,10 +38,6 @@ vec3 below_underside(vec3 d, vec3 n, float unresolved, vec2 p, float y, float so
 }
 
 void main() {
-    if (u_eye_height >= waves(vec2(0.0)).x) {
-        seen_from_above();
-        return;
-    }
     vec3 ray = camera_ray(sample_place());
     vec3 d = normalize(ray);
     float tau;

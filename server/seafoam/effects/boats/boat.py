@@ -13,7 +13,6 @@ from seafoam.effects.effect import (
     Piece,
     QualityParameter,
     SlotRef,
-    Source,
     constant_function,
 )
 from seafoam.effects.light.light import ILLUMINATION
@@ -155,9 +154,7 @@ def _picture_pass(scene: Scene) -> PassSpec:
         *shade_files(scene),
         *((no_land,) if scene.shore is None else (*FIND_LAND, "boats/hull/land.glsl")),
     )
-    # boats/hull/under.glsl defines functions of the same names, which call these when the camera is above water.
-    over = Source("boats/hull/over.glsl", (("boat_hidden", "boat_hidden_over"), ("boat_before", "boat_before_over")))
-    under = (over, "light/shade/optics.glsl", SlotRef("underside"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
+    under = ("light/shade/optics.glsl", SlotRef("underside"), WATER, SlotRef("reach"), "boats/hull/under.glsl")
     swing = max_displacement(scene)
     return PassSpec(
         name="boats",
