@@ -1,8 +1,8 @@
 """Work of the surface's pass per pixel: whether it shows water, and how often the waves are evaluated to find it.
 
 The plan's own program is drawn, with a counter in every function that evaluates the waves. Its ``main`` is cut off
-after the surface has been found and tested for land before it, and writes the counter. ``RuntimeError`` if the text no
-longer has these places.
+after the surface has been found before land, and writes the counter. ``RuntimeError`` if the text no longer has these
+places.
 """
 
 import hashlib
@@ -14,6 +14,7 @@ import numpy as np
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.shader import Shader
 from seafoam.framegraph.visibility import drawn_passes
+from seafoam.planner.frame import UNDERWATER
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 
@@ -21,13 +22,9 @@ COUNTER = "bench_evaluations"
 _WAVES = re.compile(r"^(?P<head>\w+ (?:waves|waves_\w+)\(vec2 \w+[^)]*\) \{)$", re.MULTILINE)
 _MAIN = re.compile(r"^void main\(\) \{$", re.MULTILINE)
 _DRAWN = re.compile(
-    r"^void (?:main|seen_from_above)\(\) \{\n"
-    r"(?P<find>(?:(?!^\}).)*?^    bool wet = find_surface\([^;]*\);\n)"
-    r"(?P<land>(?:(?!^\}).)*?)^    (?:if \(|bool dry = )(?P<before>find_land_before\([^;]*?\))(?:\) \{|;)\n",
-    re.MULTILINE | re.DOTALL,
+    r"^void main\(\) \{\n(?P<find>(?:(?!^\}).)*?^    bool wet = find_surface\([^;]*;\n)", re.MULTILINE | re.DOTALL
 )
-"""Parts of the surface's shader: the text until the surface is found, the text until land is, and the call that finds
-it."""
+"""The text of the surface's shader until land and the surface before it are found."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +67,11 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
     # With a shore a separate pass finds the intersections of rays.
     names = {plan.passes[index].name for index in shown}
     name = "what rays meet" if "what rays meet" in names else "surface"
-    indices = [index for index, shows in shown.items() if shows and plan.passes[index].name == name]
+    indices = [
+        index
+        for index, shows in shown.items()
+        if shows and plan.passes[index].name == name and plan.passes[index].program != UNDERWATER
+    ]
     if len(indices) != 1:
         raise RuntimeError(f"a frame has one pass that finds the surface, not {len(indices)}")
     surface = plan.passes[indices[0]]
@@ -93,7 +94,7 @@ def counting_shader(shader: Shader) -> Shader:
     text = shader.text
     drawn = list(_DRAWN.finditer(text))
     if len(drawn) != 1:
-        raise RuntimeError(f"{len(drawn)} functions find surface and land as surface/main.glsl does, not one")
+        raise RuntimeError(f"{len(drawn)} functions find land and surface as surface/main.glsl does, not one")
     text, mains = _MAIN.subn("void bench_drawn() {", text)
     if mains != 1:
         raise RuntimeError(f"the surface's text has {mains} main functions, not one")
@@ -105,9 +106,7 @@ def counting_shader(shader: Shader) -> Shader:
     output = "o_met" if "out vec4 o_met;" in text else "o_color"
     text += f"""
 void main() {{
-{drawn[0]["find"]}    float bench_found = float({COUNTER});
-{drawn[0]["land"]}    bool bench_dry = {drawn[0]["before"]};
-    {output} = vec4(wet && !bench_dry ? 1.0 : 0.0, bench_found, 0.0, 1.0);
+{drawn[0]["find"]}    {output} = vec4(wet ? 1.0 : 0.0, float({COUNTER}), 0.0, 1.0);
 }}
 """
     return shader.model_copy(update={"text": text, "sha256": hashlib.sha256(text.encode()).hexdigest()})

@@ -3,11 +3,9 @@
 
 // Where a ray is inside the square and between y = 0 and the highest land: from x to y; nowhere, where y is not more than x.
 vec2 land_span(vec2 q, float height, vec3 ray) {
-    vec2 way = vec2(abs(ray.x) < 1e-9 ? 1e-9 : ray.x, abs(ray.z) < 1e-9 ? 1e-9 : ray.z);
-    vec2 one = (-0.5 * u_shore_size - q) / way;
-    vec2 two = (0.5 * u_shore_size - q) / way;
-    float enter = max(max(min(one.x, two.x), min(one.y, two.y)), 0.0);
-    float leave = min(max(one.x, two.x), max(one.y, two.y));
+    vec2 span = shore_span(q, ray.xz);
+    float enter = span.x;
+    float leave = span.y;
     float over = height - u_shore_top;
     float fall = abs(ray.y) < 1e-9 ? -1e-9 : ray.y;
     // A rising ray leaves through the top, a falling one enters there and leaves at y = 0, where the sea begins.

@@ -3,6 +3,7 @@
 // surface at most (1/m), from 60000 on unknown.
 uniform sampler2D u_start;
 uniform float u_surface_trough; // no water is lower, m
+uniform float u_surface_grain;  // what maps may add to the surface between their texels, m
 
 // Of water, of land, and the second derivative. Outside the picture begins at 0 and nothing is known.
 // ray: not normalised, 1 along the view.

@@ -4,13 +4,15 @@ out vec4 o_color;
 
 void main() {
     vec3 ray = camera_ray(sample_place());
-    float tau;
-    vec3 wave;
-    bool wet = find_surface(ray, 1e30, tau, wave);
     vec3 d = normalize(ray);
     float land_tau;
     vec4 ground;
-    if (find_land_before(ray, wet, tau, land_tau, ground)) {
+    bool dry = find_land_ahead(ray, land_tau, ground);
+    float farthest = dry ? land_tau : 1e30;
+    float tau;
+    vec3 wave;
+    bool wet = find_surface(ray, farthest, tau, wave) && tau <= farthest;
+    if (dry && !wet) {
         o_color = land_color(ray, d, land_tau, ground);
         return;
     }

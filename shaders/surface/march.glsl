@@ -2,7 +2,6 @@
 // where the surface falls away from it, so that no back of a crest shows.
 // ray: from the eye, 1 along the view; returns tau < farthest, hit = eye + tau * ray. Exact to float32 where steps suffice (1 degree under the horizon).
 uniform float u_surface_top;
-uniform float u_surface_grain; // what maps may add to the surface between their texels, m
 
 const float FARTHEST = 1e5;
 
@@ -31,6 +30,7 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
     vec3 now = surface_now();
     vec3 beyond = surface_beyond(ray, 0.0);
     tau = enter;
+    march_open(ray, leave, fine, now, beyond.yz, start.b, tau);
     float gap = 0.0;
     // Looked at once before the loop: what the waves read from uniforms is then read there, not in every step.
     wave = waves(tau * ray.xz);
@@ -40,19 +40,7 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
         if (tau >= leave || (gap < fine * tau && (gap < 0.0 || rate < 0.0))) {
             break;
         }
-        vec2 less = tau < beyond.x ? vec2(0.0) : beyond.yz;
-        float fastest = max((now.x - less.x) * speed - ray.y, 1e-6 * length(ray));
-        float curvature = (start.b - less.y) * speed * speed;
-        // By no more than the tolerance may a crest stand over the ray between two steps.
-        float sure = max(gap, 0.0) + fine * tau;
-        float longest = safe_step(sure, u_surface_grain, rate, fastest, curvature);
-        if (SHORT_WAVES) {
-            // Over the short waves' highest crest only the long ones count.
-            vec3 few = short_waves();
-            float bends = curvature - now.z * speed * speed;
-            longest = max(longest, safe_step(sure + few.x - now.y, u_surface_grain, rate + dot(few.yz, ray.xz), 1e30, bends));
-        }
-        tau += longest;
+        tau += march_ahead(ray, tau, gap, rate, fine, now, tau < beyond.x ? vec2(0.0) : beyond.yz, start.b);
         wave = waves(tau * ray.xz);
     }
     if ((ray.y >= 0.0 || tau >= farthest) && gap >= fine * tau) {

@@ -5,5 +5,5 @@ void main() {
     vec3 ray = camera_ray(sample_place());
     float tau;
     vec4 ground;
-    o_met = find_land_before(ray, false, 0.0, tau, ground) ? vec4(tau, 2.0, 0.0, 0.0) : vec4(0.0);
+    o_met = find_land_ahead(ray, tau, ground) ? vec4(tau, 2.0, 0.0, 0.0) : vec4(0.0);
 }

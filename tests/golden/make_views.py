@@ -35,11 +35,12 @@ def small(plan: FramePlan) -> dict[str, object]:
     """What of a plan says which of its passes are drawn."""
     return {
         "top": plan.top,
+        "trough": plan.trough,
         "passes": [
             {
                 "name": one.name,
                 "when": one.when,
-                "eye": one.eye,
+                "eye": one.model_dump(mode="json")["eye"],
                 "view": one.model_dump(mode="json")["view"],
                 "target": one.target,
                 "inputs": {

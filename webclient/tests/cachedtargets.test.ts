@@ -87,6 +87,7 @@ function plan(over: Partial<FramePlan> = {}): FramePlan {
     linear: "screen",
     samples: 1,
     top: 0,
+    trough: 0,
     bottom: -1,
     live: ["/colour"],
     ...over,

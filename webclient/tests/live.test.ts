@@ -16,6 +16,7 @@ const plan: FramePlan = {
   linear: "linear",
   samples: 1,
   top: 0,
+  trough: 0,
   bottom: -100,
   live: ["/light/exposure", "/water/absorption_length"],
 };

@@ -7,7 +7,7 @@ import { drawnPasses, eyeOf } from "../src/plan/view";
 interface Golden {
   preset: string;
   tier: string;
-  plan: Pick<FramePlan, "passes" | "top">;
+  plan: Pick<FramePlan, "passes" | "top" | "trough">;
   pictures: { camera: CameraState; width: number; height: number; drawn: [number, boolean][] }[];
 }
 

@@ -31,6 +31,9 @@ FINISHED = "finished frame"
 HALF_FLOAT = 2.0**-11
 """Relative rounding error of a half float."""
 
+MARCH_AHEAD = "surface/ahead.glsl"
+"""Steps of ray marching, for files in the slots of its parts."""
+
 UNBOUNDED = 1e9
 """Curvature of a surface with kinks, 1/m: so large that ray marching uses the slope bound instead."""
 

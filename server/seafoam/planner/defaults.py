@@ -10,6 +10,9 @@ BLACK_SKY = Inline(
     + "\nfloat exposure() {\n    return 1.0;\n}\n"
 )
 NO_ALBEDO = constant_function("float", "foam_albedo", "")
+NO_APPROACH = Inline(
+    "void march_open(vec3 ray, float leave, float fine, vec3 now, vec2 less, float bend, inout float tau) {\n}\n"
+)
 NO_BEYOND = constant_function("vec3", "surface_beyond", "vec3 ray, float aside", "vec3(1e30, 0.0, 0.0)")
 NO_BOAT_SHADOW = constant_function("float", "sunlit", "vec3 place, Footprint fp", "open_sun(place, fp)")
 NO_BUBBLES = Inline(
@@ -33,7 +36,7 @@ NO_FOAM_ON_LAND = constant_function("float", "land_foam", "vec2 p, float ground,
 NO_GLARE = Inline("vec3 with_glare(vec3 light) {\n    return light;\n}\n")
 NO_GLITTER = constant_function("vec3", "glitter_light", "vec3 d, vec3 n, float sigma2, float cv")
 NO_LAND = Inline(
-    "bool find_land_before(vec3 ray, bool wet, float tau, out float land_tau, out vec4 ground) {\n"
+    "bool find_land_ahead(vec3 ray, out float land_tau, out vec4 ground) {\n"
     "    land_tau = 0.0;\n    ground = vec4(0.0);\n    return false;\n}\n\n"
     "vec4 land_color(vec3 ray, vec3 d, float tau, vec4 ground) {\n    return vec4(0.0);\n}\n"
 )

@@ -4,7 +4,18 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from seafoam.effects.effect import ABOVE, BENEATH, FINISHED, Const, PassSpec, Piece, SlotFile, SlotRef, refine
+from seafoam.effects.effect import (
+    ABOVE,
+    BENEATH,
+    FINISHED,
+    MARCH_AHEAD,
+    Const,
+    PassSpec,
+    Piece,
+    SlotFile,
+    SlotRef,
+    refine,
+)
 from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
@@ -14,6 +25,7 @@ from seafoam.planner.collect import Collection
 from seafoam.planner.glsl import COMMON, FULLSCREEN, assemble, slot_pieces
 from seafoam.planner.sides import FROM_OVER, OVER, from_under, one_sided
 from seafoam.planner.slots import (
+    APPROACH,
     GLARE,
     LAND,
     LAND_COLOR,
@@ -48,6 +60,11 @@ _SAMPLED: tuple[Piece, ...] = (*COMMON, PLACE)
 _AT_FRONT = {"FULLSCREEN_DEPTH": 0.0}
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
+
+
+def _find(intersection: str) -> SlotFile:
+    """Return the file that intersects rays with the surface."""
+    return SlotFile("find", f"surface/{intersection}.glsl", needs=(MARCH_AHEAD,) if intersection == "march" else ())
 
 
 class FrameBuilder:
@@ -105,16 +122,16 @@ class FrameBuilder:
         """The files in the slots of the surface's shader."""
         intersection = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
         # With land, a pass before the surface's finds whether a ray hits water or land first.
-        of_land = (LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
+        of_land = (APPROACH.name, LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
         files = [file for file in self.collection.slots if file.slot not in of_land]
-        files.append(SlotFile("find", f"surface/{intersection}.glsl"))
+        files.append(_find(intersection))
         return [*files, _MARCH] if intersection == "march" else files
 
     def _marched(self) -> list[SlotFile]:
         """The same files for passes and for cameras that are not over all crests, which use no mesh."""
         return [
             *self.collection.slots,
-            SlotFile("find", f"surface/{'plane' if self.level else 'march'}.glsl"),
+            _find("plane" if self.level else "march"),
             SlotFile("underside", f"water/underside/{'plane' if self.level else 'find'}.glsl"),
             SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
             *(() if self.level else (_MARCH, _MARCH_START)),

@@ -87,11 +87,13 @@ SHORT = Slot("short", default=defaults.NO_SHORT_WAVES, under="marched")
 """Short waves that ray marching bounds separately: ``SHORT_WAVES`` says whether there are any."""
 BEYOND = Slot("beyond", default=defaults.NO_BEYOND, under="marched")
 """Distance along a ray from which the waves are less steep."""
+APPROACH = Slot("approach", default=defaults.NO_APPROACH, under="marched")
+"""First part of a march, over water that needs fewer of its waves."""
 FIND = Slot("find")
 """Intersection of the ray with the surface; selected by the quality."""
 SHORT_BOUNDS = Slot("short bounds", default=defaults.NO_SHORT_BOUNDS)
 """Upper bounds of height over y = 0 (m), slope and second derivative (1/m) of the short waves."""
-MARCH_SLOTS = (MARCHED, NOW, SHORT, BEYOND)
+MARCH_SLOTS = (MARCHED, NOW, SHORT, BEYOND, APPROACH)
 
 BOUNDS = Slot(
     "bounds",

@@ -49,21 +49,20 @@ def test_every_preset_but_the_mask_alone_is_in_one_group_of_the_yardstick() -> N
 SURFACE = make_plan(load_preset("default").scene, TIERS["standard"]).programs
 
 
-@pytest.mark.parametrize("name", ["surface", "surface, underwater"])
+@pytest.mark.parametrize("name", ["surface", "met"])
 def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str) -> None:
     """And its main is what drew before, up to where the surface is found and land is not."""
     text = counting_shader(SURFACE[name].fragment).text
     assert text.count("++bench_evaluations;") == 2, "waves and waves_shading"
     _, _, main = text.partition("void main() {")
-    assert re.search(r"find_surface\(.*bench_found = .*bench_dry = find_land_before\(", main, re.DOTALL)
+    assert re.search(r"find_land_ahead\(.*find_surface\(", main, re.DOTALL)
     assert "foam" not in main
 
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("bool wet = find_surface(", "bool found = find_surface(", "0 functions find surface and land"),
-        ("if (find_land_before(", "if (land_before(", "0 functions find surface and land"),
+        ("bool wet = find_surface(", "bool found = find_surface(", "0 functions find land and surface"),
         ("waves", "heights", "no function that evaluates the waves"),
         ("void main() {", "void main() {\n}\n\nvoid main() {", "2 main functions"),
     ],

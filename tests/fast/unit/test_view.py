@@ -8,7 +8,7 @@ import pytest
 
 from seafoam.framegraph.passes import BoundingSphere
 from seafoam.framegraph.plan import FramePlan
-from seafoam.framegraph.visibility import drawn_passes, in_view
+from seafoam.framegraph.visibility import applies_to, drawn_passes, in_view
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.scene.boats import Boat
@@ -43,7 +43,7 @@ def test_what_nothing_reads_is_not_drawn() -> None:
     scene = Scene(waves=(ParametricWave(),), water=Water(ripples=Ripples()), light=Light())
     plan = make_plan(scene, TIERS["standard"])
     up, down = (Camera(position=(0.0, 30.0, 0.0), pitch=pitch) for pitch in (1.0, -1.0))
-    assert names(plan, Camera()) == [one.name for one in plan.passes if one.eye != "under"]
+    assert names(plan, Camera()) == [one.name for one in plan.passes if applies_to(one, "over")]
     assert names(plan, down) == [name for name in names(plan, Camera()) if name != "sky"]
     # No water, so no ripples either.
     assert names(plan, up) == ["sky", "tone"]

@@ -280,7 +280,7 @@ export class App {
     const { loaded } = this.loaders[0];
     if (loaded === null) return;
     const { plan, executor } = loaded;
-    const underwater = plan.passes.some((pass) => pass.eye === "under") && executor?.isReadyFor("under") !== false;
+    const underwater = plan.passes.some((pass) => pass.eye.includes("under")) && (["between", "under"] as const).every((eye) => executor?.isReadyFor(eye) !== false);
     this.controls.surface = plan.top + CLEARANCE;
     this.controls.bottom = underwater ? plan.bottom + CLEARANCE : this.controls.surface;
   }

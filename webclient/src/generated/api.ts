@@ -193,6 +193,11 @@ export interface components {
              */
             top: number;
             /**
+             * Trough
+             * @description Lower bound of the troughs' height, m: a camera below it is under the water
+             */
+            trough: number;
+            /**
              * Bottom
              * @description Lowest camera height from which more than ground is visible, m
              */
@@ -262,11 +267,10 @@ export interface components {
             when: "setup" | "frame";
             /**
              * Eye
-             * @description Camera height for which the pass is drawn. over: at the plan's top or higher; under: below it, and correct at any height
+             * @description Camera heights for which the pass is drawn. over: at the plan's top or higher; under: below its trough; between: neither. Passes for two of them draw nothing from the other side of the water
              * @default any
-             * @enum {string}
              */
-            eye: "any" | "over" | "under";
+            eye: "any" | ("over" | "between" | "under")[];
             /**
              * View
              * @description Where the pass can be visible, for culling. rising, falling: only if some ray of the picture rises or falls, or the camera is below the plan's top; spheres: only if one of these bounding spheres is in the picture

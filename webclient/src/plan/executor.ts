@@ -14,6 +14,9 @@ import { liveRule } from "./live";
 import { discardOnError, finishPrograms, programNames, startPrograms } from "./programs";
 import { drawnPasses, type Eye, eyeOf, passesInto, targetsRead } from "./view";
 
+/** Camera heights whose passes can stand in: between crest and trough, those of the other side draw nothing. */
+const STAND_INS = { over: ["between"], between: ["over"], under: ["between"] } as const satisfies Record<Eye, readonly Eye[]>;
+
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
 
 /** A part of the picture, pixels, origin at the bottom left. */
@@ -79,7 +82,9 @@ export class Executor {
     requireSupport(plan, gpu.capabilities);
     const leases: Lease<unknown>[] = [];
     try {
-      const programs = startPrograms(gpu, plan, programNames(plan, eyeOf(plan, camera)));
+      // Between crest and trough the camera is most likely over the water: the first frame need not wait for what it sees under it.
+      const eye = eyeOf(plan, camera);
+      const programs = startPrograms(gpu, plan, programNames(plan, loadRest && eye === "between" ? "over" : eye));
       leases.push(...programs.values());
       const loading = Object.entries(plan.textures).map(async ([name, spec]) => {
         const lease = gpu.textures.acquire(textureKey(spec), () => bytes(spec).then((data) => makeTexture(gpu.gl, spec, data)));
@@ -132,10 +137,11 @@ export class Executor {
 
   /** Draws one frame; `around` wraps each pass, for timing. */
   draw(frame: Frame, around = (_: Pass, draw: () => void) => draw()): void {
-    this.resizeTargets(frame.width, frame.height);
-    // Programs for the other eye stand in until the right ones are compiled.
     const eye = eyeOf(this.plan, frame.camera);
-    const usableEye = this.isReadyFor(eye) ? eye : eye === "over" ? "under" : "over";
+    const usableEye = [eye, ...STAND_INS[eye]].find((one) => this.isReadyFor(one));
+    // The last picture stays until the programs are compiled.
+    if (usableEye === undefined) return;
+    this.resizeTargets(frame.width, frame.height);
     const drawn = [...drawnPasses(this.plan, usableEye, frame.camera, frame.width, frame.height)].flatMap(([index, visible]) => {
       const bound = this.passes.get(index);
       return bound === undefined || bound.pass.when === "setup" ? [] : [{ bound, visible }];

@@ -6,20 +6,21 @@
 import { basis, type CameraState } from "../camera/state";
 import type { BoundingSphere, FramePlan, Pass } from "../generated/api";
 
-/** Above all crests, or lower. */
-export type Eye = "over" | "under";
+/** Above all crests, below all troughs, or between. */
+export type Eye = "over" | "between" | "under";
 
 type Vector = readonly [number, number, number];
 
 /** Slope within which a ray may meet water or sky. */
 const HORIZON_MARGIN = 0.01;
 
-export function eyeOf(plan: Pick<FramePlan, "top">, camera: CameraState): Eye {
-  return camera.position[1] >= plan.top ? "over" : "under";
+export function eyeOf(plan: Pick<FramePlan, "top" | "trough">, camera: CameraState): Eye {
+  const height = camera.position[1];
+  return height >= plan.top ? "over" : height >= plan.trough ? "between" : "under";
 }
 
 export function appliesTo(pass: Pick<Pass, "eye">, eye: Eye): boolean {
-  return pass.eye === "any" || pass.eye === eye;
+  return pass.eye === "any" || pass.eye.includes(eye);
 }
 
 /** Indices of the passes to draw, in order; false: the pass shows nothing, its target is cleared. */

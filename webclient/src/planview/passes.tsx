@@ -74,7 +74,7 @@ function GraphPicture({ graph, label, props }: { graph: Graph; label: string; pr
 function Row({ pass, props: { plan, width, height, times, choose } }: { pass: Pass; props: PassesProps }) {
   const { size, format } = targetText(plan, pass.target, width, height);
   const { blend, depth } = pass.state;
-  const state = [pass.eye === "any" ? "" : `${pass.eye} water`, blend === "none" ? "" : blend, depth ? "depth test" : ""].filter(Boolean).join(", ");
+  const state = [pass.eye === "any" ? "" : `camera ${pass.eye.join(" or ")}`, blend === "none" ? "" : blend, depth ? "depth test" : ""].filter(Boolean).join(", ");
   return (
     <tr>
       <td>{pass.name}</td>

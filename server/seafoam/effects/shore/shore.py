@@ -3,7 +3,16 @@
 import math
 
 from seafoam.effects.bounds import FLOOR_FIELDS, floor_limit, max_displacement
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, QualityParameter, SlotFile, TextureUse
+from seafoam.effects.effect import (
+    MARCH_AHEAD,
+    Bound,
+    Const,
+    Contribution,
+    Effect,
+    QualityParameter,
+    SlotFile,
+    TextureUse,
+)
 from seafoam.effects.noise import VALUE_NOISE
 from seafoam.effects.shore.land import LAND_LIGHT, shallow_files, soil_consts, soil_files, soil_uniforms, wet_files
 from seafoam.effects.shore.limits import Limits, limits, rounded_up
@@ -94,9 +103,10 @@ def _slots(shore: Shore, *, lit: bool) -> tuple[SlotFile, ...]:
         SlotFile("shore", "shore/waves.glsl", needs=waves),
         *((SlotFile("body", "shore/body.glsl"),) if lit else ()),
         SlotFile("through", "shore/through.glsl", needs=through),
-        SlotFile("land", "shore/before.glsl", needs=FIND_LAND),
+        SlotFile("land", "shore/ahead.glsl", needs=FIND_LAND),
         SlotFile("land color", "shore/color.glsl", needs=colour),
         SlotFile("beyond", "shore/beyond.glsl"),
+        SlotFile("approach", "shore/approach.glsl", needs=(MARCH_AHEAD,)),
         SlotFile("start", "shore/start.glsl", prefix="land", needs=start),
         *(underwater if lit else ()),
     )
