@@ -1,6 +1,7 @@
 // Land and sea floor: how high and steep they are at most, and what colour.
 uniform float u_shore_top;       // nothing is higher, m
 uniform float u_shore_steepest[2]; // slope of the floor, and of what stands over y = 0
+uniform float u_shore_bend;      // second derivative of the floor in the square where it turns up, 1/m
 uniform float u_shore_swash;     // height that waves reach on the beach, m
 uniform float u_shore_plants_from;
 uniform float u_shore_reef;

@@ -44,6 +44,8 @@ void march_ground(
         if (dry) {
             // Land over y = 0 is gentler than the floor, and lower than the ray by no more than the ray's own height.
             tau = max(tau, before + min(gap, height + before * ray.y) / fastest_dry);
+            float rate = ray.y - dot(ground.yz, ray.xz);
+            tau = max(tau, before + safe_step(gap, 0.0, rate, 1e30, u_shore_bend * level * level));
         }
         if (dry && 2 * i >= MARCH_STEPS) {
             tau = max(tau, before + (leave - before) / float(MARCH_STEPS - i));

@@ -42,7 +42,7 @@ vec3 waves(vec2 p) {
     }
     ShoreField f = shore_field(q);
     vec3 sum = vec3(sea.x * f.here.a, sea.yz * f.here.a + sea.x * vec2(f.along_x.a, f.along_z.a));
-    if (f.here.g > 0.0) {
+    if (SURF && f.here.g > 0.0) {
         sum += shore_waves(f, shore_profile(shore_turn(f.here.r), f.here.b));
     }
     return sum;
@@ -67,7 +67,7 @@ vec4 waves_shading(vec2 p, Footprint fp) {
     }
     ShoreField f = shore_field(q);
     vec4 sum = vec4(sea.x * f.here.a, sea.yz * f.here.a + sea.x * vec2(f.along_x.a, f.along_z.a), sea.w * f.here.a * f.here.a);
-    if (f.here.g > 0.0) {
+    if (SURF && f.here.g > 0.0) {
         vec3 profile = shore_profile(shore_turn(f.here.r), f.here.b);
         vec2 change = vec2(f.along_x.r, f.along_z.r);
         float kept = 1.0;

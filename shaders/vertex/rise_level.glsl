@@ -1,4 +1,4 @@
-// Over level water no ray that rises comes to it, from no height.
+// Over level water no ray that rises comes to it.
 float water_rise() {
-    return 0.0;
+    return u_eye_height >= 0.0 ? 0.0 : 1e9;
 }

@@ -20,6 +20,7 @@ SHORE = (
     "shore/floor.glsl",
     *VALUE_NOISE,
     "shore/ground.glsl",
+    "surface/step.glsl",
     "shore/march.glsl",
     *MAXIMA,
 )

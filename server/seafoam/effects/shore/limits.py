@@ -37,6 +37,8 @@ class Limits:
     floor_slope: float
     land_slope: float
     """Slope of the ground above y = 0."""
+    floor_curvature: float
+    """Second derivative of the ground where it turns up, 1/m."""
     land_top: float
     """Highest ground, m; negative without a coast."""
 
@@ -73,6 +75,7 @@ def _measured(shore: Shore, map_texels: int, floor_texels: int, nodes: int) -> L
         open_share_slope=float(np.hypot(open_share[..., 0], open_share[..., 1]).max()) + shelter,
         floor_slope=_steepest_step(floor, shore.size / floor_texels),
         land_slope=_steepest_step(np.maximum(floor, 0.0), shore.size / floor_texels),
+        floor_curvature=_sharpest_bend(floor, shore.size / floor_texels),
         land_top=float(floor.max()),
     )
 
@@ -184,6 +187,20 @@ def _gradient(values: Floats, texel: float) -> Floats:
     """(rows, columns, 2) gradient along rows' and columns' index, per metre."""
     gradient: Floats = np.stack([np.gradient(values, texel, axis=axis) for axis in (0, 1)], axis=-1)
     return gradient
+
+
+def _sharpest_bend(heights: Floats, texel: float) -> float:
+    """Greatest second derivative of the quadratic B-spline through the texels in any direction, 1/m; at least 0.
+
+    At each place the elements of its Hessian are means, with positive weights, of second differences of the texels
+    around, and its greater eigenvalue grows with each.
+    """
+    along = [ndimage.correlate1d(heights, (1.0, -2.0, 1.0), axis=axis, mode="nearest") for axis in (0, 1)]
+    first, second = (ndimage.maximum_filter1d(along[axis], 3, axis=1 - axis, mode="nearest") for axis in (0, 1))
+    mixed = np.abs(np.diff(np.diff(np.pad(heights, 1, mode="edge"), axis=0), axis=1))
+    mixed = ndimage.maximum_filter(mixed, 2, origin=-1, mode="nearest")[:-1, :-1]
+    greatest = 0.5 * (first + second) + np.hypot(0.5 * (first - second), mixed)
+    return max(float(greatest.max()), 0.0) / texel**2
 
 
 def _steepest_step(heights: Floats, texel: float) -> float:

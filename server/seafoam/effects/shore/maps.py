@@ -20,6 +20,7 @@ MAXIMA = ("shore/land_maxima.glsl", "shore/maxima.glsl")
 """The tree of the land's maxima."""
 
 MARCH_GROUND: tuple[Piece, ...] = (
+    "surface/step.glsl",
     "surface/begin.glsl",
     "shore/ground.glsl",
     "shore/march.glsl",

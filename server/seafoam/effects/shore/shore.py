@@ -127,6 +127,7 @@ def _consts(shore: Shore, quality: Quality, cells: int) -> dict[str, Const]:
         "MAP_TEXELS": quality.shore_map,
         "PROFILE_NODES": quality.shore_profile,
         "PROFILE_ROWS": ROWS,
+        "SURF": shore.surf.height > 0.0,
         "SPREAD_REACH": min(max(math.ceil(3.0 * blur_deviation(shore, quality.shore_map)), 1), 48),
         "LAND_CELLS": cells,
         "LAND_COARSEST": LAND_COARSEST,
@@ -150,6 +151,7 @@ def _bound_uniforms(bounds: Limits, steepest: float, curvature: float) -> dict[s
     return {
         "u_shore_top": number(rounded_up(max(bounds.land_top, 0.0))),
         "u_shore_steepest": array("float", slopes, 2),
+        "u_shore_bend": number(rounded_up(bounds.floor_curvature)),
         # A thousandth less: the shader subtracts these from sums of bounds that have been rounded up.
         "u_shore_bounds": vector((0.999 * steepest, 0.999 * curvature)),
     }
