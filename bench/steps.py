@@ -20,6 +20,8 @@ from seafoam.scene.camera import Camera
 
 COUNTER = "bench_evaluations"
 _WAVES = re.compile(r"^(?P<head>\w+ (?:waves|waves_\w+)\(vec2 \w+[^)]*\) \{)$", re.MULTILINE)
+_OPEN = "vec3 wave = open_waves("
+"""Evaluation of the open sea alone, before a shore."""
 _MAIN = re.compile(r"^void main\(\) \{$", re.MULTILINE)
 _DRAWN = re.compile(
     r"^void main\(\) \{\n(?P<find>(?:(?!^\}).)*?^    bool wet = find_surface\([^;]*;\n)", re.MULTILINE | re.DOTALL
@@ -102,6 +104,7 @@ def counting_shader(shader: Shader) -> Shader:
     if first is None:
         raise RuntimeError("the surface's text has no function that evaluates the waves")
     counted = _WAVES.sub(rf"\g<head>\n    ++{COUNTER};", text[first.start() :])
+    counted = counted.replace(_OPEN, f"++{COUNTER};\n        {_OPEN}")
     text = f"{text[: first.start()]}int {COUNTER} = 0;\n\n{counted}"
     output = "o_met" if "out vec4 o_met;" in text else "o_color"
     text += f"""

@@ -28,6 +28,7 @@ bool find_surface(vec3 ray, float farthest, out float tau, out vec3 wave) {
 
     float fine = march_tolerance();
     vec3 now = surface_now();
+    now.x -= surface_gentler(ray, enter);
     vec3 beyond = surface_beyond(ray, 0.0);
     tau = enter;
     march_open(ray, leave, fine, now, beyond.yz, start.b, tau);

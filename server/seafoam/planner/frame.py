@@ -26,6 +26,7 @@ from seafoam.planner.glsl import COMMON, FULLSCREEN, assemble, slot_pieces
 from seafoam.planner.sides import FROM_OVER, OVER, from_under, one_sided
 from seafoam.planner.slots import (
     APPROACH,
+    GENTLER,
     GLARE,
     LAND,
     LAND_COLOR,
@@ -122,7 +123,7 @@ class FrameBuilder:
         """The files in the slots of the surface's shader."""
         intersection = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
         # With land, a pass before the surface's finds whether a ray hits water or land first.
-        of_land = (APPROACH.name, LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
+        of_land = (APPROACH.name, GENTLER.name, LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
         files = [file for file in self.collection.slots if file.slot not in of_land]
         files.append(_find(intersection))
         return [*files, _MARCH] if intersection == "march" else files

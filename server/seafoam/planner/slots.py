@@ -83,6 +83,12 @@ MARCHED = Slot("marched")
 """Shared functions of ray marching; filled if any pass marches to the surface."""
 NOW = Slot("now", default="surface/now_declared.glsl", under="marched")
 """Bounds of the present surface, for the steps of ray marching."""
+GENTLER = Slot(
+    "gentler",
+    under="marched",
+    joins=(Join("float", "surface_gentler", "vec3 ray, float from", "gentler", "ray, from"),),
+)
+"""By how much a ray from ``from`` times its vector on meets smaller slopes than the bound of NOW."""
 SHORT = Slot("short", default=defaults.NO_SHORT_WAVES, under="marched")
 """Short waves that ray marching bounds separately: ``SHORT_WAVES`` says whether there are any."""
 BEYOND = Slot("beyond", default=defaults.NO_BEYOND, under="marched")
@@ -93,7 +99,7 @@ FIND = Slot("find")
 """Intersection of the ray with the surface; selected by the quality."""
 SHORT_BOUNDS = Slot("short bounds", default=defaults.NO_SHORT_BOUNDS)
 """Upper bounds of height over y = 0 (m), slope and second derivative (1/m) of the short waves."""
-MARCH_SLOTS = (MARCHED, NOW, SHORT, BEYOND, APPROACH)
+MARCH_SLOTS = (MARCHED, NOW, GENTLER, SHORT, BEYOND, APPROACH)
 
 BOUNDS = Slot(
     "bounds",

@@ -31,3 +31,9 @@ float stone_nearest(int i, vec3 ray, float aside, float from) {
     stone_keep(u_stone_form[i].z - eye.behind, aside - behind, span);
     return span.x > span.y ? -1.0 : max(eye.behind + (behind - aside) * (behind > aside ? span.x : span.y), 0.0);
 }
+
+// Column of the bounds for what lies so far behind the edge of a stone, m, and further: as far as bounds_join_pass.glsl counts from it.
+int stone_kind(int i, float behind) {
+    float away = behind * (1.0 + WAKE_ASIDE) / u_stone_form[i].x + 1.0;
+    return away < float(WAKE_AWAY[1]) ? 0 : away < float(WAKE_AWAY[2]) ? 1 : away < float(WAKE_AWAY[3]) ? 2 : 3;
+}

@@ -47,13 +47,15 @@ def test_every_preset_but_the_mask_alone_is_in_one_group_of_the_yardstick() -> N
 
 
 SURFACE = make_plan(load_preset("default").scene, TIERS["standard"]).programs
+SHORE = make_plan(load_preset("beach").scene, TIERS["standard"]).programs
 
 
 @pytest.mark.parametrize("name", ["surface", "met"])
 def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str) -> None:
     """And its main is what drew before, up to where the surface is found and land is not."""
-    text = counting_shader(SURFACE[name].fragment).text
-    assert text.count("++bench_evaluations;") == 2, "waves and waves_shading"
+    text = counting_shader((SHORE if name == "met" else SURFACE)[name].fragment).text
+    # waves and waves_shading; before a shore, the open sea's waves alone.
+    assert text.count("++bench_evaluations;") == (3 if name == "met" else 2)
     _, _, main = text.partition("void main() {")
     assert re.search(r"find_land_ahead\(.*find_surface\(", main, re.DOTALL)
     assert "foam" not in main

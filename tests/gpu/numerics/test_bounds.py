@@ -42,6 +42,7 @@ void main() {{
     if (1.0 - 4.0 / length(ray) >= beyond.x) {{
         bounds.yz -= beyond.yz;
     }}
+    bounds.y -= {gentler};
     vec3 few = {few};
     vec3 fewest = {fewest};
     float over = max(here.x - bounds.x, u_surface_trough - here.x);
@@ -108,8 +109,12 @@ def probing(plan: FramePlan, span: float) -> FramePlan:
     # What bounds of standing waves are told for is the ray's own way, not those to its sides.
     stand = any(effect.name == "standing waves" for effect in plan.effects)
     angle = "atan(p.y, p.x)" if stand else "0.785398 * float(i) + 0.1 * float(j)"
-    main = _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest, angle=angle)
-    return instead(plan, (read_file("waves/sea/short_bounds.glsl") if told else "") + main)
+    measured = "stones_bounds" in plan.targets
+    gentler = "stones_gentler(ray, 0.9)" if measured else "0.0"
+    main = _MAIN.format(side=float(SIDE), span=span, few=few, fewest=fewest, angle=angle, gentler=gentler)
+    # Its texture is declared already.
+    of_stones = read_file("waves/standing/gentler.glsl").replace("uniform sampler2D", "// ") if measured else ""
+    return instead(plan, (read_file("waves/sea/short_bounds.glsl") if told else "") + of_stones + main)
 
 
 def instead(plan: FramePlan, main: str) -> FramePlan:

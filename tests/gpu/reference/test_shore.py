@@ -220,6 +220,20 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
         floor, land = (rule.value[0] for rule in uniforms["u_shore_steepest"].rules)  # type: ignore[union-attr]
         assert slopes.max() <= floor
         assert slopes[got[:, 0] > 0.0].max() <= land
+        # Floats differ by 1e-4 of a slope at this distance.
+        step = 0.05
+        bends = [
+            probe(
+                executor,
+                scene,
+                f"vec2 way = {step} * vec2({math.cos(angle)}, {math.sin(angle)});"
+                "vec2 q = shore_place(p); o_color.x = dot(shore_floor(q + way).yz - shore_floor(q).yz, normalize(way));",
+            )[:, 0]
+            / step
+            for angle in (0.0, 0.8, 1.6, 2.4)
+        ]
+        bend = uniforms["u_shore_bend"].rules[0].value[0]  # type: ignore[union-attr]
+        assert 0.05 * bend <= np.max(bends) <= bend + 1e-4 / step
 
 
 SURF = SurfSaturation(line=1.0)

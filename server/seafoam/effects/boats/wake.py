@@ -52,6 +52,8 @@ class Kind:
     bounds: str
     """Folder of the files of the bounds."""
     bounds_need: tuple[Piece, ...] = ()
+    gentler: str = ""
+    """File of the rays that meet smaller slopes than the bound, or none; only for wakes with a map."""
     rename: tuple[tuple[str, str], ...] = ()
 
     def file(self, path: str) -> Piece:
@@ -103,9 +105,11 @@ def _slots(kind: Kind, *, mapped: bool) -> tuple[SlotFile, ...]:
     at = kind.file(f"boats/wake/{'map' if mapped else 'exact'}.glsl")
     needs = (*kind.way, at) if mapped else (*kind.way, _PATTERN, at)
     bounds = f"{kind.bounds}/{'bounds' if mapped else 'declared_bounds'}.glsl"
+    gentler = (SlotFile("gentler", kind.gentler, prefix=kind.prefix, needs=kind.bounds_need),)
     return (
         SlotFile("waves", kind.file("boats/wake/waves.glsl"), prefix=kind.prefix, needs=needs),
         SlotFile("bounds", bounds, prefix=kind.prefix, needs=kind.bounds_need),
+        *(gentler if mapped and kind.gentler else ()),
     )
 
 

@@ -26,6 +26,7 @@ STONES = Kind(
     WAY,
     "waves/standing",
     ("waves/standing/within.glsl",),
+    "waves/standing/gentler.glsl",
     (
         ("BOAT_COUNT", "STONE_COUNT"),
         ("WakeWay", "StoneWay"),
