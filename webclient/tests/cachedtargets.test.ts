@@ -66,7 +66,7 @@ function plan(over: Partial<FramePlan> = {}): FramePlan {
     fragment: shader(uniforms.map((name) => `uniform float ${name};`).join("\n")),
   });
   const still = { size: { rule: "fixed", width: 8, height: 4 }, format: "RGBA16F", depth: false, filter: "nearest", wrap: "repeat" } as const;
-  const pass = { eye: "any", view: "any", mesh: { rule: "fullscreen" }, uniforms: {}, state: { depth: false, clear: false, blend: "none" } } as const;
+  const pass = { eye: "any", view: "any", mesh: { rule: "fullscreen" }, uniforms: {}, state: { depth: false, equal: false, clear: false, blend: "none" } } as const;
   return {
     version: 1,
     effects: [],

@@ -63,7 +63,10 @@ Eyes = Literal["any"] | tuple[Eye, ...]
 class State(PlanPart):
     """Fixed-function state of a pass; everything else is disabled."""
 
-    depth: bool = False
+    depth: bool = Field(default=False, description="Draw only before what is drawn already, and write the depth")
+    equal: bool = Field(
+        default=False, description="With depth: draw only where the depth is the pass's own, not before it"
+    )
     clear: bool = Field(default=False, description="Clear the target to (0, 0, 0, 0) and depth to 1 first")
     blend: Blend = Field(
         default="none",

@@ -58,7 +58,8 @@ _MARCH_START = SlotFile(
     "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
 )
 _SAMPLED: tuple[Piece, ...] = (*COMMON, PLACE)
-_AT_FRONT = {"FULLSCREEN_DEPTH": 0.0}
+_LAND_DEPTH = -0.5
+"""Clip-space depth of land: before the water."""
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
 
@@ -116,7 +117,7 @@ class FrameBuilder:
         overlay = self._overlay()
         search, scenery = self._search(), self._scenery()
         resolve = self._resolve()
-        more_samples = self._more_samples([drawn for drawn in scenery if drawn.name != "land"])
+        more_samples = self._more_samples([drawn for drawn in scenery if drawn.name in ("surface", "sky")])
         return [*before, *search, *scenery, *overlay, *resolve, *more_samples, *self._display()]
 
     def _chosen(self) -> list[SlotFile]:
@@ -173,14 +174,18 @@ class FrameBuilder:
         vertex: Sequence[Piece | SlotRef] = FULLSCREEN,
         *,
         over: bool | None = None,
+        depth: float = 0.0,
     ) -> None:
-        """Add a program; ``over``: it draws only if the camera is over the water, or under it, or whatever it is."""
+        """Add a program; ``over``: it draws only if the camera is over the water, or under it, or whatever it is.
+
+        ``depth``: in clip space, of what covers the target.
+        """
         placed = self._pieces(vertex)
         if over is not None and self.below:
             self.sided[name] = {FROM_OVER: over}
             placed = one_sided(placed, self._waves)
         self.programs[name] = Program(
-            vertex=assemble(placed, {**self.consts, **_AT_FRONT, **self.sided.get(name, {})}),
+            vertex=assemble(placed, {**self.consts, "FULLSCREEN_DEPTH": depth, **self.sided.get(name, {})}),
             fragment=assemble(self._pieces(fragment), self.consts),
         )
 
@@ -218,7 +223,9 @@ class FrameBuilder:
                 land += slot_pieces(slot, self.marched)
             self._program("met", [*met, "surface/met_pass.glsl"], falling, over=True)
             self._program("met, rising", [*met, "surface/met_rising_pass.glsl"], rising, over=True)
-            self._program("land", [*land, "shore/land_pass.glsl"], over=True)
+            shown = [*_SAMPLED, "shore/land_shown_pass.glsl"]
+            self._program("land, shown", shown, over=True, depth=_LAND_DEPTH)
+            self._program("land", [*land, "shore/land_pass.glsl"], over=True, depth=_LAND_DEPTH)
 
     def _effect_programs(self) -> None:
         for spec in self.collection.passes:
@@ -268,7 +275,7 @@ class FrameBuilder:
         self.targets[ABOVE] = Target(size=ViewportSize(scale=self.side), format="RGBA16F")
         self.targets["samples"] = Target(size=ViewportSize(scale=self.side), format=self.quality.target)
         self.programs["compose"] = Program(
-            vertex=assemble(FULLSCREEN, _AT_FRONT),
+            vertex=assemble(FULLSCREEN, {"FULLSCREEN_DEPTH": 0.0}),
             fragment=assemble(["lib/numbers.glsl", "output/compose.glsl"], {}),
         )
         return [
@@ -290,7 +297,8 @@ class FrameBuilder:
             target=self.drawn,
             mesh=Grid(rows=cells, columns=cells) if self.mesh else Fullscreen(),
             inputs=self.collection.inputs,
-            state=State(depth=True, clear=True),
+            # With a shore, the pass that tells where land shows has cleared.
+            state=State(depth=True, clear=not self.shore),
         )
         if not self.below:
             return [own]
@@ -298,7 +306,9 @@ class FrameBuilder:
         if self.mesh:
             between = {"eye": ("between",), "program": BETWEEN, "mesh": Fullscreen()}
             over = [own.model_copy(update={"eye": ("over",)}), own.model_copy(update=between)]
-        low = own.model_copy(update={"program": UNDERWATER, "mesh": Fullscreen()})
+        low = own.model_copy(
+            update={"program": UNDERWATER, "mesh": Fullscreen(), "state": State(depth=True, clear=True)}
+        )
         return [*over, *from_under(low, self.level)]
 
     def _display(self) -> list[Pass]:
@@ -342,7 +352,8 @@ class FrameBuilder:
 
     def _scenery(self) -> list[Pass]:
         """Surface, land and sky."""
-        land = [self._ashore("land", "land", self.drawn, State(depth=True))] if self.shore else []
+        shown = self._ashore("where land shows", "land, shown", self.drawn, State(depth=True, clear=True))
+        land = self._ashore("land", "land", self.drawn, State(depth=True, equal=True))
         sky = Pass(
             name="sky",
             when="frame",
@@ -353,7 +364,7 @@ class FrameBuilder:
             mesh=Fullscreen(),
             state=State(depth=True),
         )
-        return [*self._surfaces(), *land, sky]
+        return [shown, *self._surfaces(), land, sky] if self.shore else [*self._surfaces(), sky]
 
     def _resolve(self) -> list[Pass]:
         """The pass that averages each pixel's samples."""
@@ -374,7 +385,8 @@ class FrameBuilder:
         depths = {"sky": _HORIZON_DEPTH}
         redrawn = tuple(
             Redrawn(
-                drawn,
+                # There the program finds land too.
+                _cleared(drawn) if drawn.program in ("surface", BETWEEN) else drawn,
                 tuple(fragments[drawn.program]),
                 depths.get(drawn.program, 0.0),
                 self.sided.get(drawn.program),
@@ -403,3 +415,8 @@ class FrameBuilder:
             for spec in specs
             for drawn in self._passes_of(spec, first=spec is specs[0])
         )
+
+
+def _cleared(drawn: Pass) -> Pass:
+    """Return the pass with its target cleared first."""
+    return drawn.model_copy(update={"state": drawn.state.model_copy(update={"clear": True})})

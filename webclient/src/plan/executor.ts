@@ -269,7 +269,7 @@ export class Executor {
     }
   }
 
-  private setState({ target, state: { blend, depth, clear } }: Pass, scissor: Rectangle | null): void {
+  private setState({ target, state: { blend, depth, equal, clear } }: Pass, scissor: Rectangle | null): void {
     const { gl } = this.gpu;
     // The scissor applies to the screen only: passes may read any pixel of a target.
     if (target === "screen" && scissor) {
@@ -286,7 +286,7 @@ export class Executor {
     }
     gl.disable(gl.CULL_FACE);
     gl.depthMask(true);
-    gl.depthFunc(gl.LESS);
+    gl.depthFunc(equal ? gl.EQUAL : gl.LESS);
     if (depth) gl.enable(gl.DEPTH_TEST);
     else gl.disable(gl.DEPTH_TEST);
     if (clear) this.clear();

@@ -260,7 +260,7 @@ class Executor:
         depth = moderngl.DEPTH_TEST if step.state.depth else 0
         blend = moderngl.BLEND if step.state.blend != "none" or self._always_blends else 0
         self._context.enable_only(moderngl.PROGRAM_POINT_SIZE | depth | blend)
-        self._context.depth_func = "<"
+        self._context.depth_func = "==" if step.state.equal else "<"
         self._context.blend_func = _BLENDS[step.state.blend]
         if step.state.clear:
             self._clear(framebuffer)
