@@ -17,7 +17,7 @@ def violations(page: Page) -> list[Any]:
     )
     page.evaluate(AXE.read_text(encoding="utf-8"))
     found: list[Any] = page.evaluate(
-        "async () => (await axe.run()).violations"
+        "async () => (await axe.run({ resultTypes: ['violations'] })).violations"
         ".map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))])"
     )
     return found
