@@ -303,6 +303,7 @@ export interface components {
             /**
              * @default {
              *       "depth": false,
+             *       "equal": false,
              *       "clear": false,
              *       "blend": "none"
              *     }
@@ -390,9 +391,16 @@ export interface components {
         State: {
             /**
              * Depth
+             * @description Draw only before what is drawn already, and write the depth
              * @default false
              */
             depth: boolean;
+            /**
+             * Equal
+             * @description With depth: draw only where the depth is the pass's own, not before it
+             * @default false
+             */
+            equal: boolean;
             /**
              * Clear
              * @description Clear the target to (0, 0, 0, 0) and depth to 1 first
