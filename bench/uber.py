@@ -14,7 +14,7 @@ from typing import get_args
 from unittest.mock import patch
 
 from seafoam.effects import EFFECTS
-from seafoam.effects.effect import Const, Contribution, Inline, Piece, SlotFile, Source, path_of, refine
+from seafoam.effects.effect import MARCH_AHEAD, Const, Contribution, Inline, Piece, SlotFile, Source, path_of, refine
 from seafoam.effects.foam import front
 from seafoam.framegraph.passes import Fullscreen, Pass, State
 from seafoam.framegraph.plan import FramePlan
@@ -22,8 +22,8 @@ from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import COMPONENTS, Constant, Uniform, number
 from seafoam.framegraph.shader import Program, declared_uniforms
 from seafoam.planner import defaults, make_plan
-from seafoam.planner.glsl import assemble, read_file, source_text
-from seafoam.planner.slots import MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
+from seafoam.planner.glsl import assemble, read_file, slot_pieces, source_text
+from seafoam.planner.slots import GENTLER, MARCH_SLOTS, SATURATION_MAX, SATURATION_PRODUCT, Join, surface_slots
 from seafoam.quality import Quality
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.models import Scene
@@ -39,8 +39,11 @@ _MARCH: tuple[Piece, ...] = (
     refine("refine_water", "waves", "vec3"),
     "surface/begin.glsl",
     "surface/now_declared.glsl",
+    *slot_pieces(GENTLER, [SlotFile("marched", "surface/begin.glsl")]),
     defaults.NO_SHORT_WAVES,
     defaults.NO_BEYOND,
+    defaults.NO_APPROACH,
+    MARCH_AHEAD,
     "surface/march.glsl",
 )
 _MARCHED = ("u_surface_top", "u_surface_trough", "u_surface_steepest", "u_surface_grain")

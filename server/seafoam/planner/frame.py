@@ -124,15 +124,17 @@ class FrameBuilder:
         """The files in the slots of the surface's shader."""
         intersection = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
         # With land, a pass before the surface's finds whether a ray hits water or land first.
-        of_land = (APPROACH.name, GENTLER.name, LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
-        files = [file for file in self.collection.slots if file.slot not in of_land]
+        of_land = (APPROACH.name, LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
+        files = [file for file in self.collection.slots if file.slot not in (*of_land, GENTLER.name)]
         files.append(_find(intersection))
         return [*files, _MARCH] if intersection == "march" else files
 
     def _marched(self) -> list[SlotFile]:
         """The same files for passes and for cameras that are not over all crests, which use no mesh."""
+        # Its texture would be one too many where much else is read. A pass that only finds what rays meet has it.
+        left_out = (GENTLER.name, APPROACH.name) if self.level else (GENTLER.name,)
         return [
-            *self.collection.slots,
+            *(file for file in self.collection.slots if file.slot not in left_out),
             _find("plane" if self.level else "march"),
             SlotFile("underside", f"water/underside/{'plane' if self.level else 'find'}.glsl"),
             SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
@@ -156,13 +158,16 @@ class FrameBuilder:
     def _combine(self) -> Literal["max", "product"]:
         return self.scene.foam.combine if self.scene.foam else "max"
 
-    def _pieces(self, parts: Sequence[Piece | SlotRef]) -> list[Piece]:
-        """Return the pieces of a shader, with each slot replaced by the files that fill it for ray marching."""
+    def _pieces(self, parts: Sequence[Piece | SlotRef], more: Sequence[SlotFile] = ()) -> list[Piece]:
+        """Return the pieces of a shader, with each slot replaced by the files that fill it for ray marching.
+
+        ``more``: besides these.
+        """
         pieces: list[Piece] = []
         for part in parts:
             if isinstance(part, SlotRef):
                 for slot in slots_named(part.slot, self.shore):
-                    pieces += slot_pieces(slot, self.marched)
+                    pieces += slot_pieces(slot, [*self.marched, *more])
             else:
                 pieces.append(part)
         return pieces
@@ -217,7 +222,8 @@ class FrameBuilder:
         if self.below:
             self._program(UNDERWATER, self.fragments[UNDERWATER], over=False)
         if self.shore:
-            met = [*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")]
+            gentler = [file for file in self.collection.slots if file.slot == GENTLER.name and not self.level]
+            met = self._pieces([*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")], gentler)
             land = [*_SAMPLED]
             for slot in land_slots(self._combine, self.collection.fills(LAND_FOAM.name)):
                 land += slot_pieces(slot, self.marched)

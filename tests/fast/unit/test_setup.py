@@ -81,7 +81,7 @@ class TestInference:
         assert settled(one("a", uniforms={"u_number": size}), one("screen", "a")) == ("sf", {"a"})
 
     def test_what_is_drawn_for_some_eyes_or_views_alone_is_not_kept(self) -> None:
-        assert settled(one("a", eye="over"), one("screen", "a")) == ("ff", set())
+        assert settled(one("a", eye=("over",)), one("screen", "a")) == ("ff", set())
         assert settled(one("a", view="rising"), one("screen", "a")) == ("ff", set())
 
     def test_every_writer_counts(self) -> None:

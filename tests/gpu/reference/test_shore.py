@@ -14,6 +14,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from seafoam.framegraph.passes import State
 from seafoam.framegraph.shader import Program, Shader
 from seafoam.planner import FramePlan, make_plan
 from seafoam.quality import Quality
@@ -46,8 +47,10 @@ def patched(plan: FramePlan, main: str, name: str = "surface") -> FramePlan:
     fragment = Shader(text=text, sha256=hashlib.sha256(text.encode()).hexdigest(), files=())
     # All over the target, not under the horizon alone.
     programs = {**plan.programs, "surface": Program(vertex=WHOLE, fragment=fragment)}
-    kept = tuple(one for one in plan.passes if one.program not in ("sky", "land"))
-    return plan.model_copy(update={"programs": programs, "passes": kept})
+    kept = [one for one in plan.passes if one.program not in ("sky", "land", "land, shown")]
+    first = next(index for index, one in enumerate(kept) if one.program == "surface")
+    kept[first] = kept[first].model_copy(update={"state": State(depth=True, clear=True)})
+    return plan.model_copy(update={"programs": programs, "passes": tuple(kept)})
 
 
 def probe(
@@ -226,8 +229,8 @@ def test_no_wave_passes_its_bounds(executor: Executor) -> None:
             probe(
                 executor,
                 scene,
-                f"vec2 way = {step} * vec2({math.cos(angle)}, {math.sin(angle)});"
-                "vec2 q = shore_place(p); o_color.x = dot(shore_floor(q + way).yz - shore_floor(q).yz, normalize(way));",
+                f"vec2 way = {step} * vec2({math.cos(angle)}, {math.sin(angle)}); vec2 q = shore_place(p);"
+                "o_color.x = dot(shore_floor(q + way).yz - shore_floor(q).yz, normalize(way));",
             )[:, 0]
             / step
             for angle in (0.0, 0.8, 1.6, 2.4)
