@@ -4,32 +4,18 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from seafoam.effects.effect import (
-    ABOVE,
-    BENEATH,
-    FINISHED,
-    MARCH_AHEAD,
-    Const,
-    PassSpec,
-    Piece,
-    SlotFile,
-    SlotRef,
-    refine,
-)
+from seafoam.effects.effect import ABOVE, BENEATH, FINISHED, Const, PassSpec, Piece, SlotFile, SlotRef
 from seafoam.framegraph.passes import Fullscreen, Grid, Pass, State
 from seafoam.framegraph.resources import Target, TargetInput, TextureInput, ViewportSize
 from seafoam.framegraph.rules import Uniform
 from seafoam.framegraph.shader import Program
 from seafoam.planner.adaptive import PLACE, Redrawn, additional_samples
 from seafoam.planner.collect import Collection
+from seafoam.planner.files import marched_files, met_files, surface_files
 from seafoam.planner.glsl import COMMON, FULLSCREEN, assemble, slot_pieces
 from seafoam.planner.sides import FROM_OVER, OVER, from_under, one_sided
 from seafoam.planner.slots import (
-    APPROACH,
-    GENTLER,
     GLARE,
-    LAND,
-    LAND_COLOR,
     LAND_FOAM,
     NOW,
     ONLY_OVER,
@@ -53,20 +39,11 @@ UNDERWATER = "surface, underwater"
 BETWEEN = "surface, between"
 """Name of the program that draws it instead of a mesh for a camera over the water but not over all crests."""
 
-_MARCH = SlotFile("marched", "surface/begin.glsl", needs=("surface/step.glsl", refine("refine_water", "waves", "vec3")))
-_MARCH_START = SlotFile(
-    "start", "surface/start.glsl", prefix="water", needs=("surface/step.glsl", "surface/pyramid.glsl")
-)
 _SAMPLED: tuple[Piece, ...] = (*COMMON, PLACE)
 _LAND_DEPTH = -0.5
 """Clip-space depth of land: before the water."""
 _HORIZON_DEPTH = 0.9999995
 """Clip-space depth of the sky: behind all water, before the cleared depth."""
-
-
-def _find(intersection: str) -> SlotFile:
-    """Return the file that intersects rays with the surface."""
-    return SlotFile("find", f"surface/{intersection}.glsl", needs=(MARCH_AHEAD,) if intersection == "march" else ())
 
 
 class FrameBuilder:
@@ -94,7 +71,9 @@ class FrameBuilder:
             "START_SHARE": START_SHARE,
             "SAMPLE_SIDE": self.side,
         }
-        self.chosen, self.marched = self._chosen(), self._marched()
+        # A pass that only finds what rays meet has a texture more to spare than the others.
+        self.marched, self.met = marched_files(collection.slots, self.level), met_files(collection.slots, self.level)
+        self.chosen = surface_files(collection.slots, shore=self.shore, level=self.level, mesh=self.mesh)
         self.fragments = self._fragments()
         self.programs: dict[str, Program] = {}
         self.sided: dict[str, dict[str, Const]] = {}
@@ -120,27 +99,6 @@ class FrameBuilder:
         more_samples = self._more_samples([drawn for drawn in scenery if drawn.name in ("surface", "sky")])
         return [*before, *search, *scenery, *overlay, *resolve, *more_samples, *self._display()]
 
-    def _chosen(self) -> list[SlotFile]:
-        """The files in the slots of the surface's shader."""
-        intersection = "met" if self.shore else "plane" if self.level else "newton" if self.mesh else "march"
-        # With land, a pass before the surface's finds whether a ray hits water or land first.
-        of_land = (APPROACH.name, LAND.name, LAND_COLOR.name, LAND_FOAM.name) if self.shore else ()
-        files = [file for file in self.collection.slots if file.slot not in (*of_land, GENTLER.name)]
-        files.append(_find(intersection))
-        return [*files, _MARCH] if intersection == "march" else files
-
-    def _marched(self) -> list[SlotFile]:
-        """The same files for passes and for cameras that are not over all crests, which use no mesh."""
-        # Its texture would be one too many where much else is read. A pass that only finds what rays meet has it.
-        left_out = (GENTLER.name, APPROACH.name) if self.level else (GENTLER.name,)
-        return [
-            *(file for file in self.collection.slots if file.slot not in left_out),
-            _find("plane" if self.level else "march"),
-            SlotFile("underside", f"water/underside/{'plane' if self.level else 'find'}.glsl"),
-            SlotFile("bounds", "surface/declared_bounds.glsl", prefix="declared"),
-            *(() if self.level else (_MARCH, _MARCH_START)),
-        ]
-
     def _fragments(self) -> dict[str, list[Piece]]:
         """Pieces of the fragment shaders of surface and sky; ``surface, marched`` is for additional samples."""
         surface, marched, low = [*_SAMPLED], [*_SAMPLED], [*_SAMPLED]
@@ -158,16 +116,16 @@ class FrameBuilder:
     def _combine(self) -> Literal["max", "product"]:
         return self.scene.foam.combine if self.scene.foam else "max"
 
-    def _pieces(self, parts: Sequence[Piece | SlotRef], more: Sequence[SlotFile] = ()) -> list[Piece]:
-        """Return the pieces of a shader, with each slot replaced by the files that fill it for ray marching.
+    def _pieces(self, parts: Sequence[Piece | SlotRef], files: Sequence[SlotFile] | None = None) -> list[Piece]:
+        """Return the pieces of a shader, with each slot replaced by those of ``files`` that fill it.
 
-        ``more``: besides these.
+        The default is the files for ray marching.
         """
         pieces: list[Piece] = []
         for part in parts:
             if isinstance(part, SlotRef):
                 for slot in slots_named(part.slot, self.shore):
-                    pieces += slot_pieces(slot, [*self.marched, *more])
+                    pieces += slot_pieces(slot, self.marched if files is None else files)
             else:
                 pieces.append(part)
         return pieces
@@ -222,8 +180,7 @@ class FrameBuilder:
         if self.below:
             self._program(UNDERWATER, self.fragments[UNDERWATER], over=False)
         if self.shore:
-            gentler = [file for file in self.collection.slots if file.slot == GENTLER.name and not self.level]
-            met = self._pieces([*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")], gentler)
+            met = self._pieces([*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")], self.met)
             land = [*_SAMPLED]
             for slot in land_slots(self._combine, self.collection.fills(LAND_FOAM.name)):
                 land += slot_pieces(slot, self.marched)
