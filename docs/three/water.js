@@ -57,7 +57,7 @@ function makeTarget(spec, width, height) {
   return new THREE.WebGLRenderTarget(...sides, options);
 }
 
-function makeMaterial({ vertex, fragment }, { blend, depth }, uniforms) {
+function makeMaterial({ vertex, fragment }, { blend, depth, equal }, uniforms) {
   // three.js writes the version itself, and defines of its own after it.
   const glsl = ({ text }) => text.replace("#version 300 es\n", "");
   const blending = blend === "none" ? THREE.NoBlending : THREE.CustomBlending;
@@ -71,7 +71,7 @@ function makeMaterial({ vertex, fragment }, { blend, depth }, uniforms) {
     blendDst: blend === "add" ? THREE.OneFactor : THREE.OneMinusSrcAlphaFactor,
     depthTest: depth,
     depthWrite: depth,
-    depthFunc: THREE.LessDepth,
+    depthFunc: equal ? THREE.EqualDepth : THREE.LessDepth,
     side: THREE.DoubleSide,
   });
 }
@@ -96,7 +96,7 @@ export class Water {
     this.plan = plan;
     renderer.autoClear = false;
     plan.passes.forEach((pass, index) => {
-      if (pass.eye === "under") return;
+      if (pass.eye !== "any" && !pass.eye.includes("over")) return;
       if (pass.mesh.rule !== "fullscreen") throw new Error(`${pass.name}: this example draws no meshes.`);
       const uniforms = {};
       const program = plan.programs[pass.program];
