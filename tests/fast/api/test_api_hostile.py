@@ -62,8 +62,9 @@ def served(folder: Path) -> Iterator[tuple[str, int]]:
     script = folder / "served.py"
     script.write_text(SERVER)
     port = free_port()
-    paths = {"PYTHONPATH": str(Path(__file__).parents[2])}
-    process = subprocess.Popen([sys.executable, script, str(port)], env={**os.environ, **paths})
+    # As scripts/deploy runs it: with an arena for each thread glibc keeps 1 to 2 MB more after every 1,000 requests.
+    own = {"PYTHONPATH": str(Path(__file__).parents[2]), "MALLOC_ARENA_MAX": "1"}
+    process = subprocess.Popen([sys.executable, script, str(port)], env={**os.environ, **own})
     address = f"http://127.0.0.1:{port}"
     try:
         for _ in range(600):
