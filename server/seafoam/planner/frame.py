@@ -199,11 +199,13 @@ class FrameBuilder:
     def _effect_passes(self, stage: str) -> list[Pass]:
         return [drawn for spec in self.collection.passes if spec.stage == stage for drawn in self._passes_of(spec)]
 
-    def _passes_of(self, spec: PassSpec, *, first: bool = False) -> list[Pass]:
-        """Return the pass of a spec, or several if its shader differs for cameras over and under the water.
+    @property
+    def _above(self) -> list[PassSpec]:
+        """Passes that are blended over surface and sky; the first clears their target."""
+        return [spec for spec in self.collection.passes if spec.stage == "after" and spec.target == ABOVE]
 
-        ``first``: of all passes into its target, which it clears.
-        """
+    def _passes_of(self, spec: PassSpec) -> list[Pass]:
+        """Return the pass of a spec, or several if its shader differs for cameras over and under the water."""
         reads_slots = any(isinstance(part, SlotRef) for part in (*spec.vertex, *spec.fragment))
         always = Pass(
             name=spec.name,
@@ -214,7 +216,7 @@ class FrameBuilder:
             inputs={**self.collection.inputs, **spec.inputs} if reads_slots else spec.inputs,
             uniforms=spec.uniforms,
             view=spec.view,
-            state=State(clear=spec.clear or first, blend=spec.blend),
+            state=State(clear=spec.clear or spec in self._above[:1], blend=spec.blend),
         )
         if not self.below or not spec.under:
             return [always]
@@ -229,10 +231,9 @@ class FrameBuilder:
 
     def _overlay(self) -> list[Pass]:
         """Passes that are blended over surface and sky, and the pass that blends them."""
-        after = [spec for spec in self.collection.passes if spec.stage == "after"]
+        after = self._effect_passes("after")
         if not after:
             return []
-        first = next(spec for spec in after if spec.target == ABOVE)
         self.drawn = BENEATH
         self.targets[BENEATH] = self.targets["samples"]
         self.targets[ABOVE] = Target(size=ViewportSize(scale=self.side), format="RGBA16F")
@@ -242,7 +243,7 @@ class FrameBuilder:
             fragment=assemble(["lib/numbers.glsl", "output/compose.glsl"], {}),
         )
         return [
-            *(drawn for spec in after for drawn in self._passes_of(spec, first=spec is first)),
+            *after,
             self._fullscreen(
                 "what stands before the water", "compose", "samples", {"u_beneath": BENEATH, "u_above": ABOVE}
             ),
@@ -368,15 +369,14 @@ class FrameBuilder:
 
     def _redrawn_overlays(self) -> tuple[Redrawn, ...]:
         """Return the overlays as they are drawn again for selected pixels."""
-        specs = [spec for spec in self.collection.passes if spec.stage == "after" and spec.target == ABOVE]
         return tuple(
             Redrawn(
                 drawn,
                 tuple(self._pieces(spec.fragment if drawn.program == spec.program else spec.under)),
                 sided=self.sided.get(drawn.program),
             )
-            for spec in specs
-            for drawn in self._passes_of(spec, first=spec is specs[0])
+            for spec in self._above
+            for drawn in self._passes_of(spec)
         )
 
 
