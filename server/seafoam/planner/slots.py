@@ -192,7 +192,7 @@ LAND_COLOR = Slot("land color")
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """Main function for a camera under the surface."""
-ONLY_OVER = (FIND, RELIEF, FOAM_LAYER, THROUGH, LAND, LAND_FOAM, LAND_COLOR, MAIN)
+ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, LAND, LAND_FOAM, LAND_COLOR, MAIN)
 """Slots that the shader for such a camera leaves out."""
 UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
 """Slots that it has besides."""
