@@ -14,6 +14,7 @@ import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
+from itertools import product
 from pathlib import Path
 from typing import get_args
 
@@ -243,21 +244,22 @@ def worse(found: Mapping[str, Figures], admitted: Mapping[str, Figures]) -> list
     return lines
 
 
-def gone(found: Iterable[str], admitted: Iterable[str], tiers: Iterable[str]) -> list[str]:
-    """Uses at these tiers that are in the table and no longer exist, a line each."""
-    kept = {use for use in admitted if use.split(" ")[1] in set(tiers)}
+def gone(found: Iterable[str], admitted: Iterable[str], presets: Iterable[str], tiers: Iterable[str]) -> list[str]:
+    """Uses of these presets at these tiers that are in the table and no longer exist, a line each."""
+    asked = set(product(presets, tiers))
+    kept = {use for use in admitted if tuple(use.split(" ")[:2]) in asked}
     return [f"{use}: in the table, and nowhere else" for use in sorted(kept - set(found))]
 
 
-def not_admitted(found: Compiled, tiers: Iterable[str]) -> list[str]:
-    """Regressions of all presets' programs at these tiers against the checked-in table, a line each.
+def not_admitted(found: Compiled, presets: Iterable[str], tiers: Iterable[str]) -> list[str]:
+    """Regressions of these presets' programs at these tiers against the checked-in table, a line each.
 
     With another version of the driver all figures differ; then only spills are compared.
     """
     driver, admitted = read_table()
     if driver != found.driver:
         return [f"{use}: {now.spills} registers spilled" for use, now in found.figures.items() if now.spills]
-    return worse(found.figures, admitted) + gone(found.figures, admitted, tiers)
+    return worse(found.figures, admitted) + gone(found.figures, admitted, presets, tiers)
 
 
 def measure(presets: Sequence[str], watch: Watch, *, write: bool) -> tuple[dict[str, str], list[Table]]:
@@ -368,7 +370,7 @@ def _changes(presets: Sequence[str], found: Compiled) -> Table:
     driver, admitted = read_table()
     lines = worse(found.figures, admitted)
     if set(presets) == set(preset_names()):
-        lines += gone(found.figures, admitted, TIERS)
+        lines += gone(found.figures, admitted, preset_names(), TIERS)
     note = "" if driver == found.driver else f" It is of {driver}: what differs may be the compiler."
     return Table(
         "A GPU's compiler: against the checked-in table",

@@ -71,7 +71,7 @@ def assert_sound(pixels: NDArray[np.uint8], answer: dict[str, Any]) -> None:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES)))
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES), 2))
 def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(page, preset, time)
     assert_sound(pixels, answer)
@@ -151,7 +151,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, 2 * len(ELSEWHERE)))
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 4, 1))
 def test_close_on_another_renderer(other: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(other, preset, time, size=SMALLER)
     assert_sound(pixels, answer)

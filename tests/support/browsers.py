@@ -7,7 +7,8 @@ from functools import partial
 
 from playwright.sync_api import Browser, Page, Playwright
 
-COMMON = ["--no-sandbox", "--hide-scrollbars"]
+# The page's own parts are put together without GL: there they cost as much as the water.
+COMMON = ["--no-sandbox", "--hide-scrollbars", "--disable-gpu-compositing"]
 LANES = {
     # Chromium's --use-gl=egl alone stays on SwiftShader without a word; ANGLE on the system's EGL is what shares Mesa.
     "llvmpipe": ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"],
@@ -30,9 +31,7 @@ def chromium() -> str:
 
 
 def launched(playwright: Playwright, name: str) -> Browser:
-    # As users have it: where programs are compiled without optimisations, other tiers are the fast ones.
-    environment: dict[str, str | float | bool] = {k: v for k, v in os.environ.items() if k != "GALLIVM_PERF"}
-    browser = playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES[name]], env=environment)
+    browser = playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES[name]])
     # Playwright evaluates what wait_for_function waits for as text, and a test adds styles: the page's security policy
     # forbids both. The policy has tests of its own, which pass bypass_csp=False.
     vars(browser).update(

@@ -11,18 +11,33 @@ import pytest
 REST = pytest.mark.sweep
 
 
-def spread(values: Iterable[Any], every: int, name: Callable[[Any], str] = str) -> list[Any]:
-    """Parameters of which one in ``every`` runs always, beginning with the first."""
-    return [pytest.param(value, id=name(value), marks=() if i % every == 0 else REST) for i, value in enumerate(values)]
+def spread(values: Iterable[Any], every: int, first: int = 0, name: Callable[[Any], str] = str) -> list[Any]:
+    """Parameters of which one in ``every`` runs always, beginning with ``first``."""
+    return [
+        pytest.param(value, id=name(value), marks=() if i % every == first else REST) for i, value in enumerate(values)
+    ]
 
 
-def crossed(rows: Iterable[Any], columns: Iterable[Any], every: int, name: Callable[[Any], str] = str) -> list[Any]:
-    """Pairs of parameters of which one in ``every`` runs always, along diagonals.
+def crossed(
+    rows: Iterable[Any],
+    columns: Iterable[Any],
+    every: int,
+    one_row_in: int = 1,
+    first: int = 0,
+    name: Callable[[Any], str] = str,
+) -> list[Any]:
+    """Pairs of parameters of which one in ``every * one_row_in`` runs always: of some rows, along diagonals.
 
-    Every column runs where there are as many rows, and every row where ``every`` is at most the number of columns.
+    Rows run of which one in ``one_row_in``, beginning with ``first``, so that tables of the same rows can have others;
+    each of them if ``every`` is at most the number of columns. Every column runs where there are rows enough.
     """
     return [
-        pytest.param(row, column, id=f"{name(row)}-{name(column)}", marks=() if (i + j) % every == 0 else REST)
+        pytest.param(
+            row,
+            column,
+            id=f"{name(row)}-{name(column)}",
+            marks=() if i % one_row_in == first and (i // one_row_in + j) % every == 0 else REST,
+        )
         for (i, row), (j, column) in product(enumerate(rows), enumerate(columns))
     ]
 

@@ -69,7 +69,7 @@ def known(quality: str) -> dict[str, object]:
     return {name: value for name, value in json.loads(quality).items() if name not in UNMEASURED}
 
 
-@pytest.mark.parametrize("preset", spread(preset_names(), 4))
+@pytest.mark.parametrize("preset", spread(preset_names(), 8, 4))
 def test_a_report_is_of_todays_qualities(preset: str) -> None:
     today = {
         point.id: known(point.quality.model_dump_json(exclude_defaults=True))

@@ -46,8 +46,8 @@ def _quick_masks(monkeypatch):
     monkeypatch.setattr("seafoam.masks.catalogue.ON_REQUEST_SECONDS", 0.05)
 
 
-SCENES = ["/api/scenes", "/api/frames", "/api/sequences", "/api/export"]
-"""Their bodies hold a whole scene, as that of /api/plans does: making one that fits its schema takes seconds."""
+SCENES = ["/api/plans", "/api/scenes", "/api/frames", "/api/sequences", "/api/export"]
+"""Their bodies hold a whole scene: making one that fits its schema takes seconds."""
 
 
 def check(case, address: str) -> None:

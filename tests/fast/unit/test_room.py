@@ -36,6 +36,7 @@ def test_no_process_may_grow_past_the_limit(
     pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch, who: str, limit: int, code: int
 ) -> None:
     monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[2]))
+    monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
     pytester.makeconftest(CONFTEST.format(limit=limit))
     pytester.makepyfile(CHECKS[who])
     # In a process of its own: the most that this one ever took is not to be had back. A shell starts it, as what this

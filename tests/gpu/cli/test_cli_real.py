@@ -33,7 +33,7 @@ def test_render_with_gl_without_a_server(tmp_path):
 @pytest.mark.parametrize("format", ["png", "webp", "exr"])
 def test_a_picture_is_drawn_again_to_the_byte(tmp_path, format):
     path = tmp_path / f"a.{format}"
-    done = run("render", "default", "-o", path, "--size", "64x36", "--time", "3", "--quality", "draft")
+    done = run("render", "paper-halftone", "-o", path, "--size", "64x36", "--time", "3", "--quality", "draft")
     assert done.returncode == 0, done.stderr
     again = run("render", "--again", path, "-o", tmp_path / "b")
     assert again.returncode == 0, again.stdout + again.stderr

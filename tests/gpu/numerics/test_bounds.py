@@ -146,7 +146,7 @@ def scenes() -> dict[str, Scene]:
     return {name: scene for name, scene in found.items() if make_plan(scene, TIERS["standard"]).top > 0.0}
 
 
-@pytest.mark.parametrize(("name", "quality"), crossed(sorted(scenes()), QUALITIES, 2))
+@pytest.mark.parametrize(("name", "quality"), crossed(sorted(scenes()), QUALITIES, len(QUALITIES), 4))
 def test_no_wave_passes_its_bounds(name: str, quality: str, executor: Executor, report: Report) -> None:
     scene = scenes()[name]
     plan = make_plan(scene, QUALITIES[quality].model_copy(update={"samples": 1}))

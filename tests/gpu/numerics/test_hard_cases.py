@@ -34,7 +34,7 @@ def assert_sound(pixels: NDArray[np.float32]) -> None:
     assert (pixels[..., 3] <= 1.0).all()
 
 
-@pytest.mark.parametrize(("effect", "case"), rested(CASES, 4))
+@pytest.mark.parametrize(("effect", "case"), rested(CASES, 8))
 def test_hard_case(executor: Executor, report: Report, effect: Effect, case: HardCase) -> None:
     """Sound at every quality, within bounds of the reference at the exact one, and as good in half floats."""
     camera = case.camera or case.scene.camera

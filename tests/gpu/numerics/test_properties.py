@@ -192,7 +192,7 @@ def brightest(scene: Scene) -> float:
     return min(2.0**light.exposure * max(max(body, sky) + glitter, sky + disc), 65504.0)
 
 
-@settings(max_examples=60, **STABLE)
+@settings(max_examples=30, **STABLE)
 @given(seed=SEEDS, quality=st.sampled_from(sorted(QUALITIES)))
 def test_any_frame_is_finite_and_no_brighter_than_its_light(executor: Executor, seed: int, quality: str) -> None:
     r = Random(seed)
@@ -216,7 +216,7 @@ def fastest(scene: Scene) -> float:
 def test_a_small_step_of_time_changes_the_picture_a_little(executor: Executor, report: Report) -> None:
     met: list[float] = []
 
-    @settings(max_examples=30, **STABLE)
+    @settings(max_examples=15, **STABLE)
     @given(seed=SEEDS)
     def holds(seed: int) -> None:
         r = Random(seed)
@@ -256,7 +256,7 @@ def test_a_shift_by_whole_tiles_changes_nothing(executor: Executor, report: Repo
     means: list[float] = []
     shares: list[float] = []
 
-    @settings(max_examples=25, **STABLE)
+    @settings(max_examples=12, **STABLE)
     @given(seed=SEEDS, quality=st.sampled_from(("standard", "exact")))
     def holds(seed: int, quality: str) -> None:
         r = Random(seed)
@@ -278,7 +278,7 @@ def test_a_shift_by_whole_tiles_changes_nothing(executor: Executor, report: Repo
 def test_the_order_of_waves_changes_nothing(executor: Executor, report: Report) -> None:
     means: list[float] = []
 
-    @settings(max_examples=25, **STABLE)
+    @settings(max_examples=12, **STABLE)
     @given(seed=SEEDS)
     def holds(seed: int) -> None:
         r = Random(seed)

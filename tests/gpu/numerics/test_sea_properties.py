@@ -63,7 +63,7 @@ def scene_of(r: Random) -> Scene:
     )
 
 
-@settings(max_examples=24, **STABLE)
+@settings(max_examples=12, **STABLE)
 @given(seed=SEEDS)
 def test_any_sea_is_finite_and_no_brighter_than_its_light(executor: Executor, seed: int) -> None:
     r = Random(seed)
@@ -79,7 +79,7 @@ def test_any_sea_is_finite_and_no_brighter_than_its_light(executor: Executor, se
 def test_a_small_step_of_time_changes_the_sea_a_little(executor: Executor, report: Report) -> None:
     met: list[float] = []
 
-    @settings(max_examples=10, **STABLE)
+    @settings(max_examples=6, **STABLE)
     @given(seed=SEEDS)
     def holds(seed: int) -> None:
         r = Random(seed)

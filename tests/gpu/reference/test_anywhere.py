@@ -74,7 +74,7 @@ def places(scene: Scene, plan: FramePlan, time: float) -> Iterator[Place]:
             yield Place(name, camera, dark=True)
 
 
-@pytest.mark.parametrize(("name", "part"), crossed(preset_names(), range(PARTS), PARTS))
+@pytest.mark.parametrize(("name", "part"), crossed(preset_names(), range(PARTS), PARTS, 3))
 def test_a_preset_flown_anywhere(executor: Executor, report: Report, name: str, part: int) -> None:
     preset = load_preset(name)
     plan = make_plan(preset.scene, TIERS["standard"])

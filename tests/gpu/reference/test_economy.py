@@ -36,7 +36,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize(("effect", "scene"), rested(CASES, 2))
+@pytest.mark.parametrize(("effect", "scene"), rested(CASES, 4))
 def test_what_cannot_be_seen_is_left_out_and_would_change_nothing(
     executor: Executor, report: Report, effect: Effect, scene: Scene
 ) -> None:
@@ -78,7 +78,7 @@ LOOKED_AT = (
 """Sky alone, water alone, and to both sides."""
 
 
-@pytest.mark.parametrize("preset", spread(preset_names(), 2))
+@pytest.mark.parametrize("preset", spread(preset_names(), 5))
 def test_what_is_out_of_view_is_not_drawn_and_would_change_nothing(executor: Executor, preset: str) -> None:
     """To the last bit: what is left undrawn has no pixel in the picture."""
     scene = load_preset(preset).scene

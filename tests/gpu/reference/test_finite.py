@@ -37,7 +37,7 @@ def finite(executor: Executor, scene: Scene, tier: str, camera: Camera, time: fl
     return bool(np.isfinite(pixels).all() and (pixels >= 0.0).all() and (pixels[..., 3] <= 1.0).all())
 
 
-@pytest.mark.parametrize(("preset", "view"), crossed(preset_names(), CAMERAS, 8))
+@pytest.mark.parametrize(("preset", "view"), crossed(preset_names(), CAMERAS, len(CAMERAS), 3, 2))
 def test_presets_are_finite_at_their_most_exact(executor: Executor, preset: str, view: str) -> None:
     """At the usual tier ``test_anywhere`` asks it of more places."""
     assert finite(executor, load_preset(preset).scene, "reference", CAMERAS[view], 2.7)
@@ -53,7 +53,7 @@ HARD_WAVES = {
 }
 
 
-@pytest.mark.parametrize(("name", "look"), crossed(HARD_WAVES, get_args(Look), 2))
+@pytest.mark.parametrize(("name", "look"), crossed(HARD_WAVES, get_args(Look), 4))
 @pytest.mark.parametrize("constants", ["text", "listing"])
 def test_hard_waves_are_finite(executor: Executor, name: str, look: Look, constants: str) -> None:
     front = FrontSaturation(constants=constants, group=(0.2, 0.2))  # type: ignore[arg-type]

@@ -10,6 +10,7 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from support.pictures import draw
 from support.report import Report
+from support.sweep import crossed
 
 HEIGHT = 200.0
 """Of an aeroplane, m: a photograph from a ship holds so few whitecaps that hundreds of them are needed
@@ -19,8 +20,7 @@ SURE = 0.08
 """Standard error of the mean: under half of the bound, so that it is not chance that passes."""
 
 
-@pytest.mark.parametrize("own", [False, True])
-@pytest.mark.parametrize("wind", [10.0, 15.0])
+@pytest.mark.parametrize(("wind", "own"), crossed([10.0, 15.0], [False, True], 2))
 def test_a_photograph_holds_what_the_wind_raises(executor: Executor, report: Report, wind: float, own: bool) -> None:
     """Within 20 % of Monahan and O'Muircheartaigh (1980): foam of the last 3 s, and the preset's that lasts; unlit."""
     random = np.random.default_rng(2)

@@ -23,6 +23,7 @@ from support.exact import EXACT
 from support.pictures import draw, draw_target
 from support.report import Report
 from support.seas import SEAS, seen
+from support.sweep import crossed
 
 Floats = NDArray[np.float64]
 
@@ -45,8 +46,7 @@ def bilinear(tile: NDArray[np.float32], at: NDArray[np.float32]) -> NDArray[np.f
     return first * (1 - t[:, 1]) + second * t[:, 1]
 
 
-@pytest.mark.parametrize("name", SEAS)
-@pytest.mark.parametrize("time", TIMES)
+@pytest.mark.parametrize(("name", "time"), crossed(SEAS, TIMES, len(TIMES)))
 def test_drawn_tiles_are_the_references(executor: Executor, report: Report, name: str, time: float) -> None:
     """The tiles that the GPU drew: each texel, and read as the shader reads them at 10,000 places round each origin."""
     scene = seen(SEAS[name])
