@@ -73,10 +73,10 @@ def still_shown(page: Page) -> str:
     return shown
 
 
-@pytest.mark.parametrize("fragment", ["", "#paused=1", "#preset=storm", "#quality=draft&paused=1"])
+@pytest.mark.parametrize("fragment", ["", "#paused=1", "#preset=paper-halftone", "#quality=draft&paused=1"])
 def test_a_still_comes_first_and_the_water_takes_its_place(llvmpipe: Lane, server: str, fragment: str) -> None:
     """The server's own picture of the start stands until the live water, of the same moment, is there."""
-    name = "storm" if "storm" in fragment else preset_names()[0]
+    name = "paper-halftone" if "preset" in fragment else preset_names()[0]
     preset = load_preset(name)
     opened = llvmpipe.browser.new_context(viewport={"width": SMALL[0], "height": SMALL[1]})
     page = opened.new_page()

@@ -151,7 +151,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 4, 1))
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), ELSEWHERE, len(ELSEWHERE), 7, 1))
 def test_close_on_another_renderer(other: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(other, preset, time, size=SMALLER)
     assert_sound(pixels, answer)

@@ -101,7 +101,7 @@ def test_two_looks_are_compared(served: Visit) -> None:
     asked = len(served.asked)
     page.get_by_role("slider", name="Split position").press("ArrowRight")
     served.settle()
-    assert right.evaluate("(image) => getComputedStyle(image).clipPath") == "inset(0px 0px 0px 42%)"
+    expect(right).to_have_css("clip-path", "inset(0px 0px 0px 42%)")
     assert len(served.asked) == asked, "the divider cuts the pictures that are here"
 
 

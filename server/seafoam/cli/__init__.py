@@ -46,10 +46,12 @@ def serve(
 
     from seafoam.api import logs
     from seafoam.api.app import create_app
+    from seafoam.api.memory import share_one_arena
     from seafoam.api.settings import Settings
     from seafoam.api.telemetry import UnsupportedTelemetryError
     from seafoam.extras import MissingExtraError
 
+    share_one_arena()
     given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     try:
         settings = Settings(**given).served

@@ -64,8 +64,9 @@ def encode(
         return buffer.getvalue()
     if format == "exr":
         return encode_exr(pixels, precision, recipe)
-    shown = dithered(pixels) if pixels.dtype == np.uint16 else pixels
-    return encode_png(shown, recipe) if format == "png" else encode_webp(shown, recipe)
+    if format == "png":
+        return encode_png(pixels, recipe)
+    return encode_webp(dithered(pixels) if pixels.dtype == np.uint16 else pixels, recipe)
 
 
 def read_recipe(content: bytes) -> str:
