@@ -12,9 +12,8 @@ PORT ?= 8000
 WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md \
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
-# Two groups of tests at once, each about half the time: browsers and servers with some numbers, and all else.
-LIVE := $(addprefix tests/,fast/accuracy fast/api fast/cli gpu/accuracy gpu/api gpu/cli \
-	gpu/numerics/test_properties.py gpu/reference/test_anywhere.py)
+# Two groups of tests at once, each about half the time: browsers and servers, and all else.
+LIVE := $(addprefix tests/,fast/api browser)
 REST := tests/fast tests/gpu $(addprefix --ignore=,$(LIVE))
 
 # Tests that make many plans: half of the time that quick takes.
@@ -29,12 +28,17 @@ SHARE := not sweep
 # Two groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of both.
 test-live test-rest quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
 
-.PHONY: demo test quick quick-plans quick-rest lint sweep test-python test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
+.PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
 
-test: lint test-web test-python
+test: setup-test
+	@$(MAKE) --no-print-directory -j3 lint-then-web test-live test-rest
+
+# One after the other, beside the tests: each of them takes one processor.
+lint-then-web: lint
+	@$(MAKE) --no-print-directory test-web
 
 # tests/fast but the slow ones in two halves, with one the lint and a small picture of every preset.
 quick: setup-test
@@ -92,11 +96,8 @@ lint: setup-test
 test-web: setup-test
 	cd $(WEB) && ../$(NODE) npm test --silent
 
-test-python: setup-test
-	@$(MAKE) --no-print-directory -j2 test-live test-rest
-
 test-live:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(LIVE) tests/browser
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(LIVE)
 
 test-rest:
 	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(REST)

@@ -58,6 +58,14 @@ def llvmpipe(playwright: Playwright) -> Iterator[Lane]:
 
 
 @pytest.fixture(scope="session")
+def quick(playwright: Playwright) -> Iterator[Lane]:
+    """For pages that draw each plan once."""
+    browser = launched(playwright, "llvmpipe", optimised=False)
+    yield Lane("llvmpipe", browser)
+    browser.close()
+
+
+@pytest.fixture(scope="session")
 def swiftshader(playwright: Playwright) -> Iterator[Lane]:
     browser = launched(playwright, "SwiftShader")
     yield Lane("SwiftShader", browser)
@@ -65,9 +73,9 @@ def swiftshader(playwright: Playwright) -> Iterator[Lane]:
 
 
 @pytest.fixture(scope="module")
-def page(llvmpipe: Lane, server: str) -> Iterator[Page]:
-    """The page on the server's own renderer."""
-    made = opened(llvmpipe, server)
+def page(quick: Lane, server: str) -> Iterator[Page]:
+    """The page on the server's own renderer, to draw plans with."""
+    made = opened(quick, server)
     yield made
     made.close()
 

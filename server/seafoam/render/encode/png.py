@@ -59,11 +59,13 @@ def _stripe(pixels: NDArray[np.uint8 | np.uint16], top: int, bottom: int) -> tup
     stripe = pixels[top:bottom]
     shown = dithered(stripe, top) if stripe.dtype == np.uint16 else stripe
     height, width, _ = shown.shape
-    plain = np.ascontiguousarray(shown[..., :3]).reshape(height, 3 * width)
     rows = np.empty((height, 1 + 3 * width), np.uint8)
     rows[:, 0] = _SUB
-    rows[:, 1:4] = plain[:, :3]
-    np.subtract(plain[:, 3:], plain[:, :-3], out=rows[:, 4:])
+    filtered = rows[:, 1:].reshape(height, width, 3)
+    for channel in range(3):
+        plane = shown[..., channel]
+        filtered[:, 0, channel] = plane[:, 0]
+        np.subtract(plane[:, 1:], plane[:, :-1], out=filtered[:, 1:, channel])
     deflate = isal_zlib.compressobj(COMPRESS_LEVEL, isal_zlib.DEFLATED, -isal_zlib.MAX_WBITS)
     end = isal_zlib.Z_FINISH if bottom == len(pixels) else isal_zlib.Z_SYNC_FLUSH
     return rows, deflate.compress(rows) + deflate.flush(end)
