@@ -126,7 +126,7 @@ def shown(browser: Browser, address: str) -> WaterPage:
 def opened() -> Iterator[WaterPage]:
     """The page in a Chromium of its own while the context lasts."""
     with served() as address, sync_playwright() as playwright:
-        browser = launched(playwright, "llvmpipe")
+        browser = launched(playwright, "llvmpipe", optimised=True)
         try:
             yield shown(browser, address)
         finally:

@@ -17,7 +17,7 @@ from support.room import LIMIT, Room, give_back, resident
 from support.sweep import leave_to_sweep
 
 # llvmpipe compiles in half the time without LLVM's optimisations, and draws the same bytes (test_driver.py); most of
-# what tests draw is drawn once, and small. Servers that they start inherit it, browsers where they draw plans alone.
+# what tests draw is drawn once, and small. Servers and browsers that they start inherit it.
 os.environ["GALLIVM_PERF"] = "nopt"
 # What earlier runs drew must not answer for what is drawn now.
 os.environ |= {"SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}

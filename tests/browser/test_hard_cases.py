@@ -87,7 +87,7 @@ def other(swiftshader: Lane, server: str) -> Iterator[Page]:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize("case", rested(CASES, 13))
+@pytest.mark.parametrize("case", rested(CASES, 26))
 def test_sound_on_another_renderer(other: Page, executor: Executor, case: HardCase) -> None:
     foam = case.scene.foam
     allowed = SOFT if foam is None or foam.look in ("filtered", "textured") else HARD

@@ -15,6 +15,12 @@ from support.browsers import Lane
 from support.visits import DESKTOP, PHONE, SMALL, Visit, differs, link, visit
 
 
+@pytest.fixture(scope="module")
+def llvmpipe(optimised: Lane) -> Lane:
+    """As users have it."""
+    return optimised
+
+
 def overlap(a: dict[str, float], b: dict[str, float]) -> bool:
     return (
         a["x"] < b["x"] + b["width"]

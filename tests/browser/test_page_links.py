@@ -11,6 +11,12 @@ from support.visits import Visit, differs, link, visit
 # Links and files
 
 
+@pytest.fixture(scope="module")
+def llvmpipe(optimised: Lane) -> Lane:
+    """As users have it."""
+    return optimised
+
+
 def test_a_link_restores_everything(llvmpipe: Lane, server: str) -> None:
     permissions = ["clipboard-read", "clipboard-write"]
     changes = {"/foam/mask_tile": 3.5, "/light/exposure": -0.75}

@@ -14,6 +14,12 @@ from support.report import REPORT
 from support.visits import DESKTOP, FINGER, PHONE, TARGETS, Visit, differs, link, swipe, visit
 
 
+@pytest.fixture(scope="module")
+def llvmpipe(optimised: Lane) -> Lane:
+    """As users have it."""
+    return optimised
+
+
 @pytest.fixture
 def phone(llvmpipe: Lane, server: str) -> Iterator[Visit]:
     """The page on a phone, at rest."""

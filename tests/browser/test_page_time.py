@@ -10,6 +10,12 @@ from support.browsers import Lane
 from support.visits import SMALL, Visit, differs, visit
 
 
+@pytest.fixture(scope="module")
+def llvmpipe(optimised: Lane) -> Lane:
+    """As users have it."""
+    return optimised
+
+
 def test_the_resolution_is_fixed_and_set_free(small: Visit) -> None:
     width, height = SMALL
     small.settings().get_by_label("resolution").select_option("0.5")

@@ -7,8 +7,7 @@ from functools import partial
 
 from playwright.sync_api import Browser, Page, Playwright
 
-# The page's own parts are put together without GL: there they cost as much as the water.
-COMMON = ["--no-sandbox", "--hide-scrollbars", "--disable-gpu-compositing"]
+COMMON = ["--no-sandbox", "--hide-scrollbars"]
 LANES = {
     # Chromium's --use-gl=egl alone stays on SwiftShader without a word; ANGLE on the system's EGL is what shares Mesa.
     "llvmpipe": ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"],
@@ -30,11 +29,13 @@ def chromium() -> str:
     return found
 
 
-def launched(playwright: Playwright, name: str, *, optimised: bool = True) -> Browser:
-    """optimised: programs as users have them, which draw faster; else they are compiled in half the time."""
+def launched(playwright: Playwright, name: str, *, optimised: bool = False) -> Browser:
+    """optimised: as users have it, which draws faster. Else programs are compiled in half the time, and the page's own
+    parts are put together without GL, on which they would cost as much as the water."""
+    arguments = [*COMMON, *LANES[name], *([] if optimised else ["--disable-gpu-compositing"])]
     left_out = {"GALLIVM_PERF"} if optimised else set()
     environment: dict[str, str | float | bool] = {k: v for k, v in os.environ.items() if k not in left_out}
-    browser = playwright.chromium.launch(executable_path=chromium(), args=[*COMMON, *LANES[name]], env=environment)
+    browser = playwright.chromium.launch(executable_path=chromium(), args=arguments, env=environment)
     # Playwright evaluates what wait_for_function waits for as text, and a test adds styles: the page's security policy
     # forbids both. The policy has tests of its own, which pass bypass_csp=False.
     vars(browser).update(

@@ -13,8 +13,8 @@ from typing import Any
 
 import seafoam.planner
 from seafoam.framegraph.plan import FramePlan
+from seafoam.planner import geometry, planner
 from seafoam.planner import glsl as assemble
-from seafoam.planner import planner
 from seafoam.quality import Quality
 from seafoam.scene import presets
 from seafoam.scene.models import Scene
@@ -31,6 +31,8 @@ ANSWERED = {
     ("support.inputs", ""),
     ("seafoam.planner", "make_plan"),
     ("seafoam.planner.planner", "make_plan"),
+    ("seafoam.planner", "make_geometry_plan"),
+    ("seafoam.planner.geometry", "make_geometry_plan"),
     ("seafoam.effects", "EFFECTS"),
     ("seafoam.scene.presets", ""),
 }
@@ -38,7 +40,7 @@ PLAIN_PAGE = ("plans", "presets", "textures")
 """Routers that give a page the plan, the scene and the textures of a picture."""
 NOT_PLAIN = {("seafoam.accuracy", ""), ("seafoam.api.threads", ""), ("seafoam.render.service.pool", "")}
 """What those routers' modules name, and a page that draws one picture never runs."""
-SHARED = {"executor", "probe", "report", "server", "playwright", "llvmpipe", "quick", "swiftshader", "page", "other"}
+SHARED = {"executor", "probe", "report", "server", "playwright", "llvmpipe", "optimised", "swiftshader", "page", "other"}
 
 
 SOURCES = Sources(ROOTS, ANSWERED)
@@ -89,6 +91,10 @@ def _plan_key(scene: Scene, quality: Quality, *, economy: bool = True) -> list[A
     return [scene.model_dump_json(), quality.model_dump_json(), economy]
 
 
+def _geometry_key(scene: Scene, quality: Quality) -> list[Any]:
+    return [scene.model_dump_json(), quality.model_dump_json()]
+
+
 def _preset_hash(preset: presets.Preset) -> str:
     return hashlib.sha256(preset.model_dump_json().encode()).hexdigest()
 
@@ -100,11 +106,17 @@ def _text_hash(text: str) -> str:
 def doors() -> dict[str, Door]:
     """Where checks get plans, presets and GLSL from."""
     make, load, names, read = planner.make_plan, presets.load_preset, presets.preset_names, assemble.read_file
+    measure = geometry.make_geometry_plan
 
     def plan_again(scene: str, quality: str, economy: bool) -> FramePlan:
         return make(Scene.model_validate_json(scene), Quality.model_validate_json(quality), economy=economy)
 
+    def geometry_again(scene: str, quality: str) -> FramePlan:
+        return measure(Scene.model_validate_json(scene), Quality.model_validate_json(quality))
+
+    planners = (geometry, seafoam.planner)
     return {
+        "geometry": Door(planners, "make_geometry_plan", _geometry_key, geometry_again, lambda plan: plan.sha256),
         "plan": Door((planner, seafoam.planner), "make_plan", _plan_key, plan_again, lambda plan: plan.sha256),
         "preset": Door((presets,), "load_preset", lambda name: [name], load, _preset_hash),
         "presets": Door((presets,), "preset_names", lambda: [], names, json.dumps),

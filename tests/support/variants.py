@@ -7,7 +7,7 @@ from typing import get_args
 
 from seafoam.effects import EFFECTS
 from seafoam.framegraph.shader import Program
-from seafoam.planner import FramePlan, make_plan
+from seafoam.planner import FramePlan, make_geometry_plan, make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.boats import Boat
 from seafoam.scene.drift import Drift, Vortex
@@ -191,6 +191,7 @@ def every_plan(one_in: int = 1) -> Iterator[FramePlan]:
     """
     for name in preset_names():
         yield make_plan(load_preset(name).scene, UNFILTERED)
+        yield make_geometry_plan(load_preset(name).scene, TIERS["standard"])
     for (i, name), (j, quality) in product(enumerate(preset_names()), enumerate(qualities())):
         if (i + j) % one_in == 0:
             yield make_plan(load_preset(name).scene, quality)

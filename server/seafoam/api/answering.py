@@ -23,8 +23,8 @@ CLIENT_CLOSED_REQUEST = 499
 _TEXT = {"type": "string"}
 FRAME_RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
-        "description": "The frame: an sRGB image; linear R, G, B and coverage as OpenEXR; or a linear float32 array "
-        "(height, width, 4) with foam coverage in the last channel",
+        "description": "The frame: an sRGB image; linear R, G, B, coverage, normal and distance as OpenEXR; or a "
+        "linear float32 array (height, width, 4) with foam coverage in the last channel",
         "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
         "headers": {
             "ETag": {

@@ -5,6 +5,7 @@ It uses the contributions of effects and contains no formula of theirs.
 
 from seafoam.effects.effect import AssemblyError, PlanError
 from seafoam.framegraph.plan import FramePlan
+from seafoam.planner.geometry import make_geometry_plan
 from seafoam.planner.planner import make_plan
 
-__all__ = ["AssemblyError", "FramePlan", "PlanError", "make_plan"]
+__all__ = ["AssemblyError", "FramePlan", "PlanError", "make_geometry_plan", "make_plan"]

@@ -32,9 +32,17 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
     :class:`seafoam.effects.effect.PlanError` if the scene names something that does not exist, such as an unknown mask,
     or more effects together than one shader can read the textures of.
     """
+    return linked_plan(scene, quality, FrameBuilder, economy=economy)
+
+
+CHANGED.append(make_plan.cache_clear)
+
+
+def linked_plan(scene: Scene, quality: Quality, builder: type[FrameBuilder], *, economy: bool) -> FramePlan:
+    """Return the plan of the passes that a builder makes of a scene's contributions."""
     scene = _steepest_waves(scene, quality.waves)
     collection = Collection((*EFFECTS, *outside()), scene, quality, economy=economy)
-    frame = FrameBuilder(collection, scene, quality)
+    frame = builder(collection, scene, quality)
     passes = frame.passes()
     for program in frame.programs.values():
         refuse_too_many_samplers(program, collection.readers)
@@ -65,9 +73,6 @@ def make_plan(scene: Scene, quality: Quality, *, economy: bool = True) -> FrameP
         live=tuple(sorted(live_fields(used) - collection.bound_fields)),
     )
     return plan if economy else everywhere(plan)
-
-
-CHANGED.append(make_plan.cache_clear)
 
 
 def _steepest_waves(scene: Scene, count: int) -> Scene:

@@ -98,6 +98,22 @@ def test_open_exr_holds_linear_light_and_coverage(precision: str, type: type) ->
     assert encode(pixels, "exr", precision=precision) == content
 
 
+@pytest.mark.parametrize("precision", ["half", "float"])
+def test_open_exr_holds_normal_and_distance(precision: str) -> None:
+    """Distances past a half float's range, and infinite where the renderer gives 0."""
+    pixels = np.random.default_rng(1).normal(0.5, 2.0, (9, 14, 8)).astype(np.float32)
+    pixels[..., 7] = np.geomspace(0.1, 1e5, 9 * 14).reshape(9, 14)
+    pixels[0, :, 4:] = 0.0
+    channels = OpenEXR.File(io.BytesIO(encode(pixels, "exr", precision=precision))).channels()
+    assert set(channels) == {"RGB", "coverage", "N.X", "N.Y", "N.Z", "distance"}
+    for axis, name in enumerate(("N.X", "N.Y", "N.Z")):
+        np.testing.assert_allclose(channels[name].pixels, pixels[..., 4 + axis], rtol=1e-3, atol=1e-6)
+    distance = channels["distance"].pixels
+    assert distance.dtype == np.float32
+    assert np.isinf(distance[0]).all()
+    np.testing.assert_array_equal(distance[1:], pixels[1:, :, 7])
+
+
 def test_a_dithered_picture_has_the_mean_of_its_values() -> None:
     side = len(load_mask(MASK).ranks)
     rng = np.random.default_rng(2)

@@ -48,14 +48,16 @@ def encode(
     """Encode a frame, top row first.
 
     pixels: (height, width, 4); for ``png`` and ``webp`` uint8, or uint16 to be dithered; float32 for ``exr`` and
-    ``npy``. recipe: text that the file carries; ``npy`` has no place for it. precision: of ``exr``.
+    ``npy``; ``exr`` also of (height, width, 8) with normal and distance, which is 0 where there is none. recipe: text
+    that the file carries; ``npy`` has no place for it. precision: of ``exr``.
 
-    ``png`` and ``webp`` hold RGB, sRGB-encoded, lossless, without gamma or profile chunks; ``exr`` holds R, G, B and
-    coverage, ``npy`` the same four channels, linear, little-endian. The same pixels give the same bytes. Raises
-    ``ValueError`` for another shape or type.
+    ``png`` and ``webp`` hold RGB, sRGB-encoded, lossless, without gamma or profile chunks; ``exr`` holds R, G, B,
+    coverage, normal and distance, ``npy`` the first four, linear, little-endian. The same pixels give the same bytes.
+    Raises ``ValueError`` for another shape or type.
     """
     allowed = [_TYPES[output_of(format, dither)] for dither in (False, True)]
-    if pixels.ndim != 3 or pixels.shape[2] != 4 or pixels.dtype not in [np.dtype(each) for each in allowed]:
+    channels = (4, 8) if format == "exr" else (4,)
+    if pixels.ndim != 3 or pixels.shape[2] not in channels or pixels.dtype not in [np.dtype(each) for each in allowed]:
         names = " or ".join(dict.fromkeys(each.__name__ for each in allowed))
         raise ValueError(f"{format} requires (height, width, 4) of {names}, not {pixels.shape} of {pixels.dtype}")
     if format == "npy":

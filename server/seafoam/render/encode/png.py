@@ -57,7 +57,7 @@ def encode_png(pixels: NDArray[np.uint8 | np.uint16], recipe: str | None) -> byt
 def _stripe(pixels: NDArray[np.uint8 | np.uint16], top: int, bottom: int) -> tuple[NDArray[np.uint8], bytes]:
     """Return some rows, filtered, and the same as a part of a deflate stream (RFC 1951) that ends on a whole byte."""
     stripe = pixels[top:bottom]
-    shown = dithered(stripe, top) if stripe.dtype == np.uint16 else stripe
+    shown = dithered(stripe.astype(np.uint16, copy=False), top) if stripe.dtype == np.uint16 else stripe
     height, width, _ = shown.shape
     rows = np.empty((height, 1 + 3 * width), np.uint8)
     rows[:, 0] = _SUB

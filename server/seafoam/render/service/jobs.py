@@ -3,15 +3,16 @@
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, Literal, Protocol
 
+import numpy as np
 from numpy.typing import NDArray
 
 from seafoam.framegraph.plan import FramePlan
-from seafoam.planner import make_plan
+from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import Quality
-from seafoam.render.encode import FrameFormat, Output, Precision, encode, output_of
+from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, output_of
 from seafoam.render.service.recipe import recipe_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -43,13 +44,24 @@ class FrameJob:
         """What a renderer must give for it."""
         return output_of(self.format, self.dither)
 
+    @property
+    def has_geometry(self) -> bool:
+        """Whether its pixels have normal and distance too, float32 as the other four."""
+        return self.format == "exr"
+
+    @property
+    def bytes(self) -> int:
+        """Of its pixels before they are encoded."""
+        return self.width * self.height * BYTES_PER_PIXEL[self.output] * (2 if self.has_geometry else 1)
+
 
 @dataclass(frozen=True, slots=True)
 class Picture:
     """What a renderer drew for a job, before it is encoded. ``timings``: seconds by ``plan``, ``render``, ``read``."""
 
     pixels: NDArray[Any]
-    """(height, width, 4), top row first, as :func:`seafoam.render.encode.output_of` says."""
+    """(height, width, 4), top row first, as :func:`seafoam.render.encode.output_of` says; or (height, width, 8) with
+    normal and distance (:func:`seafoam.planner.make_geometry_plan`)."""
     plan: str
     """SHA-256 of the frame plan."""
     info: Mapping[str, str]
@@ -142,16 +154,14 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
     plan = make_plan(job.scene, job.quality)
     digest = plan_hash(job.scene, job.quality)
     planned = time.perf_counter()
-    rendered = renderer.render(
-        plan,
-        time=job.time,
-        camera=job.camera,
-        width=job.width,
-        height=job.height,
-        output=job.output,
-    )
-    timings = {"plan": planned - began, "render": rendered.timings["render"], "read": rendered.timings["read"]}
-    return Picture(rendered.pixels, digest, dict(renderer.info), timings)
+    render = partial(renderer.render, time=job.time, camera=job.camera, width=job.width, height=job.height)
+    drawn = [render(plan, output=job.output)]
+    if job.has_geometry:
+        drawn.append(render(make_geometry_plan(job.scene, job.quality), output="linear"))
+    pixels = drawn[0].pixels if len(drawn) == 1 else np.concatenate([one.pixels for one in drawn], axis=-1)
+    timings = {name: sum(one.timings[name] for one in drawn) for name in ("render", "read")}
+    timings["plan"] = planned - began
+    return Picture(pixels, digest, dict(renderer.info), timings)
 
 
 def encode_frame(picture: Picture, job: FrameJob) -> Frame:

@@ -31,7 +31,6 @@ from typing import Any, Literal
 
 from pebble import ProcessExpired, ProcessPool
 
-from seafoam.render.encode import BYTES_PER_PIXEL
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.canvas import Canvas, Canvases
 from seafoam.render.service.errors import (
@@ -187,7 +186,7 @@ class RenderPool:
             self._turns.discard(turn)
         # A renderer that hangs is not waited for longer in the background.
         expires = min(expires, time.time() + self.deadline)
-        canvas = self._canvases.take(job.width * job.height * BYTES_PER_PIXEL[job.output])
+        canvas = self._canvases.take(job.bytes)
         try:
             sent = await self._run(work_frame, (job, expires, canvas.address), expires)
             picture = Picture(canvas.received(sent.pixels), sent.plan, sent.info, sent.timings)

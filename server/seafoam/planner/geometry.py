@@ -1,0 +1,64 @@
+"""Plans of what a picture's pixels show rather than of its light: distance and normal, for compositing."""
+
+from functools import lru_cache
+
+from seafoam.effects.effect import Inline, Piece, SlotRef
+from seafoam.effects.registry import CHANGED
+from seafoam.framegraph.passes import Fullscreen, Pass
+from seafoam.framegraph.plan import FramePlan
+from seafoam.framegraph.resources import Target, ViewportSize
+from seafoam.planner.adaptive import PLACE
+from seafoam.planner.frame import FrameBuilder
+from seafoam.planner.glsl import COMMON
+from seafoam.planner.planner import linked_plan
+from seafoam.planner.sides import OVER, from_under
+from seafoam.quality import Quality
+from seafoam.scene.models import Scene
+
+GEOMETRY = "geometry"
+"""Target, program and pass."""
+_LEVEL_FLOOR = Inline("vec3 floor_normal(vec2 p) {\n    return vec3(0.0, 1.0, 0.0);\n}\n")
+_SURFACE: tuple[Piece | SlotRef, ...] = (*COMMON, PLACE, SlotRef("waves"), SlotRef("detail"))
+
+
+class _GeometryBuilder(FrameBuilder):
+    """The same scene's passes, up to what the rays of pixels' centres meet."""
+
+    def passes(self) -> list[Pass]:
+        self._effect_programs()
+        self.targets[GEOMETRY] = Target(size=ViewportSize(), format="RGBA32F")
+        self.linear = GEOMETRY
+        over = (*_SURFACE, SlotRef("find"), SlotRef("land"), "output/geometry.glsl")
+        self._program(GEOMETRY, over, over=True)
+        drawn = Pass(
+            name=GEOMETRY,
+            when="frame",
+            eye=OVER if self.below else "any",
+            program=GEOMETRY,
+            target=GEOMETRY,
+            mesh=Fullscreen(),
+            inputs=self.collection.inputs,
+        )
+        passes = [*self._effect_passes("before"), drawn]
+        if self.below:
+            floor: Piece = "shore/floor_normal.glsl" if self.shore else _LEVEL_FLOOR
+            under = (*_SURFACE, SlotRef("marched"), SlotRef("now"), SlotRef("underside"), SlotRef("reach"), floor)
+            low = f"{GEOMETRY}, underwater"
+            self._program(low, (*under, "output/geometry_below.glsl"), over=False)
+            passes += from_under(drawn.model_copy(update={"program": low}), self.level)
+        return passes
+
+
+@lru_cache(maxsize=32)
+def make_geometry_plan(scene: Scene, quality: Quality) -> FramePlan:
+    """Return the plan whose linear frame holds, at each pixel's centre, normal (R, G, B) and distance, m (A).
+
+    Of the water, with its waves and ripples as far as the pixel resolves them, or of land or floor where these are
+    nearer; 0 where there is neither. Boats, spray and foam are not in it. Raises as
+    :func:`seafoam.planner.make_plan` does.
+    """
+    once = quality.model_copy(update={"samples": 1, "samples_max": 1})
+    return linked_plan(scene, once, _GeometryBuilder, economy=True)
+
+
+CHANGED.append(make_geometry_plan.cache_clear)

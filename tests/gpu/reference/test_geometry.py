@@ -1,0 +1,106 @@
+"""Distance and normal at pixels' centres against float64, from over and under the water."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from seafoam.planner import make_geometry_plan
+from seafoam.quality import TIERS
+from seafoam.reference.renderer import camera as cameras
+from seafoam.reference.renderer import intersect
+from seafoam.reference.renderer.shade import Shader
+from seafoam.reference.types import unit
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.camera import Camera
+from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
+from support.exact import UNFILTERED
+from support.pictures import draw
+from support.report import Report
+
+SIZE = (96, 54)
+TIME = 2.7
+SHALLOW = load_preset("island-surf").scene
+VIEWS: dict[str, tuple[Scene, Camera | None]] = {
+    "default": (load_preset("default").scene, None),
+    "island-surf": (SHALLOW, None),
+    "lake-calm": (load_preset("lake-calm").scene, None),
+    "paper-threshold": (load_preset("paper-threshold").scene, None),
+    "between crests": (load_preset("default").scene, Camera(position=(0.0, 0.5, 0.0), pitch=-0.1)),
+    "default from below": (load_preset("default").scene, Camera(position=(0.0, -4.0, 0.0), pitch=0.5)),
+    "a pool from below": (load_preset("pool-caustics").scene, Camera(position=(0.0, -1.0, 0.0), pitch=-0.2)),
+}
+
+
+def truth(scene: Scene, camera: Camera) -> NDArray[np.float64]:
+    """Normal and distance in float64, (height, width, 4)."""
+    width, height = SIZE
+    view = cameras.view(camera, width, height)
+    state = Shader(scene, TIME, view, width, height, 1, "same-samples", None)
+    X, Y = (
+        2.0 * (np.arange(width) + 0.5) / width - 1.0,
+        1.0 - 2.0 * (np.arange(height) + 0.5) / height,
+    )
+    D = cameras.rays(view, *(one.ravel() for one in np.meshgrid(X, Y)))
+    d = unit(D)
+    found = np.zeros((len(d), 4))
+    water = intersect.first_crossing(state.relief, state.eye_y, d)
+    ground = np.full(len(d), np.inf)
+    if state.below is not None:
+        here = np.zeros(len(d))
+        ground = state.below.reach(here, here, here + state.eye_y, d)
+    elif state.coast is not None:
+        ground = intersect.land_crossing(state.coast.land, state.eye_y, d, *state.coast.within(d))
+    dry, wet = ground < water, (water <= ground) & np.isfinite(water)
+    x, z = d[:, 0], d[:, 2]
+    if dry.any():
+        found[dry, :3], found[dry, 3] = (0.0, 1.0, 0.0), ground[dry]
+        if state.coast is not None:
+            places = state.coast.place(x[dry] * ground[dry], z[dry] * ground[dry])
+            _, g_x, g_z, _ = state.coast.ground(*places)
+            found[dry, :3] = unit(intersect.normal(g_x, g_z))
+    if wet.any():
+        _, (h_x, h_z), (c_x, c_z) = state.slopes(x[wet] * water[wet], z[wet] * water[wet])
+        found[wet, :3], found[wet, 3] = unit(intersect.normal(h_x + c_x, h_z + c_z)), water[wet]
+    return found.reshape(height, width, 4)
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize("name", VIEWS)
+def test_geometry_is_that_of_float64(executor: Executor, report: Report, name: str) -> None:
+    scene, camera = VIEWS[name]
+    seen = camera or scene.camera
+    plan = make_geometry_plan(scene, UNFILTERED)
+    got = draw(executor, plan, seen, time=TIME, size=SIZE, output="linear")
+    want = truth(scene, seen)
+    # Nearer to the horizon a ray that touches a crest falls either way.
+    sure = np.abs(cameras.depression(cameras.view(seen, *SIZE), *SIZE)) > np.radians(1.0)
+    assert (((got[..., 3] > 0.0) == (want[..., 3] > 0.0)) | ~sure).mean() >= 0.999
+    both = sure & (got[..., 3] > 0.0) & (want[..., 3] > 0.0) & (want[..., 3] < 1e5)
+    assert both.mean() > 0.2
+    away = np.abs(got[both, 3] / want[both, 3] - 1.0)
+    turned = np.degrees(np.arccos(np.clip((got[both, :3] * want[both, :3]).sum(axis=-1), -1.0, 1.0)))
+    report.add(
+        "Distance and normal at pixels' centres against float64",
+        view=name,
+        distance=f"{np.quantile(away, 0.99):.1e}",
+        normal=f"{np.quantile(turned, 0.99):.3f}°",
+    )
+    np.testing.assert_allclose(np.linalg.norm(got[both, :3], axis=-1), 1.0, atol=1e-5)
+    assert np.quantile(away, 0.99) <= 1e-3
+    assert np.quantile(turned, 0.99) <= 0.5
+
+
+@pytest.mark.parametrize("tier", TIERS)
+def test_boats_and_foam_are_not_in_it(executor: Executor, tier: str) -> None:
+    """A boat shapes the water under it, and hides none of it."""
+    scene = load_preset("boat-race").scene
+    plan = make_geometry_plan(scene, TIERS[tier])  # type: ignore[index]
+    pixels = draw(executor, plan, scene.camera, time=TIME, size=SIZE, output="linear")
+    wet = pixels[..., 3] > 0.0
+    assert np.isfinite(pixels).all()
+    assert wet[-1].all()
+    assert (pixels[wet][:, 1] > 0.2).all()
+    # From row to row up the picture the water is farther off: a boat's side would break that.
+    rows = np.where(wet, pixels[..., 3], np.inf).min(axis=1)
+    assert (np.diff(rows[np.isfinite(rows)]) < 0.0).all()
