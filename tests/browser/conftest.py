@@ -59,7 +59,7 @@ def llvmpipe(playwright: Playwright) -> Iterator[Lane]:
 
 @pytest.fixture(scope="session")
 def optimised(playwright: Playwright) -> Iterator[Lane]:
-    """For pages that draw many frames, at the qualities that are fast for users: ``llvmpipe`` of a module that says so."""
+    """As users have it, for pages that draw many frames: the ``llvmpipe`` of modules that say so."""
     browser = launched(playwright, "llvmpipe", optimised=True)
     yield Lane("llvmpipe", browser)
     browser.close()
