@@ -56,7 +56,7 @@ def make_truth(
     progress: Callable[[float, float], None] = lambda share, remaining: None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Truth:
-    """Return the picture, from the store or computed in a spawned process.
+    """Return the picture, from the store or computed in a spawned process; on a worker of Dask in this one.
 
     ``progress`` receives the fraction done and the remaining seconds, estimated from a coarser picture.
     Raises :class:`StoppedError` once ``stopped`` returns true.
@@ -64,30 +64,44 @@ def make_truth(
     stored = find_truth(store, scene, at, width, height, along)
     if stored is not None:
         return stored
-    pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
-    try:
-        coarse = max(1, along // 4)
-        _, seconds = _wait(pool, (scene, at, width, height, coarse), lambda _: None, stopped)
-        expected = max(seconds * (along / coarse) ** 2, 1e-3)
-        truth, _ = _wait(
-            pool,
-            (scene, at, width, height, along),
-            lambda spent: progress(min(spent / expected, 0.99), max(expected - spent, 0.0)),
-            stopped,
-        )
-    finally:
-        pool.stop()  # type: ignore[no-untyped-call]
-        pool.join()
+    if multiprocessing.current_process().daemon:  # a worker of Dask, which may have no children
+        truth, _ = _converged(scene, at, width, height, along)
+    else:
+        truth = _converged_elsewhere((scene, at, width, height, along), progress, stopped)
     buffer = io.BytesIO()
     np.save(buffer, truth, allow_pickle=False)
     store.put("truth", _name(scene, at, width, height, along), buffer.getvalue())
     return truth
 
 
+def _converged_elsewhere(
+    asked: tuple[Scene, float, int, int, int],
+    progress: Callable[[float, float], None],
+    stopped: Callable[[], bool],
+) -> Truth:
+    """Return the picture, computed in a spawned process. asked: scene, time, width, height, samples along."""
+    *picture, along = asked
+    pool = ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn"))
+    try:
+        coarse = max(1, along // 4)
+        _, seconds = _wait(pool, (*picture, coarse), lambda _: None, stopped)
+        expected = max(seconds * (along / coarse) ** 2, 1e-3)
+        truth, _ = _wait(
+            pool,
+            asked,
+            lambda spent: progress(min(spent / expected, 0.99), max(expected - spent, 0.0)),
+            stopped,
+        )
+    finally:
+        pool.stop()  # type: ignore[no-untyped-call]
+        pool.join()
+    return truth
+
+
 def _wait(
     pool: ProcessPool, job: tuple[Any, ...], progress: Callable[[float], None], stopped: Callable[[], bool]
 ) -> tuple[Truth, float]:
-    future = pool.schedule(_converged, job)
+    future = pool.schedule(_politely, job)
     began = time.perf_counter()
     while True:
         try:
@@ -99,10 +113,15 @@ def _wait(
             progress(time.perf_counter() - began)
 
 
-def _converged(scene: Scene, at: float, width: int, height: int, along: int) -> tuple[Truth, float]:
-    """In the separate process: return the picture and the seconds it took."""
+def _politely(*asked: Any) -> tuple[Truth, float]:
+    """In the separate process: let frames and the web server go first."""
     if hasattr(os, "nice"):
         os.nice(max(0, POLITE - os.nice(0)))
+    return _converged(*asked)
+
+
+def _converged(scene: Scene, at: float, width: int, height: int, along: int) -> tuple[Truth, float]:
+    """Return the picture and the seconds it took."""
     began = time.perf_counter()
     frame = render(scene, time=at, width=width, height=height, samples=along, mode="converged")
     picture = np.concatenate((frame.rgb, frame.alpha[..., None]), axis=-1).astype(np.float32)

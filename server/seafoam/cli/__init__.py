@@ -20,6 +20,7 @@ from seafoam.cli import options
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
 from seafoam.cli.support import UNABLE, CommandError, need_reports, refuse, size_of
+from seafoam.processes import SCHEDULER
 
 app = typer.Typer(
     help="Real-time water with halftoned foam.",
@@ -148,6 +149,7 @@ def accuracy(
         Path | None, typer.Option("--html", help="HTML report to write, a single page with plot and tables.")
     ] = None,
     again: Annotated[bool, typer.Option("--again", help="Measure again, ignoring stored results.")] = False,
+    scheduler: Annotated[str | None, typer.Option(help=SCHEDULER)] = None,
 ) -> None:
     """Measure time against error: each tier and setting, compared with float64. Takes minutes; results are stored."""
     need_reports()
@@ -164,7 +166,7 @@ def accuracy(
     outputs = {"--output": (".png", output), "--json": (".json", as_json), "--csv": (".csv", as_csv)}
     outputs["--html"] = (".html", as_html)
     files = {(option, extension): path for option, (extension, path) in outputs.items()}
-    measure_presets(preset, size, Settings(width, height, samples, rounds), files, again=again)
+    measure_presets(preset, size, Settings(width, height, samples, rounds), files, again=again, scheduler=scheduler)
 
 
 @app.command()

@@ -1,7 +1,8 @@
 """The work of ``seafoam accuracy``: sweeps of presets, printed as tables and written as plots and reports."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import as_completed
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -10,11 +11,13 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 from rich.table import Column, Table
 
+from seafoam import processes
 from seafoam.accuracy import plots, report
 from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Sweep
 from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, make_sweep
 from seafoam.cli.support import UNABLE, CommandError, write
+from seafoam.extras import MissingExtraError
 from seafoam.render.gl import executor as gl
 from seafoam.render.service import jobs
 from seafoam.scene import presets
@@ -29,24 +32,23 @@ PLAIN: dict[str, Any] = {"highlight": False, "markup": False, "soft_wrap": True}
 """How lines of plain text are printed."""
 
 
-def measure_presets(preset: str | None, size: str, settings: Settings, files: Files, *, again: bool) -> None:
+def measure_presets(
+    preset: str | None, size: str, settings: Settings, files: Files, *, again: bool, scheduler: str | None = None
+) -> None:
     """Measure a preset, or all if it is None; print their tables, and write reports.
 
     ``size``: as written in the command. ``files``: option and extension -> file, or directory for all presets.
-    Raises :class:`CommandError` for a file of another extension, or without a renderer.
+    ``scheduler``: each preset is measured by a worker of this Dask cluster, whose machine the times are of. Raises
+    :class:`CommandError` for a file of another extension, or without a renderer.
     """
     for (option, extension), path in files.items():
         if path is not None and preset is not None and path.suffix.lower() != extension:
             raise CommandError(f"{option}: {path.name!r} must end in {extension}")
-    try:
-        executor = gl.Executor()
-    except gl.NoRendererError as error:
-        raise CommandError(str(error), UNABLE) from error
     console = Console()
     console.width = max(console.width, TABLE_WIDTH)
     options = f"--size {size} --rounds {settings.rounds} --samples {settings.samples_along}"
-    for name in presets.preset_names() if preset is None else (preset,):
-        sweep = measured(executor, Subject.of_preset(name), settings, again=again)
+    names = presets.preset_names() if preset is None else (preset,)
+    for name, sweep in _sweeps(names, settings, again, scheduler):
         _print(console, name, sweep)
         command = f"seafoam accuracy {preset or '--all'} {options}"
         for (_, extension), path in files.items():
@@ -56,6 +58,33 @@ def measure_presets(preset: str | None, size: str, settings: Settings, files: Fi
                     path /= f"{name}{extension}"
                 write(path, _report(sweep, extension, command))
                 console.print(f"{path}", **PLAIN)
+
+
+def _sweeps(
+    names: Sequence[str], settings: Settings, again: bool, scheduler: str | None
+) -> Iterator[tuple[str, Sweep]]:
+    """Yield each preset and its sweep: in their order here, on a cluster as they are finished."""
+    try:
+        if scheduler is None:
+            executor = gl.Executor()
+            for name in names:
+                yield name, measured(executor, Subject.of_preset(name), settings, again=again)
+            return
+        with processes.executor(scheduler, 0) as pool:
+            running = {pool.submit(_measured_there, name, settings, again): name for name in names}
+            for done in as_completed(running):
+                yield running[done], done.result()
+    except (gl.NoRendererError, processes.NoClusterError, MissingExtraError) as error:
+        raise CommandError(str(error), UNABLE) from error
+
+
+def _measured_there(name: str, settings: Settings, again: bool) -> Sweep:
+    """Measure a preset in a worker, in a context of its own: the next task may run in another thread."""
+    executor = gl.Executor()
+    try:
+        return measured(executor, Subject.of_preset(name), settings, again=again)
+    finally:
+        executor.close()
 
 
 def measured(executor: gl.Executor, subject: Subject, settings: Settings, *, again: bool = False) -> Sweep:

@@ -1,12 +1,14 @@
 """Generates the shipped masks: ``python -m seafoam.masks.bake [--out masks] [--only NAME ...]``.
 
-It constructs, measures and writes them; with ``--only`` all others keep their ranks.
+It constructs, measures and writes them; with ``--only`` all others keep their ranks, with ``--scheduler
+tcp://host:8786`` they are made on the workers of a Dask cluster.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+from concurrent.futures import Executor, as_completed
 from pathlib import Path
 
 from rich.progress import Progress as ProgressBar
@@ -17,28 +19,49 @@ from seafoam.masks.families import check_parameters
 from seafoam.masks.formats import decode_ranks, encode_ranks
 from seafoam.masks.shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
 from seafoam.masks.torus import Progress, no_progress
+from seafoam.processes import SCHEDULER, executor
 
 MEASURING_SECONDS = 1.0
 
 
-def bake_all(directory: Path, progress: Progress = no_progress, only: tuple[str, ...] = ()) -> None:
+def bake_all(
+    directory: Path, progress: Progress = no_progress, only: tuple[str, ...] = (), pool: Executor | None = None
+) -> None:
     """Construct and measure every shipped mask, and write ``<name>.ranks`` files and ``catalogue.json``.
 
     The directory is made if need be. Where ``only`` names some, the ranks of the others are read there instead of
-    made. ``progress`` gets fractions of the expected time. Takes some four minutes: `vac` is ordered exactly.
+    made. ``progress`` gets fractions of the expected time. ``pool`` makes them, several at once; else this process
+    does, which takes some four minutes: `vac` is ordered exactly.
     """
     directory.mkdir(parents=True, exist_ok=True)
     made = [not only or mask.name in only for mask in SHIPPED]
     expected = [_expected_seconds(mask, new) for mask, new in zip(SHIPPED, made, strict=True)]
     total = sum(expected)
+    kept = [
+        None if new else rank_file(directory, mask.name).read_bytes() for mask, new in zip(SHIPPED, made, strict=True)
+    ]
+    baked: dict[int, _Baked] = {}
+    if pool is not None:
+        running = {
+            pool.submit(_bake, mask, SHIPPED_SIZE, old): i
+            for i, (mask, old) in enumerate(zip(SHIPPED, kept, strict=True))
+        }
+        for done in as_completed(running):
+            baked[running[done]] = done.result()
+            progress(sum(expected[i] for i in baked) / total)
+    else:
+        for index, mask in enumerate(SHIPPED):
+            before = sum(expected[:index])
+
+            def report(part: float, before: float = before, own: float = expected[index]) -> None:
+                progress((before + part * own) / total)
+
+            baked[index] = _bake(mask, SHIPPED_SIZE, kept[index], report)
     records = []
     for index, mask in enumerate(SHIPPED):
-        before = sum(expected[:index])
-
-        def report(part: float, before: float = before, own: float = expected[index]) -> None:
-            progress((before + part * own) / total)
-
-        records.append(_bake(directory, mask, made[index], report))
+        record, ranks = baked[index]
+        rank_file(directory, mask.name).write_bytes(ranks)
+        records.append(record)
     # A line a mask, so that the change of one shows as such.
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)
     (directory / CATALOGUE_FILE).write_text(f'{{"masks": [\n{lines}\n]}}\n', "utf-8")
@@ -50,17 +73,15 @@ def _expected_seconds(mask: ShippedMask, new: bool) -> float:
     return MEASURING_SECONDS + making
 
 
-def _bake(directory: Path, mask: ShippedMask, new: bool, progress: Progress) -> dict[str, object]:
-    """Write the ranks of one mask, or read them where it is not new, and return its record for the catalogue."""
-    file = rank_file(directory, mask.name)
-    parameters = check_parameters(mask.family, mask.sigma, SHIPPED_SIZE, SHIPPED_SEED, mask.aspect, mask.age)
-    if new:
-        ranks = build(parameters, SHIPPED_METHOD, progress)
-        file.write_bytes(encode_ranks(ranks))
-    else:
-        ranks = decode_ranks(file.read_bytes(), SHIPPED_SIZE)
+_Baked = tuple[dict[str, object], bytes]
+
+
+def _bake(mask: ShippedMask, size: int, kept: bytes | None, progress: Progress = no_progress) -> _Baked:
+    """Return the record of a mask for the catalogue, and its ranks as a file holds them. kept: those that it has."""
+    parameters = check_parameters(mask.family, mask.sigma, size, SHIPPED_SEED, mask.aspect, mask.age)
+    ranks = build(parameters, SHIPPED_METHOD, progress) if kept is None else decode_ranks(kept, size)
     entry = describe(mask.name, parameters, SHIPPED_METHOD, ranks)
-    return {**entry.to_json(), **MaskTables.measure(ranks).to_json()}
+    return {**entry.to_json(), **MaskTables.measure(ranks).to_json()}, encode_ranks(ranks)
 
 
 def main() -> None:
@@ -69,11 +90,20 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("masks"), help="directory to write to")
     names = [mask.name for mask in SHIPPED]
     parser.add_argument("--only", nargs="+", choices=names, default=(), help="masks to make; all others stay unchanged")
+    parser.add_argument("--scheduler", help=SCHEDULER)
     arguments = parser.parse_args()
-    directory = arguments.out
+    directory, only = arguments.out, tuple(arguments.only)
     with ProgressBar() as bar:
         task = bar.add_task("masks", total=1.0)
-        bake_all(directory, lambda fraction: bar.update(task, completed=fraction), tuple(arguments.only))
+
+        def tell(fraction: float) -> None:
+            bar.update(task, completed=fraction)
+
+        if arguments.scheduler is None:
+            bake_all(directory, tell, only)
+        else:
+            with executor(arguments.scheduler, 0) as pool:
+                bake_all(directory, tell, only, pool)
 
 
 if __name__ == "__main__":

@@ -1,18 +1,21 @@
-"""Baking reference frames: ``python -m seafoam.reference.bake [--preset NAME ...] [--out tests/references]``."""
+"""Baking reference frames: ``python -m seafoam.reference.bake [--preset NAME ...] [--out tests/references]``.
+
+With ``--scheduler tcp://host:8786`` on the workers of a Dask cluster.
+"""
 
 import argparse
-import multiprocessing
 import time as clock
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from dataclasses import dataclass
 from pathlib import Path
 from typing import get_args
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+from seafoam.processes import SCHEDULER, executor
 from seafoam.reference.renderer.frame import render
 from seafoam.reference.renderer.state import Mode
-from seafoam.reference.truth import save_truth, truth_is_current
+from seafoam.reference.truth import truth_bytes, truth_is_current
 from seafoam.scene.foam import Look
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
@@ -73,22 +76,14 @@ def truth_file(directory: Path, name: str) -> Path:
     return directory / f"{name}.npz"
 
 
-def bake(job: Job, directory: Path) -> float:
-    """Render and write one frame; returns the seconds that rendering took."""
+def baked(job: Job) -> tuple[bytes, float]:
+    """Render one frame; returns the content of its file, and the seconds that rendering took."""
     start = clock.perf_counter()
     width, height = job.size
     frame = render(job.scene, time=job.time, width=width, height=height, samples=job.samples, mode=job.mode)
     seconds = clock.perf_counter() - start
-    save_truth(
-        truth_file(directory, job.name),
-        frame,
-        preset=job.preset,
-        scene=job.scene,
-        time=job.time,
-        mode=job.mode,
-        seconds=seconds,
-    )
-    return seconds
+    content = truth_bytes(frame, preset=job.preset, scene=job.scene, time=job.time, mode=job.mode, seconds=seconds)
+    return content, seconds
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -97,6 +92,7 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--preset", action="append", choices=preset_names(), help="only this one; may be repeated")
     parser.add_argument("--out", type=Path, default=DIRECTORY)
     parser.add_argument("--force", action="store_true", help="bake current frames too")
+    parser.add_argument("--scheduler", help=SCHEDULER)
     options = parser.parse_args(arguments)
     directory: Path = options.out
     directory.mkdir(parents=True, exist_ok=True)
@@ -104,14 +100,13 @@ def main(arguments: list[str] | None = None) -> None:
     if not options.force:
         jobs = [job for job in jobs if not truth_is_current(truth_file(directory, job.name), job.scene)]
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with (
-        Progress(*columns) as progress,
-        ProcessPoolExecutor(PROCESSES, mp_context=multiprocessing.get_context("spawn")) as pool,
-    ):
+    with Progress(*columns) as progress, executor(options.scheduler, PROCESSES) as pool:
         task = progress.add_task("frames", total=len(jobs))
-        running = {pool.submit(bake, job, directory): job for job in jobs}
+        running = {pool.submit(baked, job): job for job in jobs}
         for done in as_completed(running):
-            progress.console.print(f"{running[done].name}: {done.result():.1f} s")
+            name, (content, seconds) = running[done].name, done.result()
+            truth_file(directory, name).write_bytes(content)
+            progress.console.print(f"{name}: {seconds:.1f} s")
             progress.advance(task)
 
 

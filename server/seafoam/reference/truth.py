@@ -5,6 +5,7 @@ dark. Alpha is round(65535 a). Values are stored as differences along rows, high
 """
 
 import hashlib
+import io
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -54,8 +55,8 @@ def scene_sha256(scene: Scene) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def save_truth(path: Path, frame: Frame, *, preset: str, scene: Scene, time: float, mode: Mode, seconds: float) -> None:
-    """Write a frame. The directory must be there."""
+def truth_bytes(frame: Frame, *, preset: str, scene: Scene, time: float, mode: Mode, seconds: float) -> bytes:
+    """Return a frame as the content of its file."""
     rgb = np.rint(LEVELS * np.sqrt(np.clip(frame.rgb, 0.0, BRIGHTEST) / BRIGHTEST)).astype(np.uint16)
     alpha = np.rint(LEVELS * np.clip(frame.alpha, 0.0, 1.0)).astype(np.uint16)
     meta = {
@@ -78,11 +79,13 @@ def save_truth(path: Path, frame: Frame, *, preset: str, scene: Scene, time: flo
     if mode == "same-samples":
         arrays["foam"] = np.packbits(frame.amount > 0.0, axis=1)
     # The keywords of savez_compressed are array names, which the type of its one option hides.
-    np.savez_compressed(path, **arrays)  # type: ignore[arg-type]
+    buffer = io.BytesIO()
+    np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
+    return buffer.getvalue()
 
 
 def load_truth(path: Path) -> Truth:
-    """Read what :func:`save_truth` wrote. Raises ``OSError``, ``KeyError`` or ``ValueError`` for another file."""
+    """Read a file of :func:`truth_bytes`. Raises ``OSError``, ``KeyError`` or ``ValueError`` for another file."""
     with np.load(path, allow_pickle=False) as stored:
         meta = json.loads(stored["meta"].tobytes())
         rgb = _joined(stored["rgb"]).astype(np.float64)

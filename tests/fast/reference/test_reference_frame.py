@@ -10,7 +10,7 @@ import pytest
 
 from seafoam.masks import custom_mask
 from seafoam.reference import Assets, load_truth, render, scene_sha256, truth_is_current
-from seafoam.reference.truth import save_truth
+from seafoam.reference.truth import truth_bytes
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, FrontSaturation, HeightSaturation, Look
 from seafoam.scene.light import Light
@@ -170,7 +170,7 @@ def test_truth_survives_the_disk(assets: Assets, tmp_path: Path, mode: str) -> N
     frame = render(SEA, time=2.0, width=13, height=9, samples=3, mode=mode, assets=assets)
     paths = [tmp_path / name for name in ("a.npz", "b.npz")]
     for path in paths:
-        save_truth(path, frame, preset="sea", scene=SEA, time=2.0, mode=mode, seconds=1.25)
+        path.write_bytes(truth_bytes(frame, preset="sea", scene=SEA, time=2.0, mode=mode, seconds=1.25))
     assert paths[0].read_bytes() == paths[1].read_bytes()
     truth = load_truth(paths[0])
     dim = frame.rgb <= 1.0

@@ -1,5 +1,6 @@
-"""Sequences that GL draws: by the command in one process, and on two workers of which one is killed midway."""
+"""What GL draws on a cluster: sequences, on two workers of which one is killed midway, and sweeps."""
 
+import json
 import os
 import signal
 from itertools import pairwise
@@ -7,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from distributed import LocalCluster
 from PIL import Image
 
 from seafoam.library.request import job_of
@@ -57,3 +59,15 @@ def test_two_workers_one_killed_midway_draw_the_same_bytes(local: Path, tmp_path
     assert killed
     assert made.drawn == FRAMES
     assert frames(tmp_path / "fleet") == frames(local)
+
+
+def test_a_cluster_measures_accuracy(tmp_path: Path) -> None:
+    """The sweep of a worker, in this process's files."""
+    asked = ["--size", "16x16", "--rounds", "2", "--samples", "2", "--again", "--json", str(tmp_path / "a.json")]
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster:
+        done = run("accuracy", "paper-threshold", *asked, "--scheduler", cluster.scheduler_address)
+    assert done.returncode == 0, done.stderr
+    assert "paper-threshold: errors at 16 × 16" in done.stdout
+    measured = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
+    assert {point["tier"] for point in measured["points"]} >= {"high", "reference"}
+    assert all(point["error"]["rmse"] >= 0.0 for point in measured["points"])

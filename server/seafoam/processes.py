@@ -1,0 +1,42 @@
+"""Where independent jobs run that take minutes: in processes here, or on the workers of a Dask cluster."""
+
+import multiprocessing
+from collections.abc import Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+
+from seafoam.extras import require
+
+CONNECT_SECONDS = 10.0
+"""Timeout of the connection to a scheduler, s."""
+SCHEDULER = "Address of a Dask scheduler, such as tcp://host:8786, whose workers do it instead of processes here."
+"""Help for an option of commands."""
+
+
+class NoClusterError(RuntimeError):
+    """No scheduler answers at an address."""
+
+
+@contextmanager
+def executor(scheduler: str | None, processes: int) -> Iterator[Executor]:
+    """Run functions, arguments and results that can be pickled, while the context lasts.
+
+    ``scheduler``: address such as ``tcp://host:8786``; None: so many ``processes`` here. A lost worker's jobs run again
+    on others; workers need this package, and share no files with this machine. Raises
+    :class:`seafoam.extras.MissingExtraError` without Dask, :class:`NoClusterError`.
+    """
+    if scheduler is None:
+        # A fork would inherit threads that hold locks.
+        with ProcessPoolExecutor(processes, mp_context=multiprocessing.get_context("spawn")) as pool:
+            yield pool
+        return
+    require("cluster")
+    from distributed import Client
+
+    try:
+        client = Client(scheduler, timeout=CONNECT_SECONDS, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise NoClusterError(f"{scheduler}: {error}") from error
+    # The same job may be asked for twice: a result that is kept would answer.
+    with client, client.get_executor(pure=False) as pool:
+        yield pool
