@@ -71,7 +71,7 @@ def assert_sound(pixels: NDArray[np.uint8], answer: dict[str, Any]) -> None:
 
 
 @pytest.mark.remembered(by="answers")
-@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES), 2))
+@pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES), 3, 2))
 def test_same_pixels_on_the_same_renderer(page: Page, executor: Executor, preset: str, time: float) -> None:
     pixels, answer = drawn(page, preset, time)
     assert_sound(pixels, answer)
