@@ -36,8 +36,8 @@ DEADLINE_SECONDS = 10.0
 OUTSIDE = ("queue", "plan", "read", "encode")
 """Stages in which GL does not draw."""
 SOAK_FRAMES = 5000
-SOAK_SAMPLES = 100
-"""How often the long run reads the memory."""
+SOAK_LAPS = 10
+"""Parts of the long run, of the same frames; the memory is read after each."""
 SOAK_OF_ONE = 16
 """Frames of one preset in a row."""
 MEBIBYTE = 2**20
@@ -298,33 +298,34 @@ def _origins(port: int) -> dict[str, float]:
 
 def _soak(port: int, watch: Watch) -> Table:
     """A long run of frames that differ in everything, by one client."""
-    frames = round(watch.seconds(SOAK_FRAMES))
-    random = np.random.default_rng(17)
-    presets = preset_names()
+    lap = round(watch.seconds(SOAK_FRAMES) / SOAK_LAPS)
+    presets, moments = preset_names(), np.random.default_rng(5)
     memory: list[tuple[int, float]] = []
-    every = max(1, frames // SOAK_SAMPLES)
     refused: Counter[int] = Counter()
-    with watch.step(f"{frames} mixed frames"), connected(port) as connection:
-        for index in range(frames):
-            width, height = (int(side) for side in random.integers(16, 320, 2))
-            form = random.choice(["png", "webp", "exr", "npy"])
-            if index % SOAK_OF_ONE == 0:
-                preset, tier = random.choice(presets), random.choice(["draft", "standard"], p=[0.9, 0.1])
-            moment = random.uniform(0.0, 1e4)
-            path = f"/api/frames/{preset}.{form}?time={moment:.3f}&width={width}&height={height}&quality={tier}"
-            status = ask(connection, path).status
-            if status != 200:
-                refused[status] += 1
-            if index % every == 0:
-                memory.append((index, _resident()))
+    with watch.step(f"{SOAK_LAPS} times {lap} mixed frames"), connected(port) as connection:
+        for number in range(SOAK_LAPS):
+            # The same in every lap, but for the time: at its end the caches hold the same.
+            random = np.random.default_rng(17)
+            for index in range(lap):
+                width, height = (int(side) for side in random.integers(16, 320, 2))
+                form = random.choice(["png", "webp", "exr", "npy"])
+                if index % SOAK_OF_ONE == 0:
+                    preset, tier = random.choice(presets), random.choice(["draft", "standard"], p=[0.9, 0.1])
+                moment = moments.uniform(0.0, 1e4)
+                path = f"/api/frames/{preset}.{form}?time={moment:.3f}&width={width}&height={height}&quality={tier}"
+                status = ask(connection, path).status
+                if status != 200:
+                    refused[status] += 1
+            memory.append(((number + 1) * lap, _resident()))
     # The first third fills the caches.
     late = np.array(memory[len(memory) // 3 :])
     slope = float(np.polynomial.Polynomial.fit(late[:, 0], late[:, 1], 1).convert().coef[1]) * 1000.0
     return Table(
         "A long run",
-        f"{frames:,} frames of random presets, {SOAK_OF_ONE} in a row, sizes from 16 to 320 pixels a side, formats, "
-        "times and, one in ten, quality standard instead of draft. Memory: the proportional set size of the server and "
-        f"its workers together, read {len(memory)} times; slope: the straight line through the last two thirds.",
+        f"{SOAK_LAPS} laps of the same {lap:,} frames but for their times: random presets, {SOAK_OF_ONE} in a row, "
+        "sizes from 16 to 320 pixels a side, formats and, one in ten, quality standard instead of draft. Memory: the "
+        "proportional set size of the server and its workers together after each lap; slope: the straight line through "
+        "the last two thirds.",
         (Column("what", "what"), Column("value", "measured")),
         [
             ("answers other than 200", ", ".join(f"{n} × {status}" for status, n in refused.items()) or "none"),
