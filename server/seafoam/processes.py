@@ -4,8 +4,12 @@ import multiprocessing
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from seafoam.extras import require
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 CONNECT_SECONDS = 10.0
 """Timeout of the connection to a scheduler, s."""
@@ -15,6 +19,16 @@ SCHEDULER = "Address of a Dask scheduler, such as tcp://host:8786, whose workers
 
 class NoClusterError(RuntimeError):
     """No scheduler answers at an address."""
+
+
+def connected(scheduler: str) -> "Client":
+    """Connect to the scheduler at an address. Raises :class:`NoClusterError`."""
+    from distributed import Client
+
+    try:
+        return Client(scheduler, timeout=CONNECT_SECONDS, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise NoClusterError(f"no scheduler answers at {scheduler}") from error
 
 
 @contextmanager
@@ -31,12 +45,6 @@ def executor(scheduler: str | None, processes: int) -> Iterator[Executor]:
             yield pool
         return
     require("cluster")
-    from distributed import Client
-
-    try:
-        client = Client(scheduler, timeout=CONNECT_SECONDS, set_as_default=False)
-    except (OSError, ValueError) as error:
-        raise NoClusterError(f"{scheduler}: {error}") from error
     # The same job may be asked for twice: a result that is kept would answer.
-    with client, client.get_executor(pure=False) as pool:
+    with connected(scheduler) as client, client.get_executor(pure=False) as pool:
         yield pool

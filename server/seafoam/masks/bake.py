@@ -60,7 +60,8 @@ def bake_all(
     records = []
     for index, mask in enumerate(SHIPPED):
         record, ranks = baked[index]
-        rank_file(directory, mask.name).write_bytes(ranks)
+        if made[index]:
+            rank_file(directory, mask.name).write_bytes(ranks)
         records.append(record)
     # A line a mask, so that the change of one shows as such.
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)

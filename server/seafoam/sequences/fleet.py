@@ -17,6 +17,7 @@ from itertools import chain, islice
 from queue import Empty, Queue
 from typing import TYPE_CHECKING, Any
 
+from seafoam import processes
 from seafoam.extras import require
 from seafoam.render.gl.executor import Executor
 from seafoam.render.service.jobs import FrameJob, Renderer, render_frame
@@ -28,8 +29,6 @@ if TYPE_CHECKING:
 
 AHEAD = 4
 """Frames for each worker that are asked for before they are needed: enough that none waits, few to lose by a stop."""
-CONNECT_SECONDS = 10.0
-"""Timeout of the connection to a scheduler, s."""
 RETURN_SECONDS = 120.0
 """How long a scheduler that went away is waited for, until it is back with a worker, s."""
 RETURN_POLL = 0.5
@@ -168,9 +167,9 @@ class DaskWorkers:
             client = Client(cluster, set_as_default=False)
         else:
             try:
-                client = Client(scheduler, timeout=CONNECT_SECONDS, set_as_default=False)
-            except (OSError, ValueError, TimeoutError) as error:
-                raise SequenceError(f"no scheduler answers at {scheduler}") from error
+                client = processes.connected(scheduler)
+            except processes.NoClusterError as error:
+                raise SequenceError(str(error)) from error
         self._stack.callback(client.close)
         return client
 

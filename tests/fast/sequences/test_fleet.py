@@ -123,7 +123,7 @@ def test_a_scheduler_that_comes_back_is_asked_again(tmp_path: Path) -> None:
 def test_a_scheduler_that_stays_away_ends_the_sequence_and_keeps_its_frames(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("seafoam.sequences.fleet.CONNECT_SECONDS", 1.0)
+    monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 1.0)
     monkeypatch.setattr("seafoam.sequences.fleet.RETURN_SECONDS", 1.0)
     output = Output(tmp_path / "fleet", "frames")
     port = free_port()
@@ -168,7 +168,7 @@ def test_a_worker_with_several_threads_is_refused() -> None:
 
 
 def test_no_scheduler_and_no_dask(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("seafoam.sequences.fleet.CONNECT_SECONDS", 0.5)
+    monkeypatch.setattr("seafoam.processes.CONNECT_SECONDS", 0.5)
     with pytest.raises(SequenceError, match="no scheduler answers at tcp://127"):
         DaskWorkers("tcp://127.0.0.1:9")
     monkeypatch.setattr("seafoam.extras.find_spec", lambda name: None)

@@ -11,6 +11,7 @@ from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset
+from support.sweep import REST
 
 DRAW = """
 import sys
@@ -32,7 +33,7 @@ def drawn(executor: Executor, preset: str) -> str:
     return hashlib.sha256(picture.tobytes()).hexdigest()
 
 
-@pytest.mark.parametrize("preset", ["lagoon", "storm"])
+@pytest.mark.parametrize("preset", [pytest.param("default", marks=REST), "lagoon", "storm"])
 def test_optimised_programs_draw_the_same_bytes(preset: str, executor: Executor) -> None:
     assert os.environ["GALLIVM_PERF"] == "nopt"
     plain = {name: value for name, value in os.environ.items() if name != "GALLIVM_PERF"}

@@ -153,11 +153,12 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
     began = time.perf_counter()
     plan = make_plan(job.scene, job.quality)
     digest = plan_hash(job.scene, job.quality)
+    geometry = make_geometry_plan(job.scene, job.quality) if job.has_geometry else None
     planned = time.perf_counter()
     render = partial(renderer.render, time=job.time, camera=job.camera, width=job.width, height=job.height)
     drawn = [render(plan, output=job.output)]
-    if job.has_geometry:
-        drawn.append(render(make_geometry_plan(job.scene, job.quality), output="linear"))
+    if geometry is not None:
+        drawn.append(render(geometry, output="linear"))
     pixels = drawn[0].pixels if len(drawn) == 1 else np.concatenate([one.pixels for one in drawn], axis=-1)
     timings = {name: sum(one.timings[name] for one in drawn) for name in ("render", "read")}
     timings["plan"] = planned - began
