@@ -291,7 +291,7 @@ class FrameBuilder:
         tone = self._fullscreen("tone", "present", "screen", {"u_linear": self.linear})
         return [*finished, tone.model_copy(update={"inputs": {**self.collection.inputs, **tone.inputs}})]
 
-    def _ashore(self, name: str, program: str, target: str, state: State) -> Pass:
+    def _found_over(self, name: str, program: str, target: str, state: State) -> Pass:
         return Pass(
             name=name,
             when="frame",
@@ -310,14 +310,14 @@ class FrameBuilder:
         self.targets["met"] = Target(size=ViewportSize(scale=self.side), format="RGBA32F")
         self.collection.inputs["u_met"] = TargetInput(target="met")
         return [
-            self._ashore("what rising rays meet", "met, rising", "met", State()),
-            self._ashore("what rays meet", "met", "met", State()),
+            self._found_over("what rising rays meet", "met, rising", "met", State()),
+            self._found_over("what rays meet", "met", "met", State()),
         ]
 
     def _scenery(self) -> list[Pass]:
         """Surface, land and sky."""
-        shown = self._ashore("where land shows", "land, shown", self.drawn, State(depth=True, clear=True))
-        land = self._ashore("land", "land", self.drawn, State(depth=True, equal=True))
+        shown = self._found_over("where land shows", "land, shown", self.drawn, State(depth=True, clear=True))
+        land = self._found_over("land", "land", self.drawn, State(depth=True, equal=True))
         sky = Pass(
             name="sky",
             when="frame",

@@ -4,14 +4,14 @@ from functools import lru_cache
 
 from seafoam.effects.effect import Inline, Piece, SlotRef
 from seafoam.effects.registry import CHANGED
-from seafoam.framegraph.passes import Fullscreen, Pass
+from seafoam.framegraph.passes import Pass, State
 from seafoam.framegraph.plan import FramePlan
 from seafoam.framegraph.resources import Target, ViewportSize
 from seafoam.planner.adaptive import PLACE
 from seafoam.planner.frame import FrameBuilder
 from seafoam.planner.glsl import COMMON
 from seafoam.planner.planner import linked_plan
-from seafoam.planner.sides import OVER, from_under
+from seafoam.planner.sides import from_under
 from seafoam.quality import Quality
 from seafoam.scene.models import Scene
 
@@ -30,15 +30,7 @@ class _GeometryBuilder(FrameBuilder):
         self.linear = GEOMETRY
         over = (*_SURFACE, SlotRef("find"), SlotRef("land"), "output/geometry.glsl")
         self._program(GEOMETRY, over, over=True)
-        drawn = Pass(
-            name=GEOMETRY,
-            when="frame",
-            eye=OVER if self.below else "any",
-            program=GEOMETRY,
-            target=GEOMETRY,
-            mesh=Fullscreen(),
-            inputs=self.collection.inputs,
-        )
+        drawn = self._found_over(GEOMETRY, GEOMETRY, GEOMETRY, State())
         passes = [*self._effect_passes("before"), drawn]
         if self.below:
             floor: Piece = "shore/floor_normal.glsl" if self.shore else _LEVEL_FLOOR
