@@ -4,6 +4,7 @@ import hashlib
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -15,7 +16,7 @@ from support.sweep import REST
 
 DRAW = """
 import sys
-sys.path.insert(0, sys.argv[2])
+sys.path[:0] = sys.argv[2:]
 import test_driver
 from seafoam.render.gl.executor import Executor
 executor = Executor()
@@ -37,6 +38,7 @@ def drawn(executor: Executor, preset: str) -> str:
 def test_optimised_programs_draw_the_same_bytes(preset: str, executor: Executor) -> None:
     assert os.environ["GALLIVM_PERF"] == "nopt"
     plain = {name: value for name, value in os.environ.items() if name != "GALLIVM_PERF"}
-    command = [sys.executable, "-c", DRAW, preset, os.path.dirname(__file__)]
+    here = Path(__file__).parent
+    command = [sys.executable, "-c", DRAW, preset, str(here), str(here.parents[1])]
     told = subprocess.run(command, env=plain, capture_output=True, text=True, check=True, timeout=300)
     assert told.stdout.strip() == drawn(executor, preset)
