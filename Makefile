@@ -12,8 +12,8 @@ PORT ?= 8000
 WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md \
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
-# Two groups of tests at once, each about half the time: browsers and servers, and all else.
-LIVE := $(addprefix tests/,fast/api browser)
+# Two groups of tests at once, each about half the time: browsers and the pool of workers, and all else.
+LIVE := $(addprefix tests/,browser fast/api/test_api_pool.py)
 REST := tests/fast tests/gpu $(addprefix --ignore=,$(LIVE))
 
 # Tests that make many plans: half of the time that quick takes.

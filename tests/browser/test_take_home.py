@@ -15,6 +15,9 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Page
 
+from seafoam.render.encode.exr import encode_exr
+from seafoam.render.encode.png import recipe_in_png
+from seafoam.render.encode.webp import encode_webp
 from support.browsers import Lane
 from support.visits import DESKTOP, FINGER, PHONE, TARGETS, Pixels, Visit, differs, link, visit
 
@@ -46,6 +49,16 @@ def pixels(png: bytes) -> Pixels:
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 
+def other_formats(png: bytes) -> dict[float, bytes]:
+    """A WebP and an OpenEXR file with the recipe of a PNG but times of their own, which are the keys, s."""
+    recipe = json.loads(recipe_in_png(png) or "")
+    texts = {time: json.dumps(recipe | {"time": time}) for time in (1.5, 2.5)}
+    return {
+        1.5: encode_webp(np.zeros((2, 2, 3), dtype=np.uint8), texts[1.5]),
+        2.5: encode_exr(np.zeros((2, 2, 4), dtype=np.float32), "half", texts[2.5]),
+    }
+
+
 def restored(made: Visit, preset: str) -> dict[str, Any]:
     """The state once a dropped picture is restored."""
     made.page.wait_for_function("(preset) => window.seafoam.state().preset === preset", arg=preset, timeout=30_000)
@@ -64,7 +77,11 @@ def test_a_frame_of_the_server_restores_the_view_and_gives_the_same_bytes(llvmpi
         before = restored(made, "paper-halftone")
         assert made.complaints == []
     with visit(llvmpipe, server, link(preset="default"), size=SIZE) as made:
+        for time, content in other_formats(first).items():
+            drop(made.page, content)
+            made.page.wait_for_function("(time) => window.seafoam.state().time === time", arg=time, timeout=30_000)
         drop(made.page, first)
+        made.page.wait_for_function("(time) => window.seafoam.state().time === time", arg=before["time"], timeout=30_000)
         after = restored(made, "paper-halftone")
         assert after == before
         assert dict(after["changes"]) == CHANGES
@@ -81,7 +98,7 @@ def test_a_picture_of_the_page_restores_itself(llvmpipe: Lane, server: str) -> N
         before = restored(made, "paper-halftone")
     with visit(llvmpipe, server, link(preset="paper-height"), size=SIZE) as made:
         made.page.get_by_role("button", name="Take home").click()
-        made.page.get_by_label("Restore from a PNG").set_input_files(
+        made.page.get_by_label("Restore from a picture").set_input_files(
             {"name": "seafoam.png", "mimeType": "image/png", "buffer": first}
         )
         assert restored(made, "paper-halftone") == before
@@ -95,7 +112,7 @@ def test_other_files_are_refused_in_plain_words(llvmpipe: Lane, server: str) -> 
     Image.new("RGB", (2, 2)).save(plain, "PNG")
     with visit(llvmpipe, server, size=SIZE) as made:
         before = made.state()["preset"]
-        for content, said in ((b"not a picture", "not a PNG"), (plain.getvalue(), "no recipe")):
+        for content, said in ((b"not a picture", "not a PNG, WebP or OpenEXR"), (plain.getvalue(), "no recipe")):
             drop(made.page, content)
             made.page.locator(".toast.error", has_text=said).wait_for()
         assert made.state()["preset"] == before

@@ -37,6 +37,16 @@ const PNG = new Blob([
   chunk("IEND", new Uint8Array()),
 ]);
 
+/** Header of an OpenEXR file: the compression, then these attributes. */
+const exr = (...attributes: [string, string, string][]) => {
+  const all: [string, string, string][] = [["compression", "compression", "\x03"], ...attributes];
+  const parts = all.flatMap(([name, type, value]) => {
+    const data = new TextEncoder().encode(value);
+    return [`${name}\0${type}\0`, new Uint32Array([data.length]), data];
+  });
+  return new Blob(["v/1\x01\x02\0\0\0", ...parts, "\0"]);
+};
+
 const withText = async (recipe: unknown) => withRecipe(PNG, recipe as Recipe);
 
 describe("recipe in a PNG", () => {
@@ -49,7 +59,7 @@ describe("recipe in a PNG", () => {
   });
 
   test.each([
-    ["a text", new Blob(["not a picture"]), "not a PNG"],
+    ["a text", new Blob(["not a picture"]), "not a PNG, WebP or OpenEXR"],
     ["a picture without", PNG, "no recipe"],
     ["a picture that is cut off", PNG.slice(0, 40), "no recipe"],
   ])("%s is refused with the reason", async (_, file, said) => {
@@ -59,6 +69,18 @@ describe("recipe in a PNG", () => {
 
   test.each([{ recipe: 2 }, { time: "soon" }, { time: 1e12 }, { camera: { position: [0, 1] } }, { quality: null }, { scene: [] }])("%j is refused", async (change) => {
     await expect(readRecipe(await withText({ ...RECIPE, ...change }))).rejects.toBeInstanceOf(RecipeError);
+  });
+
+  test("comes from the header of an OpenEXR file", async () => {
+    expect(await readRecipe(exr(["seafoam", "string", JSON.stringify(RECIPE)]))).toEqual(RECIPE);
+  });
+
+  test.each([
+    ["without the attribute", exr()],
+    ["with an attribute of another type", exr(["seafoam", "stringvector", "{}"])],
+    ["cut off in its header", exr(["seafoam", "string", "{}"]).slice(0, 30)],
+  ])("an OpenEXR file %s is refused", async (_, file) => {
+    await expect(readRecipe(file)).rejects.toThrow("no recipe");
   });
 
   test("a split that is not one is left out", async () => {

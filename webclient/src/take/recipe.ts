@@ -1,5 +1,5 @@
 /**
- * The recipe of a picture: everything that it depends on, as JSON in an iTXt chunk of its PNG (ISO 15948).
+ * The recipe of a picture: everything that it depends on, as JSON in the picture's file.
  *
  * The server writes the same members (server/seafoam/render/service/recipe.py).
  */
@@ -10,14 +10,10 @@ import { type CameraState, cameraFromScene } from "../camera/state";
 import { CAMERA_POINTER } from "../plan/live";
 import { diff, isObject, type Json, type JsonObject, withValue } from "../scene/json";
 import { withoutTouches } from "../touch/touches";
+import { AFTER, BEFORE, KEYWORD, recipeText } from "./recipetext";
 
-const KEYWORD = "seafoam";
-const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
-/** Bytes of the signature and of IHDR, which comes first. */
+/** Bytes of a PNG's signature and of IHDR, which comes first. */
 const HEADER = 33;
-/** Length and type before a chunk's data, and the checksum after it, bytes. */
-const BEFORE = 8;
-const AFTER = 4;
 /** Version of the format. */
 const RECIPE = 1;
 /** Greatest |time|, s. */
@@ -69,11 +65,10 @@ export async function withRecipe(png: Blob, recipe: Recipe): Promise<Blob> {
   return new Blob([bytes.slice(0, HEADER), chunk, bytes.slice(HEADER)], { type: "image/png" });
 }
 
-/** The recipe in a PNG; throws a `RecipeError` if there is none. */
+/** The recipe in a PNG, WebP or OpenEXR file; throws a `RecipeError` if there is none. */
 export async function readRecipe(file: Blob): Promise<Recipe> {
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  if (!SIGNATURE.every((byte, i) => bytes[i] === byte)) throw new RecipeError("This file is not a PNG picture.");
-  const text = textOf(bytes);
+  const text = recipeText(new Uint8Array(await file.arrayBuffer()));
+  if (text === undefined) throw new RecipeError("This file is not a PNG, WebP or OpenEXR picture.");
   if (text === null) throw new RecipeError("This picture has no recipe. Pictures saved here, or rendered by the server, have one.");
   let parsed: Json;
   try {
@@ -82,24 +77,6 @@ export async function readRecipe(file: Blob): Promise<Recipe> {
     throw new RecipeError("The picture's recipe is damaged.");
   }
   return checked(parsed);
-}
-
-/** Text of the chunk with the keyword; null if there is none. */
-function textOf(bytes: Uint8Array): string | null {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const latin = new TextDecoder("latin1");
-  for (let at = SIGNATURE.length; at + BEFORE + AFTER <= bytes.length; ) {
-    const length = view.getUint32(at);
-    const end = at + BEFORE + length;
-    if (end + AFTER > bytes.length) return null;
-    if (latin.decode(bytes.subarray(at + 4, at + BEFORE)) === "iTXt") {
-      const data = bytes.subarray(at + BEFORE, end);
-      const start = latin.decode(data.subarray(0, KEYWORD.length + 5));
-      if (start === `${KEYWORD}\0\0\0\0\0`) return new TextDecoder().decode(data.subarray(KEYWORD.length + 5));
-    }
-    at = end + AFTER;
-  }
-  return null;
 }
 
 function checked(value: Json): Recipe {

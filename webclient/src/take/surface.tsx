@@ -51,7 +51,10 @@ function Pictures({ context }: { context: SurfaceContext }) {
   return (
     <section>
       <h3>Picture with its recipe</h3>
-      <p>The PNG carries scene, quality, camera and time. Drop it on this page, or choose it here, and the view is restored.</p>
+      <p>
+        The PNG carries scene, quality, camera and time, as the server's WebP and OpenEXR files do. Drop such a picture on this page, or choose it
+        here, and the view is restored.
+      </p>
       <div class="pills">
         <TaskButton run={() => context.save(context.png(), "")} failed={failed}>
           PNG, drawn here
@@ -60,8 +63,8 @@ function Pictures({ context }: { context: SurfaceContext }) {
           PNG, drawn by the server
         </TaskButton>
         <label class="file pill relative overflow-hidden focus-within:outline-2 focus-within:outline-offset-2 focus-within:outline-accent">
-          Restore from a PNG
-          <input type="file" class="pointer-events-none absolute inset-0 w-full opacity-0" accept="image/png" onChange={(event) => picked(event.currentTarget)} />
+          Restore from a picture
+          <input type="file" class="pointer-events-none absolute inset-0 w-full opacity-0" accept="image/png,image/webp,.exr" onChange={(event) => picked(event.currentTarget)} />
         </label>
         <TaskButton run={() => context.copyLink()} failed={failed}>
           Copy link
