@@ -1,8 +1,8 @@
 """Work of the surface's pass per pixel: whether it shows water, and how often the waves are evaluated to find it.
 
-The plan's own program is drawn, with a counter in every function that evaluates the waves. Its ``main`` is cut off
-after the surface has been found before land, and writes the counter. ``RuntimeError`` if the text no longer has these
-places.
+The plan's own program is drawn, with a counter in every function that evaluates the waves, and a ``main`` that finds
+what a ray meets first (``surface/first.glsl``) and writes the counter. ``RuntimeError`` if the text has no place for
+them.
 """
 
 import hashlib
@@ -23,10 +23,6 @@ _WAVES = re.compile(r"^(?P<head>\w+ (?:waves|waves_\w+)\(vec2 \w+[^)]*\) \{)$", 
 _OPEN = "vec3 wave = open_waves("
 """Evaluation of the open sea alone, before a shore."""
 _MAIN = re.compile(r"^void main\(\) \{$", re.MULTILINE)
-_DRAWN = re.compile(
-    r"^void main\(\) \{\n(?P<find>(?:(?!^\}).)*?^    bool wet = find_surface\([^;]*;\n)", re.MULTILINE | re.DOTALL
-)
-"""The text of the surface's shader until land and the surface before it are found."""
 
 
 @dataclass(frozen=True)
@@ -94,9 +90,6 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
 def counting_shader(shader: Shader) -> Shader:
     """The surface's fragment shader as one that counts. Raises ``RuntimeError`` where its text is not as expected."""
     text = shader.text
-    drawn = list(_DRAWN.finditer(text))
-    if len(drawn) != 1:
-        raise RuntimeError(f"{len(drawn)} functions find land and surface as surface/main.glsl does, not one")
     text, mains = _MAIN.subn("void bench_drawn() {", text)
     if mains != 1:
         raise RuntimeError(f"the surface's text has {mains} main functions, not one")
@@ -109,7 +102,11 @@ def counting_shader(shader: Shader) -> Shader:
     output = "o_met" if "out vec4 o_met;" in text else "o_color"
     text += f"""
 void main() {{
-{drawn[0]["find"]}    {output} = vec4(wet ? 1.0 : 0.0, float({COUNTER}), 0.0, 1.0);
+    float tau;
+    vec3 wave;
+    vec4 ground;
+    int met = first_met(camera_ray(sample_place()), tau, wave, ground);
+    {output} = vec4(met == WATER ? 1.0 : 0.0, float({COUNTER}), 0.0, 1.0);
 }}
 """
     return shader.model_copy(update={"text": text, "sha256": hashlib.sha256(text.encode()).hexdigest()})

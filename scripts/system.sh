@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Finds what pip and npm cannot bring: OpenGL, and with "test" Chromium, Firefox and a GPU's compiler. Installs it from Debian's
+# Finds what pip and npm cannot bring: OpenGL, and with "test" browsers and a GPU's compiler. Installs it from Debian's
 # packages where it may (root, or sudo without a password); otherwise prints the one command to run and stops.
 set -euo pipefail
 
@@ -12,6 +12,7 @@ has_library swrast_dri.so || has_library libgallium || ls /usr/share/glvnd/egl_v
 if [ "${1:-}" = test ]; then
   command -v chromium >/dev/null || command -v chromium-browser >/dev/null || missing+=(chromium)
   command -v firefox-esr >/dev/null || command -v firefox >/dev/null || missing+=(firefox-esr)
+  command -v WebKitWebDriver >/dev/null || missing+=(webkit2gtk-driver)
   command -v Xvfb >/dev/null || missing+=(xvfb)
   ls /usr/share/vulkan/icd.d/radeon_icd*.json >/dev/null 2>&1 || missing+=(mesa-vulkan-drivers)
   command -v glslangValidator >/dev/null || missing+=(glslang-tools)

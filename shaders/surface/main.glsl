@@ -5,18 +5,15 @@ out vec4 o_color;
 void main() {
     vec3 ray = camera_ray(sample_place());
     vec3 d = normalize(ray);
-    float land_tau;
-    vec4 ground;
-    bool dry = find_land_ahead(ray, land_tau, ground);
-    float farthest = dry ? land_tau : 1e30;
     float tau;
     vec3 wave;
-    bool wet = find_surface(ray, farthest, tau, wave) && tau <= farthest;
-    if (dry && !wet) {
-        o_color = land_color(ray, d, land_tau, ground);
+    vec4 ground;
+    int met = first_met(ray, tau, wave, ground);
+    if (met == LAND) {
+        o_color = land_color(ray, d, tau, ground);
         return;
     }
-    if (!wet) {
+    if (met != WATER) {
         discard;
     }
     vec2 p = tau * ray.xz;

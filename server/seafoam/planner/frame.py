@@ -180,7 +180,8 @@ class FrameBuilder:
         if self.below:
             self._program(UNDERWATER, self.fragments[UNDERWATER], over=False)
         if self.shore:
-            met = self._pieces([*_SAMPLED, SlotRef("waves"), SlotRef("find"), SlotRef("land")], self.met)
+            found = ("waves", "find", "land", "first")
+            met = self._pieces([*_SAMPLED, *map(SlotRef, found)], self.met)
             land = [*_SAMPLED]
             for slot in land_slots(self._combine, self.collection.fills(LAND_FOAM.name)):
                 land += slot_pieces(slot, self.marched)

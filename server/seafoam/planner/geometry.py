@@ -28,7 +28,7 @@ class _GeometryBuilder(FrameBuilder):
         self._effect_programs()
         self.targets[GEOMETRY] = Target(size=ViewportSize(), format="RGBA32F")
         self.linear = GEOMETRY
-        over = (*_SURFACE, SlotRef("find"), SlotRef("land"), "output/geometry.glsl")
+        over = (*_SURFACE, SlotRef("find"), SlotRef("land"), SlotRef("first"), "output/geometry.glsl")
         self._program(GEOMETRY, over, over=True)
         drawn = self._found_over(GEOMETRY, GEOMETRY, GEOMETRY, State())
         passes = [*self._effect_passes("before"), drawn]

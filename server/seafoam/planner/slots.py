@@ -189,10 +189,12 @@ LAND_FOAM = Slot("land foam", default=defaults.NO_FOAM_ON_LAND, under="land colo
 """Foam on the land."""
 LAND_COLOR = Slot("land color")
 """Colour of the land; none without land."""
+FIRST = Slot("first", default="surface/first.glsl")
+"""What a ray meets first, water or land."""
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """Main function for a camera under the surface."""
-ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, LAND, LAND_FOAM, LAND_COLOR, MAIN)
+ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, LAND, LAND_FOAM, LAND_COLOR, FIRST, MAIN)
 """Slots that the shader for such a camera leaves out."""
 UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
 """Slots that it has besides."""
@@ -221,7 +223,7 @@ def surface_slots(combine: Literal["max", "product"], shore: bool = False) -> tu
     lit = (*SUN_SLOTS, BODY, CREST, PLUME, GLITTER, REFLECTION, SHADE, RELIEF, FOAM_LAYER, CAUSTICS, BED)
     foam = _foam_slots(combine, shore)
     land = (LAND, LAND_FOAM, LAND_COLOR)
-    return (*waves, DETAIL, *MARCH_SLOTS, FIND, *foam, *lit, THROUGH, *land, MAIN)
+    return (*waves, DETAIL, *MARCH_SLOTS, FIND, *foam, *lit, THROUGH, *land, FIRST, MAIN)
 
 
 def land_slots(combine: Literal["max", "product"], foam: bool) -> tuple[Slot, ...]:
