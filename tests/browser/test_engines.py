@@ -1,4 +1,4 @@
-"""Firefox and WebKitGTK on llvmpipe, under Xvfb: pixels, layout, touch, settings. Headless, they have no WebGL there."""
+"""Firefox and WebKitGTK on llvmpipe, under Xvfb: pixels, layout, touch, settings. Headless they have no WebGL."""
 
 import base64
 import io
@@ -6,7 +6,7 @@ import os
 import shutil
 import subprocess
 import urllib.request
-from collections.abc import Container, Iterator
+from collections.abc import Callable, Container, Iterator
 
 import numpy as np
 import pytest
@@ -46,7 +46,9 @@ OVERLAPS = """(() => {
 def sizes(webkit: Container[str]) -> pytest.MarkDecorator:
     """Both sizes in Firefox, and these in WebKitGTK; the sweep has the other."""
     cases = [
-        pytest.param(engine, size, id=f"{engine}-{name}", marks=REST if engine == "webkit" and name not in webkit else ())
+        pytest.param(
+            engine, size, id=f"{engine}-{name}", marks=REST if engine == "webkit" and name not in webkit else ()
+        )
         for engine in ENGINES
         for name, size in SIZES.items()
     ]
@@ -58,7 +60,7 @@ def display() -> Iterator[str]:
     """An X server of its own, whose number it chooses itself."""
     assert shutil.which("Xvfb"), "no Xvfb: apt-get install xvfb"
     read, write = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"]
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1600x1200x24", "-nolisten", "tcp", "-noreset"]
     process = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
     try:
@@ -69,11 +71,24 @@ def display() -> Iterator[str]:
         process.wait(timeout=20)
 
 
-@pytest.fixture(scope="module", params=ENGINES)
-def engine(request: pytest.FixtureRequest, display: str) -> Iterator[Firefox | WebKit]:
-    browser = ENGINES[request.param](display)
-    yield browser
-    browser.close()
+@pytest.fixture(scope="module")
+def engines(display: str) -> Iterator[Callable[[str], Firefox | WebKit]]:
+    """Browsers by name, each started once."""
+    running: dict[str, Firefox | WebKit] = {}
+
+    def started(name: str) -> Firefox | WebKit:
+        if name not in running:
+            running[name] = ENGINES[name](display)
+        return running[name]
+
+    yield started
+    for browser in running.values():
+        browser.close()
+
+
+@pytest.fixture(params=ENGINES)
+def engine(request: pytest.FixtureRequest, engines: Callable[[str], Firefox | WebKit]) -> Firefox | WebKit:
+    return engines(request.param)
 
 
 def opened(engine: Firefox | WebKit, server: str, preset: str, size: tuple[int, int]) -> None:
@@ -105,6 +120,7 @@ def test_presets_are_the_servers_pixels(engine: Firefox | WebKit, server: str) -
 def test_nothing_lies_over_anything(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     assert engine.evaluate("document.querySelectorAll('.strip a').length") > 20
+    assert engine.evaluate("document.querySelector('h1').checkVisibility({ checkVisibilityCSS: true })")
     assert engine.evaluate(OVERLAPS) == []
     assert engine.evaluate("document.documentElement.scrollWidth") <= size[0]
     assert engine.complaints == []

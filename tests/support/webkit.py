@@ -13,19 +13,28 @@ from typing import Any
 from support.command import free_port
 
 BROWSERS = "usr/lib/*/webkit2gtk-4.*/MiniBrowser"
-LISTENING = """(() => {
+ELSEWHERE = """location.href !== 'about:blank' && (() => {
   window.complaints ??= (() => {
     const said = [];
-    for (const type of ['error', 'unhandledrejection', 'securitypolicyviolation'])
-      addEventListener(type, (event) => said.push([type, event.message ?? event.reason ?? event.violatedDirective].join()), true);
+    const told = (event) =>
+      said.push([event.type, event.message ?? event.reason ?? event.violatedDirective].join());
+    for (const type of ['error', 'unhandledrejection', 'securitypolicyviolation']) addEventListener(type, told, true);
     console.error = console.warn = (...parts) => said.push(parts.join(' '));
     return said;
   })();
   return true;
 })()"""
-"""Has the page keep what it complains of, for the driver tells nothing of it."""
+"""Also has the page keep what it complains of, since the driver tells nothing of it; its scripts are on their way."""
 START = 60.0
 """Longest time for the driver to listen, s."""
+
+
+class DriverError(AssertionError):
+    """The driver refuses a command."""
+
+    def __init__(self, code: str, message: str) -> None:
+        super().__init__(f"{code}: {message}")
+        self.code = code
 
 
 class WebKit:
@@ -34,10 +43,13 @@ class WebKit:
     def __init__(self, display: str) -> None:
         driver = shutil.which("WebKitWebDriver")
         browsers = sorted(Path("/").glob(BROWSERS))
-        assert driver and browsers, "no WebKitGTK: apt-get install webkit2gtk-driver"
+        assert driver is not None, "no WebKitGTK: apt-get install webkit2gtk-driver"
+        assert browsers, "WebKitGTK has no MiniBrowser"
         self.home = tempfile.mkdtemp(prefix="webkit-")
         self.port = free_port()
-        environment = {**os.environ, "HOME": self.home, "DISPLAY": display, "GDK_BACKEND": "x11"}
+        # Its language is the locale's, and "C" is none.
+        language = {"LANG": "en_US.UTF-8", "LANGUAGE": "en_US"}
+        environment = {**os.environ, **language, "HOME": self.home, "DISPLAY": display, "GDK_BACKEND": "x11"}
         self.process = subprocess.Popen(
             [driver, f"--port={self.port}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment
         )
@@ -48,7 +60,9 @@ class WebKit:
         session = self.call("POST", "/session", {"capabilities": {"alwaysMatch": asked}})
         self.session = f"/session/{session['sessionId']}"
         first = self.call("GET", "/window")
-        self.evaluate("window.open('about:blank', 'bare', 'width=400,height=400,toolbar=no,location=no,menubar=no') !== null")
+        self.evaluate(
+            "window.open('about:blank', 'bare', 'width=400,height=400,toolbar=no,location=no,menubar=no') !== null"
+        )
         (bare,) = set(self.call("GET", "/window/handles")) - {first}
         self.call("POST", "/window", {"handle": bare})
 
@@ -63,12 +77,14 @@ class WebKit:
                 reply = connection.getresponse()
                 value = json.loads(reply.read())["value"]
             except ConnectionRefusedError:
-                assert self.process.poll() is None and time.monotonic() < deadline, "the driver does not listen"
+                if self.process.poll() is not None or time.monotonic() > deadline:
+                    raise
                 time.sleep(0.1)
                 continue
             finally:
                 connection.close()
-            assert reply.status == 200, f"{path}: {value}"
+            if reply.status != 200:
+                raise DriverError(value["error"], f"{path}: {value['message']}")
             return value
 
     @property
@@ -91,14 +107,23 @@ class WebKit:
 
     def visit(self, address: str) -> None:
         # From another document: a change of the fragment alone would load nothing.
-        self.call("POST", "/url", {"url": "about:blank"})
-        self.until("location.href === 'about:blank'")
-        self.call("POST", "/url", {"url": address})
-        # While its scripts are still on their way. A promise would be lost with the page before.
-        script = f"return location.href !== 'about:blank' && {LISTENING}"
-        while not self.call("POST", "/execute/sync", {"script": script, "args": []}):
-            pass
+        for url, there in (("about:blank", "location.href === 'about:blank'"), (address, ELSEWHERE)):
+            self.call("POST", "/url", {"url": url})
+            self.arrive(there)
         self.until("document.readyState === 'complete'")
+
+    def arrive(self, there: str) -> None:
+        """Wait until a page for which an expression is true has taken the place of another."""
+        deadline = time.monotonic() + START
+        while time.monotonic() < deadline:
+            try:
+                if self.call("POST", "/execute/sync", {"script": f"return {there}", "args": []}):
+                    return
+            except DriverError as error:
+                # The page before has just gone.
+                if error.code != "no such frame":
+                    raise
+        raise AssertionError(f"never true: {there}")
 
     def evaluate(self, expression: str) -> Any:
         """Return the value of an expression in the page, awaited."""

@@ -194,7 +194,21 @@ FIRST = Slot("first", default="surface/first.glsl")
 MAIN = Slot("main", default="surface/main.glsl")
 BELOW = Slot("below")
 """Main function for a camera under the surface."""
-ONLY_OVER = (GENTLER, SHORT, BEYOND, APPROACH, FIND, RELIEF, FOAM_LAYER, THROUGH, LAND, LAND_FOAM, LAND_COLOR, FIRST, MAIN)
+ONLY_OVER = (
+    GENTLER,
+    SHORT,
+    BEYOND,
+    APPROACH,
+    FIND,
+    RELIEF,
+    FOAM_LAYER,
+    THROUGH,
+    LAND,
+    LAND_FOAM,
+    LAND_COLOR,
+    FIRST,
+    MAIN,
+)
 """Slots that the shader for such a camera leaves out."""
 UNDER_SLOTS = (UNDERSIDE, REACH, UNDER_BED, BELOW)
 """Slots that it has besides."""

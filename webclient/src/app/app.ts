@@ -287,6 +287,8 @@ export class App {
 
   private showSelection({ preset, quality, auto }: Selection): void {
     byId("title").textContent = preset.title;
+    // Not by :has(:empty), which WebKit does not look at again.
+    byId("heading").classList.remove("unnamed");
     byId("summary").textContent = preset.summary;
     document.title = `${preset.title} · Seafoam`;
     this.gallery.select(preset.name);
