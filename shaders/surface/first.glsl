@@ -7,9 +7,7 @@ int first_met(vec3 ray, out float tau, out vec3 wave, out vec4 ground) {
     bool dry = find_land_ahead(ray, land_tau, ground);
     // Land first: no water is looked for under it.
     float farthest = dry ? land_tau : 1e30;
-    if (find_surface(ray, farthest, tau, wave) && tau <= farthest) {
-        return WATER;
-    }
-    tau = land_tau;
-    return dry ? LAND : 0;
+    bool wet = find_surface(ray, farthest, tau, wave) && tau <= farthest;
+    tau = wet ? tau : land_tau;
+    return wet ? WATER : dry ? LAND : 0;
 }
