@@ -8,6 +8,6 @@ int first_met(vec3 ray, out float tau, out vec3 wave, out vec4 ground) {
     // Land first: no water is looked for under it.
     float farthest = dry ? land_tau : 1e30;
     bool wet = find_surface(ray, farthest, tau, wave) && tau <= farthest;
-    tau = wet ? tau : land_tau;
+    tau = dry && !wet ? land_tau : tau;
     return wet ? WATER : dry ? LAND : 0;
 }
