@@ -15,7 +15,7 @@ from seafoam.render.service.errors import (
     RendererUnavailableError,
     RenderFailedError,
 )
-from seafoam.render.service.jobs import FrameJob
+from seafoam.render.service.jobs import Draw, FrameJob, MeasureJob
 from seafoam.render.service.limits import FrameLimits
 from seafoam.render.service.pool import RenderPool
 from seafoam.scene.models import Scene
@@ -170,6 +170,22 @@ def test_a_lost_context_costs_a_worker_and_no_frame(monkeypatch, tmp_path, at_wo
         assert pool.state == "ready"
 
     with_pool(work, factory=LostRenderer, check_seconds=600.0 if at_work else 0.2)
+
+
+def test_a_lost_context_is_not_measured(monkeypatch, tmp_path):
+    monkeypatch.setenv(LOST, str(tmp_path / "lost"))
+    draws = (Draw(16, 9, "rgba8"), Draw(16, 9, "rgba8", keep=True))
+    asked = MeasureJob(SCENE, TIERS["draft"], 0.0, SCENE.camera, draws)
+
+    async def work(pool):
+        sound = (await pool.measure(asked))[1].pixels
+        (tmp_path / "lost").touch()
+        assert ((await pool.measure(asked))[1].pixels == sound).all()
+        assert sound.any()
+        assert pool.restarts["crash"] == 1
+        assert pool.state == "ready"
+
+    with_pool(work, factory=LostRenderer, check_seconds=600.0)
 
 
 def test_a_full_queue_refuses_at_once_and_says_when_to_ask_again():

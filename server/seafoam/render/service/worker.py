@@ -154,6 +154,9 @@ def work_measure(job: MeasureJob, expires: float) -> Answer[tuple[Drawn, ...]]:
     if time.time() >= expires:
         return Answer(os.getpid(), Expired())
     try:
-        return Answer(os.getpid(), measure(_renderer, job))
+        drawn = measure(_renderer, job)
+        # A lost context takes time too, and draws zeros, without an error.
+        draw_canary(_renderer)
+        return Answer(os.getpid(), drawn)
     except Exception as error:
         return Answer(os.getpid(), _failed(_renderer, error))
