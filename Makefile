@@ -12,9 +12,10 @@ PORT ?= 8000
 WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md \
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
-# Two groups of tests at once, each about half the time: browsers and the pool of workers, and all else.
-LIVE := $(addprefix tests/,browser fast/api/test_api_pool.py)
-REST := tests/fast tests/gpu $(addprefix --ignore=,$(LIVE))
+# Three groups of tests at once: each waits now and then, for a browser, a server or one thread.
+POOL := tests/fast/api/test_api_pool.py
+LIVE := tests/browser $(POOL)
+FAST := tests/fast --ignore=$(POOL)
 
 # Tests that make many plans: half of the time that quick takes.
 PLANS := tests/fast/unit
@@ -25,16 +26,16 @@ SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/
 # What of the large tables of like cases to run: tests/support/sweep.py.
 SHARE := not sweep
 
-# Two groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of both.
-test-live test-rest quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
+# Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
+test-live test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
 
-.PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-rest test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
+.PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-gpu test-fast test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
 
 test: setup-test
-	@$(MAKE) --no-print-directory -j3 lint-then-web test-live test-rest
+	@$(MAKE) --no-print-directory -j4 lint-then-web test-live test-gpu test-fast
 
 # One after the other, beside the tests: each of them takes one processor.
 lint-then-web: lint
@@ -99,11 +100,14 @@ test-web: setup-test
 test-live:
 	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(LIVE)
 
-test-rest:
-	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(REST)
+test-gpu:
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" tests/gpu
+
+test-fast:
+	$(BIN)/pytest -q -p no:cacheprovider -m "$(SHARE)" $(FAST)
 
 sweep: setup-test
-	@$(MAKE) --no-print-directory -j2 SHARE=sweep test-live test-rest
+	@$(MAKE) --no-print-directory -j3 SHARE=sweep test-live test-gpu test-fast
 
 bench: setup-test
 	$(BIN)/python -m bench

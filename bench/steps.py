@@ -90,6 +90,8 @@ def counting_plan(plan: FramePlan, camera: Camera, size: tuple[int, int]) -> Fra
 def counting_shader(shader: Shader) -> Shader:
     """The surface's fragment shader as one that counts. Raises ``RuntimeError`` where its text is not as expected."""
     text = shader.text
+    if "int first_met(" not in text:
+        raise RuntimeError("the surface's text has no function that finds what a ray meets first")
     text, mains = _MAIN.subn("void bench_drawn() {", text)
     if mains != 1:
         raise RuntimeError(f"the surface's text has {mains} main functions, not one")

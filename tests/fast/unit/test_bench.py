@@ -52,19 +52,19 @@ SHORE = make_plan(load_preset("beach").scene, TIERS["standard"]).programs
 
 @pytest.mark.parametrize("name", ["surface", "met"])
 def test_a_counting_text_counts_in_every_function_that_evaluates_waves(name: str) -> None:
-    """And its main is what drew before, up to where the surface is found and land is not."""
+    """And its main only finds what a ray meets first."""
     text = counting_shader((SHORE if name == "met" else SURFACE)[name].fragment).text
     # waves and waves_shading; before a shore, the open sea's waves alone.
     assert text.count("++bench_evaluations;") == (3 if name == "met" else 2)
     _, _, main = text.partition("void main() {")
-    assert re.search(r"find_land_ahead\(.*find_surface\(", main, re.DOTALL)
+    assert "first_met(" in main
     assert "foam" not in main
 
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("bool wet = find_surface(", "bool found = find_surface(", "0 functions find land and surface"),
+        ("int first_met(", "int met_first(", "no function that finds what a ray meets first"),
         ("waves", "heights", "no function that evaluates the waves"),
         ("void main() {", "void main() {\n}\n\nvoid main() {", "2 main functions"),
     ],

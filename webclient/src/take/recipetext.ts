@@ -12,16 +12,19 @@ const PNG = "\x89PNG\r\n\x1a\n";
 const EXR = "v/1\x01";
 /** OpenEXR: bytes of its signature and version, before the first attribute. */
 const EXR_HEADER = 8;
+/** Greatest length of a name, bytes. */
+const EXR_NAME = 255;
 /** PNG: length and type before a chunk's data, and the checksum after it, bytes. */
 export const BEFORE = 8;
 export const AFTER = 4;
 
-const latin = new TextDecoder("latin1");
+// Not a decoder: its "latin1" is windows-1252.
+const latin = (bytes: Uint8Array) => String.fromCharCode(...bytes);
 const utf8 = new TextDecoder();
 
 /** The text; null if the picture has none, undefined if the file is of none of the three formats. */
 export function recipeText(bytes: Uint8Array): string | null | undefined {
-  const start = latin.decode(bytes.subarray(0, 12));
+  const start = latin(bytes.subarray(0, 12));
   if (start.startsWith(PNG)) return inPng(bytes);
   if (start.startsWith("RIFF") && start.endsWith("WEBP")) return inWebp(bytes);
   if (start.startsWith(EXR)) return inExr(bytes);
@@ -33,9 +36,9 @@ function inPng(bytes: Uint8Array): string | null {
   for (let at = PNG.length; at + BEFORE + AFTER <= bytes.length; ) {
     const end = at + BEFORE + view.getUint32(at);
     if (end + AFTER > bytes.length) return null;
-    if (latin.decode(bytes.subarray(at + 4, at + BEFORE)) === "iTXt") {
+    if (latin(bytes.subarray(at + 4, at + BEFORE)) === "iTXt") {
       const data = bytes.subarray(at + BEFORE, end);
-      const start = latin.decode(data.subarray(0, KEYWORD.length + 5));
+      const start = latin(data.subarray(0, KEYWORD.length + 5));
       if (start === `${KEYWORD}\0\0\0\0\0`) return utf8.decode(data.subarray(KEYWORD.length + 5));
     }
     at = end + AFTER;
@@ -47,7 +50,7 @@ function inWebp(bytes: Uint8Array): string | null {
   const view = viewOf(bytes);
   for (let at = 12; at + 8 <= bytes.length; ) {
     const length = view.getUint32(at + 4, true);
-    if (latin.decode(bytes.subarray(at, at + 4)) === "XMP ") {
+    if (latin(bytes.subarray(at, at + 4)) === "XMP ") {
       const packet = new DOMParser().parseFromString(utf8.decode(bytes.subarray(at + 8, at + 8 + length)), "application/xml");
       return packet.getElementsByTagNameNS(XMP_NAMESPACE, "recipe")[0]?.textContent ?? null;
     }
@@ -60,8 +63,8 @@ function inWebp(bytes: Uint8Array): string | null {
 function inExr(bytes: Uint8Array): string | null {
   const view = viewOf(bytes);
   const nameAt = (at: number) => {
-    const end = bytes.indexOf(0, at);
-    return end < 0 ? "" : latin.decode(bytes.subarray(at, end));
+    const name = bytes.subarray(at, at + EXR_NAME + 1);
+    return latin(name.subarray(0, Math.max(name.indexOf(0), 0)));
   };
   // Attributes up to an empty name: name, type, length, value.
   for (let at = EXR_HEADER, name = nameAt(at); name !== ""; name = nameAt(at)) {
