@@ -143,19 +143,42 @@ def test_settings_open_and_change_the_scene(engine: Firefox | WebKit, server: st
 
 
 @pytest.mark.parametrize(
-    ("engine", "kind"),
+    ("engine", "kind", "size"),
     # WebKit's driver makes a mouse of a finger.
-    [("firefox", "mouse"), ("firefox", "touch"), ("webkit", "mouse")],
+    [("firefox", "mouse", DESKTOP), ("firefox", "touch", PHONE), ("webkit", "mouse", PHONE)],
     indirect=["engine"],
 )
-def test_a_touch_raises_a_ring(engine: Firefox | WebKit, server: str, kind: str) -> None:
-    opened(engine, server, "lake-calm", (560, 360))
-    engine.press(kind, (300, 250))
+def test_a_touch_raises_a_ring(engine: Firefox | WebKit, server: str, kind: str, size: tuple[int, int]) -> None:
+    """And a drag a train of them, which is one step of undo."""
+    opened(engine, server, "lake-calm", size)
+    places = [(round(x * size[0]), round(y * size[1])) for x, y in ((0.4, 0.66), (0.5, 0.67), (0.6, 0.68))]
+    engine.press(kind, places[1])
     engine.until("window.seafoam.state().touches?.length === 1")
     camera = engine.evaluate("window.seafoam.state().camera")
-    engine.press(kind, (200, 240), (260, 245), (320, 250))
+    engine.press(kind, *places)
     engine.until(f"window.seafoam.state().touches.length > 3 && {SETTLED}")
     assert engine.evaluate("window.seafoam.state().camera") == camera
+    engine.evaluate(
+        "document.body.dispatchEvent(new KeyboardEvent('keydown',"
+        " { key: 'z', code: 'KeyZ', ctrlKey: true, bubbles: true }))"
+    )
+    engine.until("window.seafoam.state().touches.length === 1")
+    assert engine.complaints == []
+
+
+@sizes({"phone"})
+def test_a_water_is_found_by_words(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+    opened(engine, server, "paper-threshold", size)
+    engine.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', { key: '/', bubbles: true }))")
+    engine.until("document.querySelectorAll('.waters a').length > 20")
+    engine.evaluate(
+        "((field) => { field.value = 'figure 2'; field.dispatchEvent(new Event('input', { bubbles: true })); })"
+        "(document.querySelector('.waters [type=search]'))"
+    )
+    engine.until("document.querySelectorAll('.waters a').length === 1")
+    engine.evaluate("document.querySelector('.waters a').click()")
+    engine.until(f"window.seafoam.state().preset === 'paper-height' && {SETTLED}")
+    assert "/water/paper-height" in engine.evaluate("location.pathname")
     assert engine.complaints == []
 
 
