@@ -26,9 +26,8 @@ SLOW := $(addprefix tests/fast/,accuracy cli reference api/test_api_pool.py api/
 # What of the large tables of like cases to run: tests/support/sweep.py.
 SHARE := not sweep
 
-# Groups run at once on two cores: threads of BLAS and llvmpipe would wait for one another, and use up the time of all.
+# Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
 test-live test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
-test-live test-gpu test-fast quick-plans quick-rest: export LP_NUM_THREADS = 1
 
 .PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-gpu test-fast test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 

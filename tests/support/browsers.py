@@ -33,7 +33,7 @@ def launched(playwright: Playwright, name: str, *, optimised: bool = False) -> B
     """optimised: as users have it, which draws faster. Else programs are compiled in half the time, and the page's own
     parts are put together without GL, on which they would cost as much as the water."""
     arguments = [*COMMON, *LANES[name], *([] if optimised else ["--disable-gpu-compositing"])]
-    left_out = {"GALLIVM_PERF", "LP_NUM_THREADS"} if optimised else set()
+    left_out = {"GALLIVM_PERF"} if optimised else set()
     environment: dict[str, str | float | bool] = {k: v for k, v in os.environ.items() if k not in left_out}
     browser = playwright.chromium.launch(executable_path=chromium(), args=arguments, env=environment)
     # Playwright evaluates what wait_for_function waits for as text, and a test adds styles: the page's security policy
