@@ -65,3 +65,26 @@ def test_axe_would_find_something(llvmpipe: Lane, server: str) -> None:
         made.page.evaluate("() => document.querySelector('#tools button').removeAttribute('aria-label')")
         made.page.evaluate("() => document.querySelector('#tools button').removeAttribute('title')")
         assert [rule for rule, _ in violations(made.page)] == ["button-name"]
+
+
+@SIZES
+def test_forced_colours_leave_what_is_set_visible(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
+    """Colours of the system's: axe finds nothing, and line and place of the playback are not of the ground's colour."""
+    seen = {"forced_colors": "active", "reduced_motion": "reduce"}
+    with visit(llvmpipe, server, link(preset="paper-threshold"), size=size, **seen) as made:
+        made.settings()
+        assert made.page.evaluate("matchMedia('(forced-colors: active)').matches")
+        assert violations(made.page) == []
+        ground, line, place = made.page.evaluate(
+            """() => {
+              const color = (part, pseudo) => getComputedStyle(part, pseudo).backgroundColor;
+              const [line, , place] = document.querySelectorAll('#transport i');
+              return [color(document.querySelector('#transport')), color(line), color(place, '::before')];
+            }"""
+        )
+        assert ground not in (line, place)
+        assert (
+            made.page.locator("#settings input[type=range]").first.evaluate("(one) => getComputedStyle(one).appearance")
+            == "auto"
+        )
+        assert made.complaints == []

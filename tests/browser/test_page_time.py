@@ -122,3 +122,19 @@ def test_starts_still_where_motion_is_unwelcome(llvmpipe: Lane, server: str, mot
         made.page.evaluate("() => window.seafoam.ready")
         assert made.state()["playing"] is playing
         assert made.page.get_by_role("button", name="Pause" if playing else "Play").count() == 1
+
+
+def test_a_hidden_tab_stands_still_and_goes_on_where_it_was(llvmpipe: Lane, server: str) -> None:
+    with visit(llvmpipe, server, "#preset=paper-height&quality=draft", size=SMALL, settle=False) as made:
+        page = made.page
+        page.wait_for_function("() => window.seafoam?.state().playing && window.seafoam.state().time > 0")
+        tab = page.context.new_cdp_session(page)
+        before = made.state()["time"]
+        tab.send("Page.setWebLifecycleState", {"state": "frozen"})
+        # The browser's own clock: the page has none meanwhile.
+        page.context.new_page().wait_for_timeout(2500)
+        tab.send("Page.setWebLifecycleState", {"state": "active"})
+        after = made.state()["time"]
+        assert after - before < 1.5
+        page.wait_for_function("(after) => window.seafoam.state().time > after + 0.2", arg=after)
+        assert made.complaints == []
