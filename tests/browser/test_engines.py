@@ -181,6 +181,31 @@ def test_a_water_is_found_by_words(engine: Firefox | WebKit, server: str, size: 
     assert engine.complaints == []
 
 
+@sizes({"desktop"})
+def test_a_lost_context_comes_back(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+    opened(engine, server, "paper-threshold", size)
+    draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'draft' }})"
+    before = engine.evaluate(draw)["pixels"]
+    engine.evaluate("window.seafoam.loseContext()")
+    engine.until("/context lost/.test(document.querySelector('.toast')?.textContent)")
+    engine.evaluate("window.seafoam.restoreContext()")
+    engine.until(f"!window.seafoam.state().lost && {SETTLED}")
+    assert engine.evaluate(draw)["pixels"] == before
+    assert engine.complaints == []
+
+
+@sizes({"phone"})
+def test_the_server_draws_where_it_is_asked_to(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+    engine.size(*size)
+    engine.visit(f"{server}/?draw=server#paused=1&quality=draft&preset=paper-threshold&time={TIME}")
+    engine.until(f"{SETTLED} && document.querySelector('.served img')?.naturalWidth > 0")
+    click(engine, "Play")
+    engine.until(f"window.seafoam.state().time > {TIME} + 0.2")
+    click(engine, "Pause")
+    engine.until(SETTLED)
+    assert engine.complaints == []
+
+
 AXE_FINDS = """(async () => {
   const over = ({ effect, playState }) => playState !== 'running' || effect.getTiming().iterations === Infinity;
   while (!document.getAnimations().every(over)) await new Promise((done) => setTimeout(done, 50));
