@@ -15,7 +15,7 @@ from PIL import Image
 from support.axe import AXE
 from support.bidi import Firefox
 from support.sweep import REST
-from support.visits import DESKTOP, PHONE
+from support.visits import DESKTOP, PHONE, link
 from support.webkit import WebKit
 
 WIDTH, HEIGHT, TIME = 160, 90, 2.7
@@ -194,7 +194,7 @@ def test_a_lost_context_comes_back(engine: Firefox | WebKit, server: str, size: 
     assert engine.complaints == []
 
 
-@sizes({"phone"})
+@sizes(())
 def test_the_server_draws_where_it_is_asked_to(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
     engine.visit(f"{server}/?draw=server#paused=1&quality=draft&preset=paper-threshold&time={TIME}")
@@ -203,6 +203,27 @@ def test_the_server_draws_where_it_is_asked_to(engine: Firefox | WebKit, server:
     engine.until(f"window.seafoam.state().time > {TIME} + 0.2")
     click(engine, "Pause")
     engine.until(SETTLED)
+    assert engine.complaints == []
+
+
+@sizes(())
+def test_the_picture_stays_while_the_server_is_away_or_slow(
+    engine: Firefox | WebKit, server: str, size: tuple[int, int]
+) -> None:
+    opened(engine, server, "paper-threshold", size)
+    engine.evaluate("(window.own = fetch, window.fetch = () => Promise.reject(new TypeError('away')), true)")
+    engine.evaluate(f"location.hash = {link(preset='paper-threshold', scene={'/foam/look': 'textured'})!r}")
+    engine.until("/does not respond/.test(document.querySelector('.toast.error')?.textContent)")
+    assert engine.evaluate("window.seafoam.state().pictures === 1 && !window.seafoam.state().lost")
+    engine.evaluate(
+        "(window.fetch = async (...asked) => {"
+        " await new Promise((done) => setTimeout(done, 1500)); return window.own(...asked); }, true)"
+    )
+    engine.evaluate(f"location.hash = {link(preset='paper-threshold', scene={'/foam/look': 'filtered'})!r}")
+    engine.until("window.seafoam.state().busy")
+    assert engine.evaluate("window.seafoam.state().pictures === 1")
+    engine.until(SETTLED)
+    assert engine.evaluate("window.seafoam.state().changes.length") == 1
     assert engine.complaints == []
 
 
