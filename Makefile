@@ -12,7 +12,7 @@ PORT ?= 8000
 WEB_SOURCES := $(shell find $(addprefix $(WEB)/,src public masks learn build) -type f 2>/dev/null) $(WEB)/index.html docs/formulae.md \
 	$(WEB)/package-lock.json $(WEB)/vite.config.ts $(WEB)/vite.library.config.ts $(WEB)/tsconfig.json
 
-# Three groups of tests at once: each waits now and then, for a browser, a server or one thread.
+# Three groups of tests at once, each under 2 GB: browsers and the pool of workers, what draws, and all else.
 POOL := tests/fast/api/test_api_pool.py
 LIVE := tests/browser $(POOL)
 FAST := tests/fast --ignore=$(POOL)

@@ -14,6 +14,7 @@ from PIL import Image
 
 from support.axe import AXE
 from support.bidi import Firefox
+from support.engine import Engine
 from support.sweep import REST
 from support.visits import DESKTOP, PHONE, link
 from support.webkit import WebKit
@@ -21,7 +22,7 @@ from support.webkit import WebKit
 WIDTH, HEIGHT, TIME = 160, 90, 2.7
 PRESETS = ("paper-threshold", "default", "swell")
 """All 30 draw the server's pixels (once measured); these are fast ones of three kinds."""
-ENGINES: dict[str, type[Firefox | WebKit]] = {"firefox": Firefox, "webkit": WebKit}
+ENGINES: dict[str, type[Firefox] | type[WebKit]] = {"firefox": Firefox, "webkit": WebKit}
 SIZES = {"desktop": DESKTOP, "phone": PHONE}
 SETTLED = "window.seafoam?.state().settled === true"
 OVERLAPS = """(() => {
@@ -72,11 +73,11 @@ def display() -> Iterator[str]:
 
 
 @pytest.fixture(scope="module")
-def engines(display: str) -> Iterator[Callable[[str], Firefox | WebKit]]:
+def engines(display: str) -> Iterator[Callable[[str], Engine]]:
     """Browsers by name, each started once."""
-    running: dict[str, Firefox | WebKit] = {}
+    running: dict[str, Engine] = {}
 
-    def started(name: str) -> Firefox | WebKit:
+    def started(name: str) -> Engine:
         if name not in running:
             running[name] = ENGINES[name](display)
         return running[name]
@@ -87,17 +88,17 @@ def engines(display: str) -> Iterator[Callable[[str], Firefox | WebKit]]:
 
 
 @pytest.fixture(params=ENGINES)
-def engine(request: pytest.FixtureRequest, engines: Callable[[str], Firefox | WebKit]) -> Firefox | WebKit:
+def engine(request: pytest.FixtureRequest, engines: Callable[[str], Engine]) -> Engine:
     return engines(request.param)
 
 
-def opened(engine: Firefox | WebKit, server: str, preset: str, size: tuple[int, int]) -> None:
+def opened(engine: Engine, server: str, preset: str, size: tuple[int, int]) -> None:
     engine.size(*size)
     engine.visit(f"{server}/#paused=1&quality=draft&preset={preset}&time={TIME}")
     engine.until(SETTLED)
 
 
-def test_presets_are_the_servers_pixels(engine: Firefox | WebKit, server: str) -> None:
+def test_presets_are_the_servers_pixels(engine: Engine, server: str) -> None:
     """On the same llvmpipe, at most one pixel in ten thousand differs: the bar of Chromium."""
     opened(engine, server, "paper-threshold", (400, 300))
     # WebKit gives every renderer this name.
@@ -117,7 +118,7 @@ def test_presets_are_the_servers_pixels(engine: Firefox | WebKit, server: str) -
 
 
 @sizes({"desktop", "phone"})
-def test_nothing_lies_over_anything(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+def test_nothing_lies_over_anything(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     assert engine.evaluate("document.querySelectorAll('.strip a').length") > 20
     assert engine.evaluate("document.querySelector('h1').checkVisibility({ checkVisibilityCSS: true })")
@@ -126,7 +127,7 @@ def test_nothing_lies_over_anything(engine: Firefox | WebKit, server: str, size:
     assert engine.complaints == []
 
 
-def test_settings_open_and_change_the_scene(engine: Firefox | WebKit, server: str) -> None:
+def test_settings_open_and_change_the_scene(engine: Engine, server: str) -> None:
     opened(engine, server, "paper-threshold", (760, 500))
     engine.evaluate("document.querySelector('[data-tool=settings]').click()")
     engine.until("document.querySelector('#settings.open .tp-rotv') !== null")
@@ -148,7 +149,7 @@ def test_settings_open_and_change_the_scene(engine: Firefox | WebKit, server: st
     [("firefox", "mouse", DESKTOP), ("firefox", "touch", PHONE), ("webkit", "mouse", PHONE)],
     indirect=["engine"],
 )
-def test_a_touch_raises_a_ring(engine: Firefox | WebKit, server: str, kind: str, size: tuple[int, int]) -> None:
+def test_a_touch_raises_a_ring(engine: Engine, server: str, kind: str, size: tuple[int, int]) -> None:
     """And a drag a train of them, which is one step of undo."""
     opened(engine, server, "lake-calm", size)
     places = [(round(x * size[0]), round(y * size[1])) for x, y in ((0.15, 0.66), (0.5, 0.67), (0.85, 0.68))]
@@ -167,7 +168,7 @@ def test_a_touch_raises_a_ring(engine: Firefox | WebKit, server: str, kind: str,
 
 
 @sizes({"phone"})
-def test_a_water_is_found_by_words(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+def test_a_water_is_found_by_words(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     engine.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', { key: '/', bubbles: true }))")
     engine.until("document.querySelectorAll('.waters a').length > 20")
@@ -182,7 +183,7 @@ def test_a_water_is_found_by_words(engine: Firefox | WebKit, server: str, size: 
 
 
 @sizes({"desktop"})
-def test_a_lost_context_comes_back(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+def test_a_lost_context_comes_back(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     draw = f"window.seafoam.render('default', {{ time: {TIME}, width: 64, height: 36, quality: 'draft' }})"
     before = engine.evaluate(draw)["pixels"]
@@ -195,7 +196,7 @@ def test_a_lost_context_comes_back(engine: Firefox | WebKit, server: str, size: 
 
 
 @sizes(())
-def test_the_server_draws_where_it_is_asked_to(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+def test_the_server_draws_where_it_is_asked_to(engine: Engine, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
     engine.visit(f"{server}/?draw=server#paused=1&quality=draft&preset=paper-threshold&time={TIME}")
     engine.until(f"{SETTLED} && document.querySelector('.served img')?.naturalWidth > 0")
@@ -207,9 +208,7 @@ def test_the_server_draws_where_it_is_asked_to(engine: Firefox | WebKit, server:
 
 
 @sizes(())
-def test_the_picture_stays_while_the_server_is_away_or_slow(
-    engine: Firefox | WebKit, server: str, size: tuple[int, int]
-) -> None:
+def test_the_picture_stays_while_the_server_is_away_or_slow(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     engine.evaluate("(window.own = fetch, window.fetch = () => Promise.reject(new TypeError('away')), true)")
     engine.evaluate(f"location.hash = {link(preset='paper-threshold', scene={'/foam/look': 'textured'})!r}")
@@ -234,7 +233,7 @@ AXE_FINDS = """(async () => {
 })()"""
 
 
-def click(engine: Firefox | WebKit, name: str, within: str = "body") -> None:
+def click(engine: Engine, name: str, within: str = "body") -> None:
     """Press the button of that name, once it is there."""
     found = (
         f"[...document.querySelectorAll('{within} button, {within} [role=button]')].find((each) =>"
@@ -244,7 +243,7 @@ def click(engine: Firefox | WebKit, name: str, within: str = "body") -> None:
     engine.evaluate(f"{found}.click()")
 
 
-def sound(engine: Firefox | WebKit, size: tuple[int, int]) -> None:
+def sound(engine: Engine, size: tuple[int, int]) -> None:
     """Nothing is wider than the page, axe finds nothing, and the page has not complained."""
     assert engine.evaluate("document.documentElement.scrollWidth") <= size[0]
     engine.evaluate(f"(() => {{ {AXE.read_text(encoding='utf-8')}; return true; }})()")
@@ -253,7 +252,7 @@ def sound(engine: Firefox | WebKit, size: tuple[int, int]) -> None:
 
 
 @sizes({"phone"})
-def test_surfaces_beside_the_picture(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+def test_surfaces_beside_the_picture(engine: Engine, server: str, size: tuple[int, int]) -> None:
     """Plan view, take home, list of waters, undo."""
     opened(engine, server, "paper-threshold", size)
     click(engine, "Frame plan")
@@ -269,7 +268,7 @@ def test_surfaces_beside_the_picture(engine: Firefox | WebKit, server: str, size
 
 
 @sizes(())
-def test_the_accuracy_benchmark_opens(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+def test_the_accuracy_benchmark_opens(engine: Engine, server: str, size: tuple[int, int]) -> None:
     opened(engine, server, "paper-threshold", size)
     click(engine, "Accuracy benchmark")
     engine.until("document.querySelector('#accuracy.open [role=status]') !== null")
@@ -278,7 +277,7 @@ def test_the_accuracy_benchmark_opens(engine: Firefox | WebKit, server: str, siz
 
 
 @sizes({"desktop"})
-def test_chapter_and_laboratories(engine: Firefox | WebKit, server: str, size: tuple[int, int]) -> None:
+def test_chapter_and_laboratories(engine: Engine, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
     engine.visit(f"{server}/learn/")
     engine.until("document.querySelector('figure[data-figure] .plate') !== null")

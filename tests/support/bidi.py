@@ -14,6 +14,8 @@ import time
 from pathlib import Path
 from typing import Any
 
+from support.engine import Engine
+
 PREFERENCES: dict[str, bool | str] = {
     "app.update.enabled": False,
     "browser.shell.checkDefaultBrowser": False,
@@ -79,7 +81,7 @@ class WebSocket:
                 return message.decode()
 
 
-class Firefox:
+class Firefox(Engine):
     """A browser with one tab and a profile of its own."""
 
     def __init__(self, display: str) -> None:
@@ -93,7 +95,7 @@ class Firefox:
         environment = {**os.environ, "HOME": str(self.profile), "DISPLAY": display}
         with self.log.open("w") as log:
             self.process = subprocess.Popen(command, stdout=log, stderr=log, env=environment)
-        self.complaints: list[str] = []
+        self.said: list[str] = []
         self.count = 0
         self.connection = WebSocket(self.port(), "/session")
         self.call("session.new", capabilities={})
@@ -119,10 +121,14 @@ class Firefox:
             if message["type"] == "event":
                 entry = message["params"]
                 if entry["level"] == "error":
-                    self.complaints.append(entry["text"])
+                    self.said.append(entry["text"])
             elif message["id"] == self.count:
                 assert message["type"] == "success", f"{method}: {message['error']}: {message['message']}"
                 return message["result"]
+
+    @property
+    def complaints(self) -> list[str]:
+        return self.said
 
     def size(self, width: int, height: int) -> None:
         viewport = {"width": width, "height": height}
@@ -131,7 +137,7 @@ class Firefox:
     def visit(self, address: str) -> None:
         # From another document: a change of the fragment alone would load nothing.
         self.call("browsingContext.navigate", context=self.tab, url="about:blank", wait="complete")
-        self.complaints.clear()
+        self.said.clear()
         self.call("browsingContext.navigate", context=self.tab, url=address, wait="complete")
 
     def evaluate(self, expression: str) -> Any:
@@ -142,22 +148,8 @@ class Firefox:
         assert reply["type"] == "success", reply["exceptionDetails"]["text"]
         return json.loads(reply["result"]["value"])
 
-    def until(self, condition: str, seconds: float = 120) -> None:
-        deadline = time.monotonic() + seconds
-        while time.monotonic() < deadline:
-            if self.evaluate(condition):
-                return
-            time.sleep(0.1)
-        raise AssertionError(f"never true: {condition}; {self.complaints}")
-
-    def press(self, kind: str, *places: tuple[int, int]) -> None:
-        """Put a pointer (``mouse`` or ``touch``) down at the first place, move it along the others and lift it."""
-        (x, y), *rest = places
-        actions: list[dict[str, Any]] = [{"type": "pointerMove", "x": x, "y": y}, {"type": "pointerDown", "button": 0}]
-        actions += [{"type": "pointerMove", "x": x, "y": y, "duration": 50} for x, y in rest]
-        actions += [{"type": "pause", "duration": 150}, {"type": "pointerUp", "button": 0}]
-        source = {"type": "pointer", "id": kind, "parameters": {"pointerType": kind}, "actions": actions}
-        self.call("input.performActions", context=self.tab, actions=[source])
+    def act(self, actions: list[dict[str, Any]]) -> None:
+        self.call("input.performActions", context=self.tab, actions=actions)
 
     def close(self) -> None:
         self.connection.close()

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from support.command import free_port
+from support.engine import Engine
 
 BROWSERS = "usr/lib/*/webkit2gtk-4.*/MiniBrowser"
 ELSEWHERE = """location.href !== 'about:blank' && (() => {
@@ -37,7 +38,7 @@ class DriverError(AssertionError):
         self.code = code
 
 
-class WebKit:
+class WebKit(Engine):
     """A MiniBrowser with one tab, without its bars, which would make it wider than a phone, and without a profile."""
 
     def __init__(self, display: str) -> None:
@@ -135,22 +136,8 @@ class WebKit:
         assert error is None, error
         return json.loads(text)
 
-    def until(self, condition: str, seconds: float = 120) -> None:
-        deadline = time.monotonic() + seconds
-        while time.monotonic() < deadline:
-            if self.evaluate(condition):
-                return
-            time.sleep(0.1)
-        raise AssertionError(f"never true: {condition}; {self.complaints}")
-
-    def press(self, kind: str, *places: tuple[int, int]) -> None:
-        """Put a pointer (``mouse`` or ``touch``) down at the first place, move it along the others and lift it."""
-        (x, y), *rest = places
-        actions: list[dict[str, Any]] = [{"type": "pointerMove", "x": x, "y": y}, {"type": "pointerDown", "button": 0}]
-        actions += [{"type": "pointerMove", "x": x, "y": y, "duration": 50} for x, y in rest]
-        actions += [{"type": "pause", "duration": 150}, {"type": "pointerUp", "button": 0}]
-        source = {"type": "pointer", "id": kind, "parameters": {"pointerType": kind}, "actions": actions}
-        self.call("POST", "/actions", {"actions": [source]})
+    def act(self, actions: list[dict[str, Any]]) -> None:
+        self.call("POST", "/actions", {"actions": actions})
 
     def close(self) -> None:
         self.call("DELETE", "")
