@@ -34,11 +34,11 @@ class FrontSaturation(Source):
         le=100.0,
         description="C: divisor of the saturation; larger values give less foam; the paper uses 4",
     )
-    group: tuple[Share, Share] = Field(
+    group: tuple[Share, Annotated[float, Field(ge=0.0, le=2.0)]] = Field(
         default=(0.0, 0.0),
         description="Thresholds of the wave envelope, as fractions of the greatest possible sum of the waves: "
-        "no foam below the first, full foam above the second; (0, 0): foam on every crest, as in "
-        "the paper",
+        "no foam below the first, full foam above the second, where variation exceeds 1 too; (0, 0): foam on every "
+        "crest, as in the paper",
     )
     decay: float | None = Field(
         default=None,

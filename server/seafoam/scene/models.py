@@ -19,7 +19,7 @@ from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.touch import TOUCHES_MOST, Touch
 from seafoam.scene.water import Water
-from seafoam.scene.waves import Sea, Wave
+from seafoam.scene.waves import Sea, Wave, WaveGroups
 
 
 class SceneExtensions(Extensions):
@@ -30,6 +30,9 @@ class Scene(Extensible, Part):
     """A scene: water, foam, shore, objects, light and camera."""
 
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
+    wave_groups: WaveGroups | None = Field(
+        default=None, description="Groups in which the parametric waves travel; absent: each wave has one height"
+    )
     rings: tuple[Ring, ...] = Field(
         default=(), max_length=RINGS_MOST, description="Circular waves from stones, drops and blasts"
     )

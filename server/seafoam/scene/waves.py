@@ -26,6 +26,18 @@ class ParametricWave(Part):
     )
 
 
+class WaveGroups(Part):
+    """Groups of high waves, with calmer water between them: a factor of the heights of all parametric waves."""
+
+    size: float = Field(default=100.0, ge=1.0, le=10_000.0, description="Mean distance of a group from the next, m")
+    contrast: Share = Field(
+        default=0.7,
+        description="How much lower waves are where they are lowest, as a fraction of their greatest height: 0 is "
+        "no groups, 1 is still water between them",
+    )
+    seed: int = Field(default=1, ge=0, le=65535, description="Random seed of where the groups are")
+
+
 class Sea(Part):
     """Wind-driven open sea: a JONSWAP spectrum (Hasselmann et al. 1973) on tiles."""
 

@@ -23,7 +23,8 @@ float front_saturation(vec2 p, float height, Footprint fp) {
     float psi = rho2 > 0.0 ? atan(signal.y, signal.x) : 0.0;
     // Foam lies on its water: where that rests, the waves went by.
     vec2 way = front_way(p);
-    float more = front_patch(p + way, fp);
+    vec2 q = p + way;
+    float more = front_patch(q, fp);
     psi = wrap_phase(psi + dot(gradient, way));
     float since = psi < 0.0 ? psi + TAU : psi;
     // How strong the waves stood together when the last three fronts passed.
@@ -33,7 +34,7 @@ float front_saturation(vec2 p, float height, Footprint fp) {
     for (int i = 0; i < FRONT_COUNT; ++i) {
         vec4 wave = u_living[i];
         vec2 turn = wave.yz;
-        vec2 now = wave.w * whole_sine_cosine(wrap_phase(front_phase(i, p + way) - wave.x * since)).yx;
+        vec2 now = wave.w * whole_sine_cosine(wrap_phase(front_phase(i, q) - wave.x * since)).yx;
         first += now;
         now = vec2(now.x * turn.x + now.y * turn.y, now.y * turn.x - now.x * turn.y);
         second += now;
@@ -41,8 +42,8 @@ float front_saturation(vec2 p, float height, Footprint fp) {
     }
     // What the third leaves fades out before it is the fourth.
     float left = exp(-TAU / FRONT_LIFE);
-    float before = max(front_gate(length(second) + more), left * front_gate(length(third) + more) * (1.0 - smoothstep(0.5, 1.0, since / TAU)));
-    float here = max(front_gate(length(first) + more), left * before);
+    float before = max(front_gate(front_group(q, since + TAU) * length(second) + more), left * front_gate(front_group(q, since + 2.0 * TAU) * length(third) + more) * (1.0 - smoothstep(0.5, 1.0, since / TAU)));
+    float here = max(front_gate(front_group(q, since) * length(first) + more), left * before);
     if (!FRONT_FILTERED) {
         return here * living_left(since);
     }

@@ -9,11 +9,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.ndimage import label
 
 from seafoam.ocean import stokes
 from seafoam.ocean.cascades import cascades, slope_heading
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import wavenumber
+from seafoam.ocean.groups import SIDE, group_speed, group_velocity
 from seafoam.ocean.refraction import refracted_cosine
 from seafoam.ocean.rings import ring_height, trains
 from seafoam.ocean.ripples import SURFACE_TENSION, ripple_cascades
@@ -31,6 +33,7 @@ from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave, Sea
+from seafoam.textures import group_field
 
 SEAS = ((6.0, 2e4), (10.0, 1e5), (15.0, 3e5))
 """Wind (m/s) and fetch (m)."""
@@ -178,3 +181,43 @@ def test_spray_of_open_water_follows_wind_and_whitecaps() -> None:
     assert model is not None
     assert limits == model.now
     assert fold_limits(sea, Spray(crests=0.0), None) is None
+
+
+@pytest.mark.parametrize(("depth", "share"), [(None, 0.5), (500.0, 0.5), (0.1, 1.0)])
+def test_groups_travel_at_half_the_speed_of_their_waves_in_deep_water(depth: float | None, share: float) -> None:
+    """And as fast as the waves in shallow water; between, at dω/dk."""
+    wave = ParametricWave(wavelength=40.0, amplitude=1.0, direction=0.3)
+    k = wavenumber(2.0 * math.pi / wave.wavelength, depth)
+    omega = math.sqrt(GRAVITY * 2.0 * math.pi / wave.wavelength)
+    assert group_speed(wave, depth) == pytest.approx(share * omega / k, rel=6e-3)
+    v_x, v_z = group_velocity(Scene(waves=(wave,), water=Water(depth=depth)))
+    assert math.atan2(v_z, v_x) == pytest.approx(0.3, abs=1e-5)
+
+
+def test_the_speed_of_groups_is_the_slope_of_the_dispersion_relation() -> None:
+    depth = 5.0
+    rates = [math.sqrt(GRAVITY * k * math.tanh(k * depth)) for k in (0.1999, 0.2001)]
+    deep = 0.2 * math.tanh(0.2 * depth)
+    speed = group_speed(ParametricWave(wavelength=2.0 * math.pi / deep), depth)
+    assert speed == pytest.approx((rates[1] - rates[0]) / 0.0002, rel=1e-4)
+
+
+def test_groups_are_as_far_apart_as_they_say() -> None:
+    """Groups are connected places above 3/4 of the field's range; their mean distance is that of a square lattice."""
+    areas = []
+    for seed in range(30):
+        field = group_field(seed)[..., 0]
+        assert -1.0 <= field.min() < -0.95
+        assert 0.95 < field.max() <= 1.0
+        found = label(np.tile(field > 0.5, (3, 3)))[1] / 9.0
+        areas.append(found)
+    assert SIDE / math.sqrt(float(np.mean(areas))) == pytest.approx(1.0, abs=0.1)
+
+
+def test_steepest_waves_set_the_pace_of_groups() -> None:
+    """Flat waves have none, and every quality draws the steepest wave."""
+    flat = ParametricWave(amplitude=0.0, wavelength=500.0)
+    assert group_velocity(Scene(waves=(flat,))) == (0.0, 0.0)
+    waves = (ParametricWave(amplitude=0.5, wavelength=40.0), ParametricWave(amplitude=0.4, wavelength=10.0), flat)
+    assert group_velocity(Scene(waves=waves))[0] == pytest.approx(group_speed(waves[1], None), abs=1e-6)
+    assert group_velocity(Scene(waves=waves[1:])) == group_velocity(Scene(waves=waves))

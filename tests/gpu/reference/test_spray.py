@@ -31,7 +31,7 @@ from seafoam.scene.presets import load_preset
 from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore, Surf
 from seafoam.scene.spray import DROPS, Burst, Spray
-from seafoam.scene.waves import ParametricWave, Sea
+from seafoam.scene.waves import ParametricWave, Sea, WaveGroups
 from support.exact import UNFILTERED
 from support.pictures import draw, draw_target
 from support.probe import Probe
@@ -118,6 +118,9 @@ CHOP = Scene(
 )
 
 
+GROUPED = SCENE.model_copy(update={"wave_groups": WaveGroups(size=12.0, contrast=0.6)})
+
+
 def births(executor: Executor, scene: Scene, time: float, quality: Quality = UNFILTERED) -> NDArray[np.float64]:
     """The GPU's table of drops: birth and age, velocity and radius, strength, kind, seed and life; (3, n, 4)."""
     drawn = draw_target(executor, make_plan(scene, quality), "spray_births", time, scene.camera)
@@ -156,6 +159,7 @@ def surface(scene: Scene, time: float, x: NDArray[np.float64], z: NDArray[np.flo
         ("storm, after ten days, 10 000 km away", STORM, 1e6),
         ("Gerstner sea, single waves and a ring", CHOP, 3.0),
         ("single waves", SCENE, 40.0),
+        ("single waves in groups", GROUPED, 40.0),
         ("surf on a beach, sea and single waves", BEACH, 11.0),
     ],
 )
@@ -178,10 +182,16 @@ def test_drops_start_on_the_drawn_surface(
     assert worst <= 0.01
 
 
-def test_drops_start_on_the_surf_at_rocks(executor: Executor, report: Report) -> None:
+@pytest.mark.parametrize("groups", [None, WaveGroups(size=9.0)], ids=["one height", "groups"])
+def test_drops_start_on_the_surf_at_rocks(executor: Executor, report: Report, groups: WaveGroups | None) -> None:
     """The same where surf breaks on rocks, each drop at its own time."""
     rocky = Scene(
-        shore=ROCK, waves=WAVES, rings=CHOP.rings, spray=Spray(life=4.0), camera=Camera(position=(-30.0, 5.0, 10.0))
+        shore=ROCK,
+        waves=WAVES,
+        wave_groups=groups,
+        rings=CHOP.rings,
+        spray=Spray(life=4.0),
+        camera=Camera(position=(-30.0, 5.0, 10.0)),
     )
     eye = (-30.0, 10.0)
     table = births(executor, rocky, 17.0)
@@ -199,7 +209,7 @@ def test_drops_start_on_the_surf_at_rocks(executor: Executor, report: Report) ->
     assert worst <= 0.01
 
 
-@pytest.mark.parametrize(("scene", "time"), [(STORM, 52.0), (CHOP, 3.0), (SCENE, 1e9)])
+@pytest.mark.parametrize(("scene", "time"), [(STORM, 52.0), (CHOP, 3.0), (SCENE, 1e9), (GROUPED, 1e6)])
 def test_births_equal_their_float64_form(executor: Executor, report: Report, scene: Scene, time: float) -> None:
     table = births(executor, scene, time)
     x, _, z = scene.camera.position

@@ -2,15 +2,18 @@
 
 import math
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
-from seafoam.effects.effect import Bound, Const, Contribution, Effect, SaturationSource, SlotFile, Source, TextureUse
+from seafoam.effects.effect import Bound, Const, Contribution, Effect, Piece, SaturationSource, SlotFile, TextureUse
 from seafoam.effects.foam.living import carries
 from seafoam.effects.noise import PERLIN_3, drifting_noise
+from seafoam.effects.waves.groups import front_files, in_groups, signal_files, way_files
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, rounded, significant, vector
 from seafoam.ocean.dispersion import angular_frequency, wavevector
+from seafoam.ocean.groups import group_velocity
 from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation
@@ -104,7 +107,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     shared = shares_phase(scene)
     waves, mean_rate = _past_waves(scene, shared)
     uniforms = _phase_uniforms(scene, _CONSTANTS["text"])
-    carry = "none"
+    carry: Literal["none", "own", "shared"] = "none"
     if carries(scene):
         carry = "shared" if shared else "own"
         if not shared:
@@ -112,9 +115,11 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
     life = significant(mean_rate * decay)
     born = significant(front_full(front.intensity, 1.0))
     patchy = front.variation > 0.0 and _gated(front)
-    needs: tuple[Source | str, ...] = (
-        _phase_file(scene),
-        *_saturation_files("front_gate", "front_seen", f"way_{carry}"),
+    needs: tuple[Piece, ...] = (
+        *_phase_files(scene),
+        *front_files(scene),
+        *_saturation_files("front_gate", "front_seen"),
+        *_way_files(scene, carry),
     )
     needs = (*needs, *(PERLIN_3 if patchy else ()), *_saturation_files("front_patches" if patchy else "front_even"))
     if patchy:
@@ -137,6 +142,7 @@ def _decaying(scene: Scene, front: FrontSaturation, decay: float, *, filtered: b
             "u_living": array("vec4", waves, len(waves)),
             "u_front_relief": number(significant(_relief(scene, 1.0))),
             "u_front_group": _group(front),
+            **_advance(scene, mean_rate),
         },
     )
 
@@ -164,13 +170,29 @@ def _saturation_files(*names: str) -> tuple[str, ...]:
     return tuple(f"foam/saturation/{name}.glsl" for name in names)
 
 
-def _phase_file(scene: Scene) -> str:
-    """The file that gives the phase of the waves' sum: shared with the surface, or evaluated for the front."""
-    return f"foam/saturation/front_{'shared' if shares_phase(scene) else 'own'}.glsl"
+def _phase_files(scene: Scene) -> tuple[Piece, ...]:
+    """The files that give the phase of the waves' sum: shared with the surface, or evaluated for the front."""
+    if shares_phase(scene):
+        return _saturation_files("front_shared")
+    return signal_files(scene, *_saturation_files("front_own"))
+
+
+def _way_files(scene: Scene, carry: Literal["none", "own", "shared"]) -> tuple[Piece, ...]:
+    """The files that give the way to where the water rests."""
+    path = f"foam/saturation/way_{carry}.glsl"
+    return way_files(scene, path) if carry == "own" else (path,)
+
+
+def _advance(scene: Scene, mean_rate: float) -> dict[str, Uniform]:
+    """The way of a group of waves past water that drifts, m/rad of the waves' mean phase; nothing without groups."""
+    if not in_groups(scene):
+        return {}
+    ways = (part - drift for part, drift in zip(group_velocity(scene), foam_drift(scene), strict=True))
+    return {"u_front_advance": vector(rounded(way / mean_rate for way in ways))}
 
 
 def _present_slot(scene: Scene, file: str, *more: str) -> SlotFile:
-    needs = (_phase_file(scene), *_saturation_files("front_gate", "front_profile", *more))
+    needs = (*_phase_files(scene), *_saturation_files("front_gate", "front_profile", *more))
     return SlotFile("saturation", f"foam/saturation/{file}.glsl", prefix="front", needs=needs)
 
 

@@ -7,8 +7,10 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, TextureUse
+from seafoam.effects.bounds import parametric_wave_height
+from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, Source, TextureUse
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
+from seafoam.effects.waves.groups import EVEN_WAVES, FACTOR, group_bounds, group_part, in_groups
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import drawn, fitted, gerstner_uniforms, loop_uniforms, transform
@@ -22,12 +24,14 @@ from seafoam.framegraph.rules import (
     Wrap,
     array,
     number,
+    rounded,
     significant,
     vector,
 )
 from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency
+from seafoam.ocean.groups import group_velocity
 from seafoam.ocean.rocks import ROCKS, rocks
 from seafoam.ocean.spray import (
     BATCHES,
@@ -100,7 +104,7 @@ def births(scene: Scene, quality: Quality, spray: Spray) -> Births:
     return Births(
         words=" and ".join(source.words for source in sources),
         files=(*files, _choice(sources, quality.spray_count)),
-        inputs={name: source for one in sources for name, source in one.inputs.items()},
+        inputs={name: source for one in sources for name, source in one.inputs.items()} | group_part(scene).inputs,
         part=part,
         beat=0.0 if _on_rocks(scene, spray) else spray.life / BATCHES,
     )
@@ -119,7 +123,9 @@ def _choice(sources: list[_Source], count: int) -> Inline:
 
 def fastest_rise(scene: Scene) -> float:
     """Upper bound of the speed at which parametric waves raise the surface, m/s: all of them at once, in one place."""
-    return sum(angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
+    fastest = sum(angular_frequency(wave) * wave.amplitude * max_profile_slope(wave.exponent) for wave in scene.waves)
+    travel = math.hypot(*group_velocity(scene)) * group_bounds(scene).slope
+    return fastest + parametric_wave_height(scene) * travel
 
 
 def _raised(scene: Scene) -> list[ParametricWave]:
@@ -239,14 +245,20 @@ _NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n"
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Part]:
     """Files of the single waves and rings of an earlier time, and their uniforms."""
     raised = _raised(scene)
-    files: list[Piece | SlotRef] = (
-        ["waves/parametric.glsl", "spray/fronts.glsl"] if raised else ["spray/fronts_none.glsl"]
-    )
+    grouped = in_groups(scene)
+    files: list[Piece | SlotRef] = []
+    if grouped:
+        files += [FACTOR, EVEN_WAVES, Source("spray/fronts.glsl", (("fronts_then", "even_fronts"),))]
+        files += ["spray/fronts_grouped.glsl"]
+    else:
+        files += ["waves/parametric.glsl", "spray/fronts.glsl"] if raised else ["spray/fronts_none.glsl"]
     files += ["waves/rings/ring.glsl", "spray/rings_then.glsl"] if scene.rings else [_NO_RINGS]
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
     if raised:
         rates = [Constant(value=(angular_frequency(wave),)) for wave in raised]
         uniforms["u_parametric_rate"] = array("float", rates, len(raised))
+    if grouped:
+        uniforms["u_wave_groups_velocity"] = vector(rounded(group_velocity(scene)))
     return files, Part(uniforms=uniforms)
 
 

@@ -5,6 +5,7 @@ import math
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, SlotFile
 from seafoam.effects.foam.living import carries
+from seafoam.effects.waves.groups import OFFSET, carry_files, group_bounds, group_part, in_groups, wave_files
 from seafoam.framegraph.rules import Constant, Phase, array, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.levels import paper_level, wave_level
@@ -99,11 +100,17 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     shared = shares_place(scene)
     carry: tuple[SlotFile, ...] = ()
     if carries(scene):
-        name = "parametric_shared" if shared else "parametric"
-        carry = (SlotFile("carry", f"foam/carry/{name}.glsl", prefix="parametric"),)
-    return Contribution(
-        why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height",
-        slots=(SlotFile("waves", "waves/parametric.glsl", prefix="parametric"), *carry),
+        *carry_needs, path = ("foam/carry/parametric_shared.glsl",) if shared else carry_files(scene)
+        carry = (SlotFile("carry", path, prefix="parametric", needs=tuple(carry_needs)),)
+    *needs, path = wave_files(scene)
+    height, groups = parametric_wave_height(scene), group_bounds(scene)
+    # Of the product of the waves, which are at most their height from still water, and their factor.
+    max_curvature += 2.0 * max_slope * groups.slope + height * groups.curvature
+    max_slope += height * groups.slope
+    contribution = Contribution(
+        why=f"{len(waves)} parametric wave{'s' if len(waves) > 1 else ''} with height"
+        f"{', in groups' if in_groups(scene) else ''}",
+        slots=(SlotFile("waves", path, prefix="parametric", needs=tuple(needs)), *carry),
         consts={
             "PARAMETRIC_COUNT": len(waves),
             "PARAMETRIC_KIND": kinds,
@@ -117,18 +124,20 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_parametric_mean": array("vec3", means, len(waves)),
             "u_parametric_level": number(significant(level)),
         },
-        bound=waves_bound(scene, max_slope, parametric_wave_height(scene)),
-        max_height=parametric_wave_height(scene) - level,
+        bound=waves_bound(scene, max_slope, height),
+        max_height=height - level,
         min_height=-level,
         max_slope=max_slope,
         max_curvature=min(significant(max_curvature), UNBOUNDED),
+        map_error=height * groups.error,
     )
+    return contribution.joined(group_part(scene))
 
 
 EFFECT = Effect(
     "parametric waves",
     contribute,
-    fields=("/waves",),
-    afloat=("u_parametric_phase",),
+    fields=("/waves", "/wave_groups"),
+    afloat=("u_parametric_phase", OFFSET),
     parameters=(QualityParameter("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
 )

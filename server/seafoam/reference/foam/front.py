@@ -97,7 +97,10 @@ def group(waves: WaveSet, x: Floats, z: Floats, delta: float) -> Group:
         Y += sine
         slope_of_x += sine[:, None] * np.array([waves.kx[i], waves.kz[i]])
         slope_of_y -= cosine[:, None] * np.array([waves.kx[i], waves.kz[i]])
-    return Group(X, Y, slope_of_x, slope_of_y)
+    if waves.groups is None:
+        return Group(X, Y, slope_of_x, slope_of_y)
+    factor = waves.groups(x, z)
+    return Group(factor * X, factor * Y, factor[:, None] * slope_of_x, factor[:, None] * slope_of_y)
 
 
 def gate(rho: Floats, thresholds: tuple[float, float]) -> Floats:
@@ -248,6 +251,7 @@ class _Fronts:
         group: tuple[float, float],
         more: Floats,
     ) -> None:
+        self.place, self.drift, self.groups = (x, z), drift, waves.groups
         self.thetas = waves.theta(x, z)
         self.rates = waves.omega - waves.kx * drift[0] - waves.kz * drift[1]
         self.weights = group_weights(waves)
@@ -259,8 +263,11 @@ class _Fronts:
         """The gate as it was ``ago`` rad of the mean phase before; of the shape of ``ago``."""
         seconds = ago / self.mean_rate
         phases = zip(self.weights, self.rates, self.thetas, strict=True)
-        signal = sum(weight * np.exp(1j * (theta - rate * seconds)) for weight, rate, theta in phases)
-        return gate(np.abs(signal) + self.more, self.group)
+        rho = np.abs(sum(weight * np.exp(1j * (theta - rate * seconds)) for weight, rate, theta in phases))
+        if self.groups is not None:
+            (x, z), (by_x, by_z) = self.place, self.drift
+            rho = rho * self.groups(x - by_x * seconds, z - by_z * seconds, seconds)
+        return gate(rho + self.more, self.group)
 
     def last(self, since: Floats, left: float) -> tuple[Floats, Floats]:
         """Strength of the foam of the last front and of the one before. ``left``: of foam after a turn."""

@@ -16,7 +16,7 @@ from seafoam.reference.shore.maps import MASK, SWASH
 from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.drop import LOW, MIST, SHEET, Drops, cycles, number
 from seafoam.reference.types import Floats, smoothstep
-from seafoam.reference.waves.parametric import reduced, wave_height, wave_set
+from seafoam.reference.waves.parametric import reduced, wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.scene.models import Scene
 from seafoam.scene.spray import DROPS, Spray
@@ -109,10 +109,7 @@ def _swell_then(scene: Scene, time: float, origin: tuple[float, float], at: Floa
     """Height of single waves and rings ages (n,) ago at places (n, 2) from the camera, m."""
     total = np.zeros_like(age)
     if scene.waves:
-        waves = wave_set(scene, time, origin)
-        for i, theta in enumerate(waves.theta(at[:, 0], at[:, 1])):
-            total += wave_height(theta - waves.omega[i] * age, waves.amplitude[i], waves.exponent[i])
-        total -= waves.level
+        total += wave_set(scene, time, origin).height_before(at[:, 0], at[:, 1], age)
     for i in range(len(age) if scene.rings else 0):
         then = ring_set(scene, time - float(age[i]), origin)
         total[i] += then.height(at[i : i + 1, 0], at[i : i + 1, 1])[0]

@@ -31,7 +31,7 @@ from seafoam.reference.shore.shore import Coast
 from seafoam.reference.spray.drop import DRIFT, MIST, SHEET, Drops, Words, cycles, number
 from seafoam.reference.spray.rocks import surf_then
 from seafoam.reference.types import Bools, Floats, dot, smoothstep
-from seafoam.reference.waves.parametric import angular_frequency, wave_derivative, wave_set
+from seafoam.reference.waves.parametric import wave_set
 from seafoam.reference.waves.rings import ring_set
 from seafoam.reference.waves.sea import coefficients, grids, raised_surface
 from seafoam.scene.models import Scene
@@ -116,11 +116,9 @@ class _Waters:
             return folds, p, onward, strong
         assert self.scene.spray is not None
         waves = wave_set(self.scene, self.time, self.origin)
-        rise, slope = np.zeros(folds.shape), np.zeros((*folds.shape, 2))
-        for i, theta in enumerate(waves.theta(p[..., 0].ravel(), p[..., 1].ravel())):
-            change = wave_derivative(theta, waves.amplitude[i], waves.exponent[i]).reshape(folds.shape)
-            slope -= change[..., None] * np.array([waves.kx[i], waves.kz[i]])
-            rise += change * angular_frequency(self.scene.waves[i])
+        x, z = p[..., 0].ravel(), p[..., 1].ravel()
+        rise = waves.rise(x, z).reshape(folds.shape)
+        slope = np.stack(waves.gradient(x, z), axis=-1).reshape(*folds.shape, 2)
         steep = 2.0 * (rise / max(self.scene.spray.threshold, 0.1) - 1.0)
         level = -slope * (rise / np.maximum(dot(slope, slope), CREST_SLOPE2))[..., None]
         fronts = np.stack((level[..., 0], rise, level[..., 1]), axis=-1)

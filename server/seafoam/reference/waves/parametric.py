@@ -16,6 +16,7 @@ from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.ripples import ripple_cascades
 from seafoam.ocean.stokes import orbit
 from seafoam.reference.types import Floats
+from seafoam.reference.waves.groups import GroupFactor, group_factor
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples
 from seafoam.scene.waves import ParametricWave
@@ -47,6 +48,8 @@ class WaveSet:
     """Angular frequencies, rad/s."""
     phase: Floats
     """θ at the origin at the given time, in [0, 2π)."""
+    groups: GroupFactor | None = None
+    """Factor of the heights; None: 1."""
 
     @property
     def top(self) -> float:
@@ -71,7 +74,8 @@ class WaveSet:
     @cached_property
     def slope(self) -> float:
         """Greatest slope, rounded up."""
-        return sum(k * slope_bound(A, K) for A, K, k in self._shapes)
+        change = 0.0 if self.groups is None else self._height * self.groups.slope
+        return self._steepest + change
 
     @cached_property
     def relief(self) -> float:
@@ -84,7 +88,20 @@ class WaveSet:
     @cached_property
     def curvature(self) -> float:
         """Greatest second derivative, rounded up, 1/m, without the infinite one at the cusp of K < 1."""
-        return sum(k * k * curvature_bound(A, K) for A, K, k in self._shapes)
+        waves = sum(k * k * curvature_bound(A, K) for A, K, k in self._shapes)
+        if self.groups is None:
+            return waves
+        return waves + 2.0 * self._steepest * self.groups.slope + self._height * self.groups.curvature
+
+    @cached_property
+    def _steepest(self) -> float:
+        """Greatest slope of waves of one height each, rounded up."""
+        return sum(k * slope_bound(A, K) for A, K, k in self._shapes)
+
+    @property
+    def _height(self) -> float:
+        """Height of all waves together, m."""
+        return float(self.amplitude.sum())
 
     @cached_property
     def shape(self) -> float:
@@ -97,11 +114,8 @@ class WaveSet:
         return result
 
     def height(self, x: Floats, z: Floats) -> Floats:
-        """Σ y over the waves at (x, z), minus its mean; (r,) m."""
-        total = np.full_like(x, -self.level)
-        for i, theta in enumerate(self.theta(x, z)):
-            total += wave_height(theta, self.amplitude[i], self.exponent[i])
-        return total
+        """Σ y over the waves at (x, z), minus its mean, times the factor of the groups; (r,) m."""
+        return self._grouped(self._even_height(x, z, 0.0), x, z)
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """(h_x, h_z) of the sum at (x, z); (r,) each."""
@@ -110,7 +124,36 @@ class WaveSet:
             slope = wave_derivative(theta, self.amplitude[i], self.exponent[i])
             h_x -= self.kx[i] * slope
             h_z -= self.kz[i] * slope
-        return h_x, h_z
+        if self.groups is None:
+            return h_x, h_z
+        factor, height, (by_x, by_z) = self.groups(x, z), self._even_height(x, z, 0.0), self.groups.gradient(x, z)
+        return factor * h_x + height * by_x, factor * h_z + height * by_z
+
+    def height_before(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
+        """The height at (x, z) as it was ``ago`` s before; (r,) m."""
+        return self._grouped(self._even_height(x, z, ago), x, z, ago)
+
+    def rise(self, x: Floats, z: Floats) -> Floats:
+        """Speed at which the surface rises at (x, z); (r,) m/s."""
+        total = np.zeros_like(x)
+        for i, theta in enumerate(self.theta(x, z)):
+            total += self.omega[i] * wave_derivative(theta, self.amplitude[i], self.exponent[i])
+        if self.groups is None:
+            return total
+        by_x, by_z = self.groups.gradient(x, z)
+        passing = -(self.groups.velocity[0] * by_x + self.groups.velocity[1] * by_z)
+        result: Floats = self.groups(x, z) * total + self._even_height(x, z, 0.0) * passing
+        return result
+
+    def _even_height(self, x: Floats, z: Floats, ago: Floats | float) -> Floats:
+        """The height ``ago`` s before, without groups; (r,) m."""
+        total = np.full_like(x, -self.level)
+        for i, theta in enumerate(self.theta(x, z)):
+            total += wave_height(theta - self.omega[i] * ago, self.amplitude[i], self.exponent[i])
+        return total
+
+    def _grouped(self, values: Floats, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
+        return values if self.groups is None else values * self.groups(x, z, ago)
 
     def carry(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """Displacement from (x, z) to where the water there rests, to first order in the slope, m; (r,) each."""
@@ -119,7 +162,7 @@ class WaveSet:
             way = self.orbit[i] * np.cos(theta) / math.hypot(self.kx[i], self.kz[i])
             way_x += self.kx[i] * way
             way_z += self.kz[i] * way
-        return way_x, way_z
+        return self._grouped(way_x, x, z), self._grouped(way_z, x, z)
 
 
 @dataclass(frozen=True)
@@ -227,6 +270,7 @@ def wave_set(scene: Scene, time: float, origin: tuple[float, float], spatial: fl
         kz=kz,
         omega=np.array([angular_frequency(wave) for wave in scene.waves], np.float64),
         phase=np.array(phase, np.float64),
+        groups=group_factor(scene, time, origin),
     )
 
 
