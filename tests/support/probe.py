@@ -7,7 +7,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Inline, Piece
+from seafoam.effects.effect import Inline
 from seafoam.planner.glsl import assemble
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
 from seafoam.textures import TextureSpec, spec_at, texture
@@ -26,7 +26,7 @@ class Probe:
 
     def __call__(
         self,
-        files: Sequence[Piece],
+        files: Sequence[str | Inline],
         body: str,
         inputs: NDArray[Any],
         *,
@@ -92,8 +92,8 @@ class Probe:
             size = max(data.width >> level, 1) * max(data.height >> level, 1) * bytes_a_texel
             made.write(data.data[offset : offset + size], level=level, alignment=1)
             offset += size
-        if data.format in ("R16F", "RGBA16F"):
-            made.filter = (moderngl.LINEAR_MIPMAP_LINEAR if data.levels > 1 else moderngl.LINEAR, moderngl.LINEAR)
+        if data.format == "R16F":
+            made.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
         else:
             made.filter = (moderngl.NEAREST_MIPMAP_NEAREST if data.levels > 1 else moderngl.NEAREST, moderngl.NEAREST)
         return made

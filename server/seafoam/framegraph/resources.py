@@ -79,7 +79,7 @@ class Texture(PlanPart):
 
     url: str = Field(description="Path of the bytes, relative to the server's address")
     sha256: str = Field(description="SHA-256 of the bytes")
-    format: Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA16F", "RGBA32F"]
+    format: Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
     width: int
     height: int
     levels: int

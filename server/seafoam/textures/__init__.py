@@ -5,7 +5,6 @@ Nothing here depends on time or camera, and no effect is known by name.
 
 from seafoam.textures.foam import FoamTexture, foam_texture
 from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
-from seafoam.textures.groups import WaveGroupField, group_field
 from seafoam.textures.masks import MaskTable, MaskTexture
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel, shore_profiles
@@ -30,11 +29,9 @@ __all__ = [
     "TextureData",
     "TextureSpec",
     "UnknownTextureError",
-    "WaveGroupField",
     "foam_texture",
     "front_fading",
     "front_full",
-    "group_field",
     "shore_profiles",
     "spec_at",
     "spec_of",

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal, Self
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
-Format = Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA16F", "RGBA32F"]
+Format = Literal["R8", "R8UI", "R16UI", "RG32UI", "R16F", "R32F", "RG32F", "RGBA32F"]
 
 _PATH = str.maketrans('{}[]"/', "()!*'~")
 """JSON's punctuation, and the slash of base64, by characters that stand in a path as they are (RFC 3986)."""

@@ -15,7 +15,7 @@ from seafoam.ocean import stokes
 from seafoam.ocean.cascades import cascades, slope_heading
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import wavenumber
-from seafoam.ocean.groups import SIDE, group_speed, group_velocity
+from seafoam.ocean.groups import group_speed, group_velocity
 from seafoam.ocean.refraction import refracted_cosine
 from seafoam.ocean.rings import ring_height, trains
 from seafoam.ocean.ripples import SURFACE_TENSION, ripple_cascades
@@ -25,6 +25,7 @@ from seafoam.ocean.spectrum import frequency_spectrum, peak_frequency
 from seafoam.ocean.spray import CELLS, SEA_TEXELS, cell_sides, crest_strength, crest_velocity, fold_limits, torn_share
 from seafoam.ocean.wakes import wakes
 from seafoam.ocean.whitecaps import whitecap_model, whitecaps
+from seafoam.reference.waves.groups import group_factor
 from seafoam.scene.boats import Boat
 from seafoam.scene.foam import WhitecapSaturation
 from seafoam.scene.models import Scene
@@ -32,8 +33,7 @@ from seafoam.scene.rings import Ring
 from seafoam.scene.shore import Shore
 from seafoam.scene.spray import Spray
 from seafoam.scene.water import Ripples, Water
-from seafoam.scene.waves import ParametricWave, Sea
-from seafoam.textures import group_field
+from seafoam.scene.waves import ParametricWave, Sea, WaveGroups
 
 SEAS = ((6.0, 2e4), (10.0, 1e5), (15.0, 3e5))
 """Wind (m/s) and fetch (m)."""
@@ -203,15 +203,19 @@ def test_the_speed_of_groups_is_the_slope_of_the_dispersion_relation() -> None:
 
 
 def test_groups_are_as_far_apart_as_they_say() -> None:
-    """Groups are connected places above 3/4 of the field's range; their mean distance is that of a square lattice."""
-    areas = []
-    for seed in range(30):
-        field = group_field(seed)[..., 0]
-        assert -1.0 <= field.min() < -0.95
-        assert 0.95 < field.max() <= 1.0
-        found = label(np.tile(field > 0.5, (3, 3)))[1] / 9.0
-        areas.append(found)
-    assert SIDE / math.sqrt(float(np.mean(areas))) == pytest.approx(1.0, abs=0.1)
+    """Groups are connected places above 0.7; their mean distance is that of a square lattice of the size."""
+    found = []
+    for seed in range(20):
+        groups = WaveGroups(size=20.0, contrast=1.0, seed=seed)
+        factor = group_factor(Scene(waves=(ParametricWave(),), wave_groups=groups), 0.0, (0.0, 0.0))
+        assert factor is not None
+        x, z = np.meshgrid(*2 * [np.arange(0.0, 400.0, 1.0)])
+        n = factor(x.ravel(), z.ravel()).reshape(x.shape)
+        assert 0.0 <= n.min() < 0.02
+        assert 0.98 < n.max() <= 1.0
+        assert n.mean() == pytest.approx(0.5, abs=0.08)
+        found.append(label(n > 0.7)[1] / n.size)
+    assert 1.0 / math.sqrt(float(np.mean(found))) == pytest.approx(20.0, rel=0.1)
 
 
 def test_steepest_waves_set_the_pace_of_groups() -> None:

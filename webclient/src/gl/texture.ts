@@ -16,7 +16,6 @@ const LAYOUTS: Record<TextureSpec["format"], Layout> = {
   R16F: { channels: 1, pixels: Uint16Array, format: "RED", type: "HALF_FLOAT" },
   R32F: { channels: 1, pixels: Float32Array, format: "RED", type: "FLOAT" },
   RG32F: { channels: 2, pixels: Float32Array, format: "RG", type: "FLOAT" },
-  RGBA16F: { channels: 4, pixels: Uint16Array, format: "RGBA", type: "HALF_FLOAT" },
   RGBA32F: { channels: 4, pixels: Float32Array, format: "RGBA", type: "FLOAT" },
 };
 

@@ -3,21 +3,20 @@
 import math
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-from seafoam.effects.effect import HALF_FLOAT, Part, Piece, Source, TextureUse, constant_function
-from seafoam.framegraph.resources import TextureInput
-from seafoam.framegraph.rules import Wrap, array, significant, vector
-from seafoam.ocean.groups import TEXELS, group_side, group_velocity
+from seafoam.effects.effect import Part, Piece, Source, constant_function
+from seafoam.effects.noise import HASH
+from seafoam.framegraph.rules import Wrap, array, vector
+from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity
 from seafoam.scene.models import Scene
-from seafoam.textures import WaveGroupField, group_field
 
-OFFSET = "u_wave_groups_offset"
-"""Uniform of the camera's place in the field."""
+PLACE = "u_wave_groups_place"
+"""Uniform of the camera's place in the noise."""
 
-FACTOR = "waves/groups/factor.glsl"
-"""File of the factor, for what evaluates waves itself."""
+FACTOR = (HASH, "waves/groups/factor.glsl")
+"""Files of the factor, for what evaluates waves itself."""
+
+SLOPE, CURVATURE, VARIANCE = 1.5, 6.0, 0.091973
+"""Of the noise: greatest slope and second derivative along any line, in cells; variance, (1/6)(26/35)²."""
 
 _WAVES = "waves/parametric.glsl"
 EVEN_WAVES = Source(_WAVES, (("parametric_waves", "even_waves"), ("parametric_shading", "even_shading")))
@@ -27,11 +26,10 @@ _NO_GROUPS = constant_function("float", "front_group", "vec2 q, float ago", "1.0
 
 @dataclass(frozen=True)
 class GroupBounds:
-    """Upper bounds of the factor's change: ``slope``, 1/m; ``curvature``, 1/m²; ``error`` of its interpolation."""
+    """Upper bounds of the factor's change along any line: ``slope``, 1/m; ``curvature``, 1/m²."""
 
     slope: float = 0.0
     curvature: float = 0.0
-    error: float = 0.0
 
 
 def in_groups(scene: Scene) -> bool:
@@ -41,23 +39,19 @@ def in_groups(scene: Scene) -> bool:
 
 
 def group_part(scene: Scene) -> Part:
-    """The field and what places it, for programs with :data:`FACTOR`; empty without groups."""
+    """What places the groups, for programs with :data:`FACTOR`; empty without groups."""
     groups = scene.wave_groups
     if groups is None or not in_groups(scene):
         return Part()
-    length, (v_x, v_z) = group_side(groups), group_velocity(scene)
-    place = (
-        Wrap(k=(1.0 / length, 0.0), rate=-v_x / length),
-        Wrap(k=(0.0, 1.0 / length), rate=-v_z / length),
-    )
+    along, (v_x, v_z) = group_cells(scene, groups), group_velocity(scene)
+    across = (-along[1], along[0])
+    place = (Wrap(k=(k_x, k_z), period=float(PERIOD), rate=-(k_x * v_x + k_z * v_z)) for k_x, k_z in (along, across))
     return Part(
-        consts={"GROUP_TEXELS": TEXELS},
+        consts={"GROUP_SEED": group_key(groups), "GROUP_VARIANCE": VARIANCE},
         uniforms={
-            OFFSET: array("vec2", place, 1),
-            "u_wave_groups_scale": vector((significant(1.0 / length), significant(0.5 * groups.contrast))),
+            PLACE: array("vec2", place, 1),
+            "u_wave_groups": vector((*along, groups.contrast)),
         },
-        inputs={"u_wave_groups": TextureInput(texture="wave_groups")},
-        textures={"wave_groups": TextureUse(WaveGroupField(seed=groups.seed), filter="linear")},
     )
 
 
@@ -65,7 +59,7 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves: of one height each, or in groups."""
     if not in_groups(scene):
         return (_WAVES,)
-    return (FACTOR, EVEN_WAVES, "waves/groups/waves.glsl")
+    return (*FACTOR, EVEN_WAVES, "waves/groups/waves.glsl")
 
 
 def carry_files(scene: Scene) -> tuple[Piece, ...]:
@@ -87,35 +81,18 @@ def _scaled(scene: Scene, path: str, function: str, name: str) -> tuple[Piece, .
     """A file, or with groups: it with its function renamed, and the file ``name``, which scales that by the factor."""
     if not in_groups(scene):
         return (path,)
-    return (FACTOR, Source(path, ((function, f"even_{name}"),)), f"waves/groups/{name}.glsl")
+    return (*FACTOR, Source(path, ((function, f"even_{name}"),)), f"waves/groups/{name}.glsl")
 
 
 def front_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the factor of waves that passed before."""
-    return (FACTOR, "waves/groups/front.glsl") if in_groups(scene) else (_NO_GROUPS,)
+    return (*FACTOR, "waves/groups/front.glsl") if in_groups(scene) else (_NO_GROUPS,)
 
 
 def group_bounds(scene: Scene) -> GroupBounds:
-    """Upper bounds of the factor, from the field's values and bilinear reads between them."""
+    """Upper bounds of the factor."""
     groups = scene.wave_groups
     if groups is None or not in_groups(scene):
         return GroupBounds()
-    field, length, part = group_field(groups.seed), group_side(groups), 0.5 * groups.contrast
-    # Differences of neighbours: what bilinear values change by, in steps of a texel.
-    rises = [np.abs(_step(field[..., 0], axis)) for axis in (0, 1)]
-    drawn = math.hypot(*(float(rise.max()) for rise in rises)) * TEXELS
-    read = float(np.hypot(field[..., 1], field[..., 2]).max())
-    bends = [np.abs(_step(field[..., 1 + i], axis)) * TEXELS for i in (0, 1) for axis in (0, 1)]
-    curvature = float(np.sqrt(sum(bend * bend for bend in bends)).max())
-    texel = 1.0 / TEXELS
-    return GroupBounds(
-        part * max(read, drawn) / length,
-        part * 1.1 * curvature / length**2,
-        part * (HALF_FLOAT + 0.25 * texel * texel * curvature),
-    )
-
-
-def _step(values: NDArray[np.float64], axis: int) -> NDArray[np.float64]:
-    """Differences from each value to the next along an axis of the period."""
-    result: NDArray[np.float64] = np.roll(values, -1, axis) - values
-    return result
+    step = 1.000001 * math.hypot(*group_cells(scene, groups))
+    return GroupBounds(groups.contrast * SLOPE * step, groups.contrast * CURVATURE * step * step)

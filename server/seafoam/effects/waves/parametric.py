@@ -5,7 +5,7 @@ import math
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, SlotFile
 from seafoam.effects.foam.living import carries
-from seafoam.effects.waves.groups import OFFSET, carry_files, group_bounds, group_part, in_groups, wave_files
+from seafoam.effects.waves.groups import PLACE, carry_files, group_bounds, group_part, in_groups, wave_files
 from seafoam.framegraph.rules import Constant, Phase, array, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
 from seafoam.ocean.levels import paper_level, wave_level
@@ -129,7 +129,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
         min_height=-level,
         max_slope=max_slope,
         max_curvature=min(significant(max_curvature), UNBOUNDED),
-        map_error=height * groups.error,
     )
     return contribution.joined(group_part(scene))
 
@@ -138,6 +137,6 @@ EFFECT = Effect(
     "parametric waves",
     contribute,
     fields=("/waves", "/wave_groups"),
-    afloat=("u_parametric_phase", OFFSET),
+    afloat=("u_parametric_phase", PLACE),
     parameters=(QualityParameter("/waves", "maximum number of waves", (2, 4, 8, 16), "geometry"),),
 )

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.groups import AMPLITUDE, TEXELS, group_side, group_velocity, group_waves
-from seafoam.reference.types import Floats
+from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity
+from seafoam.reference.noise import pcg, share
+from seafoam.reference.types import Floats, Indices
 from seafoam.scene.models import Scene
 
 
@@ -18,55 +18,57 @@ from seafoam.scene.models import Scene
 class GroupFactor:
     """The factor at one time around one origin."""
 
-    field: Floats
-    """(n, ∂n/∂x, ∂n/∂z) at the corners of a period, rows along z; (TEXELS, TEXELS, 3), derivatives in 1/m."""
-    side: float
-    """Length of the period, m."""
+    key: int
+    """Hash key of the noise."""
+    along: tuple[float, float]
+    """Step of the noise along the way of the groups, (x, z) cells/m; the other is at right angles to it."""
     contrast: float
     velocity: tuple[float, float]
     """(x, z) m/s."""
     place: tuple[float, float]
-    """The origin in the period, in periods."""
+    """The origin in the noise, cells."""
 
     def __call__(self, x: Floats, z: Floats, ago: Floats | float = 0.0) -> Floats:
         """Factor at (x, z), m from the origin, ``ago`` s before; in [1 − contrast, 1]."""
-        n = self._at(x + self.velocity[0] * ago, z + self.velocity[1] * ago)[..., 0]
-        result: Floats = 1.0 - 0.5 * self.contrast * (1.0 - n)
+        noise = self._noise(x + self.velocity[0] * ago, z + self.velocity[1] * ago)[0]
+        result: Floats = 1.0 - self.contrast * (1.0 - noise)
         return result
 
     def gradient(self, x: Floats, z: Floats) -> tuple[Floats, Floats]:
         """Its derivatives, 1/m."""
-        values = self._at(x, z)
-        return 0.5 * self.contrast * values[..., 1], 0.5 * self.contrast * values[..., 2]
+        _, by_u, by_v = self._noise(x, z)
+        k_x, k_z = self.along
+        return self.contrast * (k_x * by_u - k_z * by_v), self.contrast * (k_z * by_u + k_x * by_v)
 
     @property
     def slope(self) -> float:
-        """Greatest derivative of the factor along any line, 1/m, read or between corners, rounded up."""
-        step = self.side / TEXELS
-        values = self.field[..., 0]
-        between = [float(np.abs(values - np.roll(values, 1, axis)).max()) / step for axis in (0, 1)]
-        read = float(np.hypot(self.field[..., 1], self.field[..., 2]).max())
-        return 0.5 * self.contrast * 1.001 * max(read, math.hypot(*between))
+        """Greatest derivative along any line, 1/m: that of smoothstep, ³⁄₂ a cell."""
+        return 1.000001 * self.contrast * 1.5 * math.hypot(*self.along)
 
     @property
     def curvature(self) -> float:
-        """Greatest change of the slope over a texel, 1/m²: bilinear values have kinks at its edges."""
-        values, worst, step = self.field[..., 0], 0.0, self.side / TEXELS
-        for axis in (0, 1):
-            bend = np.roll(values, 1, axis) - 2.0 * values + np.roll(values, -1, axis)
-            worst += 2.0 * float(np.abs(bend).max()) / (step * step)
-        return 0.5 * self.contrast * worst
+        """Greatest second derivative along any line, 1/m²: that of smoothstep, 6 a cell²."""
+        return self.contrast * 6.0 * math.hypot(*self.along) ** 2
 
-    def _at(self, x: Floats, z: Floats) -> Floats:
-        """The field, bilinear between corners."""
-        u, v = (self.place[0] + x / self.side) * TEXELS, (self.place[1] + z / self.side) * TEXELS
+    def _noise(self, x: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
+        """Value noise and its derivatives per cell."""
+        k_x, k_z = self.along
+        u, v = self.place[0] + k_x * x + k_z * z, self.place[1] - k_z * x + k_x * z
         i, j = np.floor(u), np.floor(v)
-        s, t = (u - i)[..., None], (v - j)[..., None]
-        i0, j0 = i.astype(np.intp) % TEXELS, j.astype(np.intp) % TEXELS
-        i1, j1 = (i0 + 1) % TEXELS, (j0 + 1) % TEXELS
-        near = (1.0 - s) * self.field[j0, i0] + s * self.field[j0, i1]
-        far = (1.0 - s) * self.field[j1, i0] + s * self.field[j1, i1]
-        result: Floats = (1.0 - t) * near + t * far
+        s, t = u - i, v - j
+        a, b, c, d = (self._corner(i + right, j + down) for down in (0, 1) for right in (0, 1))
+        s_in, t_in = s * s * (3.0 - 2.0 * s), t * t * (3.0 - 2.0 * t)
+        top, bottom = a + (b - a) * s_in, c + (d - c) * s_in
+        by_u = 6.0 * s * (1.0 - s) * ((b - a) * (1.0 - t_in) + (d - c) * t_in)
+        return top + (bottom - top) * t_in, by_u, 6.0 * t * (1.0 - t) * (bottom - top)
+
+    def _corner(self, i: Floats, j: Floats) -> Floats:
+        """Random numbers in [0, 1] at corners (i, j): a quarter of them 0, a quarter 1."""
+        cells: list[Indices] = [np.mod(part, PERIOD).astype(np.int64) for part in (i, j)]
+        word = np.full(i.shape, self.key, np.uint64)
+        for cell in cells:
+            word = pcg(word ^ cell.astype(np.uint64))
+        result: Floats = np.clip(2.0 * share(word) - 0.5, 0.0, 1.0)
         return result
 
 
@@ -75,24 +77,8 @@ def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> Grou
     groups = scene.wave_groups
     if groups is None or groups.contrast == 0.0 or all(wave.amplitude == 0.0 for wave in scene.waves):
         return None
-    side = group_side(groups)
-    velocity = group_velocity(scene)
-    place = tuple(
-        float((Fraction(at) - Fraction(speed) * Fraction(time)) / Fraction(side) % 1)
-        for at, speed in zip(origin, velocity, strict=True)
-    )
-    return GroupFactor(_field(groups.seed, side), side, groups.contrast, velocity, (place[0], place[1]))
-
-
-@lru_cache(maxsize=8)
-def _field(seed: int, side: float) -> Floats:
-    """n = sin X and its derivatives (1/m) at the corners, X the sum of the cosines."""
-    along: Floats = np.arange(TEXELS) / TEXELS
-    total, by_x, by_z = (np.zeros((TEXELS, TEXELS)) for _ in range(3))
-    for ix, iz, phase in group_waves(seed):
-        angle = 2.0 * math.pi * (ix * along[None, :] + iz * along[:, None]) + phase
-        total += AMPLITUDE * np.cos(angle)
-        by_x -= 2.0 * math.pi * ix / side * AMPLITUDE * np.sin(angle)
-        by_z -= 2.0 * math.pi * iz / side * AMPLITUDE * np.sin(angle)
-    field: Floats = np.stack((np.sin(total), np.cos(total) * by_x, np.cos(total) * by_z), axis=-1)
-    return field
+    along, velocity = group_cells(scene, groups), group_velocity(scene)
+    way = [Fraction(at) - Fraction(speed) * Fraction(time) for at, speed in zip(origin, velocity, strict=True)]
+    k_x, k_z = Fraction(along[0]), Fraction(along[1])
+    place = (float((k_x * way[0] + k_z * way[1]) % PERIOD), float((k_x * way[1] - k_z * way[0]) % PERIOD))
+    return GroupFactor(group_key(groups), along, groups.contrast, velocity, place)

@@ -14,7 +14,6 @@ TEXTURE_FORMATS = {
     "R16F": (1, "f2"),
     "R32F": (1, "f4"),
     "RG32F": (2, "f4"),
-    "RGBA16F": (4, "f2"),
     "RGBA32F": (4, "f4"),
 }
 """Components and moderngl dtype of each texture format."""
