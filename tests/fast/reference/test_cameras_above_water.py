@@ -12,6 +12,7 @@ from seafoam.ocean.levels import wave_level
 from seafoam.ocean.rings import ring_height
 from seafoam.ocean.wakes import wake_height
 from seafoam.reference.types import Floats
+from seafoam.reference.waves.groups import group_factor
 from seafoam.reference.waves.sea import sea_surface
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
@@ -59,10 +60,13 @@ def heights(scene: Scene, x: float, z: float, times: Floats) -> Floats:
     total = np.full(times.size, ring_height(scene) + wake_height(scene.boats))
     if scene.shore is not None:
         total += scene.shore.surf.height
+    single = np.zeros(times.size)
     for wave in scene.waves:
         kx, kz = wavevector(wave, scene.water.depth)
         theta = wave.phase + angular_frequency(wave) * times - kx * x - kz * z
-        total += wave.amplitude * (0.5 + 0.5 * np.sin(theta)) ** wave.exponent - wave_level(wave)
+        single += wave.amplitude * (0.5 + 0.5 * np.sin(theta)) ** wave.exponent - wave_level(wave)
+    groups = group_factor(scene, 0.0, (x, z))
+    total += single if groups is None else single * groups(np.zeros_like(times), np.zeros_like(times), -times)
     if scene.sea is not None and scene.sea.wind > 0.0:
         for tile in cascades(scene.sea, scene.water.depth)[:RAISED]:
             total += tile_heights(tile, scene.sea.choppiness, x, z, times)
