@@ -37,7 +37,8 @@ void main() {
     moves *= 0.5 * u_viewport * (SPRAY_WIDER * form.moment);
     // Samples: half the width, and half the length.
     vec4 scattered = spray_entry(u_spray_air, i, 1);
-    float scale = 0.5 * u_viewport.y / (length(u_ray_y) * depth);
+    float unit = 0.5 * u_viewport.y / length(u_ray_y);
+    float scale = unit / depth;
     // No larger than its height over the surface lets it be: what is drawn below would stand before the water.
     float radius = thrown.w * form.radius;
     float wide = min(radius, 0.5 * radius + scattered.w) * scale;
@@ -58,7 +59,9 @@ void main() {
     float window = 0.5 * SPRAY_WINDOW;
     v_strands = vec4(spray_part(word, 10u), spray_part(word, 11u), window * min(drawn.x / drawn.y, 2.0), level);
     v_fine = 1.0 - clamp((sharp + 2.0) / 2.0, 0.0, 1.0);
-    float opacity = traits.x * air.w * smoothstep(0.3, 1.0, depth);
+    // What spans so much of the view is a cloud that the eye is in.
+    float around = traits.y == SPRAY_COLUMN ? 0.0 : smoothstep(0.06, 0.2, size.x / unit);
+    float opacity = traits.x * air.w * smoothstep(0.3, 1.0, depth) * (1.0 - around);
     float hides = 1.0 - exp(-form.depth * opacity);
     v_form = vec3(-log(1.0 - min(thin * hides, 0.999)), form.cover, mix(form.soft, 1.0, level / 5.0));
     gl_Position = vec4(clip + 2.0 * place / u_viewport, 0.0, 1.0);

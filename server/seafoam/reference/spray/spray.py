@@ -26,6 +26,8 @@ from seafoam.textures.spray import STRANDS, strand_levels
 
 NEAREST = 0.3
 NARROWEST = 0.75
+AROUND = 0.06, 0.2
+"""Tangents of half the angle of a drop's length from which on it fades, and where it is gone."""
 """Half the least width and length, samples."""
 BEHIND = 0.999
 WINDOW = 0.4
@@ -218,7 +220,9 @@ def seen(
     thin = size.prod(axis=-1) / half.prod(axis=-1)
     sharp = np.log2(0.5 * WINDOW * STRANDS / half[:, 1])
     level = np.clip(sharp, 0.0, 5.0)
-    hides = 1.0 - np.exp(-form.depth * drops.strength * clear * smoothstep(NEAREST, 1.0, depth))
+    tangent = size[:, 0] * math.sqrt(float(view.ray_y @ view.ray_y)) / (0.5 * rows)
+    apart = np.where(drops.kind == COLUMN, 1.0, 1.0 - smoothstep(*AROUND, tangent))
+    hides = 1.0 - np.exp(-form.depth * drops.strength * clear * smoothstep(NEAREST, 1.0, depth) * apart)
     stretch = 0.5 * WINDOW * np.minimum(half[:, 0] / half[:, 1], 2.0)
     return Seen(
         X=X,
