@@ -1,8 +1,7 @@
-// Drifting foam ends at the rim of its square: smoothly over the last fifth on each side.
+// Drifting foam thins out toward the rim of the circle in its square, over the last two fifths of the radius.
 uniform vec2 u_drift_place; // from the square's middle to the eye, m
 uniform float u_drift_foam; // saturation of a patch
 
 float drift_rim(vec2 q) {
-    vec2 t = 1.0 - smoothstep(vec2(0.8), vec2(1.0), abs(q) / u_drift_half);
-    return t.x * t.y;
+    return 1.0 - smoothstep(0.6, 1.0, length(q) / u_drift_half);
 }

@@ -37,7 +37,7 @@ APART = (3.37, 5.61)
 """Offset between the two copies of a mask, in tiles."""
 BESIDE = 1e-3
 """Step of the finite differences of displacements, m."""
-RIM = 0.8
+RIM = 0.6
 """Distance from the middle at which foam begins to fade, over half the side."""
 
 
@@ -117,7 +117,7 @@ def drift_saturation(
     flow = flow_of(scene)
     q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
     q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
-    rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
+    rim = 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
     result = np.zeros_like(x)
     inside = np.flatnonzero(rim > 0.0)
     interval = Fraction(source.life) / GENERATIONS
@@ -159,7 +159,7 @@ def copies(
     flow = flow_of(scene)
     q_x = x + float(Fraction(origin[0]) - Fraction(drift.place[0]))
     q_z = z + float(Fraction(origin[1]) - Fraction(drift.place[1]))
-    rim = _rim(q_x / flow.half) * _rim(q_z / flow.half)
+    rim = 1.0 - smoothstep(RIM, 1.0, np.hypot(q_x, q_z) / flow.half)
     interval = Fraction(source.life) / GENERATIONS
     number = math.floor(Fraction(time) / interval)
     youngest = float(Fraction(time) - number * interval)
@@ -187,10 +187,6 @@ def _way(flow: Flow, x: Floats, z: Floats, seconds: float) -> Floats:
     """Vectors from places to where their water was, (r, 2) m."""
     back = flow.back(x, z, seconds)
     return np.column_stack((back[0] - x, back[1] - z))
-
-
-def _rim(share: Floats) -> Floats:
-    return 1.0 - smoothstep(RIM, 1.0, np.abs(share))
 
 
 def patch(source: DriftSaturation, generation: int, x: Floats, z: Floats) -> Floats:
