@@ -60,7 +60,7 @@ KINDS = (
     ("/assets/", ".css", "CSS"),
     ("/api/plans", "", "plan"),
     ("/api/textures/", "", "textures"),
-    ("/stills/", ".small.avif", "thumbnails"),
+    ("/stills/", ".small.webp", "thumbnails"),
     ("/stills/", "", "still"),
     ("/api/schema", "", "Schema of scenes and qualities"),
     ("/api/", "", "presets, names"),

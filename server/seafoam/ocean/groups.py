@@ -1,21 +1,37 @@
 """Groups of high waves with calmer water between them: their size and speed. docs/formulae.md, section 2."""
 
 import math
+from functools import lru_cache
 
+import numpy as np
+
+from seafoam.ocean.arrays import Integers
 from seafoam.ocean.dispersion import angular_frequency, wavenumber
+from seafoam.ocean.hash import chance
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave, WaveGroups
 
+_KEY = 23
 CELLS_APART = 3.2
 """Mean distance of groups, cells of the noise."""
 
-PERIOD = 256
-"""Period of the noise, cells."""
+PERIOD = 64
+"""Period of the noise along each axis, cells."""
+
+STEPS = 65535
+"""Value of a corner where waves have their full height."""
 
 
-def group_key(groups: WaveGroups) -> int:
-    """Return the hash key of the noise."""
-    return 7919 * (groups.seed + 1)
+@lru_cache(maxsize=16)
+def group_corners(seed: int) -> Integers:
+    """Return the corners of the noise, (PERIOD, PERIOD) in 0 … STEPS, rows along the second axis.
+
+    A quarter of them are 0, a quarter are STEPS, the others even between.
+    """
+    i, j = np.meshgrid(np.arange(PERIOD), np.arange(PERIOD))
+    corners: Integers = np.round(STEPS * np.clip(2.0 * chance(_KEY, seed, i, j) - 0.5, 0.0, 1.0)).astype(np.int64)
+    corners.setflags(write=False)
+    return corners
 
 
 def group_cells(scene: Scene, groups: WaveGroups) -> tuple[float, float]:

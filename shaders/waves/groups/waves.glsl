@@ -2,16 +2,16 @@
 
 // Height and its gradient.
 vec3 parametric_waves(vec2 p) {
-    vec3 group = wave_groups(p);
     vec3 even = even_waves(p);
+    vec3 group = wave_groups(p);
     return vec3(group.x * even.x, group.x * even.yz + even.x * group.yz);
 }
 
 // Height and gradient without what is smaller than the footprint, and the unresolved mean square slope; groups that are smaller are
 // replaced by their mean.
 vec4 parametric_shading(vec2 p, Footprint fp) {
-    vec3 group = wave_groups(p);
     vec4 even = even_shading(p, fp);
+    vec3 group = wave_groups(p);
     parametric_signal *= group.x;
     parametric_signal_x *= group.x;
     parametric_signal_z *= group.x;

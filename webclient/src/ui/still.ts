@@ -8,7 +8,7 @@ const FADE = 400;
 const PAINT_TIMEOUT = 800;
 
 export const stillUrl = (name: string) => `${FOLDER}/${name}.avif`;
-export const thumbnailUrl = (name: string) => `${FOLDER}/${name}.small.avif`;
+export const thumbnailUrl = (name: string) => `${FOLDER}/${name}.small.webp`;
 
 export class StillImage {
   private fadeTimer = 0;

@@ -8,9 +8,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity
-from seafoam.reference.noise import pcg, share
-from seafoam.reference.types import Floats, Indices
+from seafoam.ocean.groups import PERIOD, STEPS, group_cells, group_corners, group_velocity
+from seafoam.reference.types import Floats
 from seafoam.scene.models import Scene
 
 
@@ -18,8 +17,8 @@ from seafoam.scene.models import Scene
 class GroupFactor:
     """The factor at one time around one origin."""
 
-    key: int
-    """Hash key of the noise."""
+    corners: Floats
+    """Values of the noise at its corners, in [0, 1]; (PERIOD, PERIOD), rows along the second axis."""
     along: tuple[float, float]
     """Step of the noise along the way of the groups, (x, z) cells/m; the other is at right angles to it."""
     contrast: float
@@ -56,20 +55,13 @@ class GroupFactor:
         u, v = self.place[0] + k_x * x + k_z * z, self.place[1] - k_z * x + k_x * z
         i, j = np.floor(u), np.floor(v)
         s, t = u - i, v - j
-        a, b, c, d = (self._corner(i + right, j + down) for down in (0, 1) for right in (0, 1))
+        column, row = np.mod(i, PERIOD).astype(np.int64), np.mod(j, PERIOD).astype(np.int64)
+        right, down = (column + 1) % PERIOD, (row + 1) % PERIOD
+        a, b, c, d = (self.corners[m, n] for m in (row, down) for n in (column, right))
         s_in, t_in = s * s * (3.0 - 2.0 * s), t * t * (3.0 - 2.0 * t)
         top, bottom = a + (b - a) * s_in, c + (d - c) * s_in
         by_u = 6.0 * s * (1.0 - s) * ((b - a) * (1.0 - t_in) + (d - c) * t_in)
         return top + (bottom - top) * t_in, by_u, 6.0 * t * (1.0 - t) * (bottom - top)
-
-    def _corner(self, i: Floats, j: Floats) -> Floats:
-        """Random numbers in [0, 1] at corners (i, j): a quarter of them 0, a quarter 1."""
-        cells: list[Indices] = [np.mod(part, PERIOD).astype(np.int64) for part in (i, j)]
-        word = np.full(i.shape, self.key, np.uint64)
-        for cell in cells:
-            word = pcg(word ^ cell.astype(np.uint64))
-        result: Floats = np.clip(2.0 * share(word) - 0.5, 0.0, 1.0)
-        return result
 
 
 def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> GroupFactor | None:
@@ -81,4 +73,4 @@ def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> Grou
     way = [Fraction(at) - Fraction(speed) * Fraction(time) for at, speed in zip(origin, velocity, strict=True)]
     k_x, k_z = Fraction(along[0]), Fraction(along[1])
     place = (float((k_x * way[0] + k_z * way[1]) % PERIOD), float((k_x * way[1] - k_z * way[0]) % PERIOD))
-    return GroupFactor(group_key(groups), along, groups.contrast, velocity, place)
+    return GroupFactor(group_corners(groups.seed) / STEPS, along, groups.contrast, velocity, place)
