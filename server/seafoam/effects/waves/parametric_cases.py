@@ -169,7 +169,7 @@ _IN_GROUPS = (
         ),
         guard="the place in the period is reduced in float64, past the way that groups have travelled "
         "(framegraph/evaluation.py)",
-        without="in float32 at 1e9 s the place in the noise has steps of 16 cells: 73 to 77 % of samples are off by "
+        without="in float32 at 1e9 s the place in the noise has steps of 16 cells: 72 to 73 % of samples are off by "
         "more than 2 levels",
         times=(-1e9, 1e9),
         camera=Camera(position=(1e7, 3.0, -1e7), pitch=-0.3),
