@@ -11,7 +11,6 @@ from seafoam.ocean.hash import chance
 from seafoam.scene.models import Scene
 from seafoam.scene.waves import ParametricWave, WaveGroups
 
-_KEY = 23
 CELLS_APART = 3.2
 """Mean distance of groups, cells of the noise."""
 
@@ -20,6 +19,9 @@ PERIOD = 64
 
 STEPS = 65535
 """Value of a corner where waves have their full height."""
+
+_KEY = 23
+"""Key of the hash of corners."""
 
 
 @lru_cache(maxsize=16)

@@ -26,9 +26,9 @@ from seafoam.textures.spray import STRANDS, strand_levels
 
 NEAREST = 0.3
 NARROWEST = 0.75
+"""Half the least width and length, samples."""
 AROUND = 0.06, 0.2
 """Tangents of half the angle of a drop's length from which on it fades, and where it is gone."""
-"""Half the least width and length, samples."""
 BEHIND = 0.999
 WINDOW = 0.4
 FINER = 3.7
