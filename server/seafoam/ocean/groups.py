@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from seafoam.ocean.arrays import Integers
+from seafoam.ocean.arrays import Floats
 from seafoam.ocean.dispersion import angular_frequency, wavenumber
 from seafoam.ocean.hash import chance
 from seafoam.scene.models import Scene
@@ -17,21 +17,24 @@ CELLS_APART = 3.2
 PERIOD = 64
 """Period of the noise along each axis, cells."""
 
-STEPS = 65535
-"""Value of a corner where waves have their full height."""
-
 _KEY = 23
 """Key of the hash of corners."""
 
 
-@lru_cache(maxsize=16)
-def group_corners(seed: int) -> Integers:
-    """Return the corners of the noise, (PERIOD, PERIOD) in 0 … STEPS, rows along the second axis.
+def group_key(seed: int) -> int:
+    """Return the state of the hash after key and seed, a signed number of 32 bits."""
+    word = round(float(chance(_KEY, seed)) * 2.0**32 - 0.5)
+    return word - 2**32 if word >= 2**31 else word
 
-    A quarter of them are 0, a quarter are STEPS, the others even between.
+
+@lru_cache(maxsize=16)
+def group_corners(seed: int) -> Floats:
+    """Return the corners of the noise, (PERIOD, PERIOD) in [0, 1], rows along the second axis.
+
+    A quarter of them are 0, a quarter are 1, the others even between.
     """
     i, j = np.meshgrid(np.arange(PERIOD), np.arange(PERIOD))
-    corners: Integers = np.round(STEPS * np.clip(2.0 * chance(_KEY, seed, i, j) - 0.5, 0.0, 1.0)).astype(np.int64)
+    corners: Floats = np.clip(2.0 * chance(_KEY, seed, i, j) - 0.5, 0.0, 1.0)
     corners.setflags(write=False)
     return corners
 

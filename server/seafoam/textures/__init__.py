@@ -5,7 +5,6 @@ Nothing here depends on time or camera, and no effect is known by name.
 
 from seafoam.textures.foam import FoamTexture, foam_texture
 from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
-from seafoam.textures.groups import WaveGroupCorners
 from seafoam.textures.masks import MaskTable, MaskTexture
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel, shore_profiles
@@ -30,7 +29,6 @@ __all__ = [
     "TextureData",
     "TextureSpec",
     "UnknownTextureError",
-    "WaveGroupCorners",
     "foam_texture",
     "front_fading",
     "front_full",

@@ -7,7 +7,6 @@ from functools import cached_property, lru_cache
 
 from seafoam.textures.foam import FoamTexture
 from seafoam.textures.front import FrontIntegral
-from seafoam.textures.groups import WaveGroupCorners
 from seafoam.textures.masks import MaskTexture
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ShoreFloor, ShoreProfiles, ShoreTravel
@@ -30,7 +29,6 @@ _KINDS: dict[str, type[TextureSpec]] = {
         ShoreTravel,
         SprayRocks,
         SprayStrands,
-        WaveGroupCorners,
     )
 }
 

@@ -34,10 +34,10 @@ def test_programs_by_hand_draw_what_the_plan_draws(executor: Executor, case: ByH
 def test_the_program_with_every_effect_draws_what_the_plan_draws(executor: Executor, name: str) -> None:
     scene = load_preset(name).scene
     assert scene.foam is not None
-    # What becomes of foam, light in it, clouds and glare are none of the paper's effects.
+    # Groups, what becomes of foam, light in it, clouds and glare are none of the paper's effects.
     foam = scene.foam.lying_still().model_copy(update={"scattering": None})
     light = scene.light and scene.light.model_copy(update={"sky": None, "glare": 0.0})
-    scene = scene.model_copy(update={"foam": foam, "light": light})
+    scene = scene.model_copy(update={"foam": foam, "light": light, "wave_groups": None})
     same_picture(executor, uber_plan(scene, QUALITY), make_plan(scene, QUALITY), scene.camera)
 
 

@@ -24,7 +24,6 @@ from seafoam.scene.living import FoamLife
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Water
 from seafoam.scene.waves import ParametricWave, WaveGroups
-from seafoam.textures import WaveGroupCorners
 from support.exact import EXACT, UNFILTERED
 from support.pictures import draw
 from support.probe import Probe
@@ -58,10 +57,7 @@ def probed(
     state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
     uniforms = {name: evaluate(uniform, state) for name, uniform in made.uniforms.items()}
     consts = {**made.consts, "SURFACE_FILTER": False}
-    assert scene.wave_groups is not None
-    textures = {"u_wave_groups_corners": WaveGroupCorners(seed=scene.wave_groups.seed)}
-    files = ("lib/numbers.glsl", *files)
-    return probe(files, body, places(), consts=consts, uniforms=uniforms, textures=textures).astype(np.float64)
+    return probe(("lib/numbers.glsl", *files), body, places(), consts=consts, uniforms=uniforms).astype(np.float64)
 
 
 @pytest.mark.parametrize("origin", [(0.0, 0.0), (1e7, -1e7)], ids=str)

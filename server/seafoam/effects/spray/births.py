@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from seafoam.effects.bounds import parametric_wave_height
 from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, Source, TextureUse
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
-from seafoam.effects.waves.groups import EVEN_WAVES, FACTOR, group_bounds, group_part, in_groups
+from seafoam.effects.waves.groups import EVEN_WAVES, FACTOR, group_bounds, in_groups
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import drawn, fitted, gerstner_uniforms, loop_uniforms, transform
@@ -104,7 +104,7 @@ def births(scene: Scene, quality: Quality, spray: Spray) -> Births:
     return Births(
         words=" and ".join(source.words for source in sources),
         files=(*files, _choice(sources, quality.spray_count)),
-        inputs={name: source for one in sources for name, source in one.inputs.items()} | group_part(scene).inputs,
+        inputs={name: source for one in sources for name, source in one.inputs.items()},
         part=part,
         beat=0.0 if _on_rocks(scene, spray) else spray.life / BATCHES,
     )
@@ -248,7 +248,7 @@ def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Part]:
     grouped = in_groups(scene)
     files: list[Piece | SlotRef] = []
     if grouped:
-        files += [FACTOR, EVEN_WAVES, Source("spray/fronts.glsl", (("fronts_then", "even_fronts"),))]
+        files += [*FACTOR, EVEN_WAVES, Source("spray/fronts.glsl", (("fronts_then", "even_fronts"),))]
         files += ["spray/fronts_grouped.glsl"]
     else:
         files += ["waves/parametric.glsl", "spray/fronts.glsl"] if raised else ["spray/fronts_none.glsl"]

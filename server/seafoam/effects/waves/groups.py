@@ -3,18 +3,17 @@
 import math
 from dataclasses import dataclass
 
-from seafoam.effects.effect import Part, Piece, Source, TextureUse, constant_function
-from seafoam.framegraph.resources import TextureInput
-from seafoam.framegraph.rules import Wrap, array, significant, vector
-from seafoam.ocean.groups import PERIOD, STEPS, group_cells, group_velocity
+from seafoam.effects.effect import Part, Piece, Source, constant_function
+from seafoam.effects.noise import HASH
+from seafoam.framegraph.rules import Wrap, array, vector
+from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity
 from seafoam.scene.models import Scene
-from seafoam.textures import WaveGroupCorners
 
 PLACE = "u_wave_groups_place"
 """Uniform of the camera's place in the noise."""
 
-FACTOR = "waves/groups/factor.glsl"
-"""File of the factor, for what evaluates waves itself."""
+FACTOR = (HASH, "waves/groups/factor.glsl")
+"""Files of the factor, for what evaluates waves itself."""
 
 SLOPE, CURVATURE, VARIANCE = 1.5, 6.0, 0.091973
 """Of the noise: greatest slope and second derivative along any line, in cells; variance, (1/6)(26/35)²."""
@@ -48,13 +47,11 @@ def group_part(scene: Scene) -> Part:
     across = (-along[1], along[0])
     place = (Wrap(k=(k_x, k_z), period=float(PERIOD), rate=-(k_x * v_x + k_z * v_z)) for k_x, k_z in (along, across))
     return Part(
-        consts={"GROUP_PERIOD": PERIOD, "GROUP_VARIANCE": VARIANCE},
+        consts={"GROUP_KEY": group_key(groups.seed), "GROUP_PERIOD": PERIOD, "GROUP_VARIANCE": VARIANCE},
         uniforms={
             PLACE: array("vec2", place, 1),
-            "u_wave_groups": vector((*along, groups.contrast, significant(groups.contrast / STEPS))),
+            "u_wave_groups": vector((*along, groups.contrast)),
         },
-        inputs={"u_wave_groups_corners": TextureInput(texture="wave_groups")},
-        textures={"wave_groups": TextureUse(WaveGroupCorners(seed=groups.seed))},
     )
 
 
@@ -62,7 +59,7 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves: of one height each, or in groups."""
     if not in_groups(scene):
         return (_WAVES,)
-    return (FACTOR, EVEN_WAVES, "waves/groups/waves.glsl")
+    return (*FACTOR, EVEN_WAVES, "waves/groups/waves.glsl")
 
 
 def carry_files(scene: Scene) -> tuple[Piece, ...]:
@@ -84,12 +81,12 @@ def _scaled(scene: Scene, path: str, function: str, name: str) -> tuple[Piece, .
     """A file, or with groups: it with its function renamed, and the file ``name``, which scales that by the factor."""
     if not in_groups(scene):
         return (path,)
-    return (FACTOR, Source(path, ((function, f"even_{name}"),)), f"waves/groups/{name}.glsl")
+    return (*FACTOR, Source(path, ((function, f"even_{name}"),)), f"waves/groups/{name}.glsl")
 
 
 def front_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the factor of waves that passed before."""
-    return (FACTOR, "waves/groups/front.glsl") if in_groups(scene) else (_NO_GROUPS,)
+    return (*FACTOR, "waves/groups/front.glsl") if in_groups(scene) else (_NO_GROUPS,)
 
 
 def group_bounds(scene: Scene) -> GroupBounds:

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.ocean.groups import PERIOD, STEPS, group_cells, group_corners, group_velocity
+from seafoam.ocean.groups import PERIOD, group_cells, group_corners, group_velocity
 from seafoam.reference.types import Floats
 from seafoam.scene.models import Scene
 
@@ -73,4 +73,4 @@ def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> Grou
     way = [Fraction(at) - Fraction(speed) * Fraction(time) for at, speed in zip(origin, velocity, strict=True)]
     k_x, k_z = Fraction(along[0]), Fraction(along[1])
     place = (float((k_x * way[0] + k_z * way[1]) % PERIOD), float((k_x * way[1] - k_z * way[0]) % PERIOD))
-    return GroupFactor(group_corners(groups.seed) / STEPS, along, groups.contrast, velocity, place)
+    return GroupFactor(group_corners(groups.seed), along, groups.contrast, velocity, place)
