@@ -30,9 +30,6 @@ class Scene(Extensible, Part):
     """A scene: water, foam, shore, objects, light and camera."""
 
     waves: tuple[Wave, ...] = Field(default=(), max_length=16)
-    wave_groups: WaveGroups | None = Field(
-        default=None, description="Groups in which the parametric waves travel; absent: each wave has one height"
-    )
     rings: tuple[Ring, ...] = Field(
         default=(), max_length=RINGS_MOST, description="Circular waves from stones, drops and blasts"
     )
@@ -42,6 +39,9 @@ class Scene(Extensible, Part):
     sea: Sea | None = Field(default=None, description="Wind-driven open sea; absent: none")
     foam: Foam | None = Field(default=None, description="Foam; absent: none")
     water: Water = Field(default_factory=Water)
+    wave_groups: WaveGroups | None = Field(
+        default=None, description="Groups in which the parametric waves travel; absent: each wave has one height"
+    )
     shore: Shore | None = Field(default=None, description="Sea floor, land and surf; absent: open sea")
     current: Current | None = Field(
         default=None, description="Current of a river, which carries all that is on the water; absent: none"
