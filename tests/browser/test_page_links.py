@@ -133,7 +133,7 @@ def test_a_bad_value_is_told_and_the_picture_stays(small: Visit) -> None:
     assert all("422" in said for said in small.complaints)
     small.complaints.clear()
     small.follow(link(scene={"/foam/mask": "vac-6"}))
-    assert differs(small.picture(), before) > 0.05
+    assert differs(small.picture(), before) > 0.02
 
 
 def test_the_address_stays_readable(small: Visit) -> None:
