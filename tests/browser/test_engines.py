@@ -131,11 +131,11 @@ def test_settings_open_and_change_the_scene(engine: Engine, server: str) -> None
     opened(engine, server, "paper-threshold", (760, 500))
     engine.evaluate("document.querySelector('[data-tool=settings]').click()")
     engine.until("document.querySelector('#settings.open .tp-rotv') !== null")
-    x, y, width = engine.evaluate(
-        "(({ x, y, width }) => [x, y, width])(document.querySelector('#scale').getBoundingClientRect())"
+    # While the panel slides in, its list is elsewhere a moment later.
+    engine.until(
+        "(({ x, y, width }) => document.elementFromPoint(x + width / 2, y + 5)?.id === 'scale')"
+        "(document.querySelector('#scale').getBoundingClientRect())"
     )
-    hit = f"document.elementFromPoint({x + width / 2}, {y + 5}).id"
-    assert engine.evaluate(hit) == "scale"
     engine.evaluate(
         "((list) => { list.value = '0.5'; list.dispatchEvent(new Event('change')); })(document.querySelector('#scale'))"
     )
