@@ -21,6 +21,12 @@ _KEY = 23
 """Key of the hash of corners."""
 
 
+def in_groups(scene: Scene) -> bool:
+    """Return whether the scene's parametric waves travel in groups."""
+    groups = scene.wave_groups
+    return groups is not None and groups.contrast > 0.0 and _steepest(scene) is not None
+
+
 def group_key(seed: int) -> int:
     """Return the state of the hash after key and seed, a signed number of 32 bits."""
     word = round(float(chance(_KEY, seed)) * 2.0**32 - 0.5)

@@ -8,12 +8,12 @@ from seafoam.effects.bounds import SATURATION_CAP, parametric_wave_height
 from seafoam.effects.effect import Bound, Const, Contribution, Effect, Piece, SaturationSource, SlotFile, TextureUse
 from seafoam.effects.foam.living import carries
 from seafoam.effects.noise import PERLIN_3, drifting_noise
-from seafoam.effects.waves.groups import front_files, in_groups, signal_files, way_files
+from seafoam.effects.waves.groups import front_files, signal_files, way_files
 from seafoam.effects.waves.parametric import profile_square, shares_phase
 from seafoam.framegraph.resources import TextureInput
 from seafoam.framegraph.rules import Constant, Phase, Uniform, array, number, rounded, significant, vector
 from seafoam.ocean.dispersion import angular_frequency, wavevector
-from seafoam.ocean.groups import group_velocity
+from seafoam.ocean.groups import group_velocity, in_groups
 from seafoam.ocean.stokes import foam_drift, orbit
 from seafoam.quality import Quality
 from seafoam.scene.foam import FrontSaturation

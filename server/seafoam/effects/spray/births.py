@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from seafoam.effects.bounds import parametric_wave_height
 from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, Source, TextureUse
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
-from seafoam.effects.waves.groups import EVEN_WAVES, FACTOR, group_bounds, in_groups
+from seafoam.effects.waves.groups import EVEN_WAVES, FACTOR, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import drawn, fitted, gerstner_uniforms, loop_uniforms, transform
@@ -31,7 +31,7 @@ from seafoam.framegraph.rules import (
 from seafoam.ocean.cascades import RAISED, Cascade
 from seafoam.ocean.constants import GRAVITY
 from seafoam.ocean.dispersion import angular_frequency
-from seafoam.ocean.groups import group_velocity
+from seafoam.ocean.groups import group_velocity, in_groups
 from seafoam.ocean.rocks import ROCKS, rocks
 from seafoam.ocean.spray import (
     BATCHES,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from seafoam.effects.effect import Part, Piece, Source, constant_function
 from seafoam.effects.noise import HASH
 from seafoam.framegraph.rules import Wrap, array, vector
-from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity
+from seafoam.ocean.groups import PERIOD, group_cells, group_key, group_velocity, in_groups
 from seafoam.scene.models import Scene
 
 PLACE = "u_wave_groups_place"
@@ -30,12 +30,6 @@ class GroupBounds:
 
     slope: float = 0.0
     curvature: float = 0.0
-
-
-def in_groups(scene: Scene) -> bool:
-    """Whether the scene's parametric waves travel in groups."""
-    groups = scene.wave_groups
-    return groups is not None and groups.contrast > 0.0 and any(wave.amplitude > 0.0 for wave in scene.waves)
 
 
 def group_part(scene: Scene) -> Part:

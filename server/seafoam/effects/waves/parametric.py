@@ -5,9 +5,10 @@ import math
 from seafoam.effects.bounds import parametric_wave_height, waves_bound
 from seafoam.effects.effect import UNBOUNDED, Contribution, Effect, QualityParameter, SlotFile
 from seafoam.effects.foam.living import carries
-from seafoam.effects.waves.groups import PLACE, carry_files, group_bounds, group_part, in_groups, wave_files
+from seafoam.effects.waves.groups import PLACE, carry_files, group_bounds, group_part, wave_files
 from seafoam.framegraph.rules import Constant, Phase, array, number, rounded, significant
 from seafoam.ocean.dispersion import angular_frequency, wavevector
+from seafoam.ocean.groups import in_groups
 from seafoam.ocean.levels import paper_level, wave_level
 from seafoam.ocean.stokes import orbit
 from seafoam.quality import Quality

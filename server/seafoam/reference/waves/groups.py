@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from seafoam.ocean.groups import PERIOD, group_cells, group_corners, group_velocity
+from seafoam.ocean.groups import PERIOD, group_cells, group_corners, group_velocity, in_groups
 from seafoam.reference.types import Floats
 from seafoam.scene.models import Scene
 
@@ -67,7 +67,7 @@ class GroupFactor:
 def group_factor(scene: Scene, time: float, origin: tuple[float, float]) -> GroupFactor | None:
     """The factor of the scene's groups at a time (s) around an origin (x, z) in m; None without groups."""
     groups = scene.wave_groups
-    if groups is None or groups.contrast == 0.0 or all(wave.amplitude == 0.0 for wave in scene.waves):
+    if groups is None or not in_groups(scene):
         return None
     along, velocity = group_cells(scene, groups), group_velocity(scene)
     way = [Fraction(at) - Fraction(speed) * Fraction(time) for at, speed in zip(origin, velocity, strict=True)]
