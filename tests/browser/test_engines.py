@@ -74,10 +74,12 @@ def display() -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def engines(display: str) -> Iterator[Callable[[str], Engine]]:
-    """Browsers by name, each started once."""
+    """Browsers by name, each started once, and anew when it hangs: one test fails then, and not those after it."""
     running: dict[str, Engine] = {}
 
     def started(name: str) -> Engine:
+        if name in running and running[name].hung:
+            running.pop(name).close()
         if name not in running:
             running[name] = ENGINES[name](display)
         return running[name]

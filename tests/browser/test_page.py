@@ -241,7 +241,7 @@ def test_masks_come_from_the_server(small: Visit, server: str) -> None:
 
 def test_a_visitor_dives(llvmpipe: Lane, server: str) -> None:
     """Down through the surface by key, once that is compiled; an orbit alone stays over it."""
-    bright = link(preset="lake-calm", scene={"/light/exposure": -1.0})
+    bright = link(preset="lake-calm", scene={"/light/exposure": 1.0})
     with visit(llvmpipe, server, bright, size=(400, 300), reduced_motion="reduce") as made:
         over = made.picture()
         mouse, keyboard = made.page.mouse, made.page.keyboard

@@ -16,25 +16,30 @@ from typing import Any
 
 from support.engine import Engine
 
-PREFERENCES: dict[str, bool | str] = {
+PREFERENCES: dict[str, bool | int | str] = {
     "app.update.enabled": False,
     "browser.shell.checkDefaultBrowser": False,
     "browser.startup.homepage_override.mstone": "ignore",
     "datareporting.policy.dataSubmissionEnabled": False,
     "dom.w3c_touch_events.enabled": True,
+    # A page that comes to another process, or from the cache of pages, may never be said to be there (bug 1746154).
+    "fission.bfcacheInParent": False,
+    "fission.webContentIsolationStrategy": 0,
     "webgl.force-enabled": True,
     # Software rendering counts as a performance caveat.
     "webgl.disable-fail-if-major-performance-caveat": True,
 }
 START = 60.0
 """Longest time for the browser to listen, s."""
+ANSWER = 180.0
+"""Longest time for it to answer a command, s."""
 
 
 class WebSocket:
     """A client of one connection: text messages, masked as the protocol demands (RFC 6455)."""
 
     def __init__(self, port: int, path: str) -> None:
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout=300)
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=ANSWER)
         key = base64.b64encode(secrets.token_bytes(16)).decode()
         lines = (
             f"GET {path} HTTP/1.1",
@@ -117,7 +122,11 @@ class Firefox(Engine):
         self.count += 1
         self.connection.send(json.dumps({"id": self.count, "method": method, "params": parameters}))
         while True:
-            message = json.loads(self.connection.receive())
+            try:
+                message = json.loads(self.connection.receive())
+            except TimeoutError:
+                self.hung = True
+                raise AssertionError(f"no answer to {method} in {ANSWER:.0f} s") from None
             if message["type"] == "event":
                 entry = message["params"]
                 if entry["level"] == "error":
@@ -153,6 +162,6 @@ class Firefox(Engine):
 
     def close(self) -> None:
         self.connection.close()
-        self.process.terminate()
+        self.process.kill() if self.hung else self.process.terminate()
         self.process.wait(timeout=30)
         shutil.rmtree(self.profile, ignore_errors=True)

@@ -8,6 +8,9 @@ from typing import Any
 class Engine(ABC):
     """A browser with one tab."""
 
+    hung = False
+    """Whether it answers no more, and must be started anew."""
+
     @property
     @abstractmethod
     def complaints(self) -> list[str]:
