@@ -7,9 +7,11 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Inline
+from seafoam.effects.effect import Contribution, Inline, Piece
+from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.planner.glsl import assemble
 from seafoam.render.gl.executor import TEXTURE_FORMATS, Executor
+from seafoam.scene.camera import Camera
 from seafoam.textures import TextureSpec, spec_at, texture
 
 WHOLE = assemble(["vertex/fullscreen.glsl"], {"FULLSCREEN_DEPTH": 0.0})
@@ -26,7 +28,7 @@ class Probe:
 
     def __call__(
         self,
-        files: Sequence[str | Inline],
+        files: Sequence[Piece],
         body: str,
         inputs: NDArray[Any],
         *,
@@ -36,7 +38,7 @@ class Probe:
     ) -> NDArray[np.float32]:
         """Evaluate ``body`` (statements that read ``vec4 x`` and set ``vec4 y``) for each row of ``inputs`` (n, ≤ 4).
 
-        Returns (n, 4) float32. ``files``: paths below shaders/, or GLSL behind ``=``.
+        Returns (n, 4) float32.
         """
         count = len(inputs)
         width = min(count, 4096)
@@ -79,6 +81,24 @@ class Probe:
         for item in (array, *held):
             item.release()
         return np.frombuffer(raw, np.float32).reshape(-1, 4)[:count].copy()
+
+    def contributed(
+        self,
+        made: Contribution | None,
+        files: Sequence[Piece],
+        body: str,
+        places: NDArray[Any],
+        *,
+        time: float = 0.0,
+        origin: tuple[float, float] = (0.0, 0.0),
+        filtered: bool = False,
+    ) -> NDArray[np.float64]:
+        """Evaluate ``body`` as above with an effect's constants and uniforms; eye over ``origin`` (x, z, m)."""
+        assert made is not None, "the effect takes no part in the scene"
+        state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
+        uniforms = {name: evaluate(uniform, state) for name, uniform in made.uniforms.items()}
+        consts = {**made.consts, "SURFACE_FILTER": filtered}
+        return self(files, body, places, consts=consts, uniforms=uniforms).astype(np.float64)
 
     def _texture(self, stored: TextureSpec | str) -> moderngl.Texture:
         data = texture(spec_at(stored) if isinstance(stored, str) else stored)

@@ -9,13 +9,11 @@ from numpy.typing import NDArray
 
 from seafoam.effects.effect import Contribution, PlanError
 from seafoam.effects.foam import drift as effect
-from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.ocean import stokes
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS, Quality
 from seafoam.reference.foam import drift as truth
 from seafoam.render.gl.executor import Executor
-from seafoam.scene.camera import Camera
 from seafoam.scene.drift import Drift, Vortex
 from seafoam.scene.foam import DriftSaturation, Foam
 from seafoam.scene.models import Scene
@@ -79,10 +77,7 @@ def shader(
     quality: Quality = UNFILTERED,
 ) -> Floats:
     contribution = given(scene, quality.model_copy(update={"drift": "exact"}))
-    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
-    uniforms = {name: evaluate(uniform, state) for name, uniform in contribution.uniforms.items()}
-    consts = {**contribution.consts, "SURFACE_FILTER": False}
-    return probe(FILES, body, at.astype(np.float32), consts=consts, uniforms=uniforms).astype(np.float64)
+    return probe.contributed(contribution, FILES, body, at.astype(np.float32), time=time, origin=origin)
 
 
 def places(count: int, reach: float, seed: int = 3) -> Floats:

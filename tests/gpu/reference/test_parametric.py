@@ -7,12 +7,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Effect
 from seafoam.effects.waves import parametric
 from seafoam.effects.waves import ripples as ripples
-from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.reference.waves.parametric import ripple_set, wave_set
-from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
 from seafoam.scene.water import Ripples, Water
 from seafoam.scene.waves import ParametricWave
@@ -24,6 +21,7 @@ ORIGINS = ((0.0, 0.0), (1e7, -1e7))
 TIMES = (0.0, 12.5, 3600.0, 1e9)
 EXPONENTS = (0.75, 1.0, 1.4, 2.0, 3.5, 8.0, 30.0, 100.0)
 PLACES = 10_000
+FILES = ("lib/numbers.glsl", "waves/parametric.glsl")
 REACH = 300.0
 """m from the eye: beyond, waves as short as these are filtered out of the picture."""
 
@@ -50,24 +48,6 @@ def places() -> NDArray[np.float32]:
     return np.random.default_rng(11).uniform(-REACH, REACH, (PLACES, 2)).astype(np.float32)
 
 
-def drawn(
-    probe: Probe,
-    effect: Effect,
-    files: tuple[str, ...],
-    body: str,
-    scene: Scene,
-    time: float,
-    origin: tuple[float, float],
-) -> NDArray[np.float64]:
-    """What ``body`` gives at the places, with the uniforms of the effect's contribution; (n, 4)."""
-    given = effect.contribute(scene, UNFILTERED)
-    assert given is not None
-    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
-    uniforms = {name: evaluate(uniform, state) for name, uniform in given.uniforms.items()}
-    consts = {**given.consts, "SURFACE_FILTER": False}
-    return probe(("lib/numbers.glsl", *files), body, places(), consts=consts, uniforms=uniforms).astype(np.float64)
-
-
 def between(got: NDArray[np.float64], want: NDArray[np.float64]) -> float:
     """The greatest angle between the normals of two sets of slopes (n, 2), rad."""
     first, second = (np.column_stack((-s[:, 0], np.ones(len(s)), -s[:, 1])) for s in (got, want))
@@ -83,7 +63,8 @@ def test_parametric_waves_equal_float64_at_any_time_and_place(
     """They displace nothing sideways, so their Jacobian is 1 by construction."""
     scene = Scene(waves=some_waves(), water=Water(depth=40.0))
     body = "y.xyz = parametric_waves(x.xy);"
-    got = drawn(probe, parametric.EFFECT, ("waves/parametric.glsl",), body, scene, time, origin)[:, :3]
+    made = parametric.EFFECT.contribute(scene, UNFILTERED)
+    got = probe.contributed(made, FILES, body, places(), time=time, origin=origin)[:, :3]
     waves = wave_set(scene, time, origin)
     x, z = places().astype(np.float64).T
     want = np.column_stack((waves.height(x, z), *waves.gradient(x, z)))
@@ -111,8 +92,9 @@ def test_ripples_equal_float64_at_any_time_and_place(
     """Ripples have slopes alone: no height and no displacement to compare."""
     scene = Scene(water=Water(ripples=Ripples(slope=0.2)))
     body = "y.xyz = ripples_detail(x.xy, Footprint(vec2(0.0), vec2(0.0)));"
-    files = ("waves/ripples/bands.glsl", "waves/ripples/exact.glsl")
-    got = drawn(probe, ripples.EFFECT, files, body, scene, time, origin)[:, :2]
+    files = ("lib/numbers.glsl", "waves/ripples/bands.glsl", "waves/ripples/exact.glsl")
+    made = ripples.EFFECT.contribute(scene, UNFILTERED)
+    got = probe.contributed(made, files, body, places(), time=time, origin=origin)[:, :2]
     x, z = places().astype(np.float64).T
     want = np.column_stack(ripple_set(scene.water.ripples, time, origin).gradient(x, z))
     slope, normal = float(np.abs(got - want).max()), between(got, want)

@@ -71,11 +71,8 @@ def given(scene: Scene) -> Contribution:
 
 def shader(probe: Probe, scene: Scene, time: float, origin: tuple[float, float], at: NDArray[np.float32]) -> NDArray:
     """Height and gradient by the shader's sum, (n, 3)."""
-    contribution = given(scene)
-    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
-    uniforms = {name: evaluate(uniform, state) for name, uniform in contribution.uniforms.items()}
-    consts = {**contribution.consts, "SURFACE_FILTER": False}
-    return probe(FILES, "y.xyz = rings_waves(x.xy);", at, consts=consts, uniforms=uniforms)[:, :3].astype(np.float64)
+    body = "y.xyz = rings_waves(x.xy);"
+    return probe.contributed(given(scene), FILES, body, at, time=time, origin=origin)[:, :3]
 
 
 def truth(scene: Scene, time: float, origin: tuple[float, float], at: NDArray[np.float32]) -> NDArray[np.float64]:

@@ -71,24 +71,16 @@ def test_slopes_equal_float64_at_any_time_and_place(
 def test_no_touch_and_a_touch_to_come_leave_the_water_level(probe: Probe) -> None:
     for touches, time in (((Touch(time=5.0),), 4.9), ((Touch(strength=0.0),), 1.0), ((Touch(),), 9.0)):
         contribution = EFFECT.contribute(Scene(touches=touches), UNFILTERED)
-        assert contribution is not None
-        state = FrameState(time, Camera(position=(0.0, 5.0, 0.0)), 1, 1, 1, 1, 0)
-        uniforms = {name: evaluate(uniform, state) for name, uniform in contribution.uniforms.items()}
         at = np.random.default_rng(5).uniform(-12.0, 12.0, (2000, 2)).astype(np.float32)
-        consts = {**contribution.consts, "SURFACE_FILTER": False}
-        assert (probe(FILES, FULL, at, consts=consts, uniforms=uniforms) == 0.0).all()
+        assert (probe.contributed(contribution, FILES, FULL, at, time=time) == 0.0).all()
 
 
 def test_what_a_footprint_takes_out_is_roughness(probe: Probe) -> None:
     """Far off, the slopes are gone, and their mean square is where the glitter looks for it."""
     contribution = EFFECT.contribute(Scene(touches=train(0.0)), UNFILTERED)
-    assert contribution is not None
-    state = FrameState(0.0, Camera(position=(0.0, 5.0, 0.0)), 1, 1, 1, 1, 0)
-    uniforms = {name: evaluate(uniform, state) for name, uniform in contribution.uniforms.items()}
     at = np.random.default_rng(7).uniform(-6.0, 6.0, (4000, 2)).astype(np.float32) - np.array([0.0, 6.0], np.float32)
     wide = FULL.replace("vec2(0.0), vec2(0.0)", "vec2(9.0, 0.0), vec2(0.0, 9.0)")
-    consts = {**contribution.consts, "SURFACE_FILTER": True}
-    sharp, blurred = (probe(FILES, body, at, consts=consts, uniforms=uniforms) for body in (FULL, wide))
+    sharp, blurred = (probe.contributed(contribution, FILES, body, at, filtered=True) for body in (FULL, wide))
     assert np.abs(blurred[:, :2]).max() < 0.05 * np.abs(sharp[:, :2]).max()
     assert sharp[:, 2].max() < 1e-6
     # Crossing rings interfere, so the sum of squares is theirs only in the mean.

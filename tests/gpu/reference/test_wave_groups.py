@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from seafoam.effects.effect import Contribution, Piece
+from seafoam.effects.effect import Contribution
 from seafoam.effects.waves import parametric
 from seafoam.effects.waves.groups import carry_files, group_bounds, wave_files
-from seafoam.framegraph.evaluation import FrameState, evaluate
 from seafoam.planner import make_plan
 from seafoam.reference import render
 from seafoam.reference.foam.front import STILL, living_front
@@ -49,23 +48,13 @@ def contribution(scene: Scene) -> Contribution:
     return made
 
 
-def probed(
-    probe: Probe, scene: Scene, files: tuple[Piece, ...], body: str, time: float, origin: tuple[float, float]
-) -> NDArray[np.float64]:
-    """What ``body`` gives at the places, (n, 4)."""
-    made = contribution(scene)
-    state = FrameState(time, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
-    uniforms = {name: evaluate(uniform, state) for name, uniform in made.uniforms.items()}
-    consts = {**made.consts, "SURFACE_FILTER": False}
-    return probe(("lib/numbers.glsl", *files), body, places(), consts=consts, uniforms=uniforms).astype(np.float64)
-
-
 @pytest.mark.parametrize("origin", [(0.0, 0.0), (1e7, -1e7)], ids=str)
 @pytest.mark.parametrize("time", [0.0, 1e9])
 def test_waves_in_groups_equal_float64_at_any_time_and_place(
     probe: Probe, report: Report, time: float, origin: tuple[float, float]
 ) -> None:
-    got = probed(probe, SCENE, wave_files(SCENE), "y.xyz = parametric_waves(x.xy);", time, origin)[:, :3]
+    files, body = ("lib/numbers.glsl", *wave_files(SCENE)), "y.xyz = parametric_waves(x.xy);"
+    got = probe.contributed(contribution(SCENE), files, body, places(), time=time, origin=origin)[:, :3]
     waves = wave_set(SCENE, time, origin)
     x, z = places().astype(np.float64).T
     want = np.column_stack((waves.height(x, z), *waves.gradient(x, z)))
@@ -88,8 +77,8 @@ def test_waves_in_groups_equal_float64_at_any_time_and_place(
 def test_water_in_groups_is_carried_as_far_as_its_waves_are_high(probe: Probe) -> None:
     drifting = Foam(saturation=(SlopeSaturation(), FrontSaturation(decay=2.0)), life=FoamLife())
     scene = SCENE.model_copy(update={"foam": drifting})
-    files = (*wave_files(scene), *carry_files(scene))
-    got = probed(probe, scene, files, "y.xy = parametric_carry(x.xy);", 3.0, (0.0, 0.0))[:, :2]
+    files = ("lib/numbers.glsl", *wave_files(scene), *carry_files(scene))
+    got = probe.contributed(contribution(scene), files, "y.xy = parametric_carry(x.xy);", places(), time=3.0)[:, :2]
     x, z = places().astype(np.float64).T
     want = np.column_stack(wave_set(scene, 3.0, (0.0, 0.0)).carry(x, z))
     assert np.abs(want).max() > 0.2

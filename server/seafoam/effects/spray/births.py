@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from seafoam.effects.bounds import parametric_wave_height
-from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, Source, TextureUse
+from seafoam.effects.effect import Const, Inline, Part, PassSpec, Piece, SlotRef, TextureUse
 from seafoam.effects.shore.maps import MASK_WAVES, mask_uniforms
-from seafoam.effects.waves.groups import EVEN_WAVES, FACTOR, group_bounds
+from seafoam.effects.waves.groups import earlier_files, group_bounds
 from seafoam.effects.waves.parametric import max_profile_slope
 from seafoam.effects.waves.rings import ring_uniforms
 from seafoam.effects.waves.sea import drawn, fitted, gerstner_uniforms, loop_uniforms, transform
@@ -245,19 +245,13 @@ _NO_RINGS = Inline("float rings_then(vec2 p, float age) {\n    return 0.0;\n}\n"
 def _earlier(scene: Scene) -> tuple[list[Piece | SlotRef], Part]:
     """Files of the single waves and rings of an earlier time, and their uniforms."""
     raised = _raised(scene)
-    grouped = in_groups(scene)
-    files: list[Piece | SlotRef] = []
-    if grouped:
-        files += [*FACTOR, EVEN_WAVES, Source("spray/fronts.glsl", (("fronts_then", "even_fronts"),))]
-        files += ["spray/fronts_grouped.glsl"]
-    else:
-        files += ["waves/parametric.glsl", "spray/fronts.glsl"] if raised else ["spray/fronts_none.glsl"]
+    files: list[Piece | SlotRef] = [*(earlier_files(scene) if raised else ("spray/fronts_none.glsl",))]
     files += ["waves/rings/ring.glsl", "spray/rings_then.glsl"] if scene.rings else [_NO_RINGS]
     uniforms = ring_uniforms(scene, "u_spray_ring") if scene.rings else {}
     if raised:
         rates = [Constant(value=(angular_frequency(wave),)) for wave in raised]
         uniforms["u_parametric_rate"] = array("float", rates, len(raised))
-    if grouped:
+    if in_groups(scene):
         uniforms["u_wave_groups_velocity"] = vector(rounded(group_velocity(scene)))
     return files, Part(uniforms=uniforms)
 

@@ -19,7 +19,7 @@ SLOPE, CURVATURE, VARIANCE = 1.5, 6.0, 0.091973
 """Of the noise: greatest slope and second derivative along any line, in cells; variance, (1/6)(26/35)²."""
 
 _WAVES = "waves/parametric.glsl"
-EVEN_WAVES = Source(_WAVES, (("parametric_waves", "even_waves"), ("parametric_shading", "even_shading")))
+_EVEN_WAVES = Source(_WAVES, (("parametric_waves", "even_waves"), ("parametric_shading", "even_shading")))
 """The waves if all have one height, under other names."""
 _NO_GROUPS = constant_function("float", "front_group", "vec2 q, float ago", "1.0")
 
@@ -53,7 +53,13 @@ def wave_files(scene: Scene) -> tuple[Piece, ...]:
     """Files of the parametric waves: of one height each, or in groups."""
     if not in_groups(scene):
         return (_WAVES,)
-    return (*FACTOR, EVEN_WAVES, "waves/groups/waves.glsl")
+    return (*FACTOR, _EVEN_WAVES, "waves/groups/waves.glsl")
+
+
+def earlier_files(scene: Scene) -> tuple[Piece, ...]:
+    """Files of the parametric waves of an earlier time."""
+    waves = (*FACTOR, _EVEN_WAVES) if in_groups(scene) else (_WAVES,)
+    return (*waves, *_scaled(scene, "spray/fronts.glsl", "fronts_then", "fronts"))
 
 
 def carry_files(scene: Scene) -> tuple[Piece, ...]:
