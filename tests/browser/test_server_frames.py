@@ -85,6 +85,12 @@ def test_time_camera_settings_and_presets_work(served: Visit) -> None:
     served.settings().get_by_label("mask", exact=True).select_option(index=2)
     changed()
     page.get_by_role("button", name="Close settings").click()
+    # Until its preset is there, the page is not at rest.
+    page.evaluate(
+        "() => { const own = window.fetch; window.fetch = async (...asked) => {"
+        " if (String(asked[0]).includes('presets')) await new Promise((done) => setTimeout(done, 500));"
+        " return own(...asked); }; }"
+    )
     served.follow(link(preset="paper-halftone", time=1.0))
     changed()
     expect(page.locator("#title")).not_to_have_text("")

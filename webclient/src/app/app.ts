@@ -25,6 +25,7 @@ import { Clock } from "./clock";
 import { planRequest, QUALITY_FIELD, splitAfterEdit, validSplit } from "./comparison";
 import type { Display, MakeDisplay } from "./display";
 import { PlanLoader } from "./planloader";
+import { PresetLoader } from "./presetloader";
 import { qualityTitle } from "./quality";
 import { QualityPilot } from "./qualitypilot";
 import { SceneEditor } from "./sceneeditor";
@@ -72,8 +73,9 @@ export class App {
   private readonly transport: Transport;
   private readonly parts: PageParts;
   private readonly touch: TouchTool;
-  /** Indices of the loaders that are loading. */
-  private readonly busy = new Set<number>();
+  /** Sides whose plan is loading, and the preset that does. */
+  private readonly busy = new Set<0 | 1 | "preset">();
+  private readonly presetLoader: PresetLoader;
   private lastTick = 0;
   private readonly pilot: QualityPilot;
   /** Whether the selected preset has been drawn: until then its still covers the canvas and time stands. */
@@ -98,6 +100,7 @@ export class App {
 
     const canvas = byId("canvas") as HTMLCanvasElement;
     this.loaders = [this.makeLoader(0), this.makeLoader(1)];
+    this.presetLoader = new PresetLoader(api, () => this.store.now.preset, (busy) => this.setBusy("preset", busy));
     this.pilot = new QualityPilot(api, this.store);
     this.display = this.connect(makeDisplay);
     this.display.setFixedScale(link.scale);
@@ -158,12 +161,14 @@ export class App {
         this.display.dirty = true;
       },
       failed: (error) => this.failed(error),
-      busy: (busy) => {
-        if (busy) this.busy.add(index);
-        else this.busy.delete(index);
-        this.settings.setBusy(this.busy.size > 0);
-      },
+      busy: (busy) => this.setBusy(index, busy),
     });
+  }
+
+  private setBusy(task: 0 | 1 | "preset", busy: boolean): void {
+    if (busy) this.busy.add(task);
+    else this.busy.delete(task);
+    this.settings.setBusy(this.busy.size > 0);
   }
 
   private connect(makeDisplay: MakeDisplay): Display {
@@ -300,7 +305,8 @@ export class App {
     if (name === this.store.now.preset.name) return;
     this.still.show(name);
     try {
-      const preset = await this.api.preset(name);
+      const preset = await this.presetLoader.load(name);
+      if (preset === null) return;
       this.started = false;
       this.address.startEntry();
       this.openPreset(preset);
@@ -325,8 +331,10 @@ export class App {
 
   private async followLink(link: LinkState): Promise<void> {
     try {
-      const { preset: current } = this.store.now;
-      const preset = link.preset === null || link.preset === current.name ? current : await this.api.preset(link.preset);
+      // Of a preset that was chosen, but is not there yet.
+      if (this.started) this.still.hide();
+      const preset = await this.presetLoader.load(link.preset ?? this.store.now.preset.name);
+      if (preset === null) return;
       this.controls.set(link.camera ?? cameraFromScene(preset.scene));
       this.clock.seek(link.time ?? preset.time);
       this.clock.setSpeed(link.speed ?? 1);
