@@ -19,7 +19,7 @@ HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
 };
 """
 ADDRESS = link(preset="paper-threshold", time=1.0)
-FRAMES = "**/api/frames"
+FRAMES, PRESETS = "**/api/frames", "**/api/presets/*"
 
 
 @pytest.fixture
@@ -85,16 +85,30 @@ def test_time_camera_settings_and_presets_work(served: Visit) -> None:
     served.settings().get_by_label("mask", exact=True).select_option(index=2)
     changed()
     page.get_by_role("button", name="Close settings").click()
-    # Until its preset is there, the page is not at rest.
-    page.evaluate(
-        "() => { const own = window.fetch; window.fetch = async (...asked) => {"
-        " if (String(asked[0]).includes('presets')) await new Promise((done) => setTimeout(done, 500));"
-        " return own(...asked); }; }"
-    )
-    served.follow(link(preset="paper-halftone", time=1.0))
+    held = Held(page, PRESETS)
+    page.evaluate("(hash) => { location.hash = hash; }", link(preset="paper-halftone", time=1.0))
+    held.arrived()
+    assert served.state()["busy"]
+    held.let_go()
     changed()
     expect(page.locator("#title")).not_to_have_text("")
     assert served.state()["preset"] == "paper-halftone"
+
+
+def test_the_water_on_the_page_is_chosen_while_another_loads(served: Visit) -> None:
+    served.settle()
+    page, before = served.page, served.state()["preset"]
+    held = Held(page, PRESETS)
+    page.locator("#gallery [role=option]").first.evaluate("(option) => option.click()")
+    held.arrived()
+    assert served.state()["busy"]
+    page.locator("#gallery [aria-selected=true]").evaluate("(option) => option.click()")
+    assert not served.state()["busy"]
+    with page.expect_response(PRESETS):
+        held.let_go()
+    served.frames(2)
+    served.settle()
+    assert served.state()["preset"] == before
 
 
 def test_two_looks_are_compared(served: Visit) -> None:

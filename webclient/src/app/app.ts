@@ -302,11 +302,12 @@ export class App {
   }
 
   private async choosePreset(name: string): Promise<void> {
-    if (name === this.store.now.preset.name) return;
-    this.still.show(name);
+    const { preset: current } = this.store.now;
     try {
-      const preset = await this.presetLoader.load(name);
-      if (preset === null) return;
+      const loading = this.loadPreset(name);
+      if (name !== current.name) this.still.show(name);
+      const preset = await loading;
+      if (preset === null || preset === current) return;
       this.started = false;
       this.address.startEntry();
       this.openPreset(preset);
@@ -314,6 +315,12 @@ export class App {
       this.still.hide();
       this.failed(error);
     }
+  }
+
+  /** Instead of a preset that was chosen, but is not there yet; its still goes. */
+  private loadPreset(name: string): Promise<Preset | null> {
+    if (this.started) this.still.hide();
+    return this.presetLoader.load(name);
   }
 
   private setFixedScale(scale: number | null): void {
@@ -331,9 +338,7 @@ export class App {
 
   private async followLink(link: LinkState): Promise<void> {
     try {
-      // Of a preset that was chosen, but is not there yet.
-      if (this.started) this.still.hide();
-      const preset = await this.presetLoader.load(link.preset ?? this.store.now.preset.name);
+      const preset = await this.loadPreset(link.preset ?? this.store.now.preset.name);
       if (preset === null) return;
       this.controls.set(link.camera ?? cameraFromScene(preset.scene));
       this.clock.seek(link.time ?? preset.time);
