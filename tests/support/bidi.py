@@ -162,6 +162,9 @@ class Firefox(Engine):
 
     def close(self) -> None:
         self.connection.close()
-        self.process.kill() if self.hung else self.process.terminate()
+        if self.hung:
+            self.process.kill()
+        else:
+            self.process.terminate()
         self.process.wait(timeout=30)
         shutil.rmtree(self.profile, ignore_errors=True)

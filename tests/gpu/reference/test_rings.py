@@ -256,8 +256,6 @@ def test_the_map_does_not_swim(executor: Executor) -> None:
 @pytest.mark.parametrize("origin", ORIGINS)
 def test_rings_are_still_where_the_map_leaves_them_out(probe: Probe, origin: tuple[float, float]) -> None:
     scene = Scene(rings=some_rings(100.0, origin, 5))
-    state = FrameState(100.0, Camera(position=(origin[0], 5.0, origin[1])), 1, 1, 1, 1, 0)
-    uniforms = {name: evaluate(uniform, state) for name, uniform in given(scene).uniforms.items()}
     body = (
         "y = vec4(0.0);\nfor (int i = 0; i < RING_COUNT; ++i) {\n"
         "    vec2 way = x.xy + u_ring_now[i].xy;\n"
@@ -265,13 +263,7 @@ def test_rings_are_still_where_the_map_leaves_them_out(probe: Probe, origin: tup
         "    bool here = ring_here(way, u_ring_now[i], u_ring_shape[i]);\n"
         "    y = here ? vec4(y.x, max(y.y, ring.x), y.z + 1.0, 0.0) : vec4(max(y.x, max(ring.x, ring.w)), y.yzw);\n}"
     )
-    got = probe(
-        FILES,
-        body,
-        points(scene, origin, 6, 20000),
-        consts={**given(scene).consts, "SURFACE_FILTER": False},
-        uniforms=uniforms,
-    )
+    got = probe.contributed(given(scene), FILES, body, points(scene, origin, 6, 20000), time=100.0, origin=origin)
     assert got[:, 0].max() < 1e-9
     assert got[:, 1].max() > 0.01
     # Of the rings next to none reaches a place: that is what it is for.
