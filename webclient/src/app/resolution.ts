@@ -1,113 +1,199 @@
-/** Dynamic resolution: lowers the render scale while frames exceed their time budget, raises it while they keep it. */
+/** Dynamic resolution: the scale at which frames keep their budget, from nothing but the times of the frames before. */
+import { allowedAt, bestScale, budgetAt, FITTED, fitted, type FrameBudget, type FrameCost, MIN_SCALE, MOTION_BUDGET, type Sample, SMOOTH } from "./framebudget";
 
-export const MIN_SCALE = 0.1;
-/** Frames after a change that are not measured: drivers compile and allocate in them. */
-const WARM_UP = 2;
-/** Frames averaged for one decision, and the time after which `minFrames` are enough, ms. */
-const WINDOW = { frames: 10, minFrames: 3, milliseconds: 600 };
-/** Limits of one change of the scale; a change within the dead band is not worth new targets. */
-const STEP = { down: 0.6, up: 1.3 };
-const DEAD_BAND = { down: 0.95, up: 1.06 };
-/** Least ratio of render time to overhead: below it, a lower scale gains no speed. */
-const RENDER_SHARE = 0.5;
+/** Pixels of the first frame of a machine that nobody knows yet. */
+const FIRST_PIXELS = 96 * 54;
+/** No frame is submitted that is predicted to take longer, ms. */
+const MOST_PREDICTED = 100;
+/** Intervals up to this multiple of the display's are the display's rate. */
+const AT_RATE = 1.12;
+const NO_CEILING = { scale: Infinity, until: 0, pause: 0 };
+/** Frames and time of one decision, which also takes so many steps of the clock: fewer at first. */
+const WINDOW = { leastFrames: 3, leastTime: 80, frames: 12, steps: [3, 6] } as const;
+/** A change within the dead band is not worth new targets; one step at most multiplies the scale so. */
+const DEAD_BAND = { down: 0.94, up: 1.08 };
+const STEP_UP = 2.5;
+/** Time until a scale that was too much is tried again, ms; it doubles up to these, the second where the cost is not known. */
+const PAUSE = { first: 500, usual: 2000, probe: 60_000 };
+/** A single frame of this multiple of its budget is answered at once; right after a change of the scale, of the second. */
+const EMERGENCY = { usual: 1.8, changed: 3 };
+/** First frames of a plan: drivers compile in them. */
+const COMPILING = 2;
+/** Share of the newest window in the mean of those at one scale; less by a coarse clock. */
+const NEWEST = 0.5;
 
-/** Frame time budget by scale, ms: linear between the points, constant beyond. */
-export type FrameBudget = readonly (readonly [scale: number, milliseconds: number])[];
-
-/** On a CPU: 30 fps at moderate scales, fewer at low ones, so that the picture does not become too coarse. */
-export const CPU_BUDGET: FrameBudget = [
-  [0.1, 140],
-  [0.3, 95],
-  [0.5, 60],
-  [0.6, 38],
-  [0.7, 34],
-  [1, 34],
-];
-
-/** On a GPU: the display's interval with a margin. */
-export const gpuBudget = (displayInterval: number): FrameBudget => [[1, 0.85 * displayInterval]];
-
-export function budgetAt(budget: FrameBudget, scale: number): number {
-  let [previousScale, previous] = budget[0] ?? [0, Infinity];
-  for (const [pointScale, milliseconds] of budget) {
-    if (pointScale >= scale) {
-      if (pointScale === previousScale) return milliseconds;
-      return previous + ((milliseconds - previous) * (scale - previousScale)) / (pointScale - previousScale);
-    }
-    [previousScale, previous] = [pointScale, milliseconds];
-  }
-  return previous;
+/** ms, of any clock, however coarse. `done`: when it was noticed that the frame is finished. */
+export interface FrameTimes {
+  scale: number;
+  submitted: number;
+  done: number;
 }
 
-/** Greatest scale within the budget, if render time grows with the pixels and the rest of the interval is constant; times in ms. */
-export function bestScale(budget: FrameBudget, scale: number, renderTime: number, interval: number): number {
-  const overhead = Math.max(0, interval - renderTime);
-  const lowest = Math.max(MIN_SCALE, Math.min(1, scale * Math.sqrt((RENDER_SHARE * overhead) / renderTime)));
-  const fits = (candidate: number) => overhead + renderTime * (candidate / scale) ** 2 <= budgetAt(budget, candidate);
-  if (fits(1)) return 1;
-  let [low, high] = [lowest, 1];
-  for (let i = 0; i < 20; i++) {
-    const middle = 0.5 * (low + high);
-    if (fits(middle)) low = middle;
-    else high = middle;
-  }
-  return low;
-}
+/** Greatest factor to grow by: even if all of the cost were the pixels', the next frame would not take too long. */
+const stepUp = (busy: number) => Math.max(1, Math.min(STEP_UP, Math.sqrt(MOST_PREDICTED / Math.max(busy, 1))));
 
 export class DynamicResolution {
-  private warmUpLeft = WARM_UP;
-  private renderTime = 0;
-  private interval = 0;
-  private frames = 0;
-  /** Windows since the scale last changed. */
-  stableWindows = 0;
-  /** Windows since the last reset. */
+  /** Time between two pictures of the display, ms. */
+  displayInterval = 1000 / 60;
+  /** Windows measured with this plan. */
   windows = 0;
-  /** Time between frames that was not render time, in the latest window, ms. */
-  overhead = 0;
+  /** ms a frame, lately. */
+  measured: number | null = null;
+  private value: number;
+  private samples: Sample[] = [];
+  private window = { frames: 0, busy: 0, began: 0 };
+  private lastDone: number | null = null;
+  private quantum = Infinity;
+  /** Frames that are not measured: the first of a plan compile, the first of a scale makes new targets. */
+  private compiling = COMPILING;
+  private fresh = false;
+  /** The scale before the latest probe. */
+  private probedFrom: number | null = null;
+  /** A scale that did not keep the display's rate, and when it may be tried again. */
+  private ceiling = { ...NO_CEILING };
 
-  constructor(private value = 1) {}
+  /** `pixels`: of the window, at scale 1. */
+  constructor(pixels: number, private readonly budget: FrameBudget = MOTION_BUDGET, private readonly least = MIN_SCALE) {
+    this.value = Math.min(1, Math.max(least, Math.sqrt(FIRST_PIXELS / Math.max(1, pixels))));
+  }
 
+  /** To draw the next frame at. */
   get scale(): number {
     return this.value;
   }
 
-  /** Adds a frame's render time and the interval since the frame before it, ms; returns whether the scale changed. */
-  addFrame(budget: FrameBudget, renderTime: number, interval: number): boolean {
-    if (this.warmUpLeft > 0) {
-      this.warmUpLeft -= 1;
-      return false;
+  /** Smallest step of the clock that was seen, ms. */
+  private get step(): number { return this.quantum === Infinity ? 0 : this.quantum; }
+
+  /** Frames that may be pending: two keep a GPU busy; where one takes longer than the display, a second only waits. */
+  get depth(): number {
+    return this.measured !== null && this.measured < this.displayInterval ? 2 : 1;
+  }
+
+  /** The fitted cost; null before the first window. */
+  get cost(): FrameCost | null {
+    for (let count = this.samples.length; count > 1; count--) {
+      const fit = fitted(this.samples.slice(-count));
+      if (fit !== null) return fit;
     }
-    this.renderTime += renderTime;
-    this.interval += interval;
-    this.frames += 1;
-    const full = this.frames >= WINDOW.frames || (this.frames >= WINDOW.minFrames && this.interval >= WINDOW.milliseconds);
-    if (!full) return false;
-    const best = bestScale(budget, this.value, this.renderTime / this.frames, this.interval / this.frames);
-    this.overhead = Math.max(0, (this.interval - this.renderTime) / this.frames);
-    this.stableWindows += 1;
-    this.windows += 1;
+    const last = this.samples.at(-1);
+    return last ? { fixed: 0, pixels: last.cost / last.x } : null;
+  }
+
+  /** The next frames come after a pause, which is no frame's time. */
+  pause(): void {
+    this.lastDone = null;
     this.restartWindow();
-    const step = Math.min(STEP.up, Math.max(STEP.down, best / this.value));
-    if (step > DEAD_BAND.down && step < DEAD_BAND.up && best < 1) return false;
-    const scale = Math.min(1, this.value * step);
+  }
+
+  /** Frames will cost a multiple of what they did: of another plan, which compiles, or in another window. */
+  expect(factor: number, compiles = true): void {
+    this.samples = this.samples.map((one) => ({ ...one, cost: one.cost * factor }));
+    this.value = Math.min(1, Math.max(this.least, this.value / Math.sqrt(factor)));
+    this.ceiling = { ...NO_CEILING };
+    if (compiles) this.compiling = COMPILING;
+    this.fresh = true;
+    this.windows = 0;
+    this.pause();
+  }
+
+  /** Adds a finished frame, in the order of submission; returns whether the scale changed. */
+  addFrame({ scale, submitted, done }: FrameTimes): boolean {
+    const { lastDone } = this;
+    this.lastDone = done;
+    if (lastDone !== null && done > lastDone) this.quantum = Math.min(this.quantum, done - lastDone);
+    if (done > submitted) this.quantum = Math.min(this.quantum, done - submitted);
+    if (scale !== this.value) return false;
+    // A frame takes what its interval shows beyond the time in which nothing was submitted.
+    const began = Math.max(submitted, lastDone ?? submitted);
+    const { compiling, fresh } = this;
+    this.fresh = false;
+    if (compiling > 0 || fresh) {
+      this.compiling = Math.max(0, compiling - 1);
+      this.restartWindow(done);
+      return compiling === 0 && this.answered(done - began, EMERGENCY.changed);
+    }
+    if (lastDone === null) this.restartWindow(submitted);
+    if (this.answered(done - began, EMERGENCY.usual)) return true;
+    this.window.frames += 1;
+    this.window.busy += done - began;
+    const elapsed = done - this.window.began;
+    const { frames } = this.window;
+    if (frames < WINDOW.leastFrames || elapsed < WINDOW.steps[this.windows < 4 ? 0 : 1] * this.step || (frames < WINDOW.frames && elapsed < WINDOW.leastTime)) return false;
+    return this.decide(this.window.busy / frames, elapsed / frames, frames, done);
+  }
+
+  /** Shrinks for a single frame that took far too long for certain, whatever the clock's steps. */
+  private answered(took: number, excess: number): boolean {
+    const certain = took - this.step;
+    if (certain <= excess * allowedAt(this.value, this.displayInterval, this.budget)) return false;
+    return this.change(bestScale({ fixed: 0, pixels: certain / this.value ** 2 }, this.displayInterval, this.budget));
+  }
+
+  /** Decides on a window: ms a frame that the machine was busy, and from frame to frame. */
+  private decide(busy: number, interval: number, frames: number, now: number): boolean {
+    const { value, displayInterval, probedFrom } = this;
+    this.windows += 1;
+    this.measured = busy > 0 ? busy : interval;
+    this.probedFrom = null;
+    this.restartWindow(now);
+    // A coarse clock may have read all of the window too long by a step.
+    const atRate = interval - this.step / frames <= AT_RATE * displayInterval;
+    const excess = interval > budgetAt(this.budget, value) || (probedFrom ?? 0) >= SMOOTH.scale;
+    if (probedFrom !== null && !atRate && excess) return this.withdraw(probedFrom, now, PAUSE.probe);
+    if (atRate && busy > SMOOTH.share * displayInterval) return this.probe(busy, now);
+    this.learn(value ** 2, Math.max(busy, 0.01), this.step / frames);
+    const cost = this.cost ?? { fixed: 0, pixels: busy };
+    const best = bestScale(cost, displayInterval, this.budget);
+    if (best < DEAD_BAND.down * value) return !atRate && this.withdraw(best, now, PAUSE.usual);
+    const most = now < this.ceiling.until ? DEAD_BAND.down * this.ceiling.scale : 1;
+    const to = Math.min(best, most, value * stepUp(busy));
+    return (to > DEAD_BAND.up * value || (to === 1 && value < 1)) && this.change(to);
+  }
+
+  /** At the display's rate, where the cost is known to be no more than its interval: tries more. */
+  private probe(busy: number, now: number): boolean {
+    const { value, ceiling } = this;
+    const to = now < ceiling.until ? Math.sqrt(value * ceiling.scale) : value * stepUp(busy);
+    if (to < DEAD_BAND.up * value) return false;
+    this.probedFrom = value;
+    return this.change(to);
+  }
+
+  /** Too much at this scale: back, and no farther for a while, longer each time that it happens again. */
+  private withdraw(to: number, now: number, longest: number): boolean {
+    const { until, pause } = this.ceiling;
+    const again = now < until + 4 * pause ? Math.min(longest, 2 * pause) : PAUSE.first;
+    this.ceiling = { scale: this.value, until: now + again, pause: again };
+    return this.change(to);
+  }
+
+  private change(to: number): boolean {
+    const scale = Math.min(1, Math.max(this.least, to));
     if (scale === this.value) return false;
     this.value = scale;
-    this.warmUpLeft = WARM_UP;
-    this.stableWindows = 0;
+    this.fresh = true;
     return true;
   }
 
-  /** Discards the current window, as after a pause. */
-  restartWindow(): void {
-    this.renderTime = this.interval = this.frames = 0;
+  /** `slack`: by how much a coarse clock may have read the cost wrongly, ms. */
+  private learn(x: number, cost: number, slack: number): void {
+    const last = this.samples.at(-1);
+    const others = this.samples.filter((one) => one.x !== x).slice(1 - FITTED.samples);
+    if (last?.x !== x) {
+      this.samples = [...others, { x, cost, windows: 1 }];
+      return;
+    }
+    // At the same scale another cost is another load, which the other scales have too.
+    const changed = Math.abs(cost - last.cost) > 0.3 * last.cost + 2 * slack;
+    const scaled = changed ? others.map((one) => ({ ...one, cost: (one.cost * cost) / last.cost })) : others;
+    if (changed && cost < last.cost) this.ceiling = { ...NO_CEILING };
+    const windows = changed ? 0 : last.windows;
+    const share = Math.max(1 / (windows + 1), NEWEST / (1 + (4 * this.step) / cost));
+    this.samples = [...scaled, { x, cost: last.cost + (windows === 0 ? 1 : share) * (cost - last.cost), windows: windows + 1 }];
   }
 
-  /** Starts again at a scale, for another plan. */
-  reset(scale: number): void {
-    this.value = Math.max(MIN_SCALE, Math.min(1, scale));
-    this.warmUpLeft = WARM_UP;
-    this.stableWindows = this.windows = 0;
-    this.restartWindow();
+  private restartWindow(began = 0): void {
+    this.window = { frames: 0, busy: 0, began };
   }
 }
