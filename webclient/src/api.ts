@@ -40,6 +40,13 @@ export interface FrameRequest {
   dither?: boolean;
 }
 
+/** A frame of a stream. */
+export type StreamView = Pick<FrameRequest, "camera" | "time" | "width" | "height">;
+
+export interface OpenStream {
+  id: string;
+}
+
 /** An option of a list. */
 export interface Choice {
   name: string;
@@ -55,6 +62,8 @@ export class ApiError extends Error {
     /** 0 without a response. */
     readonly status: number,
     readonly details: readonly string[] = [],
+    /** s after which to ask again; 0: not said. */
+    readonly retryAfter = 0,
   ) {
     super(message);
   }
@@ -93,6 +102,28 @@ export class Api {
     return this.json(`api/plans/${encodeURIComponent(name)}?quality=${encodeURIComponent(quality)}`);
   }
 
+  /** Opens a stream of frames; rejects at once, with status 503, where all are taken. */
+  openStream(scene: Json, quality: Json): Promise<OpenStream> {
+    return this.json("api/streams", jsonPost({ scene, quality }), 1);
+  }
+
+  /** Shows another scene or quality; rejects with status 404 if the stream has ended. */
+  async changeStream(id: string, scene: Json, quality: Json): Promise<void> {
+    await this.fetch(`api/streams/${id}`, { ...jsonPost({ scene, quality }), method: "PUT" }, 1);
+  }
+
+  /** Also while the page is being left. */
+  closeStream(id: string): void {
+    fetch(this.url(`api/streams/${id}`), { method: "DELETE", keepalive: true }).catch(() => undefined);
+  }
+
+  async streamFrame(id: string, { camera, time, width, height }: StreamView): Promise<Blob> {
+    const [x, y, z] = camera.position;
+    const { yaw, pitch, roll, fov } = camera;
+    const query = Object.entries({ time, width, height, x, y, z, yaw, pitch, roll, fov }).map(([name, value]) => `${name}=${value}`);
+    return (await this.fetch(`api/streams/${id}/frame.webp?${query.join("&")}`, {}, 1)).blob();
+  }
+
   /** A picture rendered by the server. */
   async frame(request: FrameRequest): Promise<Blob> {
     return (await this.fetch("api/frames", jsonPost({ ...request }))).blob();
@@ -123,12 +154,12 @@ export class Api {
     return new URL(path.replace(/^\//, ""), this.base).href;
   }
 
-  private async json<T>(path: string, init?: RequestInit): Promise<T> {
-    return (await this.fetch(path, init)).json() as Promise<T>;
+  private async json<T>(path: string, init?: RequestInit, attempts?: number): Promise<T> {
+    return (await this.fetch(path, init, attempts)).json() as Promise<T>;
   }
 
   /** A successful response; retries while the server is busy or was asked too often, throws an `ApiError` otherwise. */
-  async fetch(path: string, init?: RequestInit): Promise<Response> {
+  async fetch(path: string, init?: RequestInit, attempts = ATTEMPTS): Promise<Response> {
     for (let attempt = 1; ; attempt++) {
       let response: Response;
       try {
@@ -138,7 +169,7 @@ export class Api {
         throw new ApiError("The server does not respond.", 0);
       }
       if (response.ok) return response;
-      if (!LATER.includes(response.status) || attempt === ATTEMPTS) throw await apiError(response);
+      if (!LATER.includes(response.status) || attempt === attempts) throw await apiError(response);
       await new Promise((resolve) => setTimeout(resolve, 1000 * (Number(response.headers.get("Retry-After")) || attempt)));
     }
   }
@@ -163,5 +194,5 @@ async function apiError(response: Response): Promise<ApiError> {
   const errors = Array.isArray(problem["errors"]) ? problem["errors"] : [];
   const details = errors.filter(isObject).flatMap((e) => stringOf(e["detail"]) ?? []);
   // With a list of errors, `detail` would repeat them.
-  return new ApiError(details.length > 0 ? (stringOf(problem["title"]) ?? message) : message, response.status, details);
+  return new ApiError(details.length > 0 ? (stringOf(problem["title"]) ?? message) : message, response.status, details, Number(response.headers.get("Retry-After")) || 0);
 }

@@ -4,6 +4,8 @@ import { Api, ApiError } from "./api";
 import { App } from "./app/app";
 import { linkOf } from "./app/address";
 import type { MakeDisplay } from "./app/display";
+import { ChosenDisplay } from "./app/drawing";
+import { ServerView } from "./app/serverview";
 import { Viewport } from "./app/viewport";
 import { CapabilityError } from "./gl/capabilities";
 import { openContext, openGpu } from "./gl/gpu";
@@ -38,7 +40,7 @@ async function start(api: Api): Promise<void> {
   const still = new StillImage(byId("still") as HTMLImageElement);
   await still.whenPainted();
   // The browser starts the GPU while the server answers.
-  const { makeDisplay, notice } = await chooseDisplay(api);
+  const { makeDisplay, cannot } = openDisplay(api);
   const [presets, schema, prefetched] = await requests;
   const linked = presets.find(({ name }) => name === link.preset);
   const summary = linked ?? presets[0];
@@ -48,22 +50,22 @@ async function start(api: Api): Promise<void> {
   // The link's other parts belong to the missing preset.
   const usable = notFound ? { ...link, changes: [], touches: null, time: null, camera: null, split: null } : link;
   const app = new App(api, loadingScreen, still, { presets, schema, preset, link: usable, makeDisplay });
-  if (notice !== null) byId("heading").append(element("p", { class: "notice mt-2.5 max-w-[42ch] text-note text-pretty text-accent" }, `The server draws the frames. ${notice}`));
+  if (cannot !== null) byId("heading").append(element("p", { class: "notice mt-2.5 max-w-[42ch] text-note text-pretty text-accent" }, `The server draws the frames. ${cannot}`));
   if (notFound) app.toasts.show(`Preset “${link.preset}” not found. Showing “${preset.title}”.`, [], "error");
 }
 
-/** Draws here if this browser can; else shows the server's frames, with a notice why. */
-async function chooseDisplay(api: Api): Promise<{ makeDisplay: MakeDisplay; notice: string | null }> {
+/** Opens what can draw here, and says why nothing can. */
+function openDisplay(api: Api): { makeDisplay: MakeDisplay; cannot: string | null } {
   const canvas = byId("canvas") as HTMLCanvasElement;
-  const query = new URLSearchParams(location.search);
-  const hidden = new Set((query.get("hide") ?? "").split(",").filter(Boolean));
+  const hidden = new Set((new URLSearchParams(location.search).get("hide") ?? "").split(",").filter(Boolean));
+  let cannot: string | null = null;
   try {
-    if (query.get("draw") === "server") throw new CapabilityError("The address asks for it (draw=server).");
     openGpu(openContext(canvas), hidden);
   } catch (error) {
     if (!(error instanceof CapabilityError)) throw error;
-    const { ServerView } = await import("./app/serverview");
-    return { makeDisplay: (loaders, events) => new ServerView(api, canvas, loaders, events), notice: error.message };
+    cannot = error.message;
   }
-  return { makeDisplay: (loaders, events) => new Viewport(canvas, loaders, hidden, events), notice: null };
+  const makeDisplay: MakeDisplay = (loaders, events) =>
+    new ChosenDisplay(cannot === null ? new Viewport(canvas, loaders, hidden, events) : null, new ServerView(api, canvas, loaders, events), cannot, events);
+  return { makeDisplay, cannot };
 }

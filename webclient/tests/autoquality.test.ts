@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { AutoQuality, tierChoices, errorAt, type TierCosts, type RenderLoad, type TierCost } from "../src/app/autoquality";
-import { budgetAt, CPU_BUDGET, gpuBudget } from "../src/app/resolution";
+import { AutoQuality, costRatio, tierChoices, errorAt, type TierCosts, type RenderLoad, type TierCost } from "../src/app/autoquality";
+import { allowedAt, costAt } from "../src/app/framebudget";
 
 const scales = [1, 0.5, 0.25];
 const tierCosts: TierCost[] = [
@@ -11,10 +11,12 @@ const tierCosts: TierCost[] = [
 const costsOf = (tiers: TierCost[]): TierCosts => ({ scales, presets: { sea: tiers } });
 const costs = costsOf(tierCosts);
 
+const DISPLAY = 1000 / 60;
+
 /** The load of a machine slower by a factor than the one that measured the costs. */
-function loadOf(tier: string, scale: number, slowdown: number, budget = CPU_BUDGET, overhead = 5, tiers = tierCosts): RenderLoad {
+function loadOf(tier: string, scale: number, slowdown: number, overhead = 5, tiers = tierCosts): RenderLoad {
   const { fixed, pixels } = tiers.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
-  return { budget, scale, overhead, megapixels: 1, renderTime: slowdown * (fixed + pixels * scale ** 2) };
+  return { cost: { fixed: overhead + slowdown * fixed, pixels: slowdown * pixels }, scale, displayInterval: DISPLAY, megapixels: 1 };
 }
 
 describe("automatic quality", () => {
@@ -28,21 +30,21 @@ describe("automatic quality", () => {
   it("predicts the greatest scale within budget for every tier", () => {
     for (const { tier, scale } of tierChoices(tierCosts, scales, "fast", loadOf("fast", 0.4, 2))) {
       const { fixed, pixels } = tierCosts.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
-      expect(5 + 2 * (fixed + pixels * scale ** 2)).toBeLessThanOrEqual(budgetAt(CPU_BUDGET, scale));
-      expect(5 + 2 * (fixed + pixels * (scale + 0.05) ** 2)).toBeGreaterThan(budgetAt(CPU_BUDGET, scale + 0.05));
+      const cost = { fixed: 5 + 2 * fixed, pixels: 2 * pixels };
+      expect(costAt(cost, scale)).toBeLessThanOrEqual(1.001 * allowedAt(scale, DISPLAY));
+      expect(costAt(cost, scale + 0.05)).toBeGreaterThan(allowedAt(scale + 0.05, DISPLAY));
     }
   });
 
   it("selects the exact tier on a fast machine and the fast tier on a slow one", () => {
-    const gpu = gpuBudget(1000 / 60);
-    expect(new AutoQuality().next(costs, "sea", "fast", loadOf("fast", 1, 0.02, gpu, 0))).toMatchObject({ tier: "exact", scale: 1 });
+    expect(new AutoQuality().next(costs, "sea", "fast", loadOf("fast", 1, 0.02, 0))).toMatchObject({ tier: "exact", scale: 1 });
     expect(new AutoQuality().next(costs, "sea", "exact", loadOf("exact", 0.3, 6))?.tier).toBe("fast");
   });
 
   it("leaves a tier that exceeds the budget at every scale, and selects the fastest where all do", () => {
     const tiers = tierCosts.map((cost) => (cost.tier === "exact" ? { ...cost, fixed: 400, errors: [2, 3, 4] } : { ...cost, fixed: 10 }));
     const slow = costsOf(tiers);
-    const now = (tier: string, slower: number) => loadOf(tier, 0.1, slower, CPU_BUDGET, 5, tiers);
+    const now = (tier: string, slower: number) => loadOf(tier, 0.1, slower, 5, tiers);
     expect(new AutoQuality().next(slow, "sea", "exact", now("exact", 1))?.tier).toBe("fast");
     expect(new AutoQuality().next(slow, "sea", "fast", now("fast", 1))).toBeNull();
     // A machine so slow that no tier is within budget.
@@ -55,6 +57,12 @@ describe("automatic quality", () => {
     expect(new AutoQuality().next(close, "sea", "fast", loadOf("fast", 1, 0.02))).toBeNull();
     expect(new AutoQuality().next(costs, "pond", "fast", loadOf("fast", 1, 0.02))).toBeNull();
     expect(new AutoQuality().next(costs, "sea", '{"samples":4}', loadOf("fast", 1, 0.02))).toBeNull();
+  });
+
+  it("knows how much more one preset costs than another", () => {
+    const presets = { sea: tierCosts, pond: [{ tier: "fast", fixed: 1, pixels: 15, errors: [1, 1, 1] }] };
+    expect(costRatio({ scales, presets }, ["pond", "fast"], ["sea", "exact"])).toBeCloseTo(124 / 16);
+    expect(costRatio({ scales, presets }, ["pond", "exact"], ["sea", "exact"])).toBe(1);
   });
 
   it("does not return to a tier that it left", () => {

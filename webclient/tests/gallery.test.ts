@@ -51,10 +51,10 @@ test("an address names its preset in the path, and an old one in the fragment", 
   expect(presetOfPath("/deep/below/water/storm")).toBe("storm");
   expect(presetOfPath("/")).toBeNull();
   expect(presetOfPath("/water/")).toBeNull();
-  expect(linkOf({ pathname: "/water/storm", hash: "#time=3" })).toMatchObject({ preset: "storm", time: 3 });
-  expect(linkOf({ pathname: "/", hash: "#preset=beach" }).preset).toBe("beach");
-  expect(linkOf({ pathname: "/water/storm", hash: "#preset=beach" }).preset).toBe("beach");
-  expect(linkOf({ pathname: "/", hash: "" }).preset).toBeNull();
+  expect(linkOf({ pathname: "/water/storm", hash: "#time=3", search: "" })).toMatchObject({ preset: "storm", time: 3 });
+  expect(linkOf({ pathname: "/", hash: "#preset=beach", search: "" }).preset).toBe("beach");
+  expect(linkOf({ pathname: "/water/storm", hash: "#preset=beach", search: "" }).preset).toBe("beach");
+  expect(linkOf({ pathname: "/", hash: "", search: "" }).preset).toBeNull();
 });
 
 test("a step goes from frame to frame of 1/60 s without drift", () => {

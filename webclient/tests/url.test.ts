@@ -21,6 +21,7 @@ const full: LinkState = {
   speed: 0.25,
   camera: { position: [1 / 3, 6, -1e7], yaw: -0.1, pitch: 1e-17, roll: 0, fov: 0.8727 },
   split: { field: "/foam/look", left: "textured", right: "filtered", at: 0.25 },
+  draw: "server",
   scale: 0.35,
   accuracy: true,
   surface: "take",

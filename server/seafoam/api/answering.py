@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable, Mapping
-from typing import Any
+from typing import Any, TypeVar
 from urllib.parse import urlencode
 
 from fastapi import Request
@@ -14,13 +14,14 @@ from seafoam.api.context import Context
 from seafoam.api.known import Identified
 from seafoam.api.planning import CompiledPlan
 from seafoam.render.encode import MEDIA_TYPES
-from seafoam.render.service.jobs import FrameJob
+from seafoam.render.service.jobs import Frame, FrameJob
 from seafoam.render.service.source import Found
 
 STAGES = ("queue", "plan", "render", "read", "encode")
 CLIENT_CLOSED_REQUEST = 499
 """nginx's status for a client that disconnected; it appears only in the log and the metrics."""
 _TEXT = {"type": "string"}
+T = TypeVar("T")
 FRAME_RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
         "description": "The frame: an sRGB image; linear R, G, B, coverage, normal and distance as OpenEXR; or a "
@@ -105,7 +106,8 @@ async def answer(identified: Identified, request: Request, context: Context, *, 
     """Answer with a frame, or a GET with 304 if the client's copy is current. background: visitors go first."""
     if request.method == "GET" and (response := at_hand(identified, request, context)):
         return response
-    found = await _unless_gone(request, context, identified, background)
+    frame = context.frames.frame(identified.job, identified.key, background=background)
+    found = await unless_gone(request, frame)
     if found is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     if found.origin == "drawn":
@@ -123,7 +125,12 @@ def _response(identified: Identified, content: bytes, timing: str) -> Response:
 def _timing(found: Found) -> str:
     if found.origin != "drawn":
         return f'cache;desc="{found.origin}"'
-    return ", ".join(f"{stage};dur={1000 * found.frame.timings[stage]:.2f}" for stage in STAGES)
+    return stages(found.frame)
+
+
+def stages(frame: Frame) -> str:
+    """Return the value of ``Server-Timing`` of a frame that was drawn."""
+    return ", ".join(f"{stage};dur={1000 * frame.timings[stage]:.2f}" for stage in STAGES)
 
 
 def _address(job: FrameJob, plan: str) -> str:
@@ -139,9 +146,9 @@ def _address(job: FrameJob, plan: str) -> str:
     return f"{plan}/frames/{job.time!r}.{job.format}?{urlencode(query)}"
 
 
-async def _unless_gone(request: Request, context: Context, identified: Identified, background: bool) -> Found | None:
-    """Return the frame, or None if the client disconnected: the frame then leaves the queue."""
-    rendering = asyncio.ensure_future(context.frames.frame(identified.job, identified.key, background=background))
+async def unless_gone(request: Request, making: Awaitable[T]) -> T | None:
+    """Return what is made, or None if the client disconnected: a frame then leaves the queue."""
+    rendering = asyncio.ensure_future(making)
     leaving = asyncio.ensure_future(_client_gone(request))
     try:
         await asyncio.wait({rendering, leaving}, return_when=asyncio.FIRST_COMPLETED)

@@ -38,10 +38,12 @@ from seafoam.api.routers import (
     presets,
     scenes,
     sequences,
+    streams,
     textures,
 )
 from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
+from seafoam.api.streams import Streams
 from seafoam.api.telemetry import NO_TELEMETRY
 from seafoam.api.telemetry import traces as configured_traces
 from seafoam.api.threads import ThreadPool
@@ -75,7 +77,8 @@ READABLE_ELSEWHERE = (
 """Headers that a page of another origin may read, besides those that every page may."""
 
 _ROUTERS = tuple(
-    each.router for each in (presets, scenes, plans, plan_frames, frames, sequences, accuracy, masks, textures, export)
+    each.router
+    for each in (presets, scenes, plans, plan_frames, frames, streams, sequences, accuracy, masks, textures, export)
 )
 
 _DESCRIPTION = """
@@ -155,7 +158,7 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         cors = Middleware(
             CORSMiddleware,
             allow_origins=settings.cors_origins,
-            allow_methods=("GET", "POST", "DELETE"),
+            allow_methods=("GET", "POST", "PUT", "DELETE"),
             allow_headers=("Authorization", "Content-Type", "If-None-Match", REQUEST_ID),
             expose_headers=READABLE_ELSEWHERE,
         )
@@ -192,6 +195,7 @@ def _context(
         masks=ThreadPool(1, 8),
         sweeps=sweep_service(settings, pool, asyncio.get_running_loop()),
         sequences=sequence_service(settings, pool, asyncio.get_running_loop()),
+        streams=Streams(settings.streams),
     )
 
 

@@ -9,6 +9,7 @@ from seafoam.accuracy.sweep_service import SweepService
 from seafoam.api.known import KnownPlans, Requests
 from seafoam.api.metrics import Metrics
 from seafoam.api.settings import Settings
+from seafoam.api.streams import Streams
 from seafoam.api.threads import ThreadPool
 from seafoam.render.service.pool import RenderPool
 from seafoam.render.service.source import FrameSource
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Settings, render pool, metrics, thread pools of the web process, services for sweeps and for sequences.
+    """Settings, render pool, metrics, thread pools of the web process, services for sweeps and sequences, streams.
 
     ``frames`` gives the pool's frames, and those that it has drawn before; ``known``: the plans that
     have addresses; ``requests``: what earlier requests asked for; ``traces``: where spans go, if anywhere.
@@ -38,6 +39,7 @@ class Context:
     masks: ThreadPool
     sweeps: SweepService
     sequences: SequenceService
+    streams: Streams
 
 
 def _context(request: Request) -> Context:

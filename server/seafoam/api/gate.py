@@ -10,6 +10,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from seafoam.api.access import API, CHALLENGE, SIGNED, Access
 from seafoam.api.errors import problem
 from seafoam.api.rates import Standing, TokenBuckets, bucket_of, limit_of
+from seafoam.api.streams import is_frame
 
 
 class Gate:
@@ -33,7 +34,8 @@ class Gate:
         name = self.access.name_of(Headers(scope=scope)) if self.access.keys else None
         scope.setdefault("state", {})["client"] = name
         standing = None
-        if self.rates is not None:
+        # Frames of a stream are bounded by the stream, which counts when it is opened.
+        if self.rates is not None and not is_frame(path):
             address = (scope.get("client") or ("",))[0]
             standing = self.rates.take(f"key {name}" if name else bucket_of(address))
         refusal = self._beyond(scope, standing) or self._refusal(scope, signed, name)

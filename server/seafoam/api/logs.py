@@ -12,9 +12,11 @@ from typing import Any, Literal
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from seafoam.api.streams import is_frame
+
 REQUEST_ID = "X-Request-ID"
 PROBES = ("/healthz", "/readyz", "/metrics")
-"""Paths of requests that arrive every few seconds, and are not logged."""
+"""Paths of requests that arrive every few seconds, and are not logged; neither are the frames of streams."""
 _SANE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:-]{0,127}")
 """An id that can stand in a header, a log and a shell."""
 
@@ -58,7 +60,7 @@ class LogRequests:
         try:
             await self.app(scope, receive, marking)
         finally:
-            if self.written and scope["path"] not in PROBES:
+            if self.written and not _too_many(scope["path"]):
                 _write(scope, status, sent, time.perf_counter() - began)
 
 
@@ -108,6 +110,10 @@ def configure(form: Literal["text", "json"]) -> dict[str, Any]:
 
 
 def not_a_probe(record: logging.LogRecord) -> bool:
-    """Keep probes out of uvicorn's access log."""
+    """Keep probes and frames of streams out of uvicorn's access log."""
     arguments = record.args
-    return not (isinstance(arguments, tuple) and len(arguments) > 2 and str(arguments[2]).startswith(PROBES))
+    return not (isinstance(arguments, tuple) and len(arguments) > 2 and _too_many(str(arguments[2])))
+
+
+def _too_many(path: str) -> bool:
+    return path.startswith(PROBES) or is_frame(path)

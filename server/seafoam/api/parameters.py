@@ -166,8 +166,8 @@ class FrameParameters(SceneOverrides):
         return own.model_copy(update={"position": (x, y, z), **angles})
 
 
-class PlanFrameParameters(Parameters):
-    """Parameters of a frame of a plan. All that the picture depends on is required, since its address is immutable."""
+class ViewParameters(Parameters):
+    """Size and camera of a frame, none of which has a default."""
 
     width: int = Field(ge=1, description="Width, pixels", examples=[640])
     height: int = Field(ge=1, description="Height, pixels", examples=[360])
@@ -178,14 +178,25 @@ class PlanFrameParameters(Parameters):
     pitch: float = _same(Camera.model_fields["pitch"], required=True, examples=[-0.2])
     roll: float = _same(Camera.model_fields["roll"], required=True, examples=[0.0])
     fov: float = _same(Camera.model_fields["fov"], required=True, examples=[0.9])
-    dither: bool = _dither()
-    precision: Precision = _precision()
 
     @property
     def camera(self) -> Camera:
         """Return the camera."""
         angles = {name: getattr(self, name) for name in ("yaw", "pitch", "roll", "fov")}
         return Camera(position=(self.x, self.y, self.z), **angles)
+
+
+class PlanFrameParameters(ViewParameters):
+    """Parameters of a frame of a plan. All that the picture depends on is required, since its address is immutable."""
+
+    dither: bool = _dither()
+    precision: Precision = _precision()
+
+
+class StreamFrameParameters(ViewParameters):
+    """Parameters of a frame of a stream."""
+
+    time: float = Field(ge=-TIME_LIMIT, le=TIME_LIMIT, description="Time, s", examples=[12.5])
 
 
 class ThumbnailParameters(Parameters):

@@ -38,6 +38,12 @@ class Settings(BaseSettings):
         le=10_000,
         description="Capacity of the render queue, frames; absent: twice the number of workers",
     )
+    streams: int = Field(
+        default_factory=lambda: os.cpu_count() or 1,
+        ge=0,
+        le=1000,
+        description="Number of streams of frames that pages may have at once; 0: none. Absent: the number of cores",
+    )
     deadline: float = Field(default=10.0, gt=0.0, le=3600.0, description="Timeout of a frame, waiting included, s")
     recycle: int = Field(default=1000, ge=0, description="Number of frames after which a worker is replaced; 0: never")
     device_index: int | None = Field(

@@ -7,17 +7,17 @@ import { withoutTouches } from "../touch/touches";
 import type { AccuracyTool } from "./accuracytool";
 import type { Surfaces } from "../surfaces/surfaces";
 import type { Clock } from "./clock";
-import type { Display } from "./display";
+import type { ChosenDisplay } from "./drawing";
 import type { Store } from "./store";
-import { decode, encode, type LinkState } from "./url";
+import { decode, drawer, encode, type LinkState } from "./url";
 
 /** Delay between a change and the update of the address, ms. */
 const DELAY = 400;
 
-/** The link in an address. A preset in the fragment, as links had it once, comes before the path's. */
-export function linkOf({ hash, pathname }: Pick<Location, "hash" | "pathname">): LinkState {
+/** The link in an address. A preset in the fragment, as links had it once, comes before the path's; so does who draws. */
+export function linkOf({ hash, pathname, search }: Pick<Location, "hash" | "pathname" | "search">): LinkState {
   const link = decode(hash);
-  return { ...link, preset: link.preset ?? presetOfPath(pathname) };
+  return { ...link, preset: link.preset ?? presetOfPath(pathname), draw: link.draw ?? drawer(new URLSearchParams(search).get("draw")) };
 }
 
 export class Address {
@@ -29,7 +29,7 @@ export class Address {
     private readonly store: Store,
     private readonly clock: Clock,
     private readonly controls: CameraControls,
-    private readonly display: Display,
+    private readonly display: ChosenDisplay,
     private readonly accuracy: AccuracyTool,
     private readonly surfaces: Surfaces,
   ) {}
@@ -50,6 +50,7 @@ export class Address {
       camera: !exact && isPresetCamera ? null : camera,
       split,
       scale: this.display.fixed,
+      draw: this.display.wish === "auto" ? null : this.display.wish,
       accuracy: this.accuracy.open ? true : null,
       surface: this.surfaces.open,
     };

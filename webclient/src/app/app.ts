@@ -23,7 +23,8 @@ import { AccuracyTool } from "./accuracytool";
 import { Address } from "./address";
 import { Clock } from "./clock";
 import { planRequest, QUALITY_FIELD, splitAfterEdit, validSplit } from "./comparison";
-import type { Display, MakeDisplay } from "./display";
+import type { DrawerChoice, MakeDisplay } from "./display";
+import type { ChosenDisplay } from "./drawing";
 import { PlanLoader } from "./planloader";
 import { PresetLoader } from "./presetloader";
 import { qualityTitle } from "./quality";
@@ -50,7 +51,7 @@ export interface StartData {
 /** The way to server frames from a page that cannot draw. */
 function serverLink(): { text: string; href: string } {
   const url = new URL(location.href);
-  url.searchParams.set("draw", "server");
+  url.hash = `${url.hash.replace(/^#?/, "#")}&draw=server`;
   return { text: "Show frames drawn by the server", href: url.href };
 }
 
@@ -61,7 +62,7 @@ export class App {
   private readonly effects = new EffectList();
   private readonly store: Store;
   private readonly loaders: readonly [PlanLoader, PlanLoader];
-  private readonly display: Display;
+  private readonly display: ChosenDisplay;
   private readonly controls: CameraControls;
   private readonly settings: SettingsPanel;
   private readonly editor: SceneEditor;
@@ -104,9 +105,11 @@ export class App {
     this.pilot = new QualityPilot(api, this.store);
     this.display = this.connect(makeDisplay);
     this.display.setFixedScale(link.scale);
+    this.display.choose(link.draw ?? "auto");
     this.controls = new CameraControls(canvas, link.camera ?? cameraFromScene(preset.scene), !reducedMotion);
     const { tiers } = schema;
     this.settings = this.makeSettings(tiers);
+    this.settings.showDrawer(this.display.wish, this.display.own !== null);
     this.editor = new SceneEditor(api, schema, this.store, this.settings.scene, byId("split-view"), (error) => this.failed(error));
     this.accuracy = this.makeAccuracyTool();
     this.surfaces = new Surfaces(() => this.sharing.context(() => this.surfaces.show(null)), {
@@ -145,7 +148,7 @@ export class App {
     this.surfaces.show(link.surface);
     this.settings.toggle(false);
     this.listen();
-    window.seafoam = makeTestHook(api, this.display.viewport, this.ready, () => this.testState());
+    window.seafoam = makeTestHook(api, this.display.own, this.ready, () => this.testState());
     this.showSelection(this.store.now);
     this.requestPlans(0);
     requestAnimationFrame((now) => this.tick(now));
@@ -171,18 +174,20 @@ export class App {
     this.settings.setBusy(this.busy.size > 0);
   }
 
-  private connect(makeDisplay: MakeDisplay): Display {
+  private connect(makeDisplay: MakeDisplay): ChosenDisplay {
     return makeDisplay(this.loaders, {
       contextLost: () => this.toasts.show("WebGL context lost. Rendering resumes when the browser restores it."),
       contextRestored: () => this.loaders.forEach((loader) => loader.reload()),
       failed: (error) => this.failed(error),
       frameDone: () => this.frameDone(),
+      drawerChanged: () => this.drawerChanged(),
     });
   }
 
   private makeSettings(tiers: readonly string[]): SettingsPanel {
     return new SettingsPanel(byId("settings"), tiers, this.controls, this.effects, {
       quality: (tier) => this.setQuality(tier ?? this.store.now.quality, tier === null),
+      drawer: (choice) => this.chooseDrawer(choice),
       scale: (scale) => this.setFixedScale(scale),
       reset: () => this.openPreset(this.store.now.preset),
       serverFrame: () => void this.saveServerFrame(),
@@ -228,7 +233,8 @@ export class App {
     this.address.onVisit((link) => void this.followLink(link));
     setInterval(() => {
       const { quality, auto } = this.store.now;
-      this.stats.show(this.display.timing(), this.clock.playing, qualityTitle(quality), auto);
+      const { drawer, why, still } = this.display;
+      this.stats.show({ ...this.display.timing(), drawer, why, still: still !== null, playing: this.clock.playing, quality: qualityTitle(quality), auto });
       if (this.started && this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.load());
       if (this.clock.playing) this.transport.update();
     }, STATS_INTERVAL);
@@ -239,13 +245,14 @@ export class App {
     const seconds = this.lastTick === 0 ? 0 : (now - this.lastTick) / 1000;
     this.lastTick = now;
     const cameraMoved = this.controls.step(seconds);
-    if (this.started) this.clock.advance(seconds);
-    this.display.tick(now, this.viewState(), cameraMoved || (this.started && this.clock.playing));
+    if (this.started && this.display.still === null) this.clock.advance(seconds);
+    // Under the still frames are measured, while time stands.
+    this.display.tick(now, this.viewState(), cameraMoved || this.clock.playing);
   }
 
   private frameDone(): void {
     if (this.clock.playing) this.transport.movePosition();
-    if (this.started || this.busy.has(0)) return;
+    if (this.started || this.busy.has(0) || !this.display.presentable) return;
     this.started = true;
     this.still.fadeOut();
     this.loadingScreen.hide();
@@ -277,7 +284,7 @@ export class App {
     this.sharing.planChanged();
     this.limitCamera();
     this.touch.planChanged();
-    this.display.resetMeasurement(this.pilot.takeScale());
+    this.display.planChanged(this.pilot.planDrawn());
   }
 
   /** Limits the camera's height: below the surface only if the programs for it are compiled. */
@@ -323,6 +330,18 @@ export class App {
     return this.presetLoader.load(name);
   }
 
+  private chooseDrawer(choice: DrawerChoice): void {
+    this.display.choose(choice);
+    this.settings.showDrawer(choice, this.display.own !== null);
+    this.viewChanged();
+  }
+
+  /** Plans that were loaded while the server drew have no programs. */
+  private drawerChanged(): void {
+    if (this.display.viewport === null) return;
+    for (const loader of this.loaders) if (loader.loaded?.executor === null) loader.reload();
+  }
+
   private setFixedScale(scale: number | null): void {
     this.display.setFixedScale(scale);
     this.settings.showScale(scale);
@@ -346,6 +365,7 @@ export class App {
       if (link.paused !== null) this.clock.playing = !link.paused;
       this.store.set(selectionFromLink(preset, link));
       this.setFixedScale(link.scale);
+      this.chooseDrawer(link.draw ?? "auto");
       this.accuracy.toggle(link.accuracy === true);
       this.surfaces.show(link.surface);
     } catch (error) {
@@ -375,7 +395,7 @@ export class App {
       this.store.set({ scene: preset.scene, quality: DEFAULT_TIER, auto: true, split: null });
       return;
     }
-    if (this.display.viewport === null) this.loadingScreen.fail("Server error", message);
+    if (this.display.own === null) this.loadingScreen.fail("Server error", message);
     else this.loadingScreen.fail("Rendering failed", message, serverLink());
     this.rejectReady(error);
   }

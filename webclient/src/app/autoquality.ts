@@ -1,5 +1,5 @@
 /** Selects quality tier and scale together: the least error within the frame budget, from costs measured ahead. */
-import { budgetAt, type FrameBudget, MIN_SCALE } from "./resolution";
+import { allowedAt, bestScale, costAt, type FrameCost } from "./framebudget";
 
 /** Cost and error of one tier, as `make fronts` measured them. */
 export interface TierCost {
@@ -19,12 +19,10 @@ export interface TierCosts {
 
 /** Measured load of this machine, with the current tier. */
 export interface RenderLoad {
-  budget: FrameBudget;
+  cost: FrameCost;
   scale: number;
-  /** ms a frame. */
-  renderTime: number;
-  /** Time between frames that is not render time, ms. */
-  overhead: number;
+  /** Time between two pictures of the display, ms. */
+  displayInterval: number;
   /** At scale 1. */
   megapixels: number;
 }
@@ -38,11 +36,17 @@ export interface TierChoice {
   time: number;
 }
 
-/** Another tier is chosen only if its error is smaller by this factor. */
-const MIN_IMPROVEMENT = 0.93;
-const SCALE_STEPS = 60;
+/** Another tier is chosen only if its error is smaller by this factor: while its programs compile, slow machines stand still. */
+const MIN_IMPROVEMENT = 0.8;
 
-const costOf = ({ fixed, pixels }: TierCost, megapixels: number, scale: number) => fixed + pixels * megapixels * scale ** 2;
+/** How much more a frame of one preset and tier costs than of another, at a megapixel; 1 where either is not known. */
+export function costRatio({ presets }: TierCosts, from: readonly [preset: string, tier: string], to: readonly [preset: string, tier: string]): number {
+  const [before, after] = [from, to].map(([preset, tier]) => {
+    const cost = presets[preset]?.find((one) => one.tier === tier);
+    return cost ? cost.fixed + cost.pixels : null;
+  });
+  return before && after ? after / before : 1;
+}
 
 /** Error at a scale: linear between the measured scales, extrapolated below the least. */
 export function errorAt(scales: readonly number[], errors: readonly number[], scale: number): number {
@@ -53,20 +57,20 @@ export function errorAt(scales: readonly number[], errors: readonly number[], sc
   return errorBelow + ((errorAbove - errorBelow) * (scale - below)) / (above - below);
 }
 
-/** For every tier the greatest scale within budget; the current tier's render time calibrates the machine's speed. */
+/** For every tier the scale to draw at; the current tier's measured cost calibrates the machine's speed. */
 export function tierChoices(tiers: readonly TierCost[], scales: readonly number[], currentTier: string, load: RenderLoad): TierChoice[] {
   const current = tiers.find(({ tier }) => tier === currentTier);
   if (current === undefined) return [];
-  const slowdown = load.renderTime / costOf(current, load.megapixels, load.scale);
-  return tiers.map((cost) => {
-    const timeAt = (scale: number) => load.overhead + slowdown * costOf(cost, load.megapixels, scale);
-    const fits = (scale: number) => timeAt(scale) <= budgetAt(load.budget, scale);
-    let scale = MIN_SCALE;
-    for (let step = 1; step <= SCALE_STEPS; step++) {
-      const candidate = MIN_SCALE + ((1 - MIN_SCALE) * step) / SCALE_STEPS;
-      if (fits(candidate)) scale = candidate;
-    }
-    return { tier: cost.tier, scale, error: errorAt(scales, cost.errors, scale), withinBudget: fits(scale), time: timeAt(scale) };
+  const { displayInterval, megapixels } = load;
+  const slowdown = load.cost.pixels / (current.pixels * megapixels);
+  return tiers.map((tier) => {
+    // What else does not shrink with the pixels is the browser's own, which no tier changes.
+    const fixed = Math.max(0, load.cost.fixed + slowdown * (tier.fixed - current.fixed));
+    const cost = { fixed, pixels: (load.cost.pixels * tier.pixels) / current.pixels };
+    const scale = bestScale(cost, displayInterval);
+    const time = costAt(cost, scale);
+    const withinBudget = time <= 1.001 * allowedAt(scale, displayInterval);
+    return { tier: tier.tier, scale, error: errorAt(scales, tier.errors, scale), withinBudget, time };
   });
 }
 

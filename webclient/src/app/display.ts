@@ -1,6 +1,7 @@
 /** What shows the picture: a viewport that draws it here, or frames that the server draws. */
 import type { CameraState } from "../camera/state";
 import type { RenderLoad } from "./autoquality";
+import type { ChosenDisplay } from "./drawing";
 import type { PlanLoader } from "./planloader";
 import type { Viewport } from "./viewport";
 
@@ -9,6 +10,37 @@ const MAX_PIXEL_RATIO = 2;
 
 export const pixelRatio = (): number => Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
 
+/** Pixels of an element at scale 1. */
+export const pixelsOf = ({ clientWidth, clientHeight }: HTMLElement): number => clientWidth * clientHeight * pixelRatio() ** 2;
+
+/** Calls back whenever an element's pixels change: its size, or the device's pixels per CSS pixel, as on another screen. */
+export function onPixelsChange(observed: HTMLElement, changed: () => void): void {
+  new ResizeObserver(changed).observe(observed);
+  const watch = () => {
+    const query = matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
+    query.addEventListener("change", () => (changed(), watch()), { once: true });
+  };
+  watch();
+}
+
+/** Times of the frames shown in the last second. */
+export class ShownFrames {
+  /** Since the page opened. */
+  total = 0;
+  private readonly recent: number[] = [];
+
+  add(): void {
+    this.total += 1;
+    this.recent.push(performance.now());
+  }
+
+  get fps(): number {
+    const now = performance.now();
+    while (this.recent[0] !== undefined && now - this.recent[0] > 1000) this.recent.shift();
+    return this.recent.length;
+  }
+}
+
 export interface ViewState {
   time: number;
   camera: CameraState;
@@ -16,11 +48,16 @@ export interface ViewState {
   divider: number;
 }
 
+/** Who draws: this browser, or the server, frame by frame. */
+export type Drawer = "browser" | "server";
+
+/** Who draws, as the user wishes; auto: whoever gives more. */
+export type DrawerChoice = Drawer | "auto";
+
 export interface FrameTiming {
-  /** ms; null until measured. */
+  /** Of a frame, ms; null until measured. */
   frame: number | null;
-  /** What measured it: timer queries, a fence, or the time from request to decoded picture. */
-  clock: "gpu" | "fence" | "server";
+  /** Frames shown in the last second. */
   fps: number;
   width: number;
   height: number;
@@ -29,12 +66,20 @@ export interface FrameTiming {
   frames: number;
 }
 
+/** What a way of drawing gives in motion. */
+export interface Rate {
+  scale: number;
+  fps: number;
+}
+
 export interface DisplayEvents {
   contextLost(): void;
   contextRestored(): void;
   failed(error: unknown): void;
   /** A frame is shown. */
   frameDone(): void;
+  /** Another way draws from now on. */
+  drawerChanged(): void;
 }
 
 export interface Display {
@@ -46,6 +91,8 @@ export interface Display {
   dirty: boolean;
   /** Whether there is no picture yet. */
   readonly blank: boolean;
+  /** Whether the picture is good enough to take the place of the still. */
+  readonly presentable: boolean;
   /** Whether the picture is up to date at its final scale. */
   readonly atRest: boolean;
   /** The scale set by the user; null: dynamic. */
@@ -54,10 +101,14 @@ export interface Display {
   /** Called on every animation frame. `moving`: more frames will follow. */
   tick(now: number, view: ViewState, moving: boolean): void;
   timing(): FrameTiming;
+  /** Measured in motion with the current plan; null until it is, or while the user has set the scale. */
+  rate(): Rate | null;
   /** The load in motion; null if the page is not to adapt the quality to it. */
   load(): RenderLoad | null;
-  /** Starts measuring again, as for a new plan. `expectedScale`: the scale to begin with. */
-  resetMeasurement(expectedScale?: number | null): void;
+  /** Why the picture does not move; null if it can. */
+  readonly still: string | null;
+  /** Another plan is drawn. `cost`: of its frames, as a multiple of the former plan's. */
+  planChanged(cost: number): void;
 }
 
-export type MakeDisplay = (loaders: readonly [PlanLoader, PlanLoader], events: DisplayEvents) => Display;
+export type MakeDisplay = (loaders: readonly [PlanLoader, PlanLoader], events: DisplayEvents) => ChosenDisplay;

@@ -9,8 +9,8 @@ export const FITTED = { samples: 5, weight: 0.5 };
 /** Accepted frame time by scale, ms: linear between the points, constant beyond; it does not grow. */
 export type FrameBudget = readonly (readonly [scale: number, milliseconds: number])[];
 
-/** Where the display's rate is out of reach: fewer frames at a low scale, so that the picture does not become too coarse. */
-export const MOTION_BUDGET: FrameBudget = [[0.1, 100], [0.25, 90], [0.4, 70], [0.45, 63], [0.5, 54], [0.6, 46], [0.7, 36], [1, 34]];
+/** Where the display's rate is out of reach: down to 8 frames a second before the picture becomes too coarse. */
+export const MOTION_BUDGET: FrameBudget = [[0.45, 125], [0.5, 62], [0.6, 46], [0.7, 36], [1, 34]];
 
 /** What a frame costs: ms at any scale, and further ms at scale 1, which shrink with the pixels. */
 export interface FrameCost {

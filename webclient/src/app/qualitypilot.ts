@@ -1,14 +1,14 @@
 /** Automatic quality: switches the tier by the measured load, from costs that the server measured ahead. */
 import type { Api } from "../api";
-import { AutoQuality, type RenderLoad, type TierCosts } from "./autoquality";
+import { AutoQuality, costRatio, type RenderLoad, type TierCosts } from "./autoquality";
 import type { Store } from "./store";
 
 export class QualityPilot {
   private readonly choices = new AutoQuality();
   /** Null until loaded. */
   private costs: TierCosts | null = null;
-  /** Predicted scale of the quality that was selected last. */
-  private expectedScale: number | null = null;
+  /** Preset and tier that are drawn; null before the first. */
+  private drawn: readonly [string, string] | null = null;
 
   constructor(
     private readonly api: Api,
@@ -35,14 +35,14 @@ export class QualityPilot {
     if (!auto || split !== null || this.costs === null || load === null) return;
     const choice = this.choices.next(this.costs, preset.name, quality, load);
     if (choice === null) return;
-    this.expectedScale = choice.scale;
     this.store.set({ quality: choice.tier });
   }
 
-  /** The scale to begin the new plan with, once; null if none was predicted. */
-  takeScale(): number | null {
-    const scale = this.expectedScale;
-    this.expectedScale = null;
-    return scale;
+  /** A plan of the selection is drawn: what its frames cost, as a multiple of the former plan's. */
+  planDrawn(): number {
+    const { preset, quality } = this.store.now;
+    const { drawn } = this;
+    this.drawn = [preset.name, quality];
+    return this.costs && drawn ? costRatio(this.costs, drawn, this.drawn) : 1;
   }
 }

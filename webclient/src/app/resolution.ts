@@ -3,8 +3,6 @@ import { allowedAt, bestScale, budgetAt, FITTED, fitted, type FrameBudget, type 
 
 /** Pixels of the first frame of a machine that nobody knows yet. */
 const FIRST_PIXELS = 96 * 54;
-/** No frame is submitted that is predicted to take longer, ms. */
-const MOST_PREDICTED = 100;
 /** Intervals up to this multiple of the display's are the display's rate. */
 const AT_RATE = 1.12;
 const NO_CEILING = { scale: Infinity, until: 0, pause: 0 };
@@ -29,9 +27,6 @@ export interface FrameTimes {
   done: number;
 }
 
-/** Greatest factor to grow by: even if all of the cost were the pixels', the next frame would not take too long. */
-const stepUp = (busy: number) => Math.max(1, Math.min(STEP_UP, Math.sqrt(MOST_PREDICTED / Math.max(busy, 1))));
-
 export class DynamicResolution {
   /** Time between two pictures of the display, ms. */
   displayInterval = 1000 / 60;
@@ -52,9 +47,9 @@ export class DynamicResolution {
   /** A scale that did not keep the display's rate, and when it may be tried again. */
   private ceiling = { ...NO_CEILING };
 
-  /** `pixels`: of the window, at scale 1. */
-  constructor(pixels: number, private readonly budget: FrameBudget = MOTION_BUDGET, private readonly least = MIN_SCALE) {
-    this.value = Math.min(1, Math.max(least, Math.sqrt(FIRST_PIXELS / Math.max(1, pixels))));
+  /** `pixels`: of the window, at scale 1; `first`: of the first frame. */
+  constructor(pixels: number, private readonly budget: FrameBudget = MOTION_BUDGET, first = FIRST_PIXELS) {
+    this.value = Math.min(1, Math.max(MIN_SCALE, Math.sqrt(first / Math.max(1, pixels))));
   }
 
   /** To draw the next frame at. */
@@ -89,7 +84,7 @@ export class DynamicResolution {
   /** Frames will cost a multiple of what they did: of another plan, which compiles, or in another window. */
   expect(factor: number, compiles = true): void {
     this.samples = this.samples.map((one) => ({ ...one, cost: one.cost * factor }));
-    this.value = Math.min(1, Math.max(this.least, this.value / Math.sqrt(factor)));
+    this.value = Math.min(1, Math.max(MIN_SCALE, this.value / Math.sqrt(factor)));
     this.ceiling = { ...NO_CEILING };
     if (compiles) this.compiling = COMPILING;
     this.fresh = true;
@@ -147,14 +142,19 @@ export class DynamicResolution {
     const best = bestScale(cost, displayInterval, this.budget);
     if (best < DEAD_BAND.down * value) return !atRate && this.withdraw(best, now, PAUSE.usual);
     const most = now < this.ceiling.until ? DEAD_BAND.down * this.ceiling.scale : 1;
-    const to = Math.min(best, most, value * stepUp(busy));
+    const to = Math.min(best, most, value * this.stepUp(busy));
     return (to > DEAD_BAND.up * value || (to === 1 && value < 1)) && this.change(to);
+  }
+
+  /** Greatest factor to grow by: even if all of the cost were the pixels', the next frame would not exceed every budget. */
+  private stepUp(busy: number): number {
+    return Math.max(1, Math.min(STEP_UP, Math.sqrt((this.budget[0]?.[1] ?? Infinity) / Math.max(busy, 1))));
   }
 
   /** At the display's rate, where the cost is known to be no more than its interval: tries more. */
   private probe(busy: number, now: number): boolean {
     const { value, ceiling } = this;
-    const to = now < ceiling.until ? Math.sqrt(value * ceiling.scale) : value * stepUp(busy);
+    const to = now < ceiling.until ? Math.sqrt(value * ceiling.scale) : value * this.stepUp(busy);
     if (to < DEAD_BAND.up * value) return false;
     this.probedFrom = value;
     return this.change(to);
@@ -169,7 +169,7 @@ export class DynamicResolution {
   }
 
   private change(to: number): boolean {
-    const scale = Math.min(1, Math.max(this.least, to));
+    const scale = Math.min(1, Math.max(MIN_SCALE, to));
     if (scale === this.value) return false;
     this.value = scale;
     this.fresh = true;

@@ -1,49 +1,67 @@
-/** Frames that the server draws, for browsers that cannot: one request at a time, always for the latest view. */
-import { type Api, ApiError, type FrameRequest } from "../api";
+/** Frames that the server draws: a stream while the picture moves, the exact picture at rest. */
+import { type Api, ApiError, type FrameRequest, type StreamView } from "../api";
 import { equal, type Json } from "../scene/json";
 import { element } from "../ui/dom";
-import { type Display, type DisplayEvents, type FrameTiming, pixelRatio, type ViewState } from "./display";
+import type { RenderLoad } from "./autoquality";
+import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelsOf, type Rate, ShownFrames, type ViewState } from "./display";
+import type { FrameBudget } from "./framebudget";
 import type { LoadedPlan, PlanLoader } from "./planloader";
-import { DynamicResolution, type FrameBudget } from "./resolution";
+import { DynamicResolution } from "./resolution";
+import { FrameStream } from "./framestream";
 
-/** Time from request to picture that is aimed at in motion, ms. */
-const BUDGET: FrameBudget = [
-  [0.25, 500],
-  [0.5, 300],
-  [1, 200],
-];
-/** Least scale in motion: below it, latency and not the number of pixels takes the time. */
-const LEAST_SCALE = 0.25;
-const FIRST_SCALE = 0.5;
+/** Time from frame to frame, ms, by scale: it is the server's, and blocks nothing here. */
+const BUDGET: FrameBudget = [[0.5, 240], [0.55, 115], [0.7, 85], [1, 60]];
+/** Share of the pixels of the first frame: a scale of 0.4. */
+const FIRST_SHARE = 0.16;
 /** Greatest size of a frame, pixels. */
 const MAX_PIXELS = 2_000_000;
+/** Frames that are asked for before the first of them has come. */
+const DEPTH = 2;
+/** While the camera moves, a frame that waits at the server gives way to one of the newest view this often, ms. */
+const HASTE = 60;
 /** A picture at rest is sharpened after this long, ms. */
 const SHARPENING_DELAY = 300;
 /** Delay before a failed request is repeated, ms; it doubles with each failure. */
 const RETRY = { first: 1000, longest: 16000 };
+/** Windows that are measured before the rate counts. */
+const SETTLED_WINDOWS = 3;
 
 /** Over the canvas, which takes the pointer. */
 const COVER = "pointer-events-none fixed inset-0 size-full";
+
+interface Asked {
+  number: number;
+  submitted: number;
+  scale: number;
+  moving: boolean;
+}
 
 export class ServerView implements Display {
   readonly viewport = null;
   dirty = true;
   fixed: number | null = null;
+  /** Why the server gives no moving picture; null if it does. */
+  still: string | null = null;
+  /** When to ask for it again, ms of performance.now(). */
+  retryAt = 0;
   private readonly root = element("div", { class: `served ${COVER}` });
-  private readonly resolution = new DynamicResolution(FIRST_SCALE);
-  /** What was requested last, one frame or one for each side. */
-  private requested: readonly FrameRequest[] = [];
-  private inFlight = false;
-  private scale = FIRST_SCALE;
+  private readonly resolution: DynamicResolution;
+  private readonly streams: readonly [FrameStream, FrameStream];
+  private readonly shown = new ShownFrames();
+  /** Frames that were asked for and have not come. */
+  private readonly asked: Asked[] = [];
+  private number = 0;
+  private latest = 0;
+  /** The exact picture that was asked for last, one for each side. */
+  private exact: readonly FrameRequest[] = [];
+  private view: string = "";
+  private hurried = 0;
+  private scale = 0;
   private failures = 0;
-  private retryAt = 0;
-  private lastDone = 0;
-  private frameTime: number | null = null;
-  /** Whether a frame of the current plan was shown. */
-  private warm = false;
+  private waitUntil = 0;
+  private lastMotion = -Infinity;
   private size = { width: 0, height: 0 };
-  private frames = 0;
-  private readonly recent: number[] = [];
+  private frameTime: number | null = null;
 
   constructor(
     private readonly api: Api,
@@ -52,118 +70,176 @@ export class ServerView implements Display {
     private readonly events: DisplayEvents,
   ) {
     canvas.after(this.root);
-    new ResizeObserver(() => (this.dirty = true)).observe(canvas);
+    const pixels = pixelsOf(canvas);
+    this.resolution = new DynamicResolution(pixels, BUDGET, FIRST_SHARE * pixels);
+    this.streams = [new FrameStream(api), new FrameStream(api)];
+    onPixelsChange(canvas, () => (this.dirty = true));
+    window.addEventListener("pagehide", () => this.close());
   }
 
   get blank(): boolean {
     return this.root.childElementCount === 0;
   }
 
+  get presentable(): boolean {
+    return !this.blank;
+  }
+
   get atRest(): boolean {
-    return !this.dirty && !this.inFlight && !this.blank && this.scale >= (this.fixed ?? 1);
+    return !this.dirty && this.asked.length === 0 && !this.blank && this.scale >= (this.fixed ?? 1);
   }
 
   setFixedScale(scale: number | null): void {
     this.fixed = scale;
-    this.resetMeasurement();
+    this.resolution.pause();
+    this.dirty = true;
+  }
+
+  /** Takes the picture away and gives the streams back: something else draws. */
+  close(): void {
+    for (const stream of this.streams) stream.close();
+    this.asked.length = 0;
+    this.latest = this.number + 1;
+    this.still = null;
+  }
+
+  hide(): void {
+    this.root.replaceChildren();
+    this.scale = 0;
   }
 
   tick(now: number, view: ViewState, moving: boolean): void {
     this.root.style.setProperty("--at", `${100 * view.divider}%`);
-    if (this.inFlight || now < this.retryAt || this.loaders[0].loaded === null) return;
-    const sharpening = !moving && !this.dirty;
-    if (sharpening && (this.atRest || now - this.lastDone < SHARPENING_DELAY)) return;
-    const scale = this.fixed ?? (sharpening ? 1 : Math.max(LEAST_SCALE, this.resolution.scale));
+    if (moving) this.lastMotion = now;
+    else this.resolution.pause();
+    if (now < this.waitUntil || this.loaders[0].loaded === null) return;
+    if (moving && now >= this.retryAt) this.stream(now, view);
+    else if (this.asked.length === 0) this.rest(now, view);
+  }
+
+  timing(): FrameTiming {
+    return { frame: this.resolution.measured ?? this.frameTime, fps: this.shown.fps, ...this.size, scale: this.scale, frames: this.shown.total };
+  }
+
+  rate(): Rate | null {
+    const { measured, windows, scale } = this.resolution;
+    return this.fixed !== null || measured === null || windows < SETTLED_WINDOWS ? null : { scale, fps: 1000 / measured };
+  }
+
+  load(): RenderLoad | null {
+    const { cost, scale, displayInterval } = this.resolution;
+    if (this.rate() === null || cost === null) return null;
+    return { cost, scale, displayInterval, megapixels: 1e-6 * pixelsOf(this.canvas) };
+  }
+
+  planChanged(cost: number): void {
+    this.resolution.expect(cost);
+    this.exact = [];
+    this.dirty = true;
+  }
+
+  /** Asks for the next frame in motion, if there is a place for it. */
+  private stream(now: number, view: ViewState): void {
+    const camera = JSON.stringify(view.camera);
+    const haste = camera !== this.view && now - this.hurried > HASTE && this.asked.length === DEPTH;
+    if (this.asked.length >= DEPTH && !haste) return;
+    if (haste) this.hurried = now;
+    this.view = camera;
+    this.dirty = false;
+    const scale = this.fixed ?? this.resolution.scale;
+    const frame = this.frame(view, scale);
+    const loaded = this.loaders.flatMap((loader) => loader.loaded ?? []);
+    const take = () => Promise.all(loaded.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, request.quality, frame)));
+    void this.show(take, { ...frame, scale, moving: true });
+  }
+
+  /** Asks for the exact picture of a view that does not move, small while it changes. */
+  private rest(now: number, view: ViewState): void {
+    const sharpening = !this.dirty;
+    if (sharpening && (this.atRest || now - this.lastMotion < SHARPENING_DELAY)) return;
+    const scale = this.fixed ?? (sharpening ? 1 : this.resolution.scale);
     const requests = this.requests(view, scale);
     const finest = this.requests(view, this.fixed ?? 1);
     this.dirty = false;
     // Shown already, at this scale or as sharp as it gets.
-    if ([requests, finest].some((same) => equal(same as unknown as Json, this.requested as unknown as Json))) return;
-    this.requested = requests;
-    void this.show(requests, scale, moving);
+    if ([requests, finest].some((same) => equal(same as unknown as Json, this.exact as unknown as Json))) return;
+    this.exact = requests;
+    const take = () => Promise.all(requests.map((request) => this.api.frame(request)));
+    void this.show(take, { ...this.frame(view, scale), scale, moving: false });
   }
 
-  timing(): FrameTiming {
-    const now = performance.now();
-    while (this.recent[0] !== undefined && now - this.recent[0] > 1000) this.recent.shift();
-    return { frame: this.frameTime, clock: "server", fps: this.recent.length, ...this.size, scale: this.scale, frames: this.frames };
+  private requests(view: ViewState, scale: number): FrameRequest[] {
+    const request = ({ scene, request: { quality } }: LoadedPlan) => ({ preset: null, scene, quality, ...this.frame(view, scale) });
+    return this.loaders.flatMap(({ loaded }) => (loaded ? [request(loaded)] : []));
   }
 
-  load(): null {
-    return null;
-  }
-
-  resetMeasurement(): void {
-    this.resolution.reset(FIRST_SCALE);
-    this.frameTime = null;
-    this.warm = false;
-    this.dirty = true;
-  }
-
-  private requests({ time, camera }: ViewState, scale: number): FrameRequest[] {
+  private frame({ time, camera }: ViewState, scale: number): StreamView {
     const { clientWidth, clientHeight } = this.canvas;
     const fitting = Math.sqrt(MAX_PIXELS / Math.max(1, clientWidth * clientHeight));
     const ratio = scale * Math.min(pixelRatio(), fitting);
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.max(1, Math.round(side * ratio))) as [number, number];
     const { position, yaw, pitch, roll, fov } = camera;
-    const request = ({ scene, request: { quality } }: LoadedPlan) => ({
-      preset: null, scene, quality, camera: { position: [...position], yaw, pitch, roll, fov }, time, width, height,
-    });
-    return this.loaders.flatMap(({ loaded }) => (loaded ? [request(loaded)] : []));
+    return { camera: { position: [...position], yaw, pitch, roll, fov }, time, width, height };
   }
 
-  private async show(requests: readonly FrameRequest[], scale: number, moving: boolean): Promise<void> {
-    this.inFlight = true;
-    const start = performance.now();
+  private async show(take: () => Promise<Blob[]>, { scale, moving, width, height }: StreamView & Pick<Asked, "scale" | "moving">): Promise<void> {
+    const asked: Asked = { number: ++this.number, submitted: performance.now(), scale, moving };
+    this.asked.push(asked);
     try {
-      const images: HTMLImageElement[] = [];
-      for (const request of requests) images.push(await decoded(await this.api.frame(request)));
-      this.root.replaceChildren(...images);
-      this.failures = 0;
-      this.scale = scale;
-      const { width = 0, height = 0 } = requests[0] ?? {};
+      // Decoded off the main thread.
+      const pictures = await Promise.all((await take()).map((picture) => createImageBitmap(picture)));
+      // What comes after a later frame is not shown.
+      if (asked.number < this.latest) return pictures.forEach((picture) => picture.close());
+      this.latest = asked.number;
+      this.present(pictures);
       this.size = { width, height };
-      this.measure(performance.now() - start, moving);
+      this.measure(asked);
+      this.failures = 0;
+      this.still = null;
+      this.scale = scale;
+      if (moving) this.exact = [];
       this.events.frameDone();
     } catch (error) {
-      this.failed(error);
+      if (asked.number > this.latest) this.failed(error, moving);
     } finally {
-      this.inFlight = false;
+      const index = this.asked.indexOf(asked);
+      if (index >= 0) this.asked.splice(index, 1);
     }
   }
 
-  private measure(elapsed: number, moving: boolean): void {
-    const now = performance.now();
-    this.lastDone = now;
-    this.frames += 1;
-    this.recent.push(now);
-    // The first frame of a plan waits for its programs.
-    if (this.warm) this.frameTime = this.frameTime === null ? elapsed : this.frameTime * 0.7 + elapsed * 0.3;
-    this.warm = true;
-    if (moving && this.fixed === null) this.resolution.addFrame(BUDGET, elapsed, elapsed);
+  private present(pictures: readonly ImageBitmap[]): void {
+    while (this.root.childElementCount > pictures.length) this.root.lastElementChild?.remove();
+    while (this.root.childElementCount < pictures.length) this.root.append(element("canvas", { class: `${COVER} object-cover not-first:[clip-path:inset(0_0_0_var(--at))]` }));
+    pictures.forEach((picture, side) => (this.root.children[side] as HTMLCanvasElement).getContext("bitmaprenderer")?.transferFromImageBitmap(picture));
+  }
+
+  private measure({ submitted, scale, moving }: Asked): void {
+    const done = performance.now();
+    this.shown.add();
+    this.frameTime = done - submitted;
+    if (moving && this.fixed === null) this.resolution.addFrame({ scale, submitted, done });
   }
 
   /** What the server refuses is not asked again; else the request is repeated, and only the first failure is told. */
-  private failed(error: unknown): void {
-    const refused = error instanceof ApiError && error.status >= 400 && error.status < 500;
+  private failed(error: unknown, moving: boolean): void {
+    const { status, retryAfter } = error instanceof ApiError ? error : { status: 0, retryAfter: 0 };
+    // A later frame of the stream was asked for.
+    if (status === 409) return;
+    if (moving) this.resolution.pause();
+    const refused = status >= 400 && status < 500 && !(moving && status === 404);
     if (!refused) {
-      this.retryAt = performance.now() + Math.min(RETRY.longest, RETRY.first * 2 ** this.failures);
+      const delay = Math.min(RETRY.longest, RETRY.first * 2 ** this.failures);
       this.failures += 1;
-      this.requested = [];
+      this.exact = [];
       this.dirty = true;
+      if (moving && retryAfter > 0) {
+        // All streams are taken: single pictures until one may be free.
+        this.still = error instanceof Error ? error.message : String(error);
+        this.retryAt = performance.now() + 1000 * retryAfter;
+        return;
+      }
+      this.waitUntil = performance.now() + (status === 404 ? 0 : delay);
     }
     if (refused || this.failures === 1) this.events.failed(error);
   }
-}
-
-/** The picture, decoded: it replaces the previous one without a gap. */
-async function decoded(frame: Blob): Promise<HTMLImageElement> {
-  const url = URL.createObjectURL(frame);
-  const image = element("img", { class: `${COVER} object-cover not-first:[clip-path:inset(0_0_0_var(--at))]`, src: url, alt: "" });
-  try {
-    await image.decode();
-  } finally {
-    URL.revokeObjectURL(url);
-  }
-  return image;
 }

@@ -3,6 +3,7 @@ import type { CameraState } from "../camera/state";
 import { type Change, isObject, type Json } from "../scene/json";
 import { type SurfaceName, surfaceName } from "../surfaces/surfaces";
 import { decodeTouches, encodeTouches, type Touch } from "../touch/touches";
+import type { Drawer } from "./display";
 import type { Split } from "./store";
 
 export interface LinkState {
@@ -19,6 +20,8 @@ export interface LinkState {
   split: Split | null;
   /** Fixed render scale; null: dynamic. */
   scale: number | null;
+  /** Who draws; null: whoever gives more. */
+  draw: Drawer | null;
   /** Whether the accuracy benchmark is open. */
   accuracy: boolean | null;
   /** The surface that is open. */
@@ -69,6 +72,7 @@ function encodeAll(state: LinkState, touches: readonly Touch[]): string {
     put("split", [field, left, right, at.toFixed(3)].join("~"));
   }
   put("scale", state.scale === null ? null : number(state.scale));
+  put("draw", state.draw);
   put("accuracy", state.accuracy ? "1" : null);
   put("open", state.surface);
   // Characters that are legal in a fragment are not escaped, for readable links.
@@ -101,6 +105,7 @@ export function decode(fragment: string): LinkState {
     camera: camera(parts.get("camera")),
     split: split(parts.get("split")),
     scale: scale(parts.get("scale")),
+    draw: drawer(parts.get("draw")),
     accuracy: parts.get("accuracy") === "1" ? true : null,
     surface: surfaceName(parts.get("open")),
   };
@@ -114,6 +119,10 @@ function finite(text: string | undefined): number | null {
 function scale(text: string | undefined): number | null {
   const value = finite(text);
   return value === null || value <= 0 ? null : Math.min(1, Math.max(MIN_SCALE, value));
+}
+
+export function drawer(text: string | null | undefined): Drawer | null {
+  return text === "browser" || text === "server" ? text : null;
 }
 
 function camera(text: string | undefined): CameraState | null {

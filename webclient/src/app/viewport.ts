@@ -1,14 +1,11 @@
 /** The canvas: owns the GPU, draws one picture or two side by side, and measures frame times. */
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
-import { GpuTimer, timerExtension } from "../gl/timer";
 import type { Frame, Rectangle } from "../plan/executor";
 import type { RenderLoad } from "./autoquality";
-import { type Display, type DisplayEvents, type FrameTiming, pixelRatio, type ViewState } from "./display";
+import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelsOf, type Rate, ShownFrames, type ViewState } from "./display";
 import type { PlanLoader } from "./planloader";
-import { CPU_BUDGET, DynamicResolution, type FrameBudget, gpuBudget } from "./resolution";
+import { DynamicResolution } from "./resolution";
 
-/** First scale on a CPU: a frame that takes seconds would lose the context. */
-const SOFTWARE_SCALE = 0.5;
 /** The display's interval until it is measured, ms, and the animation frames that one measurement takes. */
 const DISPLAY_INTERVAL = 1000 / 60;
 const DISPLAY_FRAMES = 40;
@@ -16,25 +13,20 @@ const DISPLAY_FRAMES = 40;
 const POLL_INTERVAL = 1;
 /** Share of a frame's usual time before its fence is first checked. */
 const UNPOLLED_SHARE = 0.6;
-/** The measured load is valid after this many windows at one scale, or this many in all where the scale never settles. */
-const STABLE_WINDOWS = 2;
-const MAX_WINDOWS = 5;
-/** Frames drawn at rest to measure the frame time, and how many of them at first are not measured. */
-const TRIAL_FRAMES = 6;
-const COLD_FRAMES = 2;
-/** At rest the scale is raised in steps, unless the next frame would take longer than this, ms. */
-const MAX_SHARPENING_TIME = 3000;
-const SHARPENING_STEP = 2;
+/** Measured windows after which the scale has settled: with none changed by the last, or in all. */
+const SETTLED_WINDOWS = { least: 3, most: 8 };
+/** A moving picture of this scale may take the place of the still, whether or not it grows further. */
+const PRESENTABLE_SCALE = 0.4;
+/** At rest the scale is raised until the next frame would take longer than this, ms. */
+const SHARPENING_TIME = 1000;
 const SHARPENING_DELAY = 500;
 
 interface PendingFrame {
-  /** Fence before the frame's first command: time until it signals belongs to other work. */
-  before: WebGLSync | null;
-  after: WebGLSync;
-  start: number;
+  fence: WebGLSync;
+  submitted: number;
   scale: number;
-  /** Drawn to sharpen a still picture: its time is not part of the load in motion. */
-  sharpening: boolean;
+  /** Whether its time is part of the load in motion. */
+  moving: boolean;
 }
 
 export class Viewport implements Display {
@@ -43,26 +35,22 @@ export class Viewport implements Display {
   gpu: Gpu;
   /** Whether the canvas is out of date. */
   dirty = true;
-  private timer: GpuTimer | null = null;
-  private readonly resolution = new DynamicResolution();
+  readonly still = null;
+  private readonly resolution: DynamicResolution;
+  /** Pixels at scale 1 for which it has measured. */
+  private pixels: number;
+  /** Windows measured when the scale changed last. */
+  private changedAt = 0;
   private readonly pending: PendingFrame[] = [];
-  /** When the frames of the last second were done. */
-  private readonly recent: number[] = [];
-  private frameTime: number | null = null;
-  private lastDraw = 0;
-  /** When the latest frame in motion was done; null after a pause. */
-  private lastDone: number | null = null;
+  private readonly shown = new ShownFrames();
+  private lastMotion = -Infinity;
   private polling = false;
-  private frames = 0;
   private fixedScale: number | null = null;
-  private displayInterval = DISPLAY_INTERVAL;
   /** Shortest interval between animation frames in the current measurement. */
   private shortest = { interval: Infinity, frames: 0 };
   private lastTick = 0;
   private scale = 1;
   private finished: { scale: number; milliseconds: number } | null = null;
-  /** Frames drawn since the last reset. */
-  private trials = 0;
   /** How many tasks have exclusive use of the GPU. */
   private exclusiveTasks = 0;
 
@@ -74,7 +62,8 @@ export class Viewport implements Display {
   ) {
     this.gl = openContext(canvas);
     this.gpu = openGpu(this.gl, hidden);
-    this.timer = this.makeTimer();
+    this.pixels = pixelsOf(canvas);
+    this.resolution = new DynamicResolution(this.pixels);
     canvas.addEventListener("webglcontextlost", (event) => {
       // Without this the browser does not restore the context.
       event.preventDefault();
@@ -83,20 +72,24 @@ export class Viewport implements Display {
     });
     canvas.addEventListener("webglcontextrestored", () => {
       this.gpu = openGpu(this.gl, this.hidden);
-      this.timer = this.makeTimer();
       this.dirty = true;
       this.events.contextRestored();
     });
-    new ResizeObserver(() => (this.dirty = true)).observe(canvas);
+    onPixelsChange(canvas, () => this.resized());
+    document.addEventListener("visibilitychange", () => this.resolution.pause());
   }
 
   get blank(): boolean {
     return this.loaders[0].loaded === null;
   }
 
+  get presentable(): boolean {
+    return this.atRest || (this.finished?.scale ?? 0) >= (this.fixedScale ?? PRESENTABLE_SCALE) || this.settled;
+  }
+
   /** Whether the canvas is up to date at its final scale and the GPU is idle. */
   get atRest(): boolean {
-    return !this.dirty && this.pending.length === 0 && !this.unmeasured && this.sharperScale() === null;
+    return !this.dirty && this.pending.length === 0 && this.finished !== null && this.sharperScale() === null;
   }
 
   get fixed(): number | null {
@@ -106,7 +99,8 @@ export class Viewport implements Display {
   setFixedScale(scale: number | null): void {
     if (scale === this.fixedScale) return;
     this.fixedScale = scale;
-    this.resetMeasurement();
+    this.resolution.pause();
+    this.dirty = true;
   }
 
   tick(now: number, view: ViewState, moving: boolean): void {
@@ -114,41 +108,36 @@ export class Viewport implements Display {
     this.measureDisplay(now);
     this.collect();
     if (this.exclusiveTasks > 0) return;
-    const sharpening = !moving && !this.dirty && !this.unmeasured;
-    if (!moving) this.lastDone = null;
-    const { software } = this.gpu.capabilities;
-    // On a CPU a second pending frame gains nothing, and compositing between the two could not be told from drawing.
-    if (this.loaders[0].loaded === null || this.pending.length > (software ? 0 : 1)) return;
-    const scale = sharpening ? this.sharperScale() : (this.fixedScale ?? this.resolution.scale);
-    if (scale === null || (sharpening && now - this.lastDraw < SHARPENING_DELAY)) return;
+    if (moving) this.lastMotion = now;
+    else this.resolution.pause();
+    if (this.loaders[0].loaded === null || this.pending.length >= (moving ? this.resolution.depth : 1)) return;
+    const scale = this.nextScale(now, moving);
+    if (scale === null) return;
     this.dirty = false;
-    this.lastDraw = now;
-    this.trials += 1;
     this.scale = scale;
     this.resizeCanvas(scale);
-    const before = software ? this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0) : null;
-    this.timer?.begin();
+    const submitted = performance.now();
     this.draw(view);
-    this.timer?.end();
-    const after = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
-    if (after) this.pending.push({ before, after, start: performance.now(), scale, sharpening });
-    this.poll();
+    if (fence) this.pending.push({ fence, submitted, scale, moving });
+    this.poll(UNPOLLED_SHARE * (this.resolution.measured ?? 0));
+  }
+
+  private nextScale(now: number, moving: boolean): number | null {
+    if (moving || this.dirty) return this.fixedScale ?? this.resolution.scale;
+    return now - this.lastMotion < SHARPENING_DELAY ? null : this.sharperScale();
   }
 
   /** Checks the fences between animation frames, which may come long after the GPU is done. */
-  private poll(delay = POLL_INTERVAL): void {
+  private poll(delay: number): void {
     if (this.polling) return;
     this.polling = true;
     setTimeout(() => {
       this.polling = false;
       if (this.gl.isContextLost()) return;
-      const hadStarted = this.pending[0]?.before === null;
       this.collect();
-      const [frame] = this.pending;
-      if (frame === undefined) return;
-      const justStarted = !hadStarted && frame.before === null;
-      this.poll(justStarted ? UNPOLLED_SHARE * (this.frameTime ?? 0) : POLL_INTERVAL);
+      if (this.pending.length > 0) this.poll(POLL_INTERVAL);
     }, delay);
   }
 
@@ -158,7 +147,7 @@ export class Viewport implements Display {
     this.lastTick = now;
     shortest.frames += 1;
     if (shortest.frames < DISPLAY_FRAMES) return;
-    this.displayInterval = Math.min(2 * DISPLAY_INTERVAL, Math.max(DISPLAY_INTERVAL / 4, shortest.interval));
+    this.resolution.displayInterval = Math.min(2 * DISPLAY_INTERVAL, Math.max(DISPLAY_INTERVAL / 4, shortest.interval));
     this.shortest = { interval: Infinity, frames: 0 };
   }
 
@@ -181,36 +170,46 @@ export class Viewport implements Display {
       return await task();
     } finally {
       this.exclusiveTasks -= 1;
+      this.resolution.pause();
     }
   }
 
   timing(): FrameTiming {
-    const now = performance.now();
-    while (this.recent[0] !== undefined && now - this.recent[0] > 1000) this.recent.shift();
-    const { canvas: { width, height }, scale, frames, frameTime: frame } = this;
-    return { frame, clock: this.timer === null ? "fence" : "gpu", fps: this.recent.length, width, height, scale, frames };
+    const { canvas: { width, height }, scale, shown } = this;
+    const frame = this.resolution.measured ?? this.finished?.milliseconds ?? null;
+    return { frame, fps: shown.fps, width, height, scale, frames: shown.total };
+  }
+
+  rate(): Rate | null {
+    const { measured, displayInterval, scale } = this.resolution;
+    if (this.fixedScale !== null || measured === null || !this.settled) return null;
+    return { scale, fps: 1000 / Math.max(measured, displayInterval) };
   }
 
   /** The load in motion; null until it is measured, and while the scale is fixed. */
   load(): RenderLoad | null {
-    const settled = this.resolution.stableWindows >= STABLE_WINDOWS || this.resolution.windows >= MAX_WINDOWS;
-    if (this.fixedScale !== null || this.frameTime === null || !settled) return null;
-    const { clientWidth, clientHeight } = this.canvas;
-    return {
-      budget: this.budget,
-      scale: this.resolution.scale,
-      renderTime: this.frameTime,
-      overhead: this.gpu.capabilities.software ? this.resolution.overhead : 0,
-      megapixels: 1e-6 * clientWidth * clientHeight * pixelRatio() ** 2,
-    };
+    const { cost, scale, displayInterval } = this.resolution;
+    if (this.fixedScale !== null || cost === null || !this.settled) return null;
+    return { cost, scale, displayInterval, megapixels: 1e-6 * this.pixels };
   }
 
-  resetMeasurement(expectedScale: number | null = null): void {
-    const samples = Math.max(...this.loaders.map((loader) => loader.plan?.samples ?? 1));
-    this.resolution.reset(expectedScale ?? (this.gpu.capabilities.software ? SOFTWARE_SCALE / Math.sqrt(samples) : 1));
-    this.frameTime = null;
-    this.lastDone = null;
-    this.trials = 0;
+  planChanged(cost: number): void {
+    this.resolution.expect(cost);
+    this.changedAt = 0;
+    this.dirty = true;
+  }
+
+  private get settled(): boolean {
+    const { windows } = this.resolution;
+    return windows >= SETTLED_WINDOWS.most || (windows >= SETTLED_WINDOWS.least && windows > this.changedAt);
+  }
+
+  private resized(): void {
+    const pixels = pixelsOf(this.canvas);
+    if (pixels !== this.pixels && pixels > 0) {
+      this.resolution.expect(pixels / Math.max(1, this.pixels), false);
+      this.pixels = pixels;
+    }
     this.dirty = true;
   }
 
@@ -237,20 +236,12 @@ export class Viewport implements Display {
     }
   }
 
-  private get unmeasured(): boolean {
-    return this.frameTime === null && this.trials < TRIAL_FRAMES;
-  }
-
   /** The next scale to sharpen a still picture with; null if the current one is final. */
   private sharperScale(): number | null {
-    const { finished } = this;
-    if (this.fixedScale !== null || finished === null || finished.scale !== this.scale || this.scale >= 1) return null;
-    const next = Math.min(1, this.scale * SHARPENING_STEP);
-    return finished.milliseconds * (next / this.scale) ** 2 > MAX_SHARPENING_TIME ? null : next;
-  }
-
-  private get budget(): FrameBudget {
-    return this.gpu.capabilities.software ? CPU_BUDGET : gpuBudget(this.displayInterval);
+    const { finished, scale } = this;
+    if (this.fixedScale !== null || finished === null || finished.scale !== scale || scale >= 1) return null;
+    const next = Math.min(1, scale * Math.sqrt(SHARPENING_TIME / Math.max(1, finished.milliseconds)));
+    return next > 1.1 * scale || next === 1 ? next : null;
   }
 
   private resizeCanvas(scale: number): void {
@@ -265,53 +256,21 @@ export class Viewport implements Display {
   /** Removes pending frames that the GPU has finished and records their times. */
   private collect(): void {
     const { gl } = this;
-    const isSignalled = (fence: WebGLSync) => gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
     for (let frame = this.pending[0]; frame !== undefined; frame = this.pending[0]) {
-      if (frame.before !== null && isSignalled(frame.before)) {
-        gl.deleteSync(frame.before);
-        frame.before = null;
-        frame.start = performance.now();
-      }
-      if (!isSignalled(frame.after)) break;
-      gl.deleteSync(frame.after);
+      if (gl.getSyncParameter(frame.fence, gl.SYNC_STATUS) !== gl.SIGNALED) break;
+      gl.deleteSync(frame.fence);
       this.pending.shift();
-      this.recordFrame(frame, performance.now());
+      this.record(frame, performance.now());
       this.events.frameDone();
     }
-    const milliseconds = this.timer?.poll();
-    if (typeof milliseconds === "number") this.recordTime(milliseconds);
   }
 
-  private recordFrame({ start, scale, sharpening }: PendingFrame, now: number): void {
-    const { software } = this.gpu.capabilities;
-    const elapsed = now - start;
-    this.frames += 1;
-    this.recent.push(now);
-    this.finished = { scale, milliseconds: elapsed };
-    const previousDone = this.lastDone;
-    this.lastDone = sharpening ? null : now;
-    if (sharpening) return;
-    if (previousDone === null) {
-      // The first frame after a pause has no interval.
-      this.resolution.restartWindow();
-      if (this.timer === null) this.recordTime(elapsed);
-      return;
-    }
-    // Frames overlap on a GPU, so the interval bounds their time; a CPU draws one at a time.
-    const interval = now - previousDone;
-    if (this.timer === null) this.recordTime(software ? elapsed : Math.min(elapsed, interval));
-    if (this.fixedScale !== null) return;
-    const renderTime = this.timer === null ? elapsed : (this.frameTime ?? elapsed);
-    if (this.resolution.addFrame(this.budget, renderTime, software ? interval : renderTime)) this.dirty = true;
-  }
-
-  private recordTime(milliseconds: number): void {
-    if (this.trials <= COLD_FRAMES) return;
-    this.frameTime = this.frameTime === null ? milliseconds : this.frameTime * 0.85 + milliseconds * 0.15;
-  }
-
-  private makeTimer(): GpuTimer | null {
-    const extension = timerExtension(this.gl, this.gpu.capabilities);
-    return extension && new GpuTimer(this.gl, extension);
+  private record({ submitted, scale, moving }: PendingFrame, done: number): void {
+    this.shown.add();
+    this.finished = { scale, milliseconds: done - submitted };
+    if (!moving || this.fixedScale !== null || this.exclusiveTasks > 0) return;
+    if (!this.resolution.addFrame({ scale, submitted, done })) return;
+    this.changedAt = this.resolution.windows;
+    this.dirty = true;
   }
 }

@@ -1,15 +1,11 @@
 /** Plays one frame plan on a canvas: clock, camera, dynamic resolution. For pages that are not the whole application. */
-import { CPU_BUDGET, DynamicResolution, gpuBudget } from "../app/resolution";
+import { DynamicResolution } from "../app/resolution";
 import type { CameraState } from "../camera/state";
 import type { FramePlan } from "../generated/api";
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
 import { Executor, type LoadBytes } from "../plan/executor";
 import type { Json } from "../scene/json";
 
-/** First scale on a CPU. */
-const SOFTWARE_SCALE = 0.5;
-/** Interval for which the resolution is chosen on a GPU, ms. */
-const INTERVAL = 1000 / 60;
 const MAX_PIXEL_RATIO = 2;
 /** Delay after the last frame in motion before a still picture is drawn at full size, ms. */
 const SHARPENING_DELAY = 300;
@@ -41,9 +37,8 @@ export class Stage {
   private gpu: Gpu;
   private executor: Executor | null = null;
   private readonly resolution: DynamicResolution;
-  private pending: { fence: WebGLSync; start: number } | null = null;
+  private pending: { fence: WebGLSync; scale: number; submitted: number } | null = null;
   private lastTick = 0;
-  private lastDone: number | null = null;
   private lastDraw = 0;
   /** Whether the canvas shows the current state at full size. */
   private sharp = false;
@@ -60,8 +55,7 @@ export class Stage {
     this.camera = start.camera;
     this.time = start.time;
     this.playing = start.playing;
-    const { software } = this.gpu.capabilities;
-    this.resolution = new DynamicResolution(software ? SOFTWARE_SCALE / Math.sqrt(start.plan.samples) : 1);
+    this.resolution = new DynamicResolution(canvas.clientWidth * canvas.clientHeight * Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO) ** 2);
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.executor = this.pending = null;
@@ -120,7 +114,7 @@ export class Stage {
     this.collect(now);
     if (this.pending !== null) return;
     const moving = cameraMoved || this.playing;
-    if (!moving) this.lastDone = null;
+    if (!moving) this.resolution.pause();
     if (this.dirty) this.draw(executor, this.resolution.scale);
     else if (!moving && !this.sharp && now - this.lastDraw > SHARPENING_DELAY) this.draw(executor, 1);
   }
@@ -133,31 +127,25 @@ export class Stage {
     // Setting a canvas's size clears it, even to the same size.
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
-    const start = performance.now();
+    const submitted = performance.now();
     executor.draw({ time: this.time, camera: this.camera, width, height, screen: null, scissor: null, scene: this.scene });
     this.frames += 1;
-    this.lastDraw = start;
+    this.lastDraw = submitted;
     this.dirty = false;
     this.sharp = scale === 1;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     if (this.pending) gl.deleteSync(this.pending.fence);
-    this.pending = fence && { fence, start };
+    this.pending = fence && { fence, scale, submitted };
   }
 
   /** Takes the time of a frame that the GPU has finished. */
   private collect(now: number): void {
-    const { gl, capabilities } = this.gpu;
+    const { gl } = this.gpu;
     if (this.pending === null || gl.getSyncParameter(this.pending.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return;
-    const elapsed = now - this.pending.start;
-    gl.deleteSync(this.pending.fence);
+    const { fence, scale, submitted } = this.pending;
+    gl.deleteSync(fence);
     this.pending = null;
-    if (!this.playing) return;
-    const interval = this.lastDone === null ? null : now - this.lastDone;
-    this.lastDone = now;
-    if (interval === null) this.resolution.restartWindow();
-    else if (capabilities.software) this.resolution.addFrame(CPU_BUDGET, elapsed, interval);
-    // Fences are read once per display interval, so a frame that keeps up takes one or two.
-    else this.resolution.addFrame(gpuBudget(2.5 * INTERVAL), elapsed, elapsed);
+    if (this.playing) this.resolution.addFrame({ scale, submitted, done: now });
   }
 }

@@ -112,6 +112,7 @@ export function linkOf(recipe: Recipe, preset: { name: string; scene: JsonObject
     camera: cameraFromScene({ camera: recipe.camera }),
     split,
     scale: null,
+    draw: null,
     accuracy: null,
     surface: null,
   };

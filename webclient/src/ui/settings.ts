@@ -3,12 +3,14 @@ import "./settings.css";
 import type { CameraControls, CameraMode } from "../camera/controls";
 import { element, fillSelect } from "./dom";
 import { icon } from "./icons";
+import type { DrawerChoice } from "../app/display";
 import { qualityTitle } from "../app/quality";
 import type { EffectList } from "./effects";
 
 export interface SettingsEvents {
   /** null: automatic. */
   quality(name: string | null): void;
+  drawer(choice: DrawerChoice): void;
   /** null: automatic. */
   scale(scale: number | null): void;
   /** Restores the preset's scene, camera and time. */
@@ -18,6 +20,7 @@ export interface SettingsEvents {
 
 const DEGREES = 180 / Math.PI;
 const AUTOMATIC = "auto";
+const AUTOMATIC_TITLE = "automatic";
 const SELECT = "pick min-h-9 min-w-0 flex-[0_0_154px] finger:min-h-11";
 const SCALES = [1, 0.75, 0.5, 0.35, 0.25];
 
@@ -28,6 +31,7 @@ export class SettingsPanel {
   readonly edits = element("div");
   private readonly quality = element("select", { id: "quality", class: SELECT });
   private readonly scale = element("select", { id: "scale", class: SELECT });
+  private readonly drawer = element("select", { id: "drawer", class: SELECT });
   private readonly mode = element("select", { id: "mode", class: SELECT });
   private readonly fov = element("input", { id: "fov", class: "min-w-0 flex-[0_0_108px]", type: "range", min: 10, max: 110, step: 1 });
   private readonly fovOutput = element("output", { for: "fov", class: "flex-[0_0_34px] text-right tabular-nums" });
@@ -51,6 +55,7 @@ export class SettingsPanel {
     this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTOMATIC ? null : this.quality.value));
     this.showScale(null);
     this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTOMATIC ? null : Number(this.scale.value)));
+    this.drawer.addEventListener("change", () => events.drawer(this.drawer.value as DrawerChoice));
     fillSelect(this.mode, [{ name: "orbit", title: "orbit" }, { name: "fly", title: "fly" }], controls.mode);
     this.mode.addEventListener("change", () => (controls.mode = this.mode.value as CameraMode));
     this.fov.addEventListener("input", () => controls.set({ ...controls.camera, fov: Number(this.fov.value) / DEGREES }));
@@ -67,6 +72,7 @@ export class SettingsPanel {
           { class: "pb-2" },
           row("quality", "quality", this.quality),
           row("resolution", "scale", this.scale),
+          row("drawn by", "drawer", this.drawer),
           row("camera", "mode", this.mode),
           row("field of view", "fov", this.fov, this.fovOutput),
         ),
@@ -93,13 +99,19 @@ export class SettingsPanel {
   show(quality: string, auto: boolean): void {
     const names = new Set([...this.tiers, quality]);
     const tierOptions = [...names].map((name) => ({ name, title: qualityTitle(name) }));
-    fillSelect(this.quality, [{ name: AUTOMATIC, title: "automatic" }, ...tierOptions], auto ? AUTOMATIC : quality);
+    fillSelect(this.quality, [{ name: AUTOMATIC, title: AUTOMATIC_TITLE }, ...tierOptions], auto ? AUTOMATIC : quality);
   }
 
   showScale(scale: number | null): void {
     const scales = new Set([...SCALES, ...(scale === null ? [] : [scale])]);
     const scaleOptions = [...scales].map((share) => ({ name: String(share), title: `${Math.round(100 * share)} %` }));
-    fillSelect(this.scale, [{ name: AUTOMATIC, title: "automatic" }, ...scaleOptions], scale === null ? AUTOMATIC : String(scale));
+    fillSelect(this.scale, [{ name: AUTOMATIC, title: AUTOMATIC_TITLE }, ...scaleOptions], scale === null ? AUTOMATIC : String(scale));
+  }
+
+  /** `browser`: whether this browser can draw. */
+  showDrawer(choice: DrawerChoice, browser: boolean): void {
+    const choices = [{ name: "auto", title: AUTOMATIC_TITLE }, ...(browser ? [{ name: "browser", title: "this browser" }] : []), { name: "server", title: "the server" }];
+    fillSelect(this.drawer, choices, choice);
   }
 
   setBusy(busy: boolean): void {

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from seafoam.framegraph.plan import FramePlan
 from seafoam.planner import make_geometry_plan, make_plan
 from seafoam.quality import Quality
-from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, output_of
+from seafoam.render.encode import BYTES_PER_PIXEL, FrameFormat, Output, Precision, encode, encode_lossy, output_of
 from seafoam.render.service.recipe import recipe_of
 from seafoam.scene.camera import Camera
 from seafoam.scene.models import Scene
@@ -38,6 +38,8 @@ class FrameJob:
     """Whether 8 bits are dithered from 16, for ``png`` and ``webp``; else they are rounded as the page rounds them."""
     precision: Precision = "half"
     """Numbers of ``exr``."""
+    lossy: bool = False
+    """Whether a ``webp`` is a frame in motion: lossy, without recipe."""
 
     @property
     def output(self) -> Output:
@@ -168,8 +170,11 @@ def draw_frame(renderer: Renderer, job: FrameJob) -> Picture:
 def encode_frame(picture: Picture, job: FrameJob) -> Frame:
     """Encode what was drawn for a job; needs no renderer, so that it can run beside the next frame."""
     began = time.perf_counter()
-    recipe = recipe_of(job, picture.info, picture.plan)
-    content = encode(picture.pixels, job.format, recipe, precision=job.precision)
+    if job.lossy:
+        content = encode_lossy(picture.pixels)
+    else:
+        recipe = recipe_of(job, picture.info, picture.plan)
+        content = encode(picture.pixels, job.format, recipe, precision=job.precision)
     return Frame(content, {**picture.timings, "encode": time.perf_counter() - began})
 
 

@@ -152,17 +152,22 @@ class RenderPool:
     @property
     def waiting(self) -> int:
         """Number of visitors' frames in the queue."""
-        return sum(not turn.background for turn in self._turns)
+        return sum(turn.rank == 0 for turn in self._turns)
 
     @property
     def waiting_background(self) -> int:
         """Number of frames that wait until no visitor's does."""
         return sum(turn.background for turn in self._turns)
 
+    def waits(self, turn: Turn) -> bool:
+        """Whether a frame is in the queue: not yet drawn."""
+        return turn in self._turns
+
     async def render(self, job: FrameJob, turn: Turn | None = None) -> Frame:
         """Render one frame in a worker, and encode it here in a thread, while the worker draws the next.
 
-        turn: absent: a visitor's. A frame in the background has a queue and a deadline of its own.
+        turn: absent: a visitor's. A frame in the background has a queue and a deadline of its own; one of a stream
+        takes no place in the queue, since its stream bounds how many wait.
 
         Raises :class:`QueueFullError`, :class:`DeadlineError`, :class:`RendererUnavailableError` or
         :class:`RenderFailedError`. If the call is cancelled while it waits, it leaves the queue; a frame
@@ -240,6 +245,8 @@ class RenderPool:
         """Refuse a frame for which there is neither a worker nor a place in the queue."""
         if self.state in ("unavailable", "stopped"):
             raise RendererUnavailableError(self.remedy or "the renderer is stopped")
+        if turn.stream:
+            return
         waiting, capacity = (
             (self.waiting_background, BACKGROUND_QUEUE) if turn.background else (self.waiting, self.queue)
         )

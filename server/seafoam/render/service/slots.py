@@ -6,9 +6,18 @@ from dataclasses import dataclass
 
 @dataclass(eq=False, slots=True)
 class Turn:
-    """A caller's place in the queue. ``background``: only when no other caller waits; may change while it waits."""
+    """A caller's place in the queue. ``background``: only when no other caller waits; may change while it waits.
+
+    ``stream``: one of many frames of a stream, after single frames and before the background.
+    """
 
     background: bool = False
+    stream: bool = False
+
+    @property
+    def rank(self) -> int:
+        """Callers of a lower rank go first."""
+        return 2 if self.background else int(self.stream)
 
 
 class Slots:
@@ -46,6 +55,6 @@ class Slots:
             self._free += 1
             return
         # min() keeps the order of arrival among equals.
-        first = min(waiting, key=lambda entry: entry[0].background)
+        first = min(waiting, key=lambda entry: entry[0].rank)
         self._waiting.remove(first)
         first[1].set_result(None)

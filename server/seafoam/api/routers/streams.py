@@ -1,0 +1,147 @@
+"""``/api/streams``: frames in motion, for pages that do not draw themselves."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Query, Request, Response
+from pydantic import BaseModel, Field
+
+from seafoam.api.answering import CLIENT_CLOSED_REQUEST, stages, unless_gone
+from seafoam.api.context import Context, InContext
+from seafoam.api.errors import NotFoundError, StreamsFullError, SupersededError, problem_responses
+from seafoam.api.parameters import (
+    Parameters,
+    PlanRequest,
+    StreamFrameParameters,
+    quality_of,
+    strictly,
+)
+from seafoam.api.planning import compile_scene
+from seafoam.api.streams import LEASE_SECONDS, Stream
+from seafoam.quality import Quality
+from seafoam.render.service.jobs import Frame, FrameJob
+from seafoam.render.service.slots import Turn
+
+router = APIRouter(prefix="/api/streams", tags=["frames"])
+
+NO_STREAMS_RETRY = 60
+"""Retry-After of a server that gives no streams, s."""
+_FRAME: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "The frame, lossy, without recipe",
+        "content": {"image/webp": {"schema": {"type": "string", "format": "binary"}}},
+    }
+}
+StreamId = Annotated[str, Path(max_length=64, description="ID of the stream", examples=["Zk1uY2F0c2Vh"])]
+
+
+class StreamState(BaseModel):
+    """The streams of this server."""
+
+    limit: int = Field(description="Number of streams at once")
+    open: int = Field(description="Number of streams that are open")
+    megapixels_per_second: float | None = Field(
+        description="What this server draws and encodes for streams, of late; null: nothing yet"
+    )
+
+
+class OpenStream(StreamState):
+    """A stream that was opened."""
+
+    id: str = Field(description="ID, for the addresses of its frames")
+    lease: float = Field(description="Time without a request after which the stream ends, s")
+
+
+@router.get("", responses=problem_responses(422))
+async def get_streams(_: Annotated[Parameters, Query()], context: InContext) -> StreamState:
+    """Get how many streams there are and may be, and how fast this server draws them."""
+    return StreamState(**_state(context))
+
+
+@router.post("", status_code=201, responses=problem_responses(413, 415, 422, 501, 503))
+async def open_stream(asked: strictly(PlanRequest), response: Response, context: InContext) -> OpenStream:  # type: ignore[valid-type]
+    """Open a stream of frames of a scene. It ends when it is deleted, or not asked for a frame for a while.
+
+    Single frames go before those of streams. Where all streams are taken, the answer is 503 with Retry-After.
+    """
+    body: PlanRequest = asked
+    quality = await _planned(body, context)
+    stream = context.streams.open(body.scene, quality)
+    if stream is None:
+        if context.streams.limit == 0:
+            raise StreamsFullError("this server gives no streams", NO_STREAMS_RETRY)
+        raise StreamsFullError(f"all {context.streams.limit} streams are taken", context.streams.retry_after)
+    response.headers["Location"] = f"streams/{stream.id}"
+    return OpenStream(id=stream.id, lease=LEASE_SECONDS, **_state(context))
+
+
+@router.put("/{stream}", status_code=204, responses=problem_responses(404, 413, 415, 422, 501, 503))
+async def change_stream(stream: StreamId, asked: strictly(PlanRequest), context: InContext) -> None:  # type: ignore[valid-type]
+    """Show another scene, or in another quality."""
+    body: PlanRequest = asked
+    found = _find(stream, context)
+    found.quality, found.scene = await _planned(body, context), body.scene
+
+
+@router.delete("/{stream}", status_code=204, responses=problem_responses(422))
+async def close_stream(stream: StreamId, _: Annotated[Parameters, Query()], context: InContext) -> None:
+    """End a stream, if it has not ended."""
+    context.streams.close(stream)
+
+
+@router.get(
+    "/{stream}/frame.webp",
+    responses=_FRAME | problem_responses(404, 409, 422, 500, 503, 504),
+    response_class=Response,
+)
+async def get_stream_frame(
+    stream: StreamId, asked: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
+) -> Response:
+    """Get a frame of a stream as lossy WebP. A third one that is asked for gives up the oldest that waits (409)."""
+    found = _find(stream, context)
+    context.settings.frame_limits.check(asked.width, asked.height, found.quality.samples_drawn)
+    camera, size = asked.camera, (asked.width, asked.height)
+    job = FrameJob(found.scene, found.quality, asked.time, camera, *size, "webp", None, dither=False, lossy=True)
+    try:
+        frame = await unless_gone(request, _drawn(found, job, context))
+    except asyncio.CancelledError:
+        task = asyncio.current_task()
+        if task is not None and task.cancelling():
+            raise
+        raise SupersededError("a later frame of this stream was asked for") from None
+    if frame is None:
+        return Response(status_code=CLIENT_CLOSED_REQUEST)
+    context.metrics.count_frame(frame, "webp")
+    context.streams.drawn(asked.width * asked.height, sum(frame.timings.values()) - frame.timings["queue"])
+    headers = {"Cache-Control": "no-store", "Server-Timing": stages(frame)}
+    return Response(frame.content, headers=headers, media_type="image/webp")
+
+
+async def _drawn(stream: Stream, job: FrameJob, context: Context) -> Frame:
+    """Draw a frame in the stream's place; the task that this runs in is cancelled if a later frame takes the place."""
+    turn = Turn(stream=True)
+    with stream.place(turn, context.pool.waits):
+        return await context.pool.render(job, turn)
+
+
+async def _planned(asked: PlanRequest, context: Context) -> Quality:
+    """Return the quality, of a scene that can be planned with it."""
+    quality = quality_of(asked.quality)
+    await context.plans.run(compile_scene, asked.scene, quality, scene_at="/scene")
+    return quality
+
+
+def _find(stream: str, context: Context) -> Stream:
+    found = context.streams.find(stream)
+    if found is None:
+        raise NotFoundError("the stream has ended: open another", "stream")
+    return found
+
+
+def _state(context: Context) -> dict[str, Any]:
+    seconds = context.streams.seconds_per_megapixel
+    return {
+        "limit": context.streams.limit,
+        "open": len(context.streams),
+        "megapixels_per_second": None if not seconds else round(1.0 / seconds, 3),
+    }

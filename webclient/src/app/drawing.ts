@@ -1,0 +1,167 @@
+/** Chooses who draws, by what each way was measured to give: this browser, or the server frame by frame. */
+import type { RenderLoad } from "./autoquality";
+import type { Display, DisplayEvents, Drawer, DrawerChoice, FrameTiming, Rate, ViewState } from "./display";
+import type { ServerView } from "./serverview";
+import type { Viewport } from "./viewport";
+
+/** Frames a second, and the scale, below which a way counts for less: it stutters, or is a smear. */
+const FLUENT = { fps: 8, scale: 0.4 };
+/** Below these it is no moving picture. */
+const LEAST = { fps: 2.5, scale: 0.2 };
+/** Another way is taken if it gives more than this multiple. */
+const BETTER = 1.2;
+/** Time after which the way that was left is tried again, ms. */
+const AGAIN = 60_000;
+
+/** Share of the window's pixels a second; less where it stutters or is a smear, 0 where it is no moving picture. */
+export function worth(rate: Rate | null): number {
+  if (rate === null || rate.fps < LEAST.fps || rate.scale < LEAST.scale) return 0;
+  const [fluent, sharp] = [Math.min(1, rate.fps / FLUENT.fps), Math.min(1, rate.scale / FLUENT.scale)];
+  return rate.scale ** 2 * rate.fps * fluent * sharp;
+}
+
+const isGood = ({ fps, scale }: Rate) => fps >= FLUENT.fps && scale >= FLUENT.scale;
+
+export class ChosenDisplay implements Display {
+  drawer: Drawer;
+  private rates: Record<Drawer, Rate | null> = { browser: null, server: null };
+  /** When the way that does not draw may be tried, ms of performance.now(). */
+  private tryAt = 0;
+  private choice: DrawerChoice = "auto";
+
+  /** `browser`: null, with the reason, where it cannot draw. */
+  constructor(
+    private readonly browser: Viewport | null,
+    private readonly server: ServerView,
+    private readonly cannot: string | null,
+    private readonly events: DisplayEvents,
+  ) {
+    this.drawer = browser === null ? "server" : "browser";
+  }
+
+  get wish(): DrawerChoice {
+    return this.choice;
+  }
+
+  /** Draws as the user wishes. */
+  choose(choice: DrawerChoice): void {
+    this.choice = choice;
+    this.rates = { browser: null, server: null };
+    this.tryAt = 0;
+    if (choice !== "auto") this.use(choice);
+  }
+
+  /** Who draws and why, as a sentence. */
+  get why(): string {
+    const { still, cannot, drawer, choice } = this;
+    if (still !== null) return `The picture stands still: ${still}.`;
+    if (cannot !== null) return `The server draws the frames. ${cannot}`;
+    if (choice !== "auto") return drawer === "server" ? "The server draws the frames, as you chose." : "This browser draws, as you chose.";
+    return drawer === "server" ? "The server draws the frames: this browser would draw fewer pixels a second." : "This browser draws.";
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.current.canvas;
+  }
+
+  get viewport(): Viewport | null {
+    return this.drawer === "browser" ? this.browser : null;
+  }
+
+  /** The browser's own GPU, whoever draws. */
+  get own(): Viewport | null {
+    return this.browser;
+  }
+
+  get dirty(): boolean {
+    return this.current.dirty;
+  }
+
+  set dirty(dirty: boolean) {
+    this.current.dirty = dirty;
+  }
+
+  get blank(): boolean {
+    return this.current.blank && (this.drawer === "server" || this.server.blank);
+  }
+
+  get presentable(): boolean {
+    return this.current.presentable && !this.leaves;
+  }
+
+  get atRest(): boolean {
+    return this.current.atRest;
+  }
+
+  get fixed(): number | null {
+    return this.current.fixed;
+  }
+
+  get still(): string | null {
+    return this.current.still;
+  }
+
+  setFixedScale(scale: number | null): void {
+    this.browser?.setFixedScale(scale);
+    this.server.setFixedScale(scale);
+  }
+
+  tick(now: number, view: ViewState, moving: boolean): void {
+    this.reconsider(performance.now());
+    this.current.tick(now, view, moving);
+    // The server's last picture stays until the first of this browser.
+    if (this.drawer === "browser" && !this.server.blank && this.current.presentable) this.server.hide();
+  }
+
+  timing(): FrameTiming {
+    return this.current.timing();
+  }
+
+  rate(): Rate | null {
+    return this.current.rate();
+  }
+
+  load(): RenderLoad | null {
+    return this.current.load();
+  }
+
+  planChanged(cost: number): void {
+    const { browser } = this.rates;
+    // What this browser would give now is not measured again before the server draws less.
+    this.rates = { browser: browser && { ...browser, fps: browser.fps / cost }, server: null };
+    this.current.planChanged(cost);
+  }
+
+  private get current(): Display {
+    return this.drawer === "browser" && this.browser !== null ? this.browser : this.server;
+  }
+
+  /** Whether this browser gives so little that the server is tried. */
+  private get leaves(): boolean {
+    const rate = this.drawer === "browser" && this.choice === "auto" ? this.current.rate() : null;
+    return rate !== null && !isGood(rate) && performance.now() >= this.tryAt;
+  }
+
+  private reconsider(now: number): void {
+    const { browser, choice, current, drawer, rates, server } = this;
+    if (browser === null || choice !== "auto") return;
+    rates[drawer] = current.rate() ?? rates[drawer];
+    if (drawer === "browser") {
+      if (this.leaves) this.use("server");
+    } else if (server.still !== null) {
+      this.tryAt = server.retryAt;
+      if (worth(rates.browser) > 0) this.use("browser");
+    } else if (current.rate() !== null && worth(rates.browser) > BETTER * worth(rates.server)) {
+      this.tryAt = now + AGAIN;
+      this.use("browser");
+    }
+  }
+
+  private use(drawer: Drawer): void {
+    if (drawer === this.drawer || (drawer === "browser" && this.browser === null)) return;
+    if (this.drawer === "server") this.server.close();
+    this.drawer = drawer;
+    this.current.planChanged(1);
+    this.events.drawerChanged();
+  }
+}
