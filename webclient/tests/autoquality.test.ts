@@ -38,7 +38,7 @@ describe("automatic quality", () => {
 
   it("selects the exact tier on a fast machine and the fast tier on a slow one", () => {
     expect(new AutoQuality().next(costs, "sea", "fast", loadOf("fast", 1, 0.02, 0))).toMatchObject({ tier: "exact", scale: 1 });
-    expect(new AutoQuality().next(costs, "sea", "exact", loadOf("exact", 0.3, 6))?.tier).toBe("fast");
+    expect(new AutoQuality().next(costs, "sea", "exact", loadOf("exact", 0.3, 30))?.tier).toBe("fast");
   });
 
   it("leaves a tier that exceeds the budget at every scale, and selects the fastest where all do", () => {
@@ -68,9 +68,9 @@ describe("automatic quality", () => {
   it("does not return to a tier that it left", () => {
     const auto = new AutoQuality();
     expect(auto.next(costs, "sea", "fast", loadOf("fast", 1, 0.02))?.tier).toBe("exact");
-    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 6))).toBeNull();
+    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 30))).toBeNull();
     auto.reset();
-    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 6))?.tier).toBe("fast");
+    expect(auto.next(costs, "sea", "exact", loadOf("exact", 0.3, 30))?.tier).toBe("fast");
   });
 });
 

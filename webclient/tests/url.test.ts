@@ -64,7 +64,7 @@ describe("a link", () => {
   });
 
   it("is short where nothing was changed", () => {
-    const plain = { ...full, changes: [], touches: null, quality: null, time: null, paused: null, speed: 1, camera: null, split: null, scale: null, accuracy: null, surface: null };
+    const plain = { ...full, changes: [], touches: null, quality: null, time: null, paused: null, speed: 1, camera: null, split: null, scale: null, draw: null, accuracy: null, surface: null };
     expect(encode(plain)).toBe("preset=default");
     expect(decode("#preset=default")).toEqual({ ...plain, speed: null });
   });

@@ -12,6 +12,8 @@ const LEAST = { fps: 2.5, scale: 0.2 };
 const BETTER = 1.2;
 /** Time after which the way that was left is tried again, ms. */
 const AGAIN = 60_000;
+/** Time for which this browser's picture may be less than good before the server is tried, ms. */
+const PATIENCE = 1500;
 
 /** Share of the window's pixels a second; less where it stutters or is a smear, 0 where it is no moving picture. */
 export function worth(rate: Rate | null): number {
@@ -27,6 +29,8 @@ export class ChosenDisplay implements Display {
   private rates: Record<Drawer, Rate | null> = { browser: null, server: null };
   /** When the way that does not draw may be tried, ms of performance.now(). */
   private tryAt = 0;
+  /** When this browser's picture was good, or not yet measured. */
+  private goodAt = 0;
   private choice: DrawerChoice = "auto";
 
   /** `browser`: null, with the reason, where it cannot draw. */
@@ -136,10 +140,12 @@ export class ChosenDisplay implements Display {
     return this.drawer === "browser" && this.browser !== null ? this.browser : this.server;
   }
 
-  /** Whether this browser gives so little that the server is tried. */
+  /** Whether this browser gives so little that the server is tried: nothing that moves, or for some time no good picture. */
   private get leaves(): boolean {
     const rate = this.drawer === "browser" && this.choice === "auto" ? this.current.rate() : null;
-    return rate !== null && !isGood(rate) && performance.now() >= this.tryAt;
+    const now = performance.now();
+    if (rate === null || isGood(rate)) this.goodAt = now;
+    return rate !== null && now >= this.tryAt && (worth(rate) === 0 || now - this.goodAt > PATIENCE);
   }
 
   private reconsider(now: number): void {

@@ -10,7 +10,7 @@ export const FITTED = { samples: 5, weight: 0.5 };
 export type FrameBudget = readonly (readonly [scale: number, milliseconds: number])[];
 
 /** Where the display's rate is out of reach: down to 8 frames a second before the picture becomes too coarse. */
-export const MOTION_BUDGET: FrameBudget = [[0.45, 125], [0.5, 62], [0.6, 46], [0.7, 36], [1, 34]];
+export const MOTION_BUDGET: FrameBudget = [[0.44, 125], [0.46, 64], [0.5, 58], [0.6, 46], [0.7, 36], [1, 34]];
 
 /** What a frame costs: ms at any scale, and further ms at scale 1, which shrink with the pixels. */
 export interface FrameCost {

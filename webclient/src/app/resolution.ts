@@ -42,7 +42,6 @@ export class DynamicResolution {
   /** Frames that are not measured: the first of a plan compile, the first of a scale makes new targets. */
   private compiling = COMPILING;
   private fresh = false;
-  /** The scale before the latest probe. */
   private probedFrom: number | null = null;
   /** A scale that did not keep the display's rate, and when it may be tried again. */
   private ceiling = { ...NO_CEILING };
@@ -146,9 +145,10 @@ export class DynamicResolution {
     return (to > DEAD_BAND.up * value || (to === 1 && value < 1)) && this.change(to);
   }
 
-  /** Greatest factor to grow by: even if all of the cost were the pixels', the next frame would not exceed every budget. */
+  /** Greatest factor to grow by: where the fixed part is not known, all of the cost may be the pixels'. */
   private stepUp(busy: number): number {
-    return Math.max(1, Math.min(STEP_UP, Math.sqrt((this.budget[0]?.[1] ?? Infinity) / Math.max(busy, 1))));
+    const safe = Math.sqrt((this.budget[0]?.[1] ?? Infinity) / Math.max(busy, 1));
+    return (this.cost?.fixed ?? 0) > 0 ? STEP_UP : Math.max(1, Math.min(STEP_UP, safe));
   }
 
   /** At the display's rate, where the cost is known to be no more than its interval: tries more. */

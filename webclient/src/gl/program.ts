@@ -53,6 +53,16 @@ function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: C
   return extension === null || gl.getProgramParameter(program.handle, extension.COMPLETION_STATUS_KHR) === true;
 }
 
+/** Resolves when the commands so far have been executed: until then reading any result would wait for them. */
+async function executed(gl: WebGL2RenderingContext, deadline: number): Promise<void> {
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  while (fence !== null && !gl.isContextLost() && performance.now() < deadline && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+    await new Promise((resolve) => setTimeout(resolve, POLL_INTERVAL));
+  }
+  gl.deleteSync(fence);
+}
+
 /** Resolves when `finishProgram` would not block, or after a timeout. */
 export async function whenReady(gl: WebGL2RenderingContext, program: Program, capabilities: Capabilities): Promise<void> {
   // Compilation starts when the commands are flushed.
