@@ -44,7 +44,7 @@ function driver() {
       if (into) into.texture = texture.name;
     },
     checkFramebufferStatus: () => "FRAMEBUFFER_COMPLETE",
-    getParameter: () => 4096,
+    getSyncParameter: () => "SIGNALED",
     isContextLost: () => false,
     getExtension: () => null,
     drawArrays: () => draws.push(into?.texture ?? "screen"),
@@ -53,7 +53,7 @@ function driver() {
     get: (_, name) =>
       typeof name === "string" && /^[A-Z0-9_]+$/.test(name) ? name : (calls[String(name)] ?? (() => undefined)),
   }) as unknown as WebGL2RenderingContext;
-  const gpu = new Gpu(gl, { extensions: new Set(), renderer: "none", software: true, alwaysBlends: false });
+  const gpu = new Gpu(gl, { extensions: new Set(), renderer: "none", software: true, alwaysBlends: false, largestTarget: 4096 });
   const textures = () => [...alive].filter((texture) => (texture as { name: string }).name.startsWith("texture")).length;
   return { gpu, draws, textures };
 }

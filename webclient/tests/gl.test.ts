@@ -72,6 +72,22 @@ describe("waiting for the compiler", () => {
     expect(polls).toBe(3);
   });
 
+  it("ends when the commands are executed, where the driver does not say when a program is linked", async () => {
+    let polls = 0;
+    const deleted = vi.fn();
+    const gl = {
+      SIGNALED: 1,
+      flush: () => undefined,
+      isContextLost: () => false,
+      fenceSync: () => ({}),
+      getSyncParameter: () => (++polls > 2 ? 1 : 0),
+      deleteSync: deleted,
+    } as unknown as WebGL2RenderingContext;
+    await whenReady(gl, program, { extensions: new Set() } as unknown as Capabilities);
+    expect(polls).toBe(3);
+    expect(deleted).toHaveBeenCalledOnce();
+  });
+
   it("ends even where the driver never says so", async () => {
     vi.useFakeTimers({ toFake: ["setTimeout", "performance"] });
     try {

@@ -18,7 +18,11 @@ export function onPixelsChange(observed: HTMLElement, changed: () => void): void
   new ResizeObserver(changed).observe(observed);
   const watch = () => {
     const query = matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
-    query.addEventListener("change", () => (changed(), watch()), { once: true });
+    const moved = () => {
+      changed();
+      watch();
+    };
+    query.addEventListener("change", moved, { once: true });
   };
   watch();
 }

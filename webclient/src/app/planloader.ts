@@ -97,6 +97,7 @@ export class PlanLoader {
       // Without its camera, so that the server's cache has one plan for every view of the scene.
       const plan = await this.api.plan(withValue(request.scene, CAMERA_POINTER, undefined), request.quality, abort.signal);
       const executor = gpu && await Executor.load(gpu, plan, (texture) => this.api.texture(texture), this.events.camera(), true);
+      if (!outdated()) await executor?.warmUp(this.events.camera(), request.scene);
       if (outdated() || gpu !== this.events.gpu()) {
         executor?.dispose();
         return;

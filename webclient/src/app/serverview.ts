@@ -189,7 +189,10 @@ export class ServerView implements Display {
       // Decoded off the main thread.
       const pictures = await Promise.all((await take()).map((picture) => createImageBitmap(picture)));
       // What comes after a later frame is not shown.
-      if (asked.number < this.latest) return pictures.forEach((picture) => picture.close());
+      if (asked.number < this.latest) {
+        pictures.forEach((picture) => picture.close());
+        return;
+      }
       this.latest = asked.number;
       this.present(pictures);
       this.size = { width, height };

@@ -1,5 +1,6 @@
 /** The canvas: owns the GPU, draws one picture or two side by side, and measures frame times. */
 import { type Gpu, openContext, openGpu } from "../gl/gpu";
+import { makeScreen, type Screen } from "../gl/target";
 import type { Frame, Rectangle } from "../plan/executor";
 import type { RenderLoad } from "./autoquality";
 import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelsOf, type Rate, ShownFrames, type ViewState } from "./display";
@@ -21,10 +22,14 @@ const PRESENTABLE_SCALE = 0.4;
 const SHARPENING_TIME = 1000;
 const SHARPENING_DELAY = 500;
 
-interface PendingFrame {
+interface DrawnFrame {
+  scale: number;
+  onCanvas: boolean;
+}
+
+interface PendingFrame extends DrawnFrame {
   fence: WebGLSync;
   submitted: number;
-  scale: number;
   /** Whether its time is part of the load in motion. */
   moving: boolean;
 }
@@ -50,28 +55,32 @@ export class Viewport implements Display {
   private shortest = { interval: Infinity, frames: 0 };
   private lastTick = 0;
   private scale = 1;
-  private finished: { scale: number; milliseconds: number } | null = null;
+  private finished: (DrawnFrame & { milliseconds: number }) | null = null;
+  /** Whether the canvas is drawn to. Before, frames are measured where nobody sees them: browsers that put pages together without a GPU wait for every frame of a canvas. */
+  private revealed = false;
+  private hidden: Screen | null = null;
   /** How many tasks have exclusive use of the GPU. */
   private exclusiveTasks = 0;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly loaders: readonly [PlanLoader, PlanLoader],
-    private readonly hidden: ReadonlySet<string>,
+    private readonly withheld: ReadonlySet<string>,
     private readonly events: DisplayEvents,
   ) {
     this.gl = openContext(canvas);
-    this.gpu = openGpu(this.gl, hidden);
+    this.gpu = openGpu(this.gl, withheld);
     this.pixels = pixelsOf(canvas);
     this.resolution = new DynamicResolution(this.pixels);
     canvas.addEventListener("webglcontextlost", (event) => {
       // Without this the browser does not restore the context.
       event.preventDefault();
       this.pending.length = 0;
+      this.hidden = null;
       this.events.contextLost();
     });
     canvas.addEventListener("webglcontextrestored", () => {
-      this.gpu = openGpu(this.gl, this.hidden);
+      this.gpu = openGpu(this.gl, this.withheld);
       this.dirty = true;
       this.events.contextRestored();
     });
@@ -84,12 +93,22 @@ export class Viewport implements Display {
   }
 
   get presentable(): boolean {
-    return this.atRest || (this.finished?.scale ?? 0) >= (this.fixedScale ?? PRESENTABLE_SCALE) || this.settled;
+    return this.revealed && this.finished?.onCanvas === true && this.good;
+  }
+
+  /** Whether frames are good enough to be seen, or get no better. */
+  private get good(): boolean {
+    return this.sharpest || (this.finished?.scale ?? 0) >= (this.fixedScale ?? PRESENTABLE_SCALE) || this.settled;
+  }
+
+  /** Whether the latest frame shows what was asked for, at its final scale. */
+  private get sharpest(): boolean {
+    return !this.dirty && this.pending.length === 0 && this.finished !== null && this.sharperScale() === null;
   }
 
   /** Whether the canvas is up to date at its final scale and the GPU is idle. */
   get atRest(): boolean {
-    return !this.dirty && this.pending.length === 0 && this.finished !== null && this.sharperScale() === null;
+    return this.sharpest && this.finished?.onCanvas === true;
   }
 
   get fixed(): number | null {
@@ -115,17 +134,20 @@ export class Viewport implements Display {
     if (scale === null) return;
     this.dirty = false;
     this.scale = scale;
-    this.resizeCanvas(scale);
+    this.revealed ||= this.good;
+    const onCanvas = this.revealed;
     const submitted = performance.now();
-    this.draw(view);
+    this.draw(view, onCanvas ? this.resizeCanvas(scale) : this.resizeHidden(scale));
     const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
-    if (fence) this.pending.push({ fence, submitted, scale, moving });
+    if (fence) this.pending.push({ fence, submitted, scale, moving, onCanvas });
     this.poll(UNPOLLED_SHARE * (this.resolution.measured ?? 0));
   }
 
   private nextScale(now: number, moving: boolean): number | null {
     if (moving || this.dirty) return this.fixedScale ?? this.resolution.scale;
+    // What was good where nobody saw it is drawn once more, on the canvas.
+    if (this.finished?.onCanvas === false && this.good) return this.finished.scale;
     return now - this.lastMotion < SHARPENING_DELAY ? null : this.sharperScale();
   }
 
@@ -153,8 +175,7 @@ export class Viewport implements Display {
 
   /** Draws at scale 1 and returns a PNG. */
   async png(view: ViewState): Promise<Blob> {
-    this.resizeCanvas(1);
-    this.draw(view);
+    this.draw(view, this.resizeCanvas(1));
     this.dirty = true;
     // The drawing buffer is valid only until the next task: no await before this.
     return new Promise((resolve, reject) =>
@@ -175,7 +196,8 @@ export class Viewport implements Display {
   }
 
   timing(): FrameTiming {
-    const { canvas: { width, height }, scale, shown } = this;
+    const { scale, shown } = this;
+    const [width, height] = this.sizeAt(scale);
     const frame = this.resolution.measured ?? this.finished?.milliseconds ?? null;
     return { frame, fps: shown.fps, width, height, scale, frames: shown.total };
   }
@@ -213,10 +235,10 @@ export class Viewport implements Display {
     this.dirty = true;
   }
 
-  private draw({ time, camera, divider }: ViewState): void {
-    const { width, height } = this.canvas;
+  private draw({ time, camera, divider }: ViewState, picture: Pick<Frame, "width" | "height" | "screen">): void {
+    const { width, height } = picture;
     const [left, right] = this.loaders;
-    const frame: Frame = { time, camera, width, height, screen: null, scissor: null, scene: null };
+    const frame: Frame = { time, camera, ...picture, scissor: null, scene: null };
     try {
       if (right.loaded === null) {
         left.loaded?.executor?.draw({ ...frame, scene: left.loaded.scene });
@@ -244,13 +266,29 @@ export class Viewport implements Display {
     return next > 1.1 * scale || next === 1 ? next : null;
   }
 
-  private resizeCanvas(scale: number): void {
+  private sizeAt(scale: number): [number, number] {
+    const { clientWidth, clientHeight } = this.canvas;
     const ratio = pixelRatio() * scale;
-    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
-    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    return [Math.max(1, Math.round(clientWidth * ratio)), Math.max(1, Math.round(clientHeight * ratio))];
+  }
+
+  private resizeCanvas(scale: number): Pick<Frame, "width" | "height" | "screen"> {
+    const [width, height] = this.sizeAt(scale);
     // Setting a canvas's size clears it, even to the same size.
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
+    this.hidden?.dispose();
+    this.hidden = null;
+    return { width, height, screen: null };
+  }
+
+  private resizeHidden(scale: number): Pick<Frame, "width" | "height" | "screen"> {
+    const [width, height] = this.sizeAt(scale);
+    if (this.hidden?.width !== width || this.hidden.height !== height) {
+      this.hidden?.dispose();
+      this.hidden = makeScreen(this.gl, width, height);
+    }
+    return { width, height, screen: this.hidden.framebuffer };
   }
 
   /** Removes pending frames that the GPU has finished and records their times. */
@@ -265,9 +303,9 @@ export class Viewport implements Display {
     }
   }
 
-  private record({ submitted, scale, moving }: PendingFrame, done: number): void {
-    this.shown.add();
-    this.finished = { scale, milliseconds: done - submitted };
+  private record({ submitted, scale, moving, onCanvas }: PendingFrame, done: number): void {
+    if (onCanvas) this.shown.add();
+    this.finished = { scale, onCanvas, milliseconds: done - submitted };
     if (!moving || this.fixedScale !== null || this.exclusiveTasks > 0) return;
     if (!this.resolution.addFrame({ scale, submitted, done })) return;
     this.changedAt = this.resolution.windows;

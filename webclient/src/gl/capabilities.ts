@@ -23,6 +23,8 @@ export interface Capabilities {
   software: boolean;
   /** Blends with (one, zero) instead of disabling blending: llvmpipe compiles a program for each of the two states. */
   alwaysBlends: boolean;
+  /** Greatest width and height of a target. */
+  largestTarget: number;
 }
 
 /** A required capability is missing; the message is for the user. */
@@ -42,7 +44,9 @@ export function detect(gl: WebGL2RenderingContext, hidden: ReadonlySet<string>):
     );
   }
   const software = /llvmpipe|softpipe|swiftshader|software|basic render/i.test(renderer);
-  return { extensions, renderer, software, alwaysBlends: /llvmpipe/i.test(renderer) && extensions.has("EXT_float_blend") };
+  const alwaysBlends = /llvmpipe/i.test(renderer) && extensions.has("EXT_float_blend");
+  const largestTarget = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE) as number, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
+  return { extensions, renderer, software, alwaysBlends, largestTarget };
 }
 
 /** Throws a `CapabilityError` for a plan that the machine cannot draw. */

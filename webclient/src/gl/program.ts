@@ -45,30 +45,28 @@ export function startProgram(gl: WebGL2RenderingContext, source: ProgramSource):
   return { handle, vertex, fragment, source, uniforms: new Map() };
 }
 
-/** Whether `finishProgram` would return without blocking. */
-function isReady(gl: WebGL2RenderingContext, program: Program, { extensions }: Capabilities): boolean {
-  const extension = extensions.has("KHR_parallel_shader_compile")
-    ? (gl.getExtension("KHR_parallel_shader_compile") as { COMPLETION_STATUS_KHR: number } | null)
-    : null;
-  return extension === null || gl.getProgramParameter(program.handle, extension.COMPLETION_STATUS_KHR) === true;
+/** Resolves when `finishProgram` would not block, or after a timeout. */
+export async function whenReady(gl: WebGL2RenderingContext, program: Program, { extensions }: Capabilities): Promise<void> {
+  const parallel = extensions.has("KHR_parallel_shader_compile") ? gl.getExtension("KHR_parallel_shader_compile") : null;
+  // Where the driver does not say when a program is linked, a fence behind its commands does.
+  if (parallel === null) return whenDone(gl, LINK_TIMEOUT);
+  // Compilation starts when the commands are flushed.
+  gl.flush();
+  await poll(gl, LINK_TIMEOUT, () => gl.getProgramParameter(program.handle, parallel.COMPLETION_STATUS_KHR) === true);
 }
 
-/** Resolves when the commands so far have been executed: until then reading any result would wait for them. */
-async function executed(gl: WebGL2RenderingContext, deadline: number): Promise<void> {
+/** Resolves when the driver has executed all commands so far: until then reading anything back would wait for them. */
+export async function whenDone(gl: WebGL2RenderingContext, timeout: number): Promise<void> {
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();
-  while (fence !== null && !gl.isContextLost() && performance.now() < deadline && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
-    await new Promise((resolve) => setTimeout(resolve, POLL_INTERVAL));
-  }
+  if (fence === null) return;
+  await poll(gl, timeout, () => gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED);
   gl.deleteSync(fence);
 }
 
-/** Resolves when `finishProgram` would not block, or after a timeout. */
-export async function whenReady(gl: WebGL2RenderingContext, program: Program, capabilities: Capabilities): Promise<void> {
-  // Compilation starts when the commands are flushed.
-  gl.flush();
-  const deadline = performance.now() + LINK_TIMEOUT;
-  while (!isReady(gl, program, capabilities) && !gl.isContextLost() && performance.now() < deadline) {
+async function poll(gl: WebGL2RenderingContext, timeout: number, done: () => boolean): Promise<void> {
+  const deadline = performance.now() + timeout;
+  while (!done() && !gl.isContextLost() && performance.now() < deadline) {
     await new Promise((resolve) => setTimeout(resolve, POLL_INTERVAL));
   }
 }

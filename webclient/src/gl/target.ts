@@ -1,5 +1,6 @@
 /** Render targets. */
 import type { Target as TargetSpec } from "../generated/api";
+import type { Gpu } from "./gpu";
 import { sampling } from "./texture";
 
 export interface Target {
@@ -25,10 +26,10 @@ export function targetSize(spec: TargetSpec, width: number, height: number): [nu
   return [Math.ceil((width * scale) / (part * narrow)), Math.ceil((height * scale) / part)];
 }
 
-export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: number, height: number): Target {
-  const limit = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE) as number, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
-  if (width > limit || height > limit) {
-    throw new RangeError(`A target of ${width} × ${height} pixels exceeds the driver's limit of ${limit}.`);
+/** Makes a target of a format that `checkFormats` has accepted: to ask the driver here would wait for all that it draws. */
+export function makeTarget({ gl, capabilities: { largestTarget } }: Gpu, spec: TargetSpec, width: number, height: number): Target {
+  if (Math.max(width, height) > largestTarget) {
+    throw new RangeError(`A target of ${width} × ${height} pixels exceeds the driver's limit of ${largestTarget}.`);
   }
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -40,19 +41,35 @@ export function makeTarget(gl: WebGL2RenderingContext, spec: TargetSpec, width: 
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
   const depth = spec.depth ? depthBuffer(gl, width, height) : null;
-  checkComplete(gl, `${spec.format} target of ${width} × ${height}`);
   return { framebuffer, texture, mipmapped, depth, width, height };
 }
 
-/** An offscreen RGBA8 framebuffer in place of the canvas. */
-export function makeScreen(gl: WebGL2RenderingContext, width: number, height: number): Target & { dispose(): void } {
+/** Throws for a format that the driver cannot draw into; each is tried once. */
+export function checkFormats(gpu: Gpu, specs: readonly TargetSpec[]): void {
+  for (const spec of specs) {
+    const format = `${spec.format} target${spec.depth ? " with depth" : ""}`;
+    if (gpu.formats.has(format)) continue;
+    const target = makeTarget(gpu, spec, 1, 1);
+    gpu.gl.bindFramebuffer(gpu.gl.FRAMEBUFFER, target.framebuffer);
+    checkComplete(gpu.gl, format);
+    deleteTarget(gpu.gl, target);
+    gpu.formats.add(format);
+  }
+}
+
+/** A picture that is not shown. */
+export interface Screen extends Target {
+  dispose(): void;
+}
+
+/** An offscreen RGBA8 framebuffer, which every driver can draw into, in place of the canvas. */
+export function makeScreen(gl: WebGL2RenderingContext, width: number, height: number): Screen {
   const colour = gl.createRenderbuffer();
   gl.bindRenderbuffer(gl.RENDERBUFFER, colour);
   gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA8, width, height);
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colour);
-  checkComplete(gl, `screen of ${width} × ${height}`);
   const target = { framebuffer, texture: null, mipmapped: false, depth: null, width, height };
   const dispose = () => {
     deleteTarget(gl, target);

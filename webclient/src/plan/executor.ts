@@ -5,17 +5,20 @@ import { requireSupport } from "../gl/capabilities";
 import type { Gpu } from "../gl/gpu";
 import { makeMesh, type Mesh, meshKey } from "../gl/mesh";
 import type { Lease } from "../gl/pool";
-import type { Program } from "../gl/program";
-import { type CachedTarget, deleteTarget, makeTarget, type Target, targetSize } from "../gl/target";
+import { type Program, whenDone } from "../gl/program";
+import { type CachedTarget, checkFormats, deleteTarget, makeScreen, makeTarget, type Target, targetSize } from "../gl/target";
 import { makeTexture, textureKey } from "../gl/texture";
 import type { Json } from "../scene/json";
 import { bindInputs, type Bindings, bindSamplers, unbindSamplers, uploadUniforms } from "./bindings";
 import { liveRule } from "./live";
-import { discardOnError, finishPrograms, programNames, startPrograms } from "./programs";
+import { discardOnError, loadPrograms, programNames, releaseAll } from "./programs";
 import { drawnPasses, type Eye, eyeOf, passesInto, targetsRead } from "./view";
 
 /** Camera heights whose passes can stand in: between crest and trough, those of the other side draw nothing. */
 const STAND_INS = { over: ["between"], between: ["over"], under: ["between"] } as const satisfies Record<Eye, readonly Eye[]>;
+
+/** Pixels of the first frame of a plan, which nobody sees, and the longest time to wait for it, ms. */
+const WARM_UP = { width: 64, height: 36, timeout: 10_000 };
 
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
 
@@ -80,20 +83,21 @@ export class Executor {
   /** Loads what the plan needs for this camera without blocking the page; `loadRest`: then what other cameras need. */
   static async load(gpu: Gpu, plan: FramePlan, bytes: LoadBytes, camera: CameraState, loadRest: boolean): Promise<Executor> {
     requireSupport(plan, gpu.capabilities);
+    checkFormats(gpu, Object.values(plan.targets));
     const leases: Lease<unknown>[] = [];
+    // Between crest and trough the camera is most likely over the water: the first frame need not wait for what it sees under it.
+    const eye = eyeOf(plan, camera);
+    const compiling = loadPrograms(gpu, plan, programNames(plan, loadRest && eye === "between" ? "over" : eye));
     try {
-      // Between crest and trough the camera is most likely over the water: the first frame need not wait for what it sees under it.
-      const eye = eyeOf(plan, camera);
-      const programs = startPrograms(gpu, plan, programNames(plan, loadRest && eye === "between" ? "over" : eye));
-      leases.push(...programs.values());
       const loading = Object.entries(plan.textures).map(async ([name, spec]) => {
         const lease = gpu.textures.acquire(textureKey(spec), () => bytes(spec).then((data) => makeTexture(gpu.gl, spec, data)));
         leases.push(lease);
         return [name, await discardOnError(lease, () => lease.value)] as const;
       });
-      await finishPrograms(gpu, programs);
-      const executor = new Executor(gpu, plan, new Map(await Promise.all(loading)), leases);
+      const [programs, ...textures] = await Promise.all([compiling, ...loading]);
+      const executor = new Executor(gpu, plan, new Map(textures), leases);
       executor.bind(programs);
+      leases.push(...programs.values());
       // Drivers process compilations and frames in order: the first frame must not wait for programs that it does not use.
       if (loadRest) {
         const firstFrame = new Promise<void>((resolve) => (executor.firstFrameDrawn = resolve));
@@ -102,20 +106,30 @@ export class Executor {
       return executor;
     } catch (error) {
       for (const lease of leases) lease.release();
+      void compiling.then(releaseAll, () => undefined);
       throw error;
     }
   }
 
+  /** Draws a first frame where nobody sees it and resolves when it is done: drivers compile when they first draw. */
+  async warmUp(camera: CameraState, scene: Json): Promise<void> {
+    const { gl } = this.gpu;
+    const { width, height, timeout } = WARM_UP;
+    const screen = makeScreen(gl, width, height);
+    this.draw({ time: 0, camera, width, height, screen: screen.framebuffer, scissor: null, scene });
+    await whenDone(gl, timeout);
+    screen.dispose();
+  }
+
   private async loadMissing(): Promise<void> {
     const missing = Object.keys(this.plan.programs).filter((name) => !this.programs.has(name));
-    const programs = startPrograms(this.gpu, this.plan, missing);
-    try {
-      await finishPrograms(this.gpu, programs);
-      if (!this.disposed) this.bind(programs);
-    } finally {
-      if (this.disposed) for (const lease of programs.values()) lease.release();
-      else this.leases.push(...programs.values());
+    const programs = await loadPrograms(this.gpu, this.plan, missing);
+    if (this.disposed) {
+      releaseAll(programs);
+      return;
     }
+    this.bind(programs);
+    this.leases.push(...programs.values());
   }
 
   /** Binds the passes of these programs. */
@@ -183,7 +197,7 @@ export class Executor {
       const target = this.targets.get(name);
       if (target?.width === width && target.height === height) continue;
       if (target) deleteTarget(gl, target);
-      this.targets.set(name, makeTarget(gl, spec, width, height));
+      this.targets.set(name, makeTarget(this.gpu, spec, width, height));
     }
   }
 
@@ -226,7 +240,7 @@ export class Executor {
   private makeFixedTarget(name: string): Target {
     const spec = this.plan.targets[name];
     if (spec === undefined) throw new Error(`The plan has no target ${name}.`);
-    return makeTarget(this.gpu.gl, spec, ...targetSize(spec, 0, 0));
+    return makeTarget(this.gpu, spec, ...targetSize(spec, 0, 0));
   }
 
   /** Clears the target of a pass that shows nothing in this frame. */

@@ -10,33 +10,50 @@ export function programNames(plan: FramePlan, eye: Eye): string[] {
   return [...new Set(plan.passes.filter((pass) => appliesTo(pass, eye)).map((pass) => pass.program))];
 }
 
-/** Starts all compilations before any result is asked for, so that the driver may run them in parallel. */
-export function startPrograms(gpu: Gpu, plan: FramePlan, names: readonly string[]): Map<string, Lease<Program>> {
-  return new Map(
-    names.map((name) => {
-      const source = plan.programs[name];
-      if (source === undefined) throw new Error(`The plan has no program ${name}.`);
-      const key = `${source.vertex.sha256} ${source.fragment.sha256}`;
-      return [name, gpu.programs.acquire(key, () => startProgram(gpu.gl, source))];
-    }),
-  );
-}
-
-export async function finishPrograms(gpu: Gpu, programs: ReadonlyMap<string, Lease<Program>>): Promise<void> {
-  for (const [name, lease] of programs) {
-    await discardOnError(lease, async () => {
+/** Compiles and links without blocking the page: all at once where the driver says when it is done, else one by one, the smallest first. */
+export async function loadPrograms(gpu: Gpu, plan: FramePlan, names: readonly string[]): Promise<Map<string, Lease<Program>>> {
+  const programs = new Map<string, Lease<Program>>();
+  const start = (name: string): Lease<Program> => {
+    const source = sourceOf(plan, name);
+    const lease = gpu.programs.acquire(`${source.vertex.sha256} ${source.fragment.sha256}`, () => startProgram(gpu.gl, source));
+    programs.set(name, lease);
+    return lease;
+  };
+  const finish = async (name: string, lease: Lease<Program>): Promise<void> =>
+    discardOnError(lease, async () => {
       await whenReady(gpu.gl, lease.value, gpu.capabilities);
       finishProgram(gpu.gl, lease.value, name);
     });
+  const size = (name: string) => sourceOf(plan, name).fragment.text.length;
+  try {
+    if (gpu.capabilities.extensions.has("KHR_parallel_shader_compile")) {
+      names.forEach(start);
+      for (const [name, lease] of programs) await finish(name, lease);
+    } else {
+      for (const name of [...names].sort((a, b) => size(a) - size(b))) await finish(name, start(name));
+    }
+    return programs;
+  } catch (error) {
+    releaseAll(programs);
+    throw error;
   }
+}
+
+export function releaseAll(leases: ReadonlyMap<string, Lease<unknown>>): void {
+  for (const lease of leases.values()) lease.release();
+}
+
+function sourceOf(plan: FramePlan, name: string): FramePlan["programs"][string] {
+  const source = plan.programs[name];
+  if (source === undefined) throw new Error(`The plan has no program ${name}.`);
+  return source;
 }
 
 /** Compiles a plan's programs only; returns the errors. */
 export async function compileErrors(gpu: Gpu, plan: FramePlan): Promise<string[]> {
   const errors: string[] = [];
-  for (const program of startPrograms(gpu, plan, Object.keys(plan.programs))) {
-    await finishPrograms(gpu, new Map([program])).catch((error: unknown) => errors.push(String(error)));
-    program[1].release();
+  for (const name of Object.keys(plan.programs)) {
+    await loadPrograms(gpu, plan, [name]).then(releaseAll, (error: unknown) => errors.push(String(error)));
   }
   return errors;
 }
