@@ -201,7 +201,7 @@ def test_a_lost_context_comes_back(engine: Engine, server: str, size: tuple[int,
 def test_the_server_draws_where_it_is_asked_to(engine: Engine, server: str, size: tuple[int, int]) -> None:
     engine.size(*size)
     engine.visit(f"{server}/?draw=server#paused=1&quality=draft&preset=paper-threshold&time={TIME}")
-    engine.until(f"{SETTLED} && document.querySelector('.served img')?.naturalWidth > 0")
+    engine.until(f"{SETTLED} && document.querySelector('.served canvas')?.width > 0")
     click(engine, "Play")
     engine.until(f"window.seafoam.state().time > {TIME} + 0.2")
     click(engine, "Pause")

@@ -33,13 +33,13 @@ def served(llvmpipe: Lane, server: str) -> Iterator[Visit]:
 def shown(made: Visit) -> Pixels:
     """The frame that the page shows, as the server sent it."""
     made.settle()
-    element = made.page.locator(".served img").last
+    element = made.page.locator(".served canvas").last
     data = element.evaluate(
-        "(image) => { const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);"
+        "(image) => { const canvas = new OffscreenCanvas(image.width, image.height);"
         " const context = canvas.getContext('2d'); context.drawImage(image, 0, 0);"
         " return [...context.getImageData(0, 0, canvas.width, canvas.height).data]; }"
     )
-    width, height = element.evaluate("(image) => [image.naturalWidth, image.naturalHeight]")
+    width, height = element.evaluate("(image) => [image.width, image.height]")
     return np.array(data, np.uint8).reshape(height, width, 4)[..., :3]
 
 
@@ -51,7 +51,7 @@ def test_the_servers_frame_stands_in_the_canvass_place(served: Visit, server: st
     reply = page.request.get(f"{server}/api/frames/paper-threshold.png?{query}")
     want = np.asarray(Image.open(io.BytesIO(reply.body())).convert("RGB"))
     assert (shown(served) == want).all()
-    box = page.locator(".served img").bounding_box()
+    box = page.locator(".served canvas").bounding_box()
     assert box == {"x": 0, "y": 0, "width": SIZE[0], "height": SIZE[1]}
     expect(page.locator(".frame-stats")).to_contain_text("server")
     saved, _ = served.saved()
@@ -115,8 +115,8 @@ def test_two_looks_are_compared(served: Visit) -> None:
     page = served.page
     served.follow(link(preset="paper-threshold", time=1.0, split="/foam/mask~vac-3~vac-24~0.400"))
     served.settle()
-    expect(page.locator(".served img")).to_have_count(2)
-    right = page.locator(".served img").last
+    expect(page.locator(".served canvas")).to_have_count(2)
+    right = page.locator(".served canvas").last
     assert right.evaluate("(image) => getComputedStyle(image).clipPath") == "inset(0px 0px 0px 40%)"
     asked = len(served.asked)
     page.get_by_role("slider", name="Split position").press("ArrowRight")
@@ -158,7 +158,7 @@ def test_the_picture_stays_while_the_server_is_away(served: Visit) -> None:
     assert 1 <= len(failed) < 5, "it is asked again, not at every frame"
     expect(page.locator(".toast.error")).to_have_count(1)
     expect(page.locator("#loading")).to_be_hidden()
-    image = page.locator(".served img")
+    image = page.locator(".served canvas")
     expect(image).to_have_count(1)
     page.unroute(FRAMES)
     assert (shown(served) != before).any(), "it comes back by itself"

@@ -1,5 +1,6 @@
 """Chromium started as people start it, and what is seen of the page from outside: frames, gaps, answers, messages."""
 
+import io
 import shutil
 import subprocess
 import tempfile
@@ -11,6 +12,9 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
 from playwright.sync_api import Browser, BrowserContext, Page, Playwright
 
 from support.browsers import chromium
@@ -26,6 +30,8 @@ STARTS: dict[str, list[str]] = {
 """Ways of starting Chromium on a machine without a GPU, and their switches."""
 WINDOWS = {"desktop": (1280, 720), "phone": PHONE}
 """Widths and heights of the windows, CSS pixels; the phone's has a touch screen."""
+SKY, WATER = (0.5, 0.25), (0.5, 0.7)
+"""Where they are in the window, as shares of its sides: a drag turns the camera on one and raises waves on the other."""
 
 _WATCH = """(() => {
     if (window.seen) return;
@@ -102,6 +108,22 @@ class Started:
         """The page's clock, ms since its navigation began."""
         return float(self.page.evaluate("() => performance.now()"))
 
+    def frames(self) -> list[dict[str, Any]]:
+        """Pictures that were drawn: ``at`` (ms), ``by``, ``width``, ``height``."""
+        frames: list[dict[str, Any]] = self.page.evaluate("() => window.seen.frames")
+        return frames
+
+    def more_frames(self, count: int) -> None:
+        """Wait until so many more pictures are drawn."""
+        self.page.wait_for_function(
+            "(until) => window.seen.frames.length >= until", arg=len(self.frames()) + count, timeout=120_000
+        )
+
+    def picture(self) -> NDArray[np.float64]:
+        """The page as it is seen, (height, width, 3), in 0 to 255."""
+        png = Image.open(io.BytesIO(self.page.screenshot(timeout=120_000)))
+        return np.asarray(png.convert("RGB"), np.float64)
+
     def wait_until(self, seconds: float) -> None:
         """Wait for a time after the start of navigation, without asking the page anything in between."""
         while (left := seconds - 1e-3 * self.now()) > 0:
@@ -135,9 +157,9 @@ class Started:
         return time.monotonic() - began
 
     def drag_seconds(self) -> float:
-        """Longest time from a move of a drag to a picture that was drawn after the page had taken it."""
-        size = self.page.evaluate("() => [innerWidth, innerHeight]")
-        x, y = size[0] / 2, size[1] / 2
+        """Middle time from a move of a drag on the sky to a picture that was drawn after the page had taken it."""
+        width, height = self.page.evaluate("() => [innerWidth, innerHeight]")
+        x, y = SKY[0] * width, SKY[1] * height
         mouse = self.page.mouse
         mouse.move(x, y)
         mouse.down()

@@ -45,6 +45,8 @@ export type StreamView = Pick<FrameRequest, "camera" | "time" | "width" | "heigh
 
 export interface OpenStream {
   id: string;
+  /** Time without a request after which it ends, s. */
+  lease: number;
 }
 
 /** An option of a list. */
@@ -117,11 +119,13 @@ export class Api {
     fetch(this.url(`api/streams/${id}`), { method: "DELETE", keepalive: true }).catch(() => undefined);
   }
 
-  async streamFrame(id: string, { camera, time, width, height }: StreamView): Promise<Blob> {
+  /** A frame of a stream; null if it was given up for later ones. */
+  async streamFrame(id: string, { camera, time, width, height }: StreamView): Promise<Blob | null> {
     const [x, y, z] = camera.position;
     const { yaw, pitch, roll, fov } = camera;
     const query = Object.entries({ time, width, height, x, y, z, yaw, pitch, roll, fov }).map(([name, value]) => `${name}=${value}`);
-    return (await this.fetch(`api/streams/${id}/frame.webp?${query.join("&")}`, {}, 1)).blob();
+    const response = await this.fetch(`api/streams/${id}/frame.webp?${query.join("&")}`, {}, 1);
+    return response.status === 204 ? null : response.blob();
   }
 
   /** A picture rendered by the server. */

@@ -8,7 +8,6 @@ What routers raise, beside what the layers below raise::
     ├── UnsupportedMediaError     a body that is not JSON
     ├── ExportTooLargeError       a scene whose textures are too many bytes to take home
     ├── NotBuiltError             the web client, of which the answer is a part, is not built
-    ├── SupersededError           a frame of a stream that later ones have overtaken
     └── BusyError                 as much other work waits as may
         ├── NotMeasuredError      the measurement that the answer hangs on is being made
         └── StreamsFullError      all streams are taken
@@ -127,10 +126,6 @@ class StreamsFullError(BusyError):
     """All streams are taken, or the server gives none."""
 
 
-class SupersededError(ApiError):
-    """A frame of a stream was given up for a later one."""
-
-
 @dataclass(frozen=True, slots=True)
 class Kind:
     """HTTP status, name and title of an error."""
@@ -151,7 +146,6 @@ KINDS: dict[type[Exception], Kind] = {
     FailedError: Kind(500, "measurement-failed", "The measurement failed"),
     MissingExtraError: Kind(501, "not-installed", "A package that the answer needs is not installed"),
     NotBuiltError: Kind(501, "not-built", "A part of the server is not built"),
-    SupersededError: Kind(409, "superseded", "A later frame of the stream was asked for"),
     NotFinishedError: Kind(409, "not-finished", "The sequence is not finished"),
     BusyError: Kind(503, "busy", "The server is busy"),
     NotMeasuredError: Kind(503, "not-measured", "The cost of accuracy is still being measured"),

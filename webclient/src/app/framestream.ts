@@ -2,6 +2,9 @@
 import { type Api, ApiError, type StreamView } from "../api";
 import { equal, type Json } from "../scene/json";
 
+/** Share of the time without a request after which a stream counts as ended. */
+const MARGIN = 0.9;
+
 interface Shown {
   scene: Json;
   quality: Json;
@@ -10,12 +13,18 @@ interface Shown {
 export class FrameStream {
   private id: Promise<string> | null = null;
   private shows: Shown | null = null;
+  /** When it ends unless it is asked for a frame, ms of performance.now(). */
+  private ends = Infinity;
+  private lease = Infinity;
 
   constructor(private readonly api: Api) {}
 
-  /** A frame of a scene; rejects with the server's refusal. */
-  async frame(scene: Json, quality: Json, view: StreamView): Promise<Blob> {
+  /** A frame of a scene, or null if it was given up for later ones; rejects with the server's refusal. */
+  async frame(scene: Json, quality: Json, view: StreamView): Promise<Blob | null> {
+    // Browsers log it where a stream that has ended is asked for.
+    if (performance.now() > this.ends) this.id = null;
     const id = await this.open({ scene, quality });
+    this.ends = performance.now() + this.lease;
     try {
       return await this.api.streamFrame(id, view);
     } catch (error) {
@@ -43,7 +52,9 @@ export class FrameStream {
   }
 
   private async begin({ scene, quality }: Shown): Promise<string> {
-    return (await this.api.openStream(scene, quality)).id;
+    const { id, lease } = await this.api.openStream(scene, quality);
+    this.lease = MARGIN * 1000 * lease;
+    return id;
   }
 
   private async change(id: string, wanted: Shown): Promise<string> {

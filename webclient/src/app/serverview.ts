@@ -182,14 +182,15 @@ export class ServerView implements Display {
     return { camera: { position: [...position], yaw, pitch, roll, fov }, time, width, height };
   }
 
-  private async show(take: () => Promise<Blob[]>, { scale, moving, width, height }: StreamView & Pick<Asked, "scale" | "moving">): Promise<void> {
+  private async show(take: () => Promise<(Blob | null)[]>, { scale, moving, width, height }: StreamView & Pick<Asked, "scale" | "moving">): Promise<void> {
     const asked: Asked = { number: ++this.number, submitted: performance.now(), scale, moving };
     this.asked.push(asked);
     try {
+      const blobs = (await take()).filter((blob) => blob !== null);
       // Decoded off the main thread.
-      const pictures = await Promise.all((await take()).map((picture) => createImageBitmap(picture)));
-      // What comes after a later frame is not shown.
-      if (asked.number < this.latest) {
+      const pictures = await Promise.all(blobs.map((blob) => createImageBitmap(blob)));
+      // What comes after a later frame, or was given up for one, is not shown.
+      if (asked.number < this.latest || pictures.length < this.loaders.filter(({ loaded }) => loaded).length) {
         pictures.forEach((picture) => picture.close());
         return;
       }
@@ -213,7 +214,12 @@ export class ServerView implements Display {
   private present(pictures: readonly ImageBitmap[]): void {
     while (this.root.childElementCount > pictures.length) this.root.lastElementChild?.remove();
     while (this.root.childElementCount < pictures.length) this.root.append(element("canvas", { class: `${COVER} object-cover not-first:[clip-path:inset(0_0_0_var(--at))]` }));
-    pictures.forEach((picture, side) => (this.root.children[side] as HTMLCanvasElement).getContext("bitmaprenderer")?.transferFromImageBitmap(picture));
+    pictures.forEach((picture, side) => {
+      const canvas = this.root.children[side] as HTMLCanvasElement;
+      if (canvas.width !== picture.width) canvas.width = picture.width;
+      if (canvas.height !== picture.height) canvas.height = picture.height;
+      canvas.getContext("bitmaprenderer")?.transferFromImageBitmap(picture);
+    });
   }
 
   private measure({ submitted, scale, moving }: Asked): void {
@@ -226,8 +232,6 @@ export class ServerView implements Display {
   /** What the server refuses is not asked again; else the request is repeated, and only the first failure is told. */
   private failed(error: unknown, moving: boolean): void {
     const { status, retryAfter } = error instanceof ApiError ? error : { status: 0, retryAfter: 0 };
-    // A later frame of the stream was asked for.
-    if (status === 409) return;
     if (moving) this.resolution.pause();
     const refused = status >= 400 && status < 500 && !(moving && status === 404);
     if (!refused) {

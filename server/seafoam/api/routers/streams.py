@@ -8,7 +8,7 @@ from pydantic import BaseModel, Field
 
 from seafoam.api.answering import CLIENT_CLOSED_REQUEST, stages, unless_gone
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import NotFoundError, StreamsFullError, SupersededError, problem_responses
+from seafoam.api.errors import NotFoundError, StreamsFullError, problem_responses
 from seafoam.api.parameters import (
     Parameters,
     PlanRequest,
@@ -30,7 +30,8 @@ _FRAME: dict[int | str, dict[str, Any]] = {
     200: {
         "description": "The frame, lossy, without recipe",
         "content": {"image/webp": {"schema": {"type": "string", "format": "binary"}}},
-    }
+    },
+    204: {"description": "No frame: later ones of the stream were asked for"},
 }
 StreamId = Annotated[str, Path(max_length=64, description="ID of the stream", examples=["Zk1uY2F0c2Vh"])]
 
@@ -91,13 +92,13 @@ async def close_stream(stream: StreamId, _: Annotated[Parameters, Query()], cont
 
 @router.get(
     "/{stream}/frame.webp",
-    responses=_FRAME | problem_responses(404, 409, 422, 500, 503, 504),
+    responses=_FRAME | problem_responses(404, 422, 500, 503, 504),
     response_class=Response,
 )
 async def get_stream_frame(
     stream: StreamId, asked: Annotated[StreamFrameParameters, Query()], request: Request, context: InContext
 ) -> Response:
-    """Get a frame of a stream as lossy WebP. A third one that is asked for gives up the oldest that waits (409)."""
+    """Get a frame of a stream as lossy WebP. A third one that is asked for gives up the oldest that waits (204)."""
     found = _find(stream, context)
     context.settings.frame_limits.check(asked.width, asked.height, found.quality.samples_drawn)
     camera, size = asked.camera, (asked.width, asked.height)
@@ -108,7 +109,8 @@ async def get_stream_frame(
         task = asyncio.current_task()
         if task is not None and task.cancelling():
             raise
-        raise SupersededError("a later frame of this stream was asked for") from None
+        # No error: browsers would log one for every frame that a drag overtakes.
+        return Response(status_code=204)
     if frame is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     context.metrics.count_frame(frame, "webp")
