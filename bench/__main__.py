@@ -18,6 +18,7 @@ from bench import (
     document,
     economy,
     effects,
+    engines,
     foam,
     frames,
     http,
@@ -27,6 +28,7 @@ from bench import (
     page,
     passes,
     server,
+    streams,
     water_page,
     yardstick,
 )
@@ -37,11 +39,11 @@ from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import preset_names
 
 USUAL = ("frames", "economy", "effects", "foam", "budget", "yardstick", "passes")
-LONG = ("motion", "adaptive", "load", "soak")
+LONG = ("motion", "adaptive", "load", "engines", "streams", "soak")
 """Sections that are measured only where they are named: they take longer than all others together."""
 DRAWN = (*USUAL, "motion", "adaptive", "load")
-SERVED = ("yardstick", "http", "page")
-SECTIONS = (*DRAWN, "compiler", "http", "page", "soak")
+SERVED = ("yardstick", "http", "page", "engines")
+SECTIONS = (*DRAWN, "compiler", "http", "page", "engines", "streams", "soak")
 QUICK = 0.2
 
 
@@ -81,6 +83,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 run.add("compiler", tables)
             if set(SERVED) & set(asked.only):
                 _serve(run, asked, watch)
+            if "streams" in asked.only:
+                run.add("streams", streams.measure(watch))
             if "soak" in asked.only:
                 run.add("soak", load.soak(watch))
         except Exception:
@@ -177,6 +181,15 @@ def _draw(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
 
 def _serve(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
     """Measurements of a running server, and of a browser."""
+    if {"yardstick", "http", "page"} & set(asked.only):
+        _serve_uncached(run, asked, watch)
+    if "engines" in asked.only:
+        # As people start it, with its caches.
+        with server.running(SEAFOAM_CACHE_SIZE="", SEAFOAM_CACHE_MEMORY="", MESA_SHADER_CACHE_DISABLE="") as port:
+            run.add("engines", engines.measure(port, watch))
+
+
+def _serve_uncached(run: Run, asked: argparse.Namespace, watch: Watch) -> None:
     with server.running() as port:
         if "yardstick" in asked.only:
             with water_page.opened() as three:

@@ -1,6 +1,7 @@
 """Chromium started as people start it, and what is seen of the page from outside: frames, gaps, answers, messages."""
 
 import io
+import re
 import shutil
 import subprocess
 import tempfile
@@ -8,6 +9,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -31,17 +33,21 @@ STARTS: dict[str, list[str]] = {
 WINDOWS = {"desktop": (1280, 720), "phone": PHONE}
 """Widths and heights of the windows, CSS pixels; the phone's has a touch screen."""
 SKY, WATER = (0.5, 0.25), (0.5, 0.7)
-"""Where they are in the window, as shares of its sides: a drag turns the camera on one and raises waves on the other."""
+"""Where they are in the window, as shares of its sides: a drag turns the camera on one, raises waves on the other."""
+PLAYED = ("paper-halftone", "shallows", "default")
+"""Presets that are gone through in play."""
+SPLIT = "/foam/mask~vac-3~vac-24~0.400"
+_ENGINES_OWN = re.compile(r"fallback to software WebGL|GPU stall due to ReadPixels")
 
 _WATCH = """(() => {
     if (window.seen) return;
-    const seen = (window.seen = { ticks: [], frames: [], long: [], input: [], first: null });
+    const seen = (window.seen = { ticks: [], frames: [], long: [], moves: [] });
     const tick = (now) => {
         seen.ticks.push(performance.now());
         requestAnimationFrame(tick);
     };
     requestAnimationFrame(tick);
-    // A frame of WebGL: the first of a turn of the event loop that draws into a canvas that is shown, not into a texture.
+    // A frame of WebGL: the first draw of a turn of the event loop into a canvas that is shown, not into a texture.
     let drawn = false;
     const note = (by, { width, height }) => seen.frames.push({ at: performance.now(), by, width, height });
     const shows = (canvas) => {
@@ -75,10 +81,10 @@ _WATCH = """(() => {
     new PerformanceObserver((list) => {
         for (const { startTime, duration } of list.getEntries()) seen.long.push([startTime, duration]);
     }).observe({ type: "longtask", buffered: true });
-    for (const type of ["pointermove", "pointerdown", "keydown"])
-        addEventListener(type, ({ timeStamp }) => seen.input.push([type, timeStamp, performance.now()]), { capture: true, passive: true });
+    addEventListener("pointermove", () => seen.moves.push(performance.now()), { capture: true, passive: true });
 })()"""
 """Notes animation frames, pictures that are drawn, long tasks and input; all times are of performance.now(), ms."""
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -103,6 +109,10 @@ class Started:
 
     page: Page
     complaints: list[str] = field(default_factory=list)
+
+    def said(self) -> list[str]:
+        """Messages in the console, but what Chromium says of its software GL, whatever a page does."""
+        return [message for message in self.complaints if not _ENGINES_OWN.search(message)]
 
     def now(self) -> float:
         """The page's clock, ms since its navigation began."""
@@ -169,8 +179,8 @@ class Started:
             mouse.move(x + 12 * step, y + 2 * step)
             answered = self.page.wait_for_function(
                 """(sent) => {
-                    const input = window.seen.input.findLast(([type, , at]) => type === "pointermove" && at >= sent);
-                    const frame = input && window.seen.frames.find(({ at }) => at > input[2]);
+                    const taken = window.seen.moves.findLast((at) => at >= sent);
+                    const frame = taken && window.seen.frames.find(({ at }) => at > taken);
                     return frame && frame.at;
                 }""",
                 arg=sent,
@@ -180,9 +190,37 @@ class Started:
         mouse.up()
         return median(answers)
 
+    def play(self, seconds: float) -> None:
+        """Touch the water, turn the camera, go through presets and draw a divider, again and again for so long."""
+        page = self.page
+        until = time.monotonic() + seconds
+        width, height = page.evaluate("() => [innerWidth, innerHeight]")
+        turn = 0
+        while time.monotonic() < until:
+            for x, y in (WATER, SKY):
+                page.mouse.move(x * width, y * height)
+                page.mouse.down()
+                for step in range(1, 5):
+                    page.mouse.move(x * width + 20 * step, y * height + 4 * step)
+                    page.wait_for_timeout(50)
+                page.mouse.up()
+                page.wait_for_timeout(500)
+            preset = PLAYED[turn % len(PLAYED)]
+            page.evaluate("(hash) => { location.hash = hash; }", f"#preset={preset}")
+            page.wait_for_timeout(3000)
+            page.evaluate("(hash) => { location.hash = hash; }", f"#preset={preset}&split={SPLIT}")
+            page.wait_for_timeout(2000)
+            divider = page.get_by_role("slider", name="Split position")
+            if divider.count():
+                for key in ("ArrowRight", "ArrowRight", "ArrowLeft"):
+                    divider.press(key)
+                    page.wait_for_timeout(200)
+            turn += 1
+
     def heap(self) -> float:
         """Memory that the page's scripts hold after a collection, MB."""
         session = self.page.context.new_cdp_session(self.page)
+        session.send("Performance.enable")
         session.send("HeapProfiler.collectGarbage")
         metrics = {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
         session.detach()
@@ -192,7 +230,7 @@ class Started:
 def longest(times: list[float], begin: float, end: float) -> float:
     """Longest stretch between two times of [begin, end] without one of these, s."""
     marks = [begin, *(at for at in times if begin < at < end), end]
-    return max(later - earlier for earlier, later in zip(marks, marks[1:], strict=False))
+    return max(later - earlier for earlier, later in pairwise(marks))
 
 
 @contextmanager

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { AutoQuality, costRatio, tierChoices, errorAt, type TierCosts, type RenderLoad, type TierCost } from "../src/app/autoquality";
-import { allowedAt, costAt } from "../src/app/framebudget";
+import { allowedAt, costAt, MOTION_BUDGET } from "../src/app/framebudget";
 
 const scales = [1, 0.5, 0.25];
 const tierCosts: TierCost[] = [
@@ -16,7 +16,7 @@ const DISPLAY = 1000 / 60;
 /** The load of a machine slower by a factor than the one that measured the costs. */
 function loadOf(tier: string, scale: number, slowdown: number, overhead = 5, tiers = tierCosts): RenderLoad {
   const { fixed, pixels } = tiers.find((cost) => cost.tier === tier) as (typeof tierCosts)[number];
-  return { cost: { fixed: overhead + slowdown * fixed, pixels: slowdown * pixels }, scale, displayInterval: DISPLAY, megapixels: 1 };
+  return { cost: { fixed: overhead + slowdown * fixed, pixels: slowdown * pixels }, scale, displayInterval: DISPLAY, budget: MOTION_BUDGET, megapixels: 1 };
 }
 
 describe("automatic quality", () => {

@@ -1,5 +1,5 @@
 /** Selects quality tier and scale together: the least error within the frame budget, from costs measured ahead. */
-import { allowedAt, bestScale, costAt, type FrameCost } from "./framebudget";
+import { allowedAt, bestScale, costAt, type FrameBudget, type FrameCost } from "./framebudget";
 
 /** Cost and error of one tier, as `make fronts` measured them. */
 export interface TierCost {
@@ -19,7 +19,9 @@ export interface TierCosts {
 
 /** Measured load of this machine, with the current tier. */
 export interface RenderLoad {
-  cost: FrameCost;
+  /** Null before it is measured. */
+  cost: FrameCost | null;
+  budget: FrameBudget;
   scale: number;
   /** Time between two pictures of the display, ms. */
   displayInterval: number;
@@ -38,6 +40,9 @@ export interface TierChoice {
 
 /** Another tier is chosen only if its error is smaller by this factor: while its programs compile, slow machines stand still. */
 const MIN_IMPROVEMENT = 0.8;
+
+/** Below this scale a picture is coarse. */
+const COARSE = 0.4;
 
 /** How much more a frame of one preset and tier costs than of another, at a megapixel; 1 where either is not known. */
 export function costRatio({ presets }: TierCosts, from: readonly [preset: string, tier: string], to: readonly [preset: string, tier: string]): number {
@@ -61,15 +66,17 @@ export function errorAt(scales: readonly number[], errors: readonly number[], sc
 export function tierChoices(tiers: readonly TierCost[], scales: readonly number[], currentTier: string, load: RenderLoad): TierChoice[] {
   const current = tiers.find(({ tier }) => tier === currentTier);
   if (current === undefined) return [];
-  const { displayInterval, megapixels } = load;
-  const slowdown = load.cost.pixels / (current.pixels * megapixels);
+  const { budget, displayInterval, megapixels } = load;
+  // A machine that is not known yet is taken for the one that measured the tiers.
+  const measured = load.cost ?? { fixed: current.fixed, pixels: current.pixels * megapixels };
+  const slowdown = measured.pixels / (current.pixels * megapixels);
   return tiers.map((tier) => {
     // What else does not shrink with the pixels is the browser's own, which no tier changes.
-    const fixed = Math.max(0, load.cost.fixed + slowdown * (tier.fixed - current.fixed));
-    const cost = { fixed, pixels: (load.cost.pixels * tier.pixels) / current.pixels };
-    const scale = bestScale(cost, displayInterval);
+    const fixed = Math.max(0, measured.fixed + slowdown * (tier.fixed - current.fixed));
+    const cost = { fixed, pixels: (measured.pixels * tier.pixels) / current.pixels };
+    const scale = bestScale(cost, displayInterval, budget);
     const time = costAt(cost, scale);
-    const withinBudget = time <= 1.001 * allowedAt(scale, displayInterval);
+    const withinBudget = time <= 1.001 * allowedAt(scale, displayInterval, budget);
     return { tier: tier.tier, scale, error: errorAt(scales, tier.errors, scale), withinBudget, time };
   });
 }
@@ -84,12 +91,16 @@ export class AutoQuality {
     const current = choices.find(({ tier }) => tier === currentTier);
     if (current === undefined) return null;
     const candidates = choices.filter(({ tier }) => !this.rejected.has(tier));
-    const fitting = candidates.filter(({ withinBudget }) => withinBudget);
+    const inTime = candidates.filter(({ withinBudget }) => withinBudget);
+    // Errors say little of a picture that is too coarse to look at.
+    const fine = inTime.filter(({ scale }) => scale >= COARSE);
+    const fitting = fine.length > 0 ? fine : inTime;
     // With no tier within budget, the fastest is best.
     const [best] = fitting.length > 0 ? fitting.sort((a, b) => a.error - b.error) : candidates.sort((a, b) => a.time - b.time);
     if (best === undefined || best.tier === currentTier) return null;
-    if (current.withinBudget && best.error > MIN_IMPROVEMENT * current.error) return null;
-    this.rejected.add(currentTier);
+    const keeps = current.withinBudget && (current.scale >= COARSE || fine.length === 0);
+    if (keeps && best.error > MIN_IMPROVEMENT * current.error) return null;
+    if (load.cost !== null) this.rejected.add(currentTier);
     return best;
   }
 

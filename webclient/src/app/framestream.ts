@@ -22,7 +22,10 @@ export class FrameStream {
   /** A frame of a scene, or null if it was given up for later ones; rejects with the server's refusal. */
   async frame(scene: Json, quality: Json, view: StreamView): Promise<Blob | null> {
     // Browsers log it where a stream that has ended is asked for.
-    if (performance.now() > this.ends) this.id = null;
+    if (performance.now() > this.ends) {
+      this.id = null;
+      this.ends = Infinity;
+    }
     const id = await this.open({ scene, quality });
     this.ends = performance.now() + this.lease;
     try {

@@ -46,9 +46,9 @@ export class DynamicResolution {
   /** A scale that did not keep the display's rate, and when it may be tried again. */
   private ceiling = { ...NO_CEILING };
 
-  /** `pixels`: of the window, at scale 1; `first`: of the first frame. */
-  constructor(pixels: number, private readonly budget: FrameBudget = MOTION_BUDGET, first = FIRST_PIXELS) {
-    this.value = Math.min(1, Math.max(MIN_SCALE, Math.sqrt(first / Math.max(1, pixels))));
+  /** `pixels`: of the window, at scale 1; `first`: of the first frame; `least`: scale, whatever it takes. */
+  constructor(pixels: number, private readonly budget: FrameBudget = MOTION_BUDGET, first = FIRST_PIXELS, private readonly least = MIN_SCALE) {
+    this.value = Math.min(1, Math.max(least, Math.sqrt(first / Math.max(1, pixels))));
   }
 
   /** To draw the next frame at. */
@@ -83,7 +83,7 @@ export class DynamicResolution {
   /** Frames will cost a multiple of what they did: of another plan, which compiles, or in another window. */
   expect(factor: number, compiles = true): void {
     this.samples = this.samples.map((one) => ({ ...one, cost: one.cost * factor }));
-    this.value = Math.min(1, Math.max(MIN_SCALE, this.value / Math.sqrt(factor)));
+    this.value = Math.min(1, Math.max(this.least, this.value / Math.sqrt(factor)));
     this.ceiling = { ...NO_CEILING };
     if (compiles) this.compiling = COMPILING;
     this.fresh = true;
@@ -169,7 +169,7 @@ export class DynamicResolution {
   }
 
   private change(to: number): boolean {
-    const scale = Math.min(1, Math.max(MIN_SCALE, to));
+    const scale = Math.min(1, Math.max(this.least, to));
     if (scale === this.value) return false;
     this.value = scale;
     this.fresh = true;

@@ -11,6 +11,8 @@ import { FrameStream } from "./framestream";
 
 /** Time from frame to frame, ms, by scale: it is the server's, and blocks nothing here. */
 const BUDGET: FrameBudget = [[0.5, 240], [0.55, 115], [0.7, 85], [1, 60]];
+/** Below this scale fewer frames a second are better than fewer pixels. */
+const LEAST_SCALE = 0.35;
 /** Share of the pixels of the first frame: a scale of 0.4. */
 const FIRST_SHARE = 0.16;
 /** Greatest size of a frame, pixels. */
@@ -71,7 +73,7 @@ export class ServerView implements Display {
   ) {
     canvas.after(this.root);
     const pixels = pixelsOf(canvas);
-    this.resolution = new DynamicResolution(pixels, BUDGET, FIRST_SHARE * pixels);
+    this.resolution = new DynamicResolution(pixels, BUDGET, FIRST_SHARE * pixels, LEAST_SCALE);
     this.streams = [new FrameStream(api), new FrameStream(api)];
     onPixelsChange(canvas, () => (this.dirty = true));
     window.addEventListener("pagehide", () => this.close());
@@ -128,8 +130,8 @@ export class ServerView implements Display {
 
   load(): RenderLoad | null {
     const { cost, scale, displayInterval } = this.resolution;
-    if (this.rate() === null || cost === null) return null;
-    return { cost, scale, displayInterval, megapixels: 1e-6 * pixelsOf(this.canvas) };
+    if (this.fixed !== null) return null;
+    return { cost: this.rate() && cost, scale, displayInterval, budget: BUDGET, megapixels: 1e-6 * pixelsOf(this.canvas) };
   }
 
   planChanged(cost: number): void {

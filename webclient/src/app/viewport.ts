@@ -4,6 +4,7 @@ import { makeScreen, type Screen } from "../gl/target";
 import type { Frame, Rectangle } from "../plan/executor";
 import type { RenderLoad } from "./autoquality";
 import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelsOf, type Rate, ShownFrames, type ViewState } from "./display";
+import { MOTION_BUDGET } from "./framebudget";
 import type { PlanLoader } from "./planloader";
 import { DynamicResolution } from "./resolution";
 
@@ -16,6 +17,8 @@ const POLL_INTERVAL = 1;
 const UNPOLLED_SHARE = 0.6;
 /** Measured windows after which the scale has settled: with none changed by the last, or in all. */
 const SETTLED_WINDOWS = { least: 3, most: 8 };
+/** Time after the first frame of a plan by which its rate counts, ms, however few frames were measured. */
+const LONGEST_TRIAL = 2500;
 /** A moving picture of this scale may take the place of the still, whether or not it grows further. */
 const PRESENTABLE_SCALE = 0.4;
 /** At rest the scale is raised until the next frame would take longer than this, ms. */
@@ -44,11 +47,14 @@ export class Viewport implements Display {
   private readonly resolution: DynamicResolution;
   /** Pixels at scale 1 for which it has measured. */
   private pixels: number;
+  /** When the plan's first frame was done. */
+  private firstFinished = Infinity;
   /** Windows measured when the scale changed last. */
   private changedAt = 0;
   private readonly pending: PendingFrame[] = [];
   private readonly shown = new ShownFrames();
   private lastMotion = -Infinity;
+  private moving = false;
   private polling = false;
   private fixedScale: number | null = null;
   /** Shortest interval between animation frames in the current measurement. */
@@ -98,7 +104,7 @@ export class Viewport implements Display {
 
   /** Whether frames are good enough to be seen, or get no better. */
   private get good(): boolean {
-    return this.sharpest || (this.finished?.scale ?? 0) >= (this.fixedScale ?? PRESENTABLE_SCALE) || this.settled;
+    return (!this.moving && this.sharpest) || (this.finished?.scale ?? 0) >= (this.fixedScale ?? PRESENTABLE_SCALE) || this.settled;
   }
 
   /** Whether the latest frame shows what was asked for, at its final scale. */
@@ -127,6 +133,7 @@ export class Viewport implements Display {
     this.measureDisplay(now);
     this.collect();
     if (this.exclusiveTasks > 0) return;
+    this.moving = moving;
     if (moving) this.lastMotion = now;
     else this.resolution.pause();
     if (this.loaders[0].loaded === null || this.pending.length >= (moving ? this.resolution.depth : 1)) return;
@@ -204,25 +211,29 @@ export class Viewport implements Display {
 
   rate(): Rate | null {
     const { measured, displayInterval, scale } = this.resolution;
-    if (this.fixedScale !== null || measured === null || !this.settled) return null;
-    return { scale, fps: 1000 / Math.max(measured, displayInterval) };
+    const milliseconds = measured ?? this.finished?.milliseconds;
+    if (this.fixedScale !== null || milliseconds === undefined || !this.settled) return null;
+    return { scale, fps: 1000 / Math.max(milliseconds, displayInterval) };
   }
 
   /** The load in motion; null until it is measured, and while the scale is fixed. */
   load(): RenderLoad | null {
     const { cost, scale, displayInterval } = this.resolution;
     if (this.fixedScale !== null || cost === null || !this.settled) return null;
-    return { cost, scale, displayInterval, megapixels: 1e-6 * this.pixels };
+    return { cost, scale, displayInterval, budget: MOTION_BUDGET, megapixels: 1e-6 * this.pixels };
   }
 
   planChanged(cost: number): void {
     this.resolution.expect(cost);
     this.changedAt = 0;
+    this.firstFinished = Infinity;
     this.dirty = true;
   }
 
   private get settled(): boolean {
     const { windows } = this.resolution;
+    // Of frames that take so long few are measured.
+    if (performance.now() - this.firstFinished > LONGEST_TRIAL) return true;
     return windows >= SETTLED_WINDOWS.most || (windows >= SETTLED_WINDOWS.least && windows > this.changedAt);
   }
 
@@ -306,6 +317,7 @@ export class Viewport implements Display {
   private record({ submitted, scale, moving, onCanvas }: PendingFrame, done: number): void {
     if (onCanvas) this.shown.add();
     this.finished = { scale, onCanvas, milliseconds: done - submitted };
+    this.firstFinished = Math.min(this.firstFinished, done);
     if (!moving || this.fixedScale !== null || this.exclusiveTasks > 0) return;
     if (!this.resolution.addFrame({ scale, submitted, done })) return;
     this.changedAt = this.resolution.windows;
