@@ -1,6 +1,5 @@
 """A server under load: time outside GL, throughput, twice its capacity for a minute, repeats, and a long run."""
 
-import contextlib
 import itertools
 import re
 import threading
@@ -13,10 +12,9 @@ from http.client import HTTPException
 from statistics import median, quantiles
 
 import numpy as np
-import psutil
 
 from bench.report import Column, Spread, Table, count, ms, times
-from bench.server import Answer, ask, closed_loop, connected, running, sure
+from bench.server import PROBE_SECONDS, Answer, ask, closed_loop, connected, probe, resident, running, sure
 from bench.watch import Watch
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
@@ -27,8 +25,6 @@ PRESET = "default"
 OVERLOAD = 2.0
 """Requests that arrive, over those that the server can draw."""
 OVERLOAD_SECONDS = 60.0
-PROBE_SECONDS = 0.1
-"""Between two requests for health and page."""
 REPEAT_SECONDS = 10.0
 THROUGHPUT_SECONDS = 8.0
 DEADLINE_SECONDS = 10.0
@@ -194,7 +190,7 @@ def _overload(port: int, watch: Watch) -> Table:
     replies: list[_Reply] = []
     probes: dict[str, list[float]] = {"/healthz": [], "/": []}
     over = threading.Event()
-    watchers = [threading.Thread(target=_probe, args=(port, path, found, over)) for path, found in probes.items()]
+    watchers = [threading.Thread(target=probe, args=(port, path, found, over)) for path, found in probes.items()]
     with watch.step(f"{OVERLOAD:g} times the capacity"), ThreadPoolExecutor(256) as threads:
         for watcher in watchers:
             watcher.start()
@@ -242,12 +238,6 @@ def _once(port: int, path: str) -> _Reply:
         status = 0
     ended = time.perf_counter()
     return _Reply(status, ended - began, ended)
-
-
-def _probe(port: int, path: str, found: list[float], over: threading.Event) -> None:
-    with connected(port) as connection:
-        while not over.wait(PROBE_SECONDS):
-            found.append(sure(connection, path).wall)
 
 
 def _repeats(port: int, watch: Watch) -> Table:
@@ -316,7 +306,7 @@ def _soak(port: int, watch: Watch) -> Table:
                 status = ask(connection, path).status
                 if status != 200:
                     refused[status] += 1
-            memory.append(((number + 1) * lap, _resident()))
+            memory.append(((number + 1) * lap, resident()))
     # The first third fills the caches.
     late = np.array(memory[len(memory) // 3 :])
     slope = float(np.polynomial.Polynomial.fit(late[:, 0], late[:, 1], 1).convert().coef[1]) * 1000.0
@@ -334,12 +324,3 @@ def _soak(port: int, watch: Watch) -> Table:
             ("slope, MiB for 1,000 frames", f"{slope / MEBIBYTE:+.2f}"),
         ],
     )
-
-
-def _resident() -> float:
-    """Proportional set size of all that this process has started, bytes."""
-    sizes = []
-    for process in psutil.Process().children(recursive=True):
-        with contextlib.suppress(psutil.NoSuchProcess):
-            sizes.append(process.memory_full_info().pss)
-    return float(sum(sizes))

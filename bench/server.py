@@ -10,15 +10,19 @@ import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from http.client import HTTPConnection
 from pathlib import Path
+
+import psutil
 
 HOST = "127.0.0.1"
 START_SECONDS = 60.0
 REQUEST_SECONDS = 30.0
 STOP_SECONDS = 20.0
+PROBE_SECONDS = 0.1
+"""Between two requests of a probe."""
 QUEUE = 16
 """Length of the server's queue: more than the benchmarks ever send at once."""
 
@@ -127,3 +131,19 @@ def closed_loop(port: int, paths: Iterator[str], clients: int, seconds: float) -
     with ThreadPoolExecutor(clients) as threads:
         answers = [answer for each in threads.map(client, range(clients)) for answer in each]
     return answers, time.perf_counter() - began
+
+
+def probe(port: int, path: str, found: list[float], over: threading.Event) -> None:
+    """Ask for a path every :data:`PROBE_SECONDS` and note the wall times, until it is over."""
+    with connected(port) as connection:
+        while not over.wait(PROBE_SECONDS):
+            found.append(sure(connection, path).wall)
+
+
+def resident() -> float:
+    """Return the proportional set size of all that this process has started, bytes."""
+    sizes = []
+    for process in psutil.Process().children(recursive=True):
+        with suppress(psutil.NoSuchProcess):
+            sizes.append(process.memory_full_info().pss)
+    return float(sum(sizes))

@@ -21,7 +21,8 @@ from seafoam.scene.presets import Preset, load_preset, preset_names
 
 FOLDER = Path(__file__).parent / "public/stills"
 INDEX = Path(__file__).parent / "stills.json"
-"""By preset, the hash of the start that its still shows."""
+"""By preset, the hash of the start that its still shows, the ink of the page's heading over it, and whether what lies
+behind that is of one tone."""
 
 SIZE = (1728, 720)
 SMALL = (240, 135)
@@ -30,6 +31,14 @@ STILL_LOSS = 50
 """Pillow's ``quality`` of AVIF."""
 SMALL_LOSS = 70
 """Pillow's ``quality`` of WebP."""
+HEADINGS = ((16 / 10, 0.42, 0.22), (6 / 13, 0.95, 0.36))
+"""Aspect ratio of a window, and width and height of its upper left corner that the heading takes, in shares of it."""
+INKS = {"light": 0.87, "dark": 0.009}
+"""Relative luminances of the heading's colours (``style.css``)."""
+EXTREMES = (10, 90)
+"""Percentiles of the luminance behind the heading at which an ink must be read."""
+EVEN = 2.5
+"""Least contrast there, below which neither ink is read by itself."""
 
 
 def start_of(preset: Preset) -> str:
@@ -46,6 +55,26 @@ def still_of(name: str) -> Path:
 def thumbnail_of(name: str) -> Path:
     """Where a preset's small picture is."""
     return FOLDER / f"{name}.small.webp"
+
+
+def heading_of(name: str) -> dict[str, str | bool]:
+    """The ink that is read better where it is read worst, over the preset's still in wide and in narrow windows."""
+    with Image.open(still_of(name)) as still:
+        pixels = np.asarray(still.convert("RGB"), np.float64) / 255.0
+    linear = np.where(pixels <= 0.04045, pixels / 12.92, ((pixels + 0.055) / 1.055) ** 2.4)
+    luminance = linear @ (0.2126, 0.7152, 0.0722)
+    rows, columns = luminance.shape
+    behind = []
+    for ratio, width, height in HEADINGS:
+        side = (columns - rows * ratio) / 2
+        corner = luminance[: round(height * rows), round(side) : round(side + width * rows * ratio)]
+        behind += list(np.percentile(corner, EXTREMES))
+
+    def contrast(ink: float) -> float:
+        return min((max(ink, each) + 0.05) / (min(ink, each) + 0.05) for each in behind)
+
+    best = max(INKS, key=lambda ink: contrast(INKS[ink]))
+    return {"ink": best, "even": bool(contrast(INKS[best]) >= EVEN)}
 
 
 def _draw(executor: Executor, preset: Preset) -> None:
@@ -65,15 +94,15 @@ def _draw(executor: Executor, preset: Preset) -> None:
 def main(names: Sequence[str]) -> None:
     """Draw the stills of these presets; without names, of those that are missing or outdated."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    index: dict[str, str] = json.loads(INDEX.read_text(encoding="utf-8")) if INDEX.is_file() else {}
+    index: dict[str, dict[str, str | bool]] = json.loads(INDEX.read_text(encoding="utf-8")) if INDEX.is_file() else {}
     presets = [load_preset(name) for name in preset_names()]
-    outdated = [preset.name for preset in presets if index.get(preset.name) != start_of(preset)]
+    outdated = [preset.name for preset in presets if index.get(preset.name, {}).get("start") != start_of(preset)]
     executor = Executor()
     try:
         for preset in presets:
             if preset.name in (names or outdated):
                 _draw(executor, preset)
-                index[preset.name] = start_of(preset)
+                index[preset.name] = {"start": start_of(preset), **heading_of(preset.name)}
                 kept = {each.name: index[each.name] for each in presets if each.name in index}
                 INDEX.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
                 print(f"{preset.name}: {still_of(preset.name).stat().st_size:,} bytes", flush=True)

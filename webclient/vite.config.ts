@@ -56,12 +56,15 @@ const paneStyles: Plugin = {
   },
 };
 
-/** Writes the names of presets with a still into the page. */
+/** Writes the names of presets with a still into the page, of those whose sky is too pale for light type, and of those that are light and dark there. */
 const stills: Plugin = {
   name: "stills",
   transformIndexHtml(html) {
     const names = readdirSync(join(import.meta.dirname, "public/stills")).flatMap((file) => /^([\w-]+)\.avif$/.exec(file)?.[1] ?? []);
-    return html.replace("data-stills=\"\"", `data-stills="${names.join(" ")}"`);
+    const index = JSON.parse(readFileSync(join(import.meta.dirname, "stills.json"), "utf8")) as Record<string, { ink: string; even: boolean }>;
+    const those = (which: (one: { ink: string; even: boolean }) => boolean) => Object.entries(index).flatMap(([name, one]) => (which(one) ? [name] : []));
+    const lists = { stills: names, pale: those(({ ink }) => ink === "dark"), uneven: those(({ even }) => !even) };
+    return Object.entries(lists).reduce((page, [list, members]) => page.replace(`data-${list}=""`, `data-${list}="${members.join(" ")}"`), html);
   },
 };
 
@@ -70,7 +73,18 @@ export default defineConfig({
   build: {
     target: "es2022",
     assetsInlineLimit: 0,
+    // Without it a browser that does not know the hints loads the same modules a little later.
+    modulePreload: { polyfill: false },
     rolldownOptions: {
+      // Few files for what every page with water needs at once: each of HTTP/1.1's six connections takes one at a time.
+      output: {
+        codeSplitting: {
+          groups: [
+            { name: "preact", test: /node_modules[\\/](@preact|preact)[\\/]/ },
+            { name: "water", test: /webclient[\\/]src[\\/](api\.ts|(camera|gl|plan|scene)[\\/])/ },
+          ],
+        },
+      },
       input: ["index.html", "masks/index.html", "learn/index.html", "learn/laboratory/index.html"].map((page) => join(import.meta.dirname, page)),
     },
   },

@@ -11,6 +11,7 @@ from starlette.testclient import TestClient
 from seafoam.api.app import create_app
 from seafoam.api.known import Requests
 from seafoam.api.settings import Settings
+from seafoam.api.streams import Streams
 from seafoam.api.threads import ThreadPool
 from support.api_fakes import FakeRenderer
 
@@ -43,5 +44,6 @@ def answering(**settings) -> TestClient:
         requests=Requests(),
         pool=SimpleNamespace(info={}, state="starting"),
         masks=ThreadPool(1, 8),
+        streams=Streams(2),
     )
     return TestClient(app, raise_server_exceptions=False)

@@ -144,8 +144,8 @@ export class Api {
   }
 
   /** A texture's bytes; the hash in the address makes them cacheable. */
-  async texture({ url, sha256 }: Texture): Promise<ArrayBuffer> {
-    return (await this.fetch(`${url}?sha256=${sha256}`)).arrayBuffer();
+  async texture({ url, sha256 }: Texture, part?: "upper" | "lower"): Promise<ArrayBuffer> {
+    return (await this.fetch(`${url}?sha256=${sha256}${part ? `&part=${part}` : ""}`)).arrayBuffer();
   }
 
   /** Options that the server lists, such as the masks. The name precedes the title, which may be cut off. */

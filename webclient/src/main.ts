@@ -34,14 +34,14 @@ async function start(api: Api): Promise<void> {
   const { preset: defaultPreset = "", stills = "" } = document.documentElement.dataset;
   const likely = link.preset ?? defaultPreset;
   const prefetch = stills.split(" ").includes(likely) ? api.preset(likely).catch(() => null) : null;
-  const requests = Promise.all([api.presets(), api.schema(), prefetch]);
+  const requests = Promise.all([api.presets(), prefetch]);
   // Awaited below.
   requests.catch(() => undefined);
   const still = new StillImage(byId("still") as HTMLImageElement);
   await still.whenPainted();
   // The browser starts the GPU while the server answers.
   const { makeDisplay, cannot } = openDisplay(api);
-  const [presets, schema, prefetched] = await requests;
+  const [presets, prefetched] = await requests;
   const linked = presets.find(({ name }) => name === link.preset);
   const summary = linked ?? presets[0];
   if (summary === undefined) throw new Error("The server lists no presets.");
@@ -49,8 +49,8 @@ async function start(api: Api): Promise<void> {
   const notFound = link.preset !== null && linked === undefined;
   // The link's other parts belong to the missing preset.
   const usable = notFound ? { ...link, changes: [], touches: null, time: null, camera: null, split: null } : link;
-  const app = new App(api, loadingScreen, still, { presets, schema, preset, link: usable, makeDisplay });
-  if (cannot !== null) byId("heading").append(element("p", { class: "notice mt-2.5 max-w-[42ch] text-note text-pretty text-accent" }, `The server draws the frames. ${cannot}`));
+  const app = new App(api, loadingScreen, still, { presets, preset, link: usable, makeDisplay });
+  if (cannot !== null) byId("heading").append(element("p", { class: "notice mt-2.5 max-w-[42ch] text-note text-pretty" }, `The server draws the frames. ${cannot}`));
   if (notFound) app.toasts.show(`Preset “${link.preset}” not found. Showing “${preset.title}”.`, [], "error");
 }
 

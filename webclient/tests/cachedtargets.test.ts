@@ -155,6 +155,14 @@ describe("setup passes", () => {
     expect(draws).toHaveLength(9);
   });
 
+  it("are not shared by what is drawn from rough textures", async () => {
+    const { gpu, draws } = driver();
+    const rough = { names: new Set<string>(), bytes: () => Promise.reject(new Error("no texture")) };
+    (await Executor.load(gpu, plan(), rough.bytes, CAMERA, true, rough)).draw(frame(0));
+    (await load(gpu, plan())).draw(frame(0));
+    expect(draws, "the tables are drawn again").toHaveLength(6);
+  });
+
   it("keep no more than a few targets that nobody uses", async () => {
     const { gpu, textures } = driver();
     const executor = await load(gpu, plan());

@@ -218,7 +218,11 @@ def _describe(app: FastAPI, settings: Settings) -> None:
             for unused in (one for one in (SceneExtensions, QualityExtensions) if not one.known):
                 del schemas[unused.__name__]
             sides = [schemas["FrameRequest"]["properties"][name] for name in ("width", "height")]
-            for path in ("/api/frames/{preset}.{format}", "/api/plans/{plan}/frames/{time}.{format}"):
+            for path in (
+                "/api/frames/{preset}.{format}",
+                "/api/plans/{plan}/frames/{time}.{format}",
+                "/api/streams/{stream}/frame.webp",
+            ):
                 parameters = document["paths"][path]["get"]["parameters"]
                 sides += [each["schema"] for each in parameters if each["name"] in ("width", "height")]
             for schema in sides:

@@ -8,9 +8,9 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from seafoam.api.access import API, CHALLENGE, SIGNED, Access
+from seafoam.api.context import Context
 from seafoam.api.errors import problem
 from seafoam.api.rates import Standing, TokenBuckets, bucket_of, limit_of
-from seafoam.api.streams import is_frame
 
 
 class Gate:
@@ -34,8 +34,8 @@ class Gate:
         name = self.access.name_of(Headers(scope=scope)) if self.access.keys else None
         scope.setdefault("state", {})["client"] = name
         standing = None
-        # Frames of a stream are bounded by the stream, which counts when it is opened.
-        if self.rates is not None and not is_frame(path):
+        # Frames of an open stream are bounded by the stream, which counts when it is opened.
+        if self.rates is not None and not _is_of_a_stream(scope):
             address = (scope.get("client") or ("",))[0]
             standing = self.rates.take(f"key {name}" if name else bucket_of(address))
         refusal = self._beyond(scope, standing) or self._refusal(scope, signed, name)
@@ -113,3 +113,8 @@ class Gate:
         # In place: what counts and logs requests reads the route from the same scope.
         scope["raw_path"], scope["path"] = path, unquote(path.decode("latin-1"))
         return None
+
+
+def _is_of_a_stream(scope: Scope) -> bool:
+    context: Context = scope["app"].state.context
+    return context.streams.has_frame(scope["path"])

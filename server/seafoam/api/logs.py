@@ -7,6 +7,7 @@ import time
 import uuid
 from contextvars import ContextVar
 from datetime import UTC, datetime
+from http import HTTPStatus
 from typing import Any, Literal
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -16,7 +17,7 @@ from seafoam.api.streams import is_frame
 
 REQUEST_ID = "X-Request-ID"
 PROBES = ("/healthz", "/readyz", "/metrics")
-"""Paths of requests that arrive every few seconds, and are not logged; neither are the frames of streams."""
+"""Paths of requests that arrive every few seconds, and are not logged; neither are frames of streams, if answered."""
 _SANE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:-]{0,127}")
 """An id that can stand in a header, a log and a shell."""
 
@@ -60,7 +61,7 @@ class LogRequests:
         try:
             await self.app(scope, receive, marking)
         finally:
-            if self.written and not _too_many(scope["path"]):
+            if self.written and not _too_many(scope["path"], status):
                 _write(scope, status, sent, time.perf_counter() - began)
 
 
@@ -111,9 +112,11 @@ def configure(form: Literal["text", "json"]) -> dict[str, Any]:
 
 def not_a_probe(record: logging.LogRecord) -> bool:
     """Keep probes and frames of streams out of uvicorn's access log."""
-    arguments = record.args
-    return not (isinstance(arguments, tuple) and len(arguments) > 2 and _too_many(str(arguments[2])))
+    match record.args:
+        case (_, _, str(path), _, int(status)):
+            return not _too_many(path, status)
+    return True
 
 
-def _too_many(path: str) -> bool:
-    return path.startswith(PROBES) or is_frame(path)
+def _too_many(path: str, status: int) -> bool:
+    return path.startswith(PROBES) or (is_frame(path) and status < HTTPStatus.BAD_REQUEST)

@@ -2,26 +2,36 @@
 
 import asyncio
 import math
+import re
 import secrets
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 
 from seafoam.quality import Quality
-from seafoam.render.service.slots import Turn
+from seafoam.render.service.slots import Slots, Turn
 from seafoam.scene.models import Scene
 
 LEASE_SECONDS = 10.0
 """Time without a request after which a stream ends, s."""
 FRAMES_AT_ONCE = 2
-"""Frames of one stream that may be drawn or wait: one is drawn while the one before it travels."""
-_PATH = "/api/streams/"
+"""Frames of one stream that may be drawn or wait for a worker: one is drawn while the one before it travels."""
+_FRAME = re.compile(r"/api/streams/([^/]+)/frame\.")
 
 
 def is_frame(path: str) -> bool:
     """Whether a request's path is that of a stream's frame."""
-    return path.startswith(_PATH) and "/frame." in path
+    return _FRAME.match(path) is not None
+
+
+@dataclass(eq=False, slots=True)
+class _Asked:
+    """A frame that is drawn or waits. ``placed``: whether it has one of the stream's places."""
+
+    turn: Turn
+    task: asyncio.Task[object]
+    placed: bool = False
 
 
 @dataclass(eq=False, slots=True)
@@ -32,26 +42,41 @@ class Stream:
     scene: Scene
     quality: Quality
     expires: float
-    frames: list[tuple[Turn, asyncio.Task[object]]] = field(default_factory=list)
-    """Those that are drawn or wait, in order of arrival."""
+    frames: list[_Asked] = field(default_factory=list)
+    """In order of arrival: as many as there are places, and one more where the frames of all places are being drawn."""
+    _places: Slots = field(default_factory=lambda: Slots(FRAMES_AT_ONCE))
 
-    @contextmanager
-    def place(self, turn: Turn, waits: Callable[[Turn], bool]) -> Iterator[None]:
+    @asynccontextmanager
+    async def place(self, turn: Turn, waits: Callable[[Turn], bool]) -> AsyncIterator[None]:
         """Hold a place for the current task's frame; where all are taken, the oldest frame that waits is given up.
 
-        waits: whether a frame has not been begun.
+        One that has been begun is not: else a page that asks faster than frames are drawn would never get one.
+
+        waits: whether a frame with a place has not been begun.
         """
         task = asyncio.current_task()
         assert task is not None
         if len(self.frames) >= FRAMES_AT_ONCE:
-            oldest = next((frame for frame in self.frames if waits(frame[0])), self.frames[0])
-            self.frames.remove(oldest)
-            oldest[1].cancel()
-        self.frames.append((turn, task))
+            waiting = (frame for frame in self.frames if not frame.placed or waits(frame.turn))
+            if (oldest := next(waiting, None)) is not None:
+                self.frames.remove(oldest)
+                oldest.task.cancel()
+        asked = _Asked(turn, task)
+        self.frames.append(asked)
         try:
-            yield
+            await self._places.acquire()
+            asked.placed = True
+            try:
+                yield
+            finally:
+                self._places.release()
         finally:
-            self.frames = [frame for frame in self.frames if frame[1] is not task]
+            self.frames = [frame for frame in self.frames if frame is not asked]
+
+    def give_up(self) -> None:
+        """Give up all frames."""
+        for frame in self.frames:
+            frame.task.cancel()
 
 
 class Streams:
@@ -90,17 +115,27 @@ class Streams:
             stream.expires = self._clock() + LEASE_SECONDS
         return stream
 
-    def close(self, id: str) -> None:
-        """End a stream, if it has not ended."""
-        self._open.pop(id, None)
+    def has_frame(self, path: str) -> bool:
+        """Whether a request's path is that of a frame of a stream that has not ended."""
+        self._expire()
+        match = _FRAME.match(path)
+        return match is not None and match[1] in self._open
 
-    def drawn(self, pixels: int, seconds: float) -> None:
-        """Note how long a frame took, without waiting."""
+    def close(self, id: str) -> None:
+        """End a stream, if it has not ended, and give up its frames: else streams that follow each other have many."""
+        stream = self._open.pop(id, None)
+        if stream is not None:
+            stream.give_up()
+
+    def drawn(self, stream: Stream, pixels: int, seconds: float) -> None:
+        """Note how long a frame took, without waiting. The stream's lease begins anew."""
+        stream.expires = self._clock() + LEASE_SECONDS
         rate = 1e6 * seconds / pixels
         known = self.seconds_per_megapixel
         self.seconds_per_megapixel = rate if known is None else known + 0.2 * (rate - known)
 
     def _expire(self) -> None:
         now = self._clock()
-        for id in [id for id, stream in self._open.items() if stream.expires < now]:
+        # A frame may take longer than the lease.
+        for id in [id for id, stream in self._open.items() if stream.expires < now and not stream.frames]:
             del self._open[id]

@@ -15,6 +15,7 @@ from opentelemetry.sdk.trace import TracerProvider
 from opentelemetry.sdk.trace.export import BatchSpanProcessor, SpanExporter
 
 from seafoam.api.logs import PROBES
+from seafoam.api.streams import is_frame
 
 
 class Traces:
@@ -37,13 +38,13 @@ class Traces:
 
     @property
     def requests(self) -> TelemetryConfig:
-        """Return how FastAPI traces requests: a span for each but probes."""
+        """Return how FastAPI traces requests: a span for each but probes and frames of streams."""
         return {
             "tracer_provider": self._provider,
             "metrics": False,
             "logs": False,
             "operation_spans": False,
-            "exclude": lambda scope: scope["type"] != "http" or scope["path"] in PROBES,
+            "exclude": lambda scope: scope["type"] != "http" or scope["path"] in PROBES or is_frame(scope["path"]),
         }
 
     def stages(self, timings: Mapping[str, float]) -> None:

@@ -6,6 +6,7 @@ Nothing here depends on time or camera, and no effect is known by name.
 from seafoam.textures.foam import FoamTexture, foam_texture
 from seafoam.textures.front import FRONT_NODES, FrontIntegral, front_fading, front_full
 from seafoam.textures.masks import MaskTable, MaskTexture
+from seafoam.textures.parts import Part
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ROWS, ShoreFloor, ShoreProfiles, ShoreTravel, shore_profiles
 from seafoam.textures.spec import TextureSpec, UnknownTextureError
@@ -20,6 +21,7 @@ __all__ = [
     "FrontIntegral",
     "MaskTable",
     "MaskTexture",
+    "Part",
     "SeaSpectrum",
     "ShoreFloor",
     "ShoreProfiles",

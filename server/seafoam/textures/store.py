@@ -5,9 +5,13 @@ import hashlib
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
+import numpy as np
+from numpy.typing import NDArray
+
 from seafoam.textures.foam import FoamTexture
 from seafoam.textures.front import FrontIntegral
 from seafoam.textures.masks import MaskTexture
+from seafoam.textures.parts import Part, lower_part, upper_part
 from seafoam.textures.sea import FftTwiddles, SeaSpectrum
 from seafoam.textures.shore import ShoreFloor, ShoreProfiles, ShoreTravel
 from seafoam.textures.spec import Format, TextureSpec, UnknownTextureError
@@ -46,9 +50,26 @@ class TextureData:
 
     @cached_property
     def gzipped(self) -> bytes | None:
-        """The data compressed by gzip, if that saves at least a quarter: atlases contain each texel four times."""
+        """The data compressed by gzip, if that saves at least a tenth: atlases contain each texel four times."""
         packed = gzip.compress(self.data, GZIP_LEVEL, mtime=0)
-        return packed if 4 * len(packed) <= 3 * len(self.data) else None
+        return packed if 10 * len(packed) <= 9 * len(self.data) else None
+
+    def part(self, part: Part) -> bytes:
+        """Return a part of texels of 16 bits, see :mod:`seafoam.textures.parts`; the upper one is compressed by gzip.
+
+        Raises ``ValueError`` for a texture of another format.
+        """
+        if self.format != "R16UI":
+            raise ValueError(f"part: a texture of format {self.format} has no parts, only R16UI has")
+        return self._upper if part == "upper" else lower_part(self._texels)
+
+    @property
+    def _texels(self) -> NDArray[np.uint16]:
+        return np.frombuffer(self.data, "<u2").reshape(self.height, self.width)
+
+    @cached_property
+    def _upper(self) -> bytes:
+        return upper_part(self._texels)
 
 
 @lru_cache(maxsize=64)

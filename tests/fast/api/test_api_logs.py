@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 from pydantic import ValidationError
+from starlette.responses import Response
 from starlette.testclient import TestClient
 
 from seafoam.api import logs
@@ -89,6 +90,18 @@ def test_probes_are_not_logged(client: TestClient, logged: Callable[[], list[dic
     client.get("/healthz")
     client.get("/readyz")
     assert logged() == []
+
+
+def test_frames_of_streams_are_logged_if_they_are_refused(
+    monkeypatch: pytest.MonkeyPatch, logged: Callable[[], list[dict[str, object]]]
+) -> None:
+    client = answering(log_format="json")
+    path = "/api/streams/x/frame.webp"
+    client.get(path)
+    monkeypatch.setattr("seafoam.api.gate.Gate.__call__", Response(status_code=204))
+    client.get(path)
+    client.get("/api/streams")
+    assert [(line["path"], line["status"]) for line in logged()] == [(path, 422), ("/api/streams", 204)]
 
 
 def test_as_text_uvicorn_writes_the_lines(logged: Callable[[], list[dict[str, object]]]) -> None:

@@ -4,6 +4,7 @@ import asyncio
 import os
 import signal
 import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -17,7 +18,8 @@ from seafoam.render.service.errors import (
 )
 from seafoam.render.service.jobs import Draw, FrameJob, MeasureJob
 from seafoam.render.service.limits import FrameLimits
-from seafoam.render.service.pool import RenderPool
+from seafoam.render.service.pool import BACKGROUND_SECONDS, RenderPool
+from seafoam.render.service.slots import Turn
 from seafoam.scene.models import Scene
 from support.api_fakes import (
     CRASH,
@@ -90,6 +92,25 @@ def test_the_deadline_counts_waiting():
         results = await asyncio.gather(*(pool.render(job(SLOW)) for _ in range(3)), return_exceptions=True)
         assert sum(isinstance(result, DeadlineError) for result in results) >= 1
         assert not isinstance(results[0], Exception)
+
+    with_pool(work)
+
+
+@pytest.mark.parametrize("turn", [Turn(stream=True), Turn(background=True)], ids=["stream", "background"])
+def test_what_gives_way_and_begins_late_costs_no_worker(monkeypatch, turn):
+    passed = 0.0
+    monkeypatch.setattr("seafoam.render.service.pool.time", SimpleNamespace(time=lambda: time.time() + passed))
+
+    async def work(pool):
+        nonlocal passed
+        await pool.wait_until_settled()
+        await pool._slots.acquire()
+        waiting = asyncio.ensure_future(pool.render(job(SLOW), turn))
+        await eventually(lambda: pool.waits(turn))
+        passed = (BACKGROUND_SECONDS if turn.background else pool.deadline) - SLOW_SECONDS / 10
+        pool._slots.release()
+        assert (await waiting).content
+        assert not pool.restarts
 
     with_pool(work)
 

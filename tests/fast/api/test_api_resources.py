@@ -110,6 +110,25 @@ def test_a_texture_asked_for_by_hash_is_kept_for_ever_and_never_another(client):
     assert other.json()["errors"][0]["allowed"] == {"enum": [digest]}
 
 
+def test_a_texture_of_16_bits_comes_in_parts_which_are_kept_as_the_whole_is(client):
+    url = "/api/textures/mask/lace/ranks"
+    whole = client.get(url)
+    digest = whole.headers["ETag"].strip('"')
+    packed = client.get(url, params={"sha256": digest, "part": "upper"}, headers={"Accept-Encoding": "gzip"})
+    plain = client.get(url, params={"part": "upper"}, headers={"Accept-Encoding": "identity"})
+    lower = client.get(url, params={"part": "lower"})
+    assert packed.headers["Content-Encoding"] == "gzip"
+    assert int(packed.headers["Content-Length"]) < 0.3 * len(whole.content)
+    assert packed.content == plain.content
+    assert len(plain.content) == len(whole.content) / 2
+    assert len(lower.content) == len(whole.content) * 10 / 16
+    assert packed.headers["Cache-Control"] == "public, max-age=31536000, immutable"
+    assert len({each.headers["ETag"] for each in (whole, plain, lower)}) == 3
+    (error,) = client.get("/api/textures/foam", params={"part": "upper"}).json()["errors"]
+    assert error["parameter"] == "part"
+    assert client.get(url, params={"part": "middle"}).status_code == 422
+
+
 @pytest.mark.parametrize(
     "url", ["/api/plans/default", "/api/textures/foam", "/api/masks/vac-6/data.png", "/api/masks/mix/spectrum"]
 )

@@ -46,7 +46,10 @@ def _quick_masks(monkeypatch):
     monkeypatch.setattr("seafoam.masks.catalogue.ON_REQUEST_SECONDS", 0.05)
 
 
-SCENES = ["/api/plans", "/api/scenes", "/api/frames", "/api/sequences", "/api/export"]
+SCENES = [
+    "/api/plans", "/api/scenes", "/api/frames", "/api/sequences", "/api/export",
+    "/api/streams", "/api/streams/{stream}",
+]  # fmt: skip
 """Their bodies hold a whole scene: making one that fits its schema takes seconds."""
 
 

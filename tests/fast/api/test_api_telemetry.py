@@ -96,6 +96,7 @@ def test_a_span_for_each_request(recorded: Recorded) -> None:
     client.get("/api/presets/none", headers={"traceparent": PARENT})
     client.head("/api/quality")
     client.get("/healthz")
+    client.get("/api/streams/x/frame.webp")
     first, second = recorded.spans()
     assert first.name == "GET /api/presets/{preset}"
     assert first.attributes is not None

@@ -53,7 +53,7 @@ def test_settings_exist_and_take_these_values(name: str) -> None:
 
 def test_the_proxy_knows_the_servers_paths(paths: set[str]) -> None:
     locations = re.findall(r"location (=|~)? ?(\S+) \{", text("nginx.conf"))
-    assert len(locations) == 4
+    assert len(locations) == 5
     for kind, place in locations:
         if kind == "~":
             for alternative in re.sub(r"\^/\((.*)\)/", r"\1", place).split("|"):
@@ -62,6 +62,14 @@ def test_the_proxy_knows_the_servers_paths(paths: set[str]) -> None:
                     assert any(one.search(path) for path in paths), alternative
         else:
             assert any(path == place if kind else path.startswith(place) for path in paths), place
+
+
+def test_streams_go_to_the_renderers_that_all_else_goes_to() -> None:
+    upstreams = dict(re.findall(r"upstream (\w+) \{(.*?)\}", text("nginx.conf"), re.DOTALL))
+    servers = {name: re.findall(r"server (\S+);", block) for name, block in upstreams.items()}
+    assert set(servers) == {"renderers", "streams"}
+    assert servers["renderers"] == servers["streams"]
+    assert "ip_hash;" in upstreams["streams"]
 
 
 def test_the_proxy_knows_the_servers_headers() -> None:

@@ -264,6 +264,7 @@ def test_doctor_exits_by_whether_frames_can_be_rendered(seafoam, monkeypatch, st
     [
         (["--port", "99999"], {}, ["--port", "0 to 65535"]),
         ([], {"SEAFOAM_WORKERS": "0"}, ["SEAFOAM_WORKERS", "1 to 64"]),
+        ([], {"SEAFOAM_STREAMS": "-1"}, ["SEAFOAM_STREAMS", "0 to 1000"]),
         ([], {"SEAFOAM_DEADLINE": "soon"}, ["SEAFOAM_DEADLINE", "at most 3600"]),
     ],
 )
@@ -285,9 +286,19 @@ def test_a_port_in_use(seafoam):
 
 
 @pytest.mark.parametrize(
-    ("path", "kept"), [("/healthz", False), ("/readyz", False), ("/metrics", False), ("/api/presets", True)]
+    ("path", "status", "kept"),
+    [
+        ("/healthz", 200, False),
+        ("/readyz", 503, False),
+        ("/metrics", 200, False),
+        ("/api/presets", 200, True),
+        ("/api/streams/x/frame.webp?time=1", 200, False),
+        ("/api/streams/x/frame.webp?time=1", 204, False),
+        ("/api/streams/x/frame.webp?time=1", 504, True),
+        ("/api/streams", 201, True),
+    ],
 )
-def test_health_checks_are_not_logged(path, kept):
-    arguments = ("127.0.0.1:5", "GET", path, "1.1", 200)
+def test_health_checks_and_frames_of_streams_are_not_logged(path, status, kept):
+    arguments = ("127.0.0.1:5", "GET", path, "1.1", status)
     record = logging.LogRecord("uvicorn.access", logging.INFO, "", 0, '%s - "%s %s HTTP/%s" %d', arguments, None)
     assert not_a_probe(record) is kept

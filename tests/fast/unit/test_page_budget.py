@@ -8,6 +8,8 @@ WEB = Path(__file__).parents[3] / "webclient"
 DIST = WEB / "dist"
 SCRIPT = 90_000
 """Most bytes of script for stage and settings, Brotli."""
+STILL = 150_000
+"""Most bytes of all that the first still and the page round it take."""
 STYLES = 900
 """Style sheets written by hand have fewer lines; the others are made of the classes in the markup."""
 LONGEST_LINE = 130
@@ -25,6 +27,12 @@ def stage() -> set[str]:
     return set(re.findall(r'(?:src|href)="\./([^"]+\.js)"', html))
 
 
+def linked() -> set[str]:
+    """Scripts and style sheets that the page's HTML names."""
+    html = (DIST / "index.html").read_text(encoding="utf-8")
+    return set(re.findall(r'(?:src|href)="\./([^"]+\.(?:js|css))"', html))
+
+
 def named(prefix: str) -> set[str]:
     return {f"assets/{file.name}" for file in (DIST / "assets").glob(f"{prefix}-*.js")}
 
@@ -36,8 +44,18 @@ def test_stage_and_settings_are_light() -> None:
     assert sum(map(weight, stage() | pane)) <= SCRIPT
 
 
+def test_the_first_still_and_the_page_round_it_are_light() -> None:
+    assert sum(map(weight, linked() | {"index.html", "stills/default.avif"})) <= STILL
+
+
+def test_the_still_is_asked_for_before_all_else() -> None:
+    """Scripts behind the style sheets wait for these."""
+    html = (DIST / "index.html").read_text(encoding="utf-8")
+    assert re.findall(r'(?:src|href)="([^"]+\.(?:js|css|avif))"', html)[0] == "./still.js"
+
+
 def test_surfaces_and_laboratories_are_loaded_when_opened() -> None:
-    later = {"panel": "accuracy", "surface": "plan and take home", "linechart": "charts", "serverview": "server frames"}
+    later = {"panel": "accuracy", "surface": "plan and take home", "linechart": "charts"}
     for prefix, what in later.items():
         assert named(prefix), f"no file of {what}: the names have changed"
         assert not named(prefix) & stage(), f"{what} would be loaded with the page"

@@ -1,11 +1,12 @@
-"""Who is served first, and who shares a run: visitors before the background, and identical calls once."""
+"""Who is served first, and who shares a run: visitors before streams and background, and identical calls once."""
 
 import asyncio
+from collections.abc import Callable
 
 import pytest
 
 from seafoam.render.service.sharing import Sharing
-from seafoam.render.service.slots import Slots, Turn
+from seafoam.render.service.slots import STREAMED, Slots, Turn
 
 
 async def settle() -> None:
@@ -36,6 +37,50 @@ def test_visitors_go_before_the_background_in_order_of_arrival() -> None:
         await asyncio.gather(*tasks)
 
     asyncio.run(run())
+
+
+def served(turns: dict[str, Turn], new: Callable[[str], tuple[str, Turn] | None] = lambda name: None) -> list[str]:
+    """In which order one worker serves callers. new: who comes when a caller has been served."""
+
+    async def run() -> list[str]:
+        slots, order = Slots(1), []
+        await slots.acquire()
+        tasks = []
+
+        async def wait(name: str, turn: Turn) -> None:
+            await slots.acquire(turn)
+            order.append(name)
+            if (come := new(name)) is not None:
+                tasks.append(asyncio.ensure_future(wait(*come)))
+
+        tasks += [asyncio.ensure_future(wait(name, turn)) for name, turn in turns.items()]
+        await settle()
+        while len(order) < len(tasks):
+            slots.release()
+            await settle()
+        await asyncio.gather(*tasks)
+        return order
+
+    return asyncio.run(run())
+
+
+def test_frames_of_streams_go_between_visitors_and_the_background() -> None:
+    turns = {"b1": Turn(True), "s1": Turn(stream=True), "v1": Turn(), "s2": Turn(stream=True), "v2": Turn()}
+    assert served(turns) == ["v1", "v2", "s1", "s2", "b1"]
+
+
+def test_the_background_is_served_while_streams_always_wait() -> None:
+    """Two streams ask for the next frame whenever one has come."""
+    left = iter(range(5 * STREAMED))
+
+    def again(name: str) -> tuple[str, Turn] | None:
+        return (name, Turn(stream=True)) if name == "stream" and next(left, None) is not None else None
+
+    turns = {f"b{number}": Turn(True) for number in range(2)}
+    turns |= {"stream": Turn(stream=True), "v": Turn()}
+    order = served(turns, again)
+    assert order[0] == "v"
+    assert [place for place, name in enumerate(order) if name.startswith("b")] == [STREAMED + 1, 2 * STREAMED + 2]
 
 
 def test_no_worker_is_lost_with_a_caller_that_gives_up() -> None:

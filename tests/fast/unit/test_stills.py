@@ -21,7 +21,8 @@ _SPEC.loader.exec_module(stills)
 @pytest.mark.parametrize("name", preset_names())
 def test_a_preset_has_its_still(name: str) -> None:
     made_for = json.loads(stills.INDEX.read_text(encoding="utf-8"))
-    assert made_for.get(name) == stills.start_of(load_preset(name)), "the preset starts otherwise: make stills"
+    now = {"start": stills.start_of(load_preset(name)), **stills.heading_of(name)}
+    assert made_for.get(name) == now, "the preset starts otherwise: make stills"
     for path, form, size, most in (
         (stills.still_of(name), "AVIF", stills.SIZE, 180_000),
         (stills.thumbnail_of(name), "WEBP", stills.SMALL, 12_000),

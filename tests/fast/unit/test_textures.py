@@ -1,15 +1,19 @@
 """Addresses of textures: each is read back as what it was written from, in any process."""
 
 import base64
+import gzip
 import io
+import json
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 from PIL import Image
 
 from seafoam.planner import make_plan
@@ -32,6 +36,7 @@ from seafoam.textures import (
     texture,
     url_of,
 )
+from seafoam.textures.parts import lower_part, upper_part
 from seafoam.textures.spec import _JSON, _PATH
 
 PATH = re.compile(r"^/api/textures/[A-Za-z0-9\-._~!$&'()*+,;=:@/]+$")
@@ -201,3 +206,56 @@ def test_an_address_of_nothing_is_refused(address: str) -> None:
 def test_what_nothing_can_be_made_of_is_refused(spec: TextureSpec) -> None:
     with pytest.raises(UnknownTextureError):
         texture(spec)
+
+
+def of_parts(upper: bytes, lower: bytes, width: int) -> NDArray[np.uint16]:
+    """Texels of both parts, one after the other."""
+    coded = np.frombuffer(gzip.decompress(upper), np.uint8).reshape(-1, width)
+    values = np.zeros(coded.shape, np.int64)
+    for (row, column), added in np.ndenumerate(coded):
+        neighbours = []
+        if column:
+            neighbours.append(int(values[row, column - 1]))
+        if row:
+            neighbours.append(int(values[row - 1, column]))
+        if row and column:
+            neighbours.append(sum(neighbours) - int(values[row - 1, column - 1]))
+        values[row, column] = (sorted(neighbours)[len(neighbours) // 2] if neighbours else 0) + int(added) & 63
+    low = np.frombuffer(lower, np.uint8, coded.size).astype(np.int64).reshape(coded.shape)
+    pairs = np.frombuffer(lower, np.uint8, offset=coded.size)
+    pair = np.stack([pairs >> shift & 3 for shift in (0, 2, 4, 6)], axis=-1).reshape(coded.shape)
+    whole: NDArray[np.uint16] = (values << 10 | pair.astype(np.int64) << 8 | low).astype(np.uint16)
+    return whole
+
+
+@pytest.mark.parametrize("name", ["lace", "vac-24", "bubble:4:64:3"])
+def test_both_parts_are_the_whole_and_the_first_is_small(name: str) -> None:
+    whole = texture(MaskTexture(masks=(name,), table="ranks"))
+    texels = np.frombuffer(whole.data, "<u2").reshape(whole.height, whole.width)
+    upper, lower = whole.part("upper"), whole.part("lower")
+    assert (of_parts(upper, lower, whole.width) == texels).all()
+    assert len(lower) == 10 * texels.size / 8
+    # As good as random, and still no more than its 6 bits.
+    assert len(upper) < 1.01 * 6 * texels.size / 8
+    if name == "lace":
+        assert len(upper) < 0.3 * len(whole.data)
+
+
+@given(st.integers(0, 999))
+@settings(max_examples=20, deadline=None)
+def test_any_texels_have_parts(seed: int) -> None:
+    texels = np.random.default_rng(seed).integers(0, 1 << 16, (5, 8), dtype=np.uint16)
+    assert (of_parts(upper_part(texels), lower_part(texels), 8) == texels).all()
+
+
+def test_the_parts_are_those_that_the_page_joins() -> None:
+    """``webclient/tests/textureparts.test.ts`` reads the same file."""
+    golden = json.loads((Path(__file__).parents[2] / "golden/texture_parts.json").read_text(encoding="utf-8"))
+    texels = np.array(golden["texels"], np.uint16).reshape(-1, golden["width"])
+    assert list(gzip.decompress(upper_part(texels))) == golden["upper"]
+    assert list(lower_part(texels)) == golden["lower"]
+
+
+def test_only_texels_of_16_bits_have_parts() -> None:
+    with pytest.raises(ValueError, match="R16UI"):
+        texture(FoamTexture()).part("upper")

@@ -1,10 +1,11 @@
 /** The page: connects the user's selection to what is drawn. */
-import { type Api, ApiError, type Preset, type PresetSummary, type SceneSchema } from "../api";
+import { type Api, ApiError, type Preset, type PresetSummary } from "../api";
 import { CameraControls } from "../camera/controls";
 import { cameraFromScene } from "../camera/state";
 import { Gallery } from "../gallery/gallery";
 import { CapabilityError } from "../gl/capabilities";
 import { SceneEdits } from "../edits/edits";
+import { TextureParts } from "../plan/textureparts";
 import { equal } from "../scene/json";
 import { Surfaces } from "../surfaces/surfaces";
 import { listenForDrops } from "../take/drop";
@@ -42,7 +43,6 @@ const CLEARANCE = 0.3;
 
 export interface StartData {
   presets: readonly PresetSummary[];
-  schema: SceneSchema;
   preset: Preset;
   link: LinkState;
   makeDisplay: MakeDisplay;
@@ -61,6 +61,7 @@ export class App {
   private readonly stats = new FrameStats();
   private readonly effects = new EffectList();
   private readonly store: Store;
+  private readonly textures: TextureParts;
   private readonly loaders: readonly [PlanLoader, PlanLoader];
   private readonly display: ChosenDisplay;
   private readonly controls: CameraControls;
@@ -81,8 +82,8 @@ export class App {
   private readonly pilot: QualityPilot;
   /** Whether the selected preset has been drawn: until then its still covers the canvas and time stands. */
   private started = false;
-  /** Whether the hint was shown. */
-  private hinted = false;
+  /** Whether any preset has been drawn. */
+  private moved = false;
   private readonly ready: Promise<void>;
   private resolveReady: () => void = () => undefined;
   private rejectReady: (error: unknown) => void = () => undefined;
@@ -91,7 +92,7 @@ export class App {
     private readonly api: Api,
     private readonly loadingScreen: LoadingScreen,
     private readonly still: StillImage,
-    { presets, schema, preset, link, makeDisplay }: StartData,
+    { presets, preset, link, makeDisplay }: StartData,
   ) {
     const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.store = new Store(selectionFromLink(preset, link));
@@ -100,6 +101,7 @@ export class App {
     this.clock.playing = !(link.paused ?? reducedMotion);
 
     const canvas = byId("canvas") as HTMLCanvasElement;
+    this.textures = new TextureParts((texture) => api.texture(texture), (texture, part) => api.texture(texture, part));
     this.loaders = [this.makeLoader(0), this.makeLoader(1)];
     this.presetLoader = new PresetLoader(api, () => this.store.now.preset, (busy) => this.setBusy("preset", busy));
     this.pilot = new QualityPilot(api, this.store);
@@ -107,10 +109,15 @@ export class App {
     this.display.setFixedScale(link.scale);
     this.display.choose(link.draw ?? "auto");
     this.controls = new CameraControls(canvas, link.camera ?? cameraFromScene(preset.scene), !reducedMotion);
-    const { tiers } = schema;
-    this.settings = this.makeSettings(tiers);
+    this.settings = this.makeSettings();
     this.settings.showDrawer(this.display.wish, this.display.own !== null);
-    this.editor = new SceneEditor(api, schema, this.store, this.settings.scene, byId("split-view"), (error) => this.failed(error));
+    this.editor = new SceneEditor(api, this.store, this.settings.scene, byId("split-view"), {
+      tiers: (names) => {
+        const { quality, auto } = this.store.now;
+        this.settings.show(quality, auto, names);
+      },
+      failed: (error) => this.failed(error),
+    });
     this.accuracy = this.makeAccuracyTool();
     this.surfaces = new Surfaces(() => this.sharing.context(() => this.surfaces.show(null)), {
       toggled: (open) => {
@@ -155,9 +162,11 @@ export class App {
   }
 
   private makeLoader(index: 0 | 1): PlanLoader {
-    return new PlanLoader(this.api, {
+    return new PlanLoader(this.api, this.textures, {
       gpu: () => this.display.viewport?.gpu ?? null,
       camera: () => this.controls.camera,
+      // A picture that stands, or beside another, can be looked at closely.
+      roughUntil: () => (this.moved || !this.clock.playing || this.store.now.split !== null ? null : this.ready),
       complete: () => this.limitCamera(),
       changed: (newPlan) => {
         if (newPlan) this.planChanged();
@@ -184,8 +193,8 @@ export class App {
     });
   }
 
-  private makeSettings(tiers: readonly string[]): SettingsPanel {
-    return new SettingsPanel(byId("settings"), tiers, this.controls, this.effects, {
+  private makeSettings(): SettingsPanel {
+    return new SettingsPanel(byId("settings"), this.controls, this.effects, {
       quality: (tier) => this.setQuality(tier ?? this.store.now.quality, tier === null),
       drawer: (choice) => this.chooseDrawer(choice),
       scale: (scale) => this.setFixedScale(scale),
@@ -235,7 +244,8 @@ export class App {
       const { quality, auto } = this.store.now;
       const { drawer, why, still } = this.display;
       this.stats.show({ ...this.display.timing(), drawer, why, still: still !== null, playing: this.clock.playing, quality: qualityTitle(quality), auto });
-      if (this.started && this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.load());
+      // Under the still the server may yet draw: it is asked for when this browser's first frames are measured.
+      if (this.started) this.pilotQuality();
       if (this.clock.playing) this.transport.update();
     }, STATS_INTERVAL);
   }
@@ -252,14 +262,21 @@ export class App {
 
   private frameDone(): void {
     if (this.clock.playing) this.transport.movePosition();
-    if (this.started || this.busy.has(0) || !this.display.presentable) return;
+    if (this.started || !this.display.presentable) return;
+    this.pilotQuality();
+    if (this.busy.has(0) && !this.display.bridged) return;
     this.started = true;
     this.still.fadeOut();
     this.loadingScreen.hide();
-    if (!this.hinted) showHint(byId("bar"), matchMedia("(pointer: coarse)").matches);
-    this.hinted = true;
+    if (this.moved) return;
+    this.moved = true;
+    showHint(byId("bar"), matchMedia("(pointer: coarse)").matches);
+    this.gallery.showPictures();
     this.resolveReady();
-    this.pilot.loadCosts();
+  }
+
+  private pilotQuality(): void {
+    if (this.clock.playing && this.busy.size === 0) this.pilot.update(this.display.load());
   }
 
   private viewState() {
@@ -284,6 +301,7 @@ export class App {
     this.sharing.planChanged();
     this.limitCamera();
     this.touch.planChanged();
+    this.pilot.loadCosts();
     this.display.planChanged(this.pilot.planDrawn());
   }
 
@@ -301,6 +319,7 @@ export class App {
     byId("title").textContent = preset.title;
     // Not by :has(:empty), which WebKit does not look at again.
     byId("heading").classList.remove("unnamed");
+    for (const tone of ["pale", "uneven"]) byId("heading").classList.toggle(tone, document.documentElement.dataset[tone]?.split(" ").includes(preset.name) === true);
     byId("summary").textContent = preset.summary;
     document.title = `${preset.title} · Seafoam`;
     this.gallery.select(preset.name);
@@ -385,6 +404,7 @@ export class App {
     this.toasts.show(message, error instanceof ApiError ? error.details : [], "error");
     if (!this.display.blank) {
       this.still.hide();
+      this.gallery.showPictures();
       this.started = true;
       return;
     }
@@ -403,13 +423,14 @@ export class App {
   private testState() {
     return {
       ...this.address.link(true),
+      rough: this.loaders[0].rough,
       pictures: this.loaders.filter(({ loaded }) => loaded !== null).length,
       lost: this.display.viewport?.gl.isContextLost() ?? false,
       timing: this.display.timing(),
       playing: this.clock.playing,
       busy: this.busy.size > 0,
       still: this.still.shown,
-      settled: this.busy.size === 0 && !this.still.shown && !this.clock.playing && this.display.atRest,
+      settled: this.busy.size === 0 && !this.loaders[0].rough && !this.still.shown && !this.clock.playing && this.display.atRest,
     };
   }
 }

@@ -12,6 +12,8 @@ const LEAST = { fps: 2.5, scale: 0.2 };
 const BETTER = 1.2;
 /** Time after which the way that was left is tried again, ms. */
 const AGAIN = 60_000;
+/** Time that this browser has for its first plan before the server draws meanwhile, ms. */
+const HEAD_START = 1500;
 /** Time for which this browser's picture may be less than good before the server is tried, ms. */
 const PATIENCE = 1500;
 
@@ -25,7 +27,11 @@ export function worth(rate: Rate | null): number {
 const isGood = ({ fps, scale }: Rate) => fps >= FLUENT.fps && scale >= FLUENT.scale;
 
 export class ChosenDisplay implements Display {
-  drawer: Drawer;
+  /** Who draws for good; the server may do so meanwhile. */
+  private chosen: Drawer;
+  /** While this browser compiles its first plan, the server draws; null: no longer, or not yet. */
+  private waitsSince: number | null = null;
+  private meanwhile = false;
   private rates: Record<Drawer, Rate | null> = { browser: null, server: null };
   /** When the way that does not draw may be tried, ms of performance.now(). */
   private tryAt = 0;
@@ -40,7 +46,11 @@ export class ChosenDisplay implements Display {
     private readonly cannot: string | null,
     private readonly events: DisplayEvents,
   ) {
-    this.drawer = browser === null ? "server" : "browser";
+    this.chosen = browser === null ? "server" : "browser";
+  }
+
+  get drawer(): Drawer {
+    return this.meanwhile ? "server" : this.chosen;
   }
 
   get wish(): DrawerChoice {
@@ -58,6 +68,7 @@ export class ChosenDisplay implements Display {
   /** Who draws and why, as a sentence. */
   get why(): string {
     const { still, cannot, drawer, choice } = this;
+    if (this.meanwhile) return "The server draws the frames until this browser is ready.";
     if (still !== null) return `The picture stands still: ${still}.`;
     if (cannot !== null) return `The server draws the frames. ${cannot}`;
     if (choice !== "auto") return drawer === "server" ? "The server draws the frames, as you chose." : "This browser draws, as you chose.";
@@ -69,7 +80,7 @@ export class ChosenDisplay implements Display {
   }
 
   get viewport(): Viewport | null {
-    return this.drawer === "browser" ? this.browser : null;
+    return this.chosen === "browser" ? this.browser : null;
   }
 
   /** The browser's own GPU, whoever draws. */
@@ -83,14 +94,20 @@ export class ChosenDisplay implements Display {
 
   set dirty(dirty: boolean) {
     this.current.dirty = dirty;
+    if (this.meanwhile) this.server.dirty = dirty;
   }
 
   get blank(): boolean {
-    return this.current.blank && (this.drawer === "server" || this.server.blank);
+    return this.current.blank && this.server.blank;
   }
 
   get presentable(): boolean {
-    return this.current.presentable && !this.leaves;
+    return (this.current.presentable && !this.leaves) || this.bridged;
+  }
+
+  /** Whether the server's picture stands while this browser compiles. */
+  get bridged(): boolean {
+    return this.meanwhile && this.server.presentable;
   }
 
   get atRest(): boolean {
@@ -113,12 +130,13 @@ export class ChosenDisplay implements Display {
   tick(now: number, view: ViewState, moving: boolean): void {
     this.reconsider(performance.now());
     this.current.tick(now, view, moving);
+    this.bridge(now, view, moving);
     // The server's last picture stays until the first of this browser.
-    if (this.drawer === "browser" && !this.server.blank && this.current.presentable) this.server.hide();
+    if (this.chosen === "browser" && !this.meanwhile && !this.server.blank && this.current.presentable) this.server.hide();
   }
 
   timing(): FrameTiming {
-    return this.current.timing();
+    return this.meanwhile ? this.server.timing() : this.current.timing();
   }
 
   rate(): Rate | null {
@@ -137,22 +155,37 @@ export class ChosenDisplay implements Display {
   }
 
   private get current(): Display {
-    return this.drawer === "browser" && this.browser !== null ? this.browser : this.server;
+    return this.chosen === "browser" && this.browser !== null ? this.browser : this.server;
+  }
+
+  /** Has the server draw while this browser takes long to compile its first plan, until its picture is good. */
+  private bridge(now: number, view: ViewState, moving: boolean): void {
+    if (this.chosen !== "browser" || this.choice !== "auto" || this.browser === null) return;
+    if (!this.browser.blank) this.waitsSince = null;
+    else if (moving) {
+      this.waitsSince ??= now;
+      this.meanwhile ||= now - this.waitsSince > HEAD_START;
+    }
+    if (!this.meanwhile) return;
+    if (this.browser.presentable || this.server.still !== null) {
+      this.meanwhile = false;
+      this.server.close();
+    } else this.server.tick(now, view, moving);
   }
 
   /** Whether this browser gives so little that the server is tried: nothing that moves, or for some time no good picture. */
   private get leaves(): boolean {
-    const rate = this.drawer === "browser" && this.choice === "auto" ? this.current.rate() : null;
+    const rate = this.chosen === "browser" && this.choice === "auto" ? this.current.rate() : null;
     const now = performance.now();
     if (rate === null || isGood(rate)) this.goodAt = now;
     return rate !== null && now >= this.tryAt && (worth(rate) === 0 || now - this.goodAt > PATIENCE);
   }
 
   private reconsider(now: number): void {
-    const { browser, choice, current, drawer, rates, server } = this;
+    const { browser, choice, current, chosen, rates, server } = this;
     if (browser === null || choice !== "auto") return;
-    rates[drawer] = current.rate() ?? rates[drawer];
-    if (drawer === "browser") {
+    rates[chosen] = current.rate() ?? rates[chosen];
+    if (chosen === "browser") {
       if (this.leaves) this.use("server");
     } else if (server.still !== null) {
       this.tryAt = server.retryAt;
@@ -164,9 +197,10 @@ export class ChosenDisplay implements Display {
   }
 
   private use(drawer: Drawer): void {
-    if (drawer === this.drawer || (drawer === "browser" && this.browser === null)) return;
-    if (this.drawer === "server") this.server.close();
-    this.drawer = drawer;
+    if (drawer === this.chosen || (drawer === "browser" && this.browser === null)) return;
+    if (this.chosen === "server") this.server.close();
+    this.chosen = drawer;
+    this.meanwhile = false;
     this.current.planChanged(1);
     this.events.drawerChanged();
   }

@@ -5,6 +5,7 @@ import type { FramePlan } from "../generated/api";
 import type { Gpu } from "../gl/gpu";
 import { Executor } from "../plan/executor";
 import { CAMERA_POINTER, planCovers } from "../plan/live";
+import type { TextureParts } from "../plan/textureparts";
 import { equal, type Json, withValue } from "../scene/json";
 
 /** Delay before the server is asked, ms: a slider may still move. */
@@ -24,10 +25,15 @@ export interface LoadedPlan {
   scene: Json;
 }
 
+/** What a picture shows. */
+export type PlanView = Pick<LoadedPlan, "scene" | "request">;
+
 export interface PlanLoaderEvents {
   /** Null where the server draws. */
   gpu(): Gpu | null;
   camera(): CameraState;
+  /** Settles when the first picture is shown: until then textures may be rough. Null: they must be exact. */
+  roughUntil(): Promise<void> | null;
   /** There is something new to draw; `newPlan`: not only live fields. */
   changed(newPlan: boolean): void;
   /** The programs for every camera are compiled. */
@@ -41,11 +47,30 @@ export class PlanLoader {
   loaded: LoadedPlan | null = null;
   private requested: PlanRequest | null = null;
   private abort: AbortController | null = null;
+  /** Settles when what is drawn has exact textures. */
+  private refining: Promise<void> = Promise.resolve();
 
   constructor(
     private readonly api: Api,
+    private readonly textures: TextureParts,
     private readonly events: PlanLoaderEvents,
   ) {}
+
+  /** Whether the picture is not exact yet. */
+  get rough(): boolean {
+    return this.loaded?.executor?.rough === true;
+  }
+
+  /** Settles when the picture is exact; rejects if what that takes could not be loaded. */
+  exact(): Promise<void> {
+    return this.refining;
+  }
+
+  /** What is drawn, or before the first plan is there what will be. */
+  get view(): PlanView | null {
+    const { loaded, requested } = this;
+    return loaded ?? (requested && { scene: requested.scene, request: requested });
+  }
 
   get plan(): FramePlan | null {
     return this.loaded?.plan ?? null;
@@ -96,15 +121,21 @@ export class PlanLoader {
       const gpu = this.events.gpu();
       // Without its camera, so that the server's cache has one plan for every view of the scene.
       const plan = await this.api.plan(withValue(request.scene, CAMERA_POINTER, undefined), request.quality, abort.signal);
-      const executor = gpu && await Executor.load(gpu, plan, (texture) => this.api.texture(texture), this.events.camera(), true);
+      const roughUntil = this.events.roughUntil();
+      const executor = gpu && await Executor.load(gpu, plan, this.textures.exact, this.events.camera(), true, roughUntil && this.textures.roughOf(plan));
       if (!outdated()) await executor?.warmUp(this.events.camera(), request.scene);
       if (outdated() || gpu !== this.events.gpu()) {
         executor?.dispose();
         return;
       }
       this.loaded?.executor?.dispose();
-      this.loaded = { plan, executor, request, scene: request.scene };
+      const loaded = { plan, executor, request, scene: request.scene };
+      this.loaded = loaded;
       this.abort = null;
+      this.refining = gpu && executor?.rough && roughUntil ? roughUntil.then(() => this.refine(gpu, loaded)) : Promise.resolve();
+      this.refining.catch((error: unknown) => {
+        if (this.loaded === loaded) this.events.failed(error);
+      });
       this.events.busy(false);
       this.events.changed(true);
       await executor?.complete;
@@ -118,5 +149,21 @@ export class PlanLoader {
       this.events.busy(false);
       this.events.failed(error);
     });
+  }
+
+  /** Puts exact textures in the place of rough ones: by an executor of its own, whose tables are drawn where nobody sees it. */
+  private async refine(gpu: Gpu, loaded: LoadedPlan): Promise<void> {
+    const outdated = () => this.loaded !== loaded;
+    if (outdated()) return;
+    const executor = await Executor.load(gpu, loaded.plan, this.textures.exact, this.events.camera(), true);
+    if (!outdated()) await executor.warmUp(this.events.camera(), loaded.scene, true);
+    if (outdated()) {
+      executor.dispose();
+      return;
+    }
+    loaded.executor?.dispose();
+    loaded.executor = executor;
+    this.events.changed(false);
+    void executor.complete.then(() => outdated() || this.events.complete());
   }
 }

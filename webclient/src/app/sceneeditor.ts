@@ -1,4 +1,4 @@
-/** Editing of the scene's fields: the settings' pane, loaded on first use, and the split view of one field. */
+/** Editing of the scene's fields: the settings' pane and the split view of one field. What they need is loaded on first use. */
 import type { Api, Choice, SceneSchema } from "../api";
 import { choiceControls } from "../panel/model";
 import type { ScenePane } from "../panel/pane";
@@ -9,24 +9,32 @@ import { qualityTitle } from "./quality";
 import { sceneControls } from "./schema";
 import type { Store } from "./store";
 
+export interface SceneEditorEvents {
+  /** Names of the quality tiers, once they are known. */
+  tiers(names: readonly string[]): void;
+  failed(error: unknown): void;
+}
+
 export class SceneEditor {
   private pane: ScenePane | null = null;
+  private schema: SceneSchema | null = null;
+  private schemaLoading: Promise<void> | null = null;
   private readonly splitView: SplitView;
   private readonly options = new Map<string, readonly Choice[]>();
 
   constructor(
     private readonly api: Api,
-    private readonly schema: SceneSchema,
     private readonly store: Store,
     private readonly paneContainer: HTMLElement,
     splitContainer: HTMLElement,
-    private readonly failed: (error: unknown) => void,
+    private readonly events: SceneEditorEvents,
   ) {
     this.splitView = new SplitView(splitContainer, (split) => store.set({ split }), (field) => this.compareBy(field));
   }
 
   load(): void {
     if (this.pane) return;
+    void this.withSchema();
     import("../panel/pane").then(
       ({ ScenePane: Pane }) => {
         this.pane ??= new Pane(this.paneContainer, {
@@ -35,22 +43,40 @@ export class SceneEditor {
         });
         this.show();
       },
-      (error: unknown) => this.failed(error),
+      (error: unknown) => this.events.failed(error),
     );
   }
 
   /** Shows the selection; `rebuild`: the options of the pane's fields have changed. */
   show(rebuild = false): void {
     const { scene, split } = this.store.now;
-    const controls = this.pane && sceneControls(this.schema, scene);
+    if (split) void this.withSchema();
+    const controls = this.pane && this.schema && sceneControls(this.schema, scene);
     if (controls) this.pane?.show(controls, scene, rebuild);
-    this.splitView.show(split, this.comparableFields());
+    this.splitView.show(split, split ? this.comparableFields() : []);
   }
 
-  toggleSplit(): void {
+  async toggleSplit(): Promise<void> {
+    await this.withSchema();
     const { now } = this.store;
     const preferred = now.split ? undefined : preferredField(this.comparableFields());
     this.store.set({ split: preferred ? startSplit(now, preferred) : null });
+  }
+
+  /** Settles when the schema is here, or could not be loaded and may be tried again. */
+  private withSchema(): Promise<void> {
+    this.schemaLoading ??= this.api.schema().then(
+      (schema) => {
+        this.schema = schema;
+        this.events.tiers(schema.tiers);
+        this.show();
+      },
+      (error: unknown) => {
+        this.schemaLoading = null;
+        this.events.failed(error);
+      },
+    );
+    return this.schemaLoading;
   }
 
   private compareBy(name: string): void {
@@ -67,13 +93,13 @@ export class SceneEditor {
   /** Every choice of the scene, and the quality. */
   private comparableFields(): ComparableField[] {
     const { scene, quality } = this.store.now;
-    const controls = sceneControls(this.schema, scene);
+    const controls = this.schema && sceneControls(this.schema, scene);
     const fields = (controls ? choiceControls(controls) : []).map((control) => ({
       field: control.pointer,
       title: control.label,
       options: control.kind === "choice" ? plainOptions(control.options) : this.optionsFrom(control.url),
     }));
-    const qualities = [...new Set([...this.schema.tiers, quality])].map((name) => ({ name, title: qualityTitle(name) }));
+    const qualities = [...new Set([...(this.schema?.tiers ?? []), quality])].map((name) => ({ name, title: qualityTitle(name) }));
     return [...fields, { field: QUALITY_FIELD, title: "quality", options: qualities }];
   }
 
@@ -89,7 +115,7 @@ export class SceneEditor {
       },
       (error: unknown) => {
         this.options.delete(url);
-        this.failed(error);
+        this.events.failed(error);
       },
     );
     return [];

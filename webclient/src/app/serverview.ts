@@ -5,7 +5,7 @@ import { element } from "../ui/dom";
 import type { RenderLoad } from "./autoquality";
 import { type Display, type DisplayEvents, type FrameTiming, onPixelsChange, pixelRatio, pixelsOf, type Rate, ShownFrames, type ViewState } from "./display";
 import type { FrameBudget } from "./framebudget";
-import type { LoadedPlan, PlanLoader } from "./planloader";
+import type { PlanLoader, PlanView } from "./planloader";
 import { DynamicResolution } from "./resolution";
 import { FrameStream } from "./framestream";
 
@@ -114,7 +114,7 @@ export class ServerView implements Display {
     this.root.style.setProperty("--at", `${100 * view.divider}%`);
     if (moving) this.lastMotion = now;
     else this.resolution.pause();
-    if (now < this.waitUntil || this.loaders[0].loaded === null) return;
+    if (now < this.waitUntil || this.loaders[0].view === null) return;
     if (moving && now >= this.retryAt) this.stream(now, view);
     else if (this.asked.length === 0) this.rest(now, view);
   }
@@ -150,8 +150,7 @@ export class ServerView implements Display {
     this.dirty = false;
     const scale = this.fixed ?? this.resolution.scale;
     const frame = this.frame(view, scale);
-    const loaded = this.loaders.flatMap((loader) => loader.loaded ?? []);
-    const take = () => Promise.all(loaded.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, request.quality, frame)));
+    const take = () => Promise.all(this.views.map(({ scene, request }, side) => (this.streams[side] as FrameStream).frame(scene, request.quality, frame)));
     void this.show(take, { ...frame, scale, moving: true });
   }
 
@@ -170,9 +169,13 @@ export class ServerView implements Display {
     void this.show(take, { ...this.frame(view, scale), scale, moving: false });
   }
 
+  private get views(): PlanView[] {
+    return this.loaders.flatMap(({ view }) => view ?? []);
+  }
+
   private requests(view: ViewState, scale: number): FrameRequest[] {
-    const request = ({ scene, request: { quality } }: LoadedPlan) => ({ preset: null, scene, quality, ...this.frame(view, scale) });
-    return this.loaders.flatMap(({ loaded }) => (loaded ? [request(loaded)] : []));
+    const request = ({ scene, request: { quality } }: PlanView) => ({ preset: null, scene, quality, ...this.frame(view, scale) });
+    return this.views.map(request);
   }
 
   private frame({ time, camera }: ViewState, scale: number): StreamView {
@@ -192,7 +195,7 @@ export class ServerView implements Display {
       // Decoded off the main thread.
       const pictures = await Promise.all(blobs.map((blob) => createImageBitmap(blob)));
       // What comes after a later frame, or was given up for one, is not shown.
-      if (asked.number < this.latest || pictures.length < this.loaders.filter(({ loaded }) => loaded).length) {
+      if (asked.number < this.latest || pictures.length < this.views.length) {
         pictures.forEach((picture) => picture.close());
         return;
       }

@@ -72,6 +72,7 @@ export class Sharing {
     if (viewport === null) return this.serverFrame();
     const { time } = this.clock;
     const { camera } = this.controls;
+    await Promise.all(this.loaders.map((loader) => loader.exact()));
     const image = viewport.png({ time, camera, divider: this.store.now.split?.at ?? 1 });
     const { width, height } = viewport.canvas;
     const view = { ...this.view(width, height), time, camera };

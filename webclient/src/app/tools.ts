@@ -26,7 +26,7 @@ export interface PageParts {
 export function addTools(parts: PageParts): void {
   const { touch, editor, sharing, surfaces, accuracy, settings } = parts;
   byId("tools").append(touch.button);
-  addTool("compare", "Compare side by side", () => editor.toggleSplit());
+  addTool("compare", "Compare side by side", () => void editor.toggleSplit());
   addTool("download", "Save image as PNG", () => void sharing.save(sharing.png(), ""));
   addTool("link", "Copy link to this view", () => void copyLink(parts));
   addTool("take", "Take home", () => surfaces.show(surfaces.open === "take" ? null : "take", true));

@@ -18,7 +18,7 @@ const UNPOLLED_SHARE = 0.6;
 /** Measured windows after which the scale has settled: with none changed by the last, or in all. */
 const SETTLED_WINDOWS = { least: 3, most: 8 };
 /** Time after the first frame of a plan by which its rate counts, ms, however few frames were measured. */
-const LONGEST_TRIAL = 2500;
+const LONGEST_TRIAL = 2000;
 /** A moving picture of this scale may take the place of the still, whether or not it grows further. */
 const PRESENTABLE_SCALE = 0.4;
 /** At rest the scale is raised until the next frame would take longer than this, ms. */

@@ -10,6 +10,7 @@ import { followsLink, waterUrl } from "./water";
 export class Gallery {
   private readonly selected = signal("");
   private readonly listOpen = signal(false);
+  private readonly pictures = signal(false);
 
   /** `container`: of the strip; `listContainer`: of the list, which is hidden until it is opened. */
   constructor(
@@ -19,7 +20,7 @@ export class Gallery {
     private readonly onChoose: (name: string) => void,
   ) {
     render(
-      <Strip presets={presets} selected={this.selected} choose={this.choose} openList={() => this.toggleList(true)} listOpen={this.listOpen} />,
+      <Strip presets={presets} selected={this.selected} pictures={this.pictures} choose={this.choose} openList={() => this.toggleList(true)} listOpen={this.listOpen} />,
       container,
     );
     render(
@@ -43,6 +44,11 @@ export class Gallery {
     if (thumbnail && strip) strip.scrollLeft = thumbnail.offsetLeft - (strip.clientWidth - thumbnail.offsetWidth) / 2;
   }
 
+  /** Loads the thumbnails that are seen; until then nothing is transferred that the first picture does not need. */
+  showPictures(): void {
+    this.pictures.value = true;
+  }
+
   private toggleList(open: boolean): void {
     if (this.listOpen.value === open) return;
     this.listOpen.value = open;
@@ -59,6 +65,7 @@ interface StripProps {
   presets: readonly PresetSummary[];
   selected: { value: string };
   listOpen: { value: boolean };
+  pictures: { value: boolean };
   choose: (name: string) => void;
   openList: () => void;
 }
@@ -67,7 +74,7 @@ const THUMBNAIL =
   "group relative h-19 w-[clamp(120px,(100vw-2*var(--spacing-gap)-134px)/9,136px)] flex-none rounded-lg bg-[#16293a] aria-selected:outline-2 aria-selected:outline-accent " +
   "focus-visible:outline-3 focus-visible:outline-ink phone:h-[66px] phone:w-28 forced-colors:aria-selected:outline-3 forced-colors:aria-selected:outline-[Highlight]";
 
-function Strip({ presets, selected, listOpen, choose, openList }: StripProps) {
+function Strip({ presets, selected, listOpen, pictures, choose, openList }: StripProps) {
   const moveFocus = (event: KeyboardEvent) => {
     const options = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>("[role=option]")];
     const index = indexAfter(event.key, options.findIndex((option) => option === document.activeElement), options.length);
@@ -109,7 +116,7 @@ function Strip({ presets, selected, listOpen, choose, openList }: StripProps) {
                 tabIndex={name === tabStop ? 0 : -1}
                 onClick={(event) => followsLink(event) || choose(name)}
               >
-                <img class="size-full rounded-lg object-cover outline-line group-hover:outline-2" src={thumbnailUrl(name)} alt="" width={240} height={135} loading="lazy" decoding="async" />
+                <img class="size-full rounded-lg object-cover outline-line group-hover:outline-2" src={pictures.value ? thumbnailUrl(name) : undefined} alt="" width={240} height={135} loading="lazy" decoding="async" />
                 <span class="absolute inset-x-0 bottom-0 rounded-b-lg bg-[rgb(3_9_14/58%)] px-2 pt-[5px] pb-1.5 text-small/[1.15] text-balance">{title}</span>
               </a>
             ))}

@@ -22,6 +22,15 @@ const WARM_UP = { width: 64, height: 36, timeout: 10_000 };
 
 export type LoadBytes = (spec: TextureSpec) => Promise<ArrayBuffer>;
 
+/** Textures that are loaded with less than all digits. */
+export interface RoughTextures {
+  names: ReadonlySet<string>;
+  bytes: LoadBytes;
+}
+
+/** What rough textures, and targets drawn from them, are kept by: no exact plan may find them. */
+const ROUGH = "rough ";
+
 /** A part of the picture, pixels, origin at the bottom left. */
 export interface Rectangle {
   x: number;
@@ -76,12 +85,14 @@ export class Executor {
     readonly plan: FramePlan,
     private readonly textures: ReadonlyMap<string, WebGLTexture>,
     private readonly leases: Lease<unknown>[],
+    /** Whether textures have less than all digits. */
+    readonly rough: boolean,
   ) {
     this.setupPasses = [...plan.passes.keys()].filter((index) => plan.passes[index]?.when === "setup");
   }
 
   /** Loads what the plan needs for this camera without blocking the page; `loadRest`: then what other cameras need. */
-  static async load(gpu: Gpu, plan: FramePlan, bytes: LoadBytes, camera: CameraState, loadRest: boolean): Promise<Executor> {
+  static async load(gpu: Gpu, plan: FramePlan, bytes: LoadBytes, camera: CameraState, loadRest: boolean, rough: RoughTextures | null = null): Promise<Executor> {
     requireSupport(plan, gpu.capabilities);
     checkFormats(gpu, Object.values(plan.targets));
     const leases: Lease<unknown>[] = [];
@@ -90,12 +101,13 @@ export class Executor {
     const compiling = loadPrograms(gpu, plan, programNames(plan, loadRest && eye === "between" ? "over" : eye));
     try {
       const loading = Object.entries(plan.textures).map(async ([name, spec]) => {
-        const lease = gpu.textures.acquire(textureKey(spec), () => bytes(spec).then((data) => makeTexture(gpu.gl, spec, data)));
+        const [mark, load] = rough?.names.has(name) ? [ROUGH, rough.bytes] : ["", bytes];
+        const lease = gpu.textures.acquire(mark + textureKey(spec), () => load(spec).then((data) => makeTexture(gpu.gl, spec, data)));
         leases.push(lease);
         return [name, await discardOnError(lease, () => lease.value)] as const;
       });
       const [programs, ...textures] = await Promise.all([compiling, ...loading]);
-      const executor = new Executor(gpu, plan, new Map(textures), leases);
+      const executor = new Executor(gpu, plan, new Map(textures), leases, rough !== null);
       executor.bind(programs);
       leases.push(...programs.values());
       // Drivers process compilations and frames in order: the first frame must not wait for programs that it does not use.
@@ -111,14 +123,24 @@ export class Executor {
     }
   }
 
-  /** Draws a first frame where nobody sees it and resolves when it is done: drivers compile when they first draw. */
-  async warmUp(camera: CameraState, scene: Json): Promise<void> {
+  /**
+   * Draws a first frame where nobody sees it and resolves when it is done: drivers compile when they first draw. `gently`: setup
+   * passes are drawn one by one, and frames of the page come in between.
+   */
+  async warmUp(camera: CameraState, scene: Json, gently = false): Promise<void> {
     const { gl } = this.gpu;
     const { width, height, timeout } = WARM_UP;
     const screen = makeScreen(gl, width, height);
-    this.draw({ time: 0, camera, width, height, screen: screen.framebuffer, scissor: null, scene });
-    await whenDone(gl, timeout);
-    screen.dispose();
+    const frame = { time: 0, camera, width, height, screen: screen.framebuffer, scissor: null, scene };
+    try {
+      const steps = this.drawCachedTargets(this.passesOf(frame), frame);
+      while (gently && !steps.next().done) await whenDone(gl, timeout);
+      if (this.disposed) return;
+      this.draw(frame);
+      await whenDone(gl, timeout);
+    } finally {
+      screen.dispose();
+    }
   }
 
   private async loadMissing(): Promise<void> {
@@ -151,21 +173,28 @@ export class Executor {
 
   /** Draws one frame; `around` wraps each pass, for timing. */
   draw(frame: Frame, around = (_: Pass, draw: () => void) => draw()): void {
-    const eye = eyeOf(this.plan, frame.camera);
-    const usableEye = [eye, ...STAND_INS[eye]].find((one) => this.isReadyFor(one));
+    const drawn = this.passesOf(frame);
     // The last picture stays until the programs are compiled.
-    if (usableEye === undefined) return;
+    if (drawn.length === 0) return;
     this.resizeTargets(frame.width, frame.height);
-    const drawn = [...drawnPasses(this.plan, usableEye, frame.camera, frame.width, frame.height)].flatMap(([index, visible]) => {
-      const bound = this.passes.get(index);
-      return bound === undefined || bound.pass.when === "setup" ? [] : [{ bound, visible }];
-    });
-    this.updateCachedTargets(new Set(drawn.flatMap(({ bound, visible }) => (visible ? targetsRead(bound.pass) : []))), frame);
+    const steps = this.drawCachedTargets(drawn, frame);
+    while (!steps.next().done);
     for (const { bound, visible } of drawn) {
       if (visible) around(bound.pass, () => this.drawPass(bound, frame, (name) => this.target(name)));
       else this.clearTarget(bound.pass);
     }
     this.firstFrameDrawn();
+  }
+
+  /** The passes that make a frame; none while their programs are not compiled. */
+  private passesOf({ camera, width, height }: Frame): { bound: BoundPass; visible: boolean }[] {
+    const eye = eyeOf(this.plan, camera);
+    const usableEye = [eye, ...STAND_INS[eye]].find((one) => this.isReadyFor(one));
+    if (usableEye === undefined) return [];
+    return [...drawnPasses(this.plan, usableEye, camera, width, height)].flatMap(([index, visible]) => {
+      const bound = this.passes.get(index);
+      return bound === undefined || bound.pass.when === "setup" ? [] : [{ bound, visible }];
+    });
   }
 
   /** A target with the contents of the latest frame. */
@@ -201,8 +230,9 @@ export class Executor {
     }
   }
 
-  /** Acquires the cached targets that the frame reads, and draws those whose contents no plan has drawn yet. */
-  private updateCachedTargets(read: ReadonlySet<string>, frame: Frame): void {
+  /** Acquires the cached targets that the frame reads, and draws those whose contents no plan has drawn yet; yields after each pass. */
+  private *drawCachedTargets(drawn: readonly { bound: BoundPass; visible: boolean }[], frame: Frame): Generator<void> {
+    const read = new Set(drawn.flatMap(({ bound, visible }) => (visible ? targetsRead(bound.pass) : [])));
     for (const [name, digest] of Object.entries(this.plan.kept)) {
       if (!read.has(name)) continue;
       const key = this.cacheKey(name, digest, frame.scene);
@@ -222,6 +252,7 @@ export class Executor {
         const { target } = bound.pass;
         if (!undrawn.has(target) && !intermediate.has(target)) intermediate.set(target, this.makeFixedTarget(target));
         this.drawPass(bound, frame, (name) => undrawn.get(name) ?? intermediate.get(name));
+        yield;
       }
       for (const target of undrawn.values()) target.drawn = true;
     } finally {
@@ -231,10 +262,11 @@ export class Executor {
 
   /** Key of a cached target's contents: the plan's digest, and the live values that its passes read. */
   private cacheKey(name: string, digest: string, scene: Json | null): string {
+    const contents = this.rough ? ROUGH + digest : digest;
     const liveRules = passesInto(this.plan, this.setupPasses, [name]).flatMap((index) =>
       (this.passes.get(index)?.bindings.uniforms ?? []).filter(({ live }) => live).flatMap(({ uniform }) => uniform.rules),
     );
-    return liveRules.length === 0 ? digest : `${digest} ${JSON.stringify(liveRules.map((rule) => liveRule(rule, scene)))}`;
+    return liveRules.length === 0 ? contents : `${contents} ${JSON.stringify(liveRules.map((rule) => liveRule(rule, scene)))}`;
   }
 
   private makeFixedTarget(name: string): Target {

@@ -30,6 +30,7 @@ export class SettingsPanel {
   /** Container of undo, redo and the changes. */
   readonly edits = element("div");
   private readonly quality = element("select", { id: "quality", class: SELECT });
+  private tiers: readonly string[] = [];
   private readonly scale = element("select", { id: "scale", class: SELECT });
   private readonly drawer = element("select", { id: "drawer", class: SELECT });
   private readonly mode = element("select", { id: "mode", class: SELECT });
@@ -40,7 +41,6 @@ export class SettingsPanel {
 
   constructor(
     private readonly container: HTMLElement,
-    private readonly tiers: readonly string[],
     private readonly controls: CameraControls,
     effects: EffectList,
     events: SettingsEvents,
@@ -51,7 +51,6 @@ export class SettingsPanel {
     reset.addEventListener("click", () => events.reset());
     this.frameButton.title = "Renders this view on the server and saves it as PNG";
     this.frameButton.addEventListener("click", () => events.serverFrame());
-    this.show(tiers[0] ?? "", false);
     this.quality.addEventListener("change", () => events.quality(this.quality.value === AUTOMATIC ? null : this.quality.value));
     this.showScale(null);
     this.scale.addEventListener("change", () => events.scale(this.scale.value === AUTOMATIC ? null : Number(this.scale.value)));
@@ -96,7 +95,9 @@ export class SettingsPanel {
     document.body.classList.toggle("settings-open", open);
   }
 
-  show(quality: string, auto: boolean): void {
+  /** `tiers`: what may be chosen beside the selected quality, once it is known. */
+  show(quality: string, auto: boolean, tiers = this.tiers): void {
+    this.tiers = tiers;
     const names = new Set([...this.tiers, quality]);
     const tierOptions = [...names].map((name) => ({ name, title: qualityTitle(name) }));
     fillSelect(this.quality, [{ name: AUTOMATIC, title: AUTOMATIC_TITLE }, ...tierOptions], auto ? AUTOMATIC : quality);

@@ -7,6 +7,7 @@ from fastapi import APIRouter, Path, Query, Request, Response
 from pydantic import BaseModel, Field
 
 from seafoam.api.answering import CLIENT_CLOSED_REQUEST, stages, unless_gone
+from seafoam.api.caching import NO_STORE
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import NotFoundError, StreamsFullError, problem_responses
 from seafoam.api.parameters import (
@@ -110,19 +111,19 @@ async def get_stream_frame(
         if task is not None and task.cancelling():
             raise
         # No error: browsers would log one for every frame that a drag overtakes.
-        return Response(status_code=204)
+        return Response(status_code=204, headers={"Cache-Control": NO_STORE})
     if frame is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     context.metrics.count_frame(frame, "webp")
-    context.streams.drawn(asked.width * asked.height, sum(frame.timings.values()) - frame.timings["queue"])
-    headers = {"Cache-Control": "no-store", "Server-Timing": stages(frame)}
+    context.streams.drawn(found, asked.width * asked.height, sum(frame.timings.values()) - frame.timings["queue"])
+    headers = {"Cache-Control": NO_STORE, "Server-Timing": stages(frame)}
     return Response(frame.content, headers=headers, media_type="image/webp")
 
 
 async def _drawn(stream: Stream, job: FrameJob, context: Context) -> Frame:
-    """Draw a frame in the stream's place; the task that this runs in is cancelled if a later frame takes the place."""
+    """Draw a frame in one of the stream's places; the task that this runs in is cancelled if a later one takes it."""
     turn = Turn(stream=True)
-    with stream.place(turn, context.pool.waits):
+    async with stream.place(turn, context.pool.waits):
         return await context.pool.render(job, turn)
 
 

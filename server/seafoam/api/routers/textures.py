@@ -1,5 +1,6 @@
 """``/api/textures``: bytes of the textures that plans refer to."""
 
+import gzip
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request
@@ -10,7 +11,7 @@ from seafoam.api.caching import IMMUTABLE, REVALIDATE, not_modified
 from seafoam.api.context import InContext
 from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
 from seafoam.api.parameters import Parameters
-from seafoam.textures import spec_at, texture
+from seafoam.textures import Part, TextureData, spec_at, texture
 
 router = APIRouter(prefix="/api", tags=["textures"])
 
@@ -23,6 +24,13 @@ class TextureParameters(Parameters):
         pattern="^[0-9a-f]{64}$",
         description="SHA-256 of the bytes, from the plan; makes the response cacheable without limit. Bytes "
         "with another hash are refused",
+    )
+    part: Part | None = Field(
+        default=None,
+        description="A part of a texture of format R16UI; absent: all of it. upper: the upper 6 bits of each texel, a "
+        "byte each, as what is to be added modulo 64 to the median of the texel before it, the one above it, and their "
+        "sum less the one between them. lower: the lowest 8 bits of each texel, then the 2 above of four texels a "
+        "byte. The hash is that of the whole",
     )
 
 
@@ -54,13 +62,26 @@ async def get_texture(
         detail = f"sha256: texture {name!r} has the hash {found.sha256}; the plan is from another version"
         raise BadRequestError(FieldProblem(parameter="sha256", detail=detail, allowed={"enum": [found.sha256]}))
     headers = {"Cache-Control": IMMUTABLE if asked.sha256 else REVALIDATE, "Vary": "Accept-Encoding"}
-    tag = f'"{found.sha256}"'
+    tag = f'"{found.sha256}"' if asked.part is None else f'"{found.sha256}-{asked.part}"'
     current = not_modified(request, tag, headers)
     if current is not None:
         return current
-    packed = None
-    if "gzip" in request.headers.get("accept-encoding", ""):
-        packed = await context.masks.run(lambda: found.gzipped)
-    if packed is not None:
+    try:
+        content, packed = await context.masks.run(lambda: _content(found, asked.part, request))
+    except ValueError as error:
+        raise BadRequestError(FieldProblem(parameter="part", detail=str(error))) from None
+    if packed:
         headers["Content-Encoding"] = "gzip"
-    return Response(packed or found.data, headers={"ETag": tag, **headers}, media_type="application/octet-stream")
+    return Response(content, headers={"ETag": tag, **headers}, media_type="application/octet-stream")
+
+
+def _content(found: TextureData, part: Part | None, request: Request) -> tuple[bytes, bool]:
+    """Return the bytes asked for, and whether they are compressed by gzip, which the client must accept."""
+    accepted = "gzip" in request.headers.get("accept-encoding", "")
+    if part == "upper":
+        upper = found.part(part)
+        return (upper, True) if accepted else (gzip.decompress(upper), False)
+    if part == "lower":
+        return found.part(part), False
+    packed = found.gzipped if accepted else None
+    return (found.data, False) if packed is None else (packed, True)

@@ -66,7 +66,7 @@ MEASURE_SECONDS = 120.0
 """Timeout of a measurement, waiting included, s: one draws a point of a sweep once or twice."""
 
 BACKGROUND_SECONDS = 60.0
-"""Timeout of a frame in the background, waiting included, s: it waits for every visitor's."""
+"""Time for which a frame in the background may wait, s: for every visitor's."""
 
 BACKGROUND_QUEUE = 64
 """Capacity of the background's own queue, frames: the thumbnails of a gallery."""
@@ -167,7 +167,8 @@ class RenderPool:
         """Render one frame in a worker, and encode it here in a thread, while the worker draws the next.
 
         turn: absent: a visitor's. A frame in the background has a queue and a deadline of its own; one of a stream
-        takes no place in the queue, since its stream bounds how many wait.
+        takes no place in the queue, since its stream bounds how many wait. The deadline of both is for waiting; once
+        begun they have :attr:`deadline`.
 
         Raises :class:`QueueFullError`, :class:`DeadlineError`, :class:`RendererUnavailableError` or
         :class:`RenderFailedError`. If the call is cancelled while it waits, it leaves the queue; a frame
@@ -189,8 +190,10 @@ class RenderPool:
                 raise
         finally:
             self._turns.discard(turn)
-        # A renderer that hangs is not waited for longer in the background.
-        expires = min(expires, time.time() + self.deadline)
+        # What waits for all others often begins late, and must not cost the worker, which is killed at the deadline.
+        # A renderer that hangs is found as soon as in any frame.
+        late = time.time() + self.deadline
+        expires = min(expires, late) if turn.rank == 0 else late
         canvas = self._canvases.take(job.bytes)
         try:
             sent = await self._run(work_frame, (job, expires, canvas.address), expires)

@@ -3,12 +3,15 @@
 import asyncio
 from dataclasses import dataclass
 
+STREAMED = 8
+"""Frames of streams for one of the background, which streams would else keep from ever being drawn."""
+
 
 @dataclass(eq=False, slots=True)
 class Turn:
     """A caller's place in the queue. ``background``: only when no other caller waits; may change while it waits.
 
-    ``stream``: one of many frames of a stream, after single frames and before the background.
+    ``stream``: one of many frames of a stream, after single frames and mostly before the background.
     """
 
     background: bool = False
@@ -26,6 +29,8 @@ class Slots:
     def __init__(self, count: int) -> None:
         self._free = count
         self._waiting: list[tuple[Turn, asyncio.Future[None]]] = []
+        self._streamed = 0
+        """Frames of streams since one of the background that waits."""
 
     def locked(self) -> bool:
         """Whether every worker is taken."""
@@ -56,5 +61,12 @@ class Slots:
             return
         # min() keeps the order of arrival among equals.
         first = min(waiting, key=lambda entry: entry[0].rank)
+        background = next((entry for entry in waiting if entry[0].background), None)
+        if background is None:
+            self._streamed = 0
+        elif first[0].rank > 0:
+            if self._streamed >= STREAMED:
+                first = background
+            self._streamed = 0 if first is background else self._streamed + 1
         self._waiting.remove(first)
         first[1].set_result(None)
