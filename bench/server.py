@@ -1,5 +1,6 @@
 """A server for the benchmarks, and requests to it."""
 
+import json
 import os
 import re
 import socket
@@ -140,10 +141,22 @@ def probe(port: int, path: str, found: list[float], over: threading.Event) -> No
             found.append(sure(connection, path).wall)
 
 
+@contextmanager
+def probing(port: int, path: str) -> Iterator[list[float]]:
+    """Probe from another process while the context lasts; the wall times are in the list when it has ended."""
+    found: list[float] = []
+    command = [sys.executable, "-m", "bench.probe", str(port), path]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        yield found
+        output, _ = process.communicate()
+        found += json.loads(output)
+
+
 def resident() -> float:
-    """Return the proportional set size of all that this process has started, bytes."""
+    """Return the proportional set size of the servers that this process has started, and of their workers, bytes."""
     sizes = []
-    for process in psutil.Process().children(recursive=True):
+    for process in psutil.Process().children():
         with suppress(psutil.NoSuchProcess):
-            sizes.append(process.memory_full_info().pss)
+            if "serve" in process.cmdline():
+                sizes += [each.memory_full_info().pss for each in (process, *process.children(recursive=True))]
     return float(sum(sizes))

@@ -8,10 +8,11 @@ import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cache
 from statistics import median, quantiles
 
 from bench.report import Column, Table, count, ms
-from bench.server import Answer, ask, connected, probe, resident, running, sure
+from bench.server import Answer, ask, connected, probing, resident, running, sure
 from bench.watch import Watch
 from seafoam.scene.presets import load_preset
 
@@ -125,7 +126,6 @@ def _crowd(port: int, seconds: float) -> _Run:
     _warm(port)
     before = resident()
     memory: list[float] = []
-    health: list[float] = []
     singles: list[Answer] = []
     over = threading.Event()
 
@@ -138,21 +138,18 @@ def _crowd(port: int, seconds: float) -> _Run:
         while not over.wait(SAMPLE_SECONDS):
             memory.append(resident())
 
-    beside = [
-        threading.Thread(target=probe, args=(port, "/healthz", health, over)),
-        threading.Thread(target=single),
-        threading.Thread(target=sample),
-    ]
-    for thread in beside:
-        thread.start()
+    beside = [threading.Thread(target=work) for work in (single, sample)]
     together = threading.Barrier(PAGES)
-    try:
-        with ThreadPoolExecutor(PAGES) as threads:
-            pages = list(threads.map(lambda _: _page(port, seconds, together), range(PAGES)))
-    finally:
-        over.set()
+    with probing(port, "/healthz") as health:
         for thread in beside:
-            thread.join()
+            thread.start()
+        try:
+            with ThreadPoolExecutor(PAGES) as threads:
+                pages = list(threads.map(lambda _: _page(port, seconds, together), range(PAGES)))
+        finally:
+            over.set()
+            for thread in beside:
+                thread.join()
     return _Run(pages, singles, health, (before, max(memory), resident()))
 
 
@@ -199,10 +196,8 @@ def _ask(port: int, stream: str, start: int, until: float) -> list[Answer]:
 
 def _opened(port: int) -> tuple[str | None, int | None]:
     """Return a new stream's id, or after how many seconds there may be one."""
-    scene = load_preset(PRESET).scene.model_dump(mode="json")
-    body = json.dumps({"scene": scene, "quality": "standard"})
     with connected(port) as connection:
-        connection.request("POST", "/api/streams", body, {"Content-Type": "application/json"})
+        connection.request("POST", "/api/streams", _body(), {"Content-Type": "application/json"})
         response = connection.getresponse()
         answer = json.loads(response.read())
     if response.status == 201:
@@ -212,12 +207,19 @@ def _opened(port: int) -> tuple[str | None, int | None]:
     return None, int(response.headers["Retry-After"])
 
 
+@cache
+def _body() -> str:
+    scene = load_preset(PRESET).scene.model_dump(mode="json")
+    return json.dumps({"scene": scene, "quality": "standard"})
+
+
 def _close(port: int, stream: str) -> None:
     with connected(port) as connection:
         connection.request("DELETE", f"/api/streams/{stream}")
         connection.getresponse().read()
 
 
+@cache
 def _view() -> str:
     camera = load_preset(PRESET).scene.camera
     x, y, z = camera.position

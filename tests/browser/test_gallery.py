@@ -5,27 +5,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Page, expect
 
 from seafoam.scene.presets import load_preset, preset_names
 from support.browsers import Lane
-from support.visits import DESKTOP, PHONE, STILL, Held, Visit, link, visit
+from support.visits import DESKTOP, PHONE, STILL, Visit, link, visit
 
 BOXES = """(selector) => [...document.querySelectorAll(selector)].map((one) => {
   const { x, y, width, height } = one.getBoundingClientRect();
   return [x, y, width, height]; })"""
-
-INK = """async (selector) => {
-  const canvas = new OffscreenCanvas(1, 1);
-  const context = canvas.getContext('2d');
-  context.fillStyle = getComputedStyle(document.querySelector(selector)).color;
-  context.fillRect(0, 0, 1, 1);
-  return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())]; }"""
-"""Gives a PNG of an element's colour."""
-LEGIBLE = {"#title": 3.0, "#summary": 4.5}
-"""Contrast of large and of small type with nine tenths of what lies behind it (WCAG 2, success criterion 1.4.3)."""
 
 
 def chosen(page: Page, name: str) -> None:
@@ -149,39 +138,15 @@ def test_nothing_of_the_gallery_overlaps(llvmpipe: Lane, server: str, size: tupl
         assert made.complaints == []
 
 
-def luminances(shot: bytes) -> NDArray[np.float64]:
-    """Relative luminance of each pixel (WCAG 2)."""
-    pixels = np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), float) / 255.0
-    linear = np.where(pixels <= 0.04045, pixels / 12.92, ((pixels + 0.055) / 1.055) ** 2.4)
-    weighted: NDArray[np.float64] = linear @ (0.2126, 0.7152, 0.0722)
-    return weighted
-
-
 @pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
-@pytest.mark.whole
-def test_the_headings_type_is_legible_without_a_box(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
-    """Its ink suits the picture behind it, whose sky nothing darkens."""
-    with visit(llvmpipe, server, "icon.svg", size=size, settle=False) as made:
-        page = made.page
-        # The stills stand: what is tested is what lies over them.
-        Held(page, "**/api/plans")
-        for name in ("default", "storm", "moonlight", "shallows"):
-            page.goto(f"{server}/water/{name}")
-            page.locator("#title", has_text=load_preset(name).title).wait_for()
-            page.wait_for_function("() => document.getElementById('still').complete")
-            for part, least in LEGIBLE.items():
-                box = page.locator(part).bounding_box()
-                assert box is not None
-                ink = luminances(bytes(page.evaluate(INK, part)))[0, 0]
-                style = page.add_style_tag(content=f"{part} {{ color: transparent }}")
-                behind = luminances(page.screenshot(clip=box))  # type: ignore[arg-type]
-                style.evaluate("(tag) => tag.remove()")
-                contrast = (np.maximum(ink, behind) + 0.05) / (np.minimum(ink, behind) + 0.05)
-                assert np.percentile(contrast, 10) >= least, (name, part)
-        page.add_style_tag(
+def test_the_heading_is_type_and_nothing_else(llvmpipe: Lane, server: str, size: tuple[int, int]) -> None:
+    """No box and no shade lie over the sky: without its words a white page is white."""
+    with visit(llvmpipe, server, size=size) as made:
+        made.page.add_style_tag(
             content="body > :not(#heading), #heading > * { visibility: hidden } html, body { background: #fff }"
         )
-        assert (luminances(page.screenshot()) == 1.0).all(), "the heading is type and nothing else"
+        shot = np.asarray(Image.open(io.BytesIO(made.page.screenshot())).convert("L"), int)
+    assert (shot == 255).all()
 
 
 # Keys and the hint

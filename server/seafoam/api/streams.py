@@ -112,8 +112,12 @@ class Streams:
         self._expire()
         stream = self._open.get(id)
         if stream is not None:
-            stream.expires = self._clock() + LEASE_SECONDS
+            self.renew(stream)
         return stream
+
+    def renew(self, stream: Stream) -> None:
+        """Begin a stream's lease anew."""
+        stream.expires = self._clock() + LEASE_SECONDS
 
     def has_frame(self, path: str) -> bool:
         """Whether a request's path is that of a frame of a stream that has not ended."""
@@ -127,9 +131,8 @@ class Streams:
         if stream is not None:
             stream.give_up()
 
-    def drawn(self, stream: Stream, pixels: int, seconds: float) -> None:
-        """Note how long a frame took, without waiting. The stream's lease begins anew."""
-        stream.expires = self._clock() + LEASE_SECONDS
+    def drawn(self, pixels: int, seconds: float) -> None:
+        """Note how long a frame took, without waiting."""
         rate = 1e6 * seconds / pixels
         known = self.seconds_per_megapixel
         self.seconds_per_megapixel = rate if known is None else known + 0.2 * (rate - known)

@@ -205,7 +205,7 @@ def test_a_frame_that_takes_longer_than_the_lease_keeps_its_stream() -> None:
         async with stream.place(Turn(stream=True), lambda turn: False):
             clock.now += 5 * LEASE_SECONDS
             assert len(streams) == 1
-        streams.drawn(stream, 1000, 5 * LEASE_SECONDS)
+        streams.renew(stream)
         clock.now += LEASE_SECONDS - 1.0
         assert len(streams) == 1
         clock.now += 2.0

@@ -87,6 +87,9 @@ export class App {
   private readonly ready: Promise<void>;
   private resolveReady: () => void = () => undefined;
   private rejectReady: (error: unknown) => void = () => undefined;
+  /** Settles when a picture is shown by who draws for good: measurements of the first frames are done. */
+  private readonly drawn: Promise<void>;
+  private resolveDrawn: () => void = () => undefined;
 
   constructor(
     private readonly api: Api,
@@ -150,6 +153,7 @@ export class App {
       this.rejectReady = reject;
     });
     this.ready.catch(() => undefined);
+    this.drawn = new Promise((resolve) => (this.resolveDrawn = resolve));
     addTools(this.parts);
     this.accuracy.toggle(link.accuracy === true);
     this.surfaces.show(link.surface);
@@ -166,7 +170,7 @@ export class App {
       gpu: () => this.display.viewport?.gpu ?? null,
       camera: () => this.controls.camera,
       // A picture that stands, or beside another, can be looked at closely.
-      roughUntil: () => (this.moved || !this.clock.playing || this.store.now.split !== null ? null : this.ready),
+      roughUntil: () => (this.moved || !this.clock.playing || this.store.now.split !== null ? null : this.drawn),
       complete: () => this.limitCamera(),
       changed: (newPlan) => {
         if (newPlan) this.planChanged();
@@ -262,7 +266,9 @@ export class App {
 
   private frameDone(): void {
     if (this.clock.playing) this.transport.movePosition();
-    if (this.started || !this.display.presentable) return;
+    if (!this.display.presentable) return;
+    if (!this.display.bridged) this.resolveDrawn();
+    if (this.started) return;
     this.pilotQuality();
     if (this.busy.has(0) && !this.display.bridged) return;
     this.started = true;

@@ -67,12 +67,13 @@ async def open_stream(asked: strictly(PlanRequest), response: Response, context:
     Single frames go before those of streams. Where all streams are taken, the answer is 503 with Retry-After.
     """
     body: PlanRequest = asked
-    quality = await _planned(body, context)
-    stream = context.streams.open(body.scene, quality)
+    streams = context.streams
+    # Before the scene is planned, too: a crowd that is refused costs little.
+    stream = streams.open(body.scene, await _planned(body, context)) if len(streams) < streams.limit else None
     if stream is None:
-        if context.streams.limit == 0:
+        if streams.limit == 0:
             raise StreamsFullError("this server gives no streams", NO_STREAMS_RETRY)
-        raise StreamsFullError(f"all {context.streams.limit} streams are taken", context.streams.retry_after)
+        raise StreamsFullError(f"all {streams.limit} streams are taken", streams.retry_after)
     response.headers["Location"] = f"streams/{stream.id}"
     return OpenStream(id=stream.id, lease=LEASE_SECONDS, **_state(context))
 
@@ -115,7 +116,7 @@ async def get_stream_frame(
     if frame is None:
         return Response(status_code=CLIENT_CLOSED_REQUEST)
     context.metrics.count_frame(frame, "webp")
-    context.streams.drawn(found, asked.width * asked.height, sum(frame.timings.values()) - frame.timings["queue"])
+    context.streams.drawn(asked.width * asked.height, sum(frame.timings.values()) - frame.timings["queue"])
     headers = {"Cache-Control": NO_STORE, "Server-Timing": stages(frame)}
     return Response(frame.content, headers=headers, media_type="image/webp")
 
@@ -123,8 +124,12 @@ async def get_stream_frame(
 async def _drawn(stream: Stream, job: FrameJob, context: Context) -> Frame:
     """Draw a frame in one of the stream's places; the task that this runs in is cancelled if a later one takes it."""
     turn = Turn(stream=True)
-    async with stream.place(turn, context.pool.waits):
-        return await context.pool.render(job, turn)
+    try:
+        async with stream.place(turn, context.pool.waits):
+            return await context.pool.render(job, turn)
+    finally:
+        # It may have taken longer than the lease.
+        context.streams.renew(stream)
 
 
 async def _planned(asked: PlanRequest, context: Context) -> Quality:
