@@ -72,11 +72,12 @@ KINDS = (
 
 @dataclass(frozen=True)
 class Load:
-    """One load of the page: seconds until the still and until live water; by kind: requests, bytes, seconds until the
-    last."""
+    """One load of the page: seconds until the still and until live water, bytes until then; by kind: requests, bytes,
+    seconds until the last."""
 
     still: float | None
     ready: float
+    needed: int
     kinds: dict[str, tuple[int, int, float]]
 
     @property
@@ -145,13 +146,15 @@ def _load(page: Page, address: str) -> Load:
     if not isinstance(ready, int | float):
         raise RuntimeError(f"the page shows no picture: {ready}")
     kinds: dict[str, tuple[int, int, float]] = {}
+    needed = 0
     for entry in _settled(page):
+        needed += entry["transferSize"] if entry["responseEnd"] <= ready else 0
         path = "/" + entry["name"].removeprefix(address).split("?")[0].split("#")[0]
         kind = next(name for begin, end, name in KINDS if path.startswith(begin) and path.endswith(end))
         requests, size, last = kinds.get(kind, (0, 0, 0.0))
         kinds[kind] = (requests + 1, size + entry["transferSize"], max(last, entry["responseEnd"] / 1000.0))
     still = page.evaluate("window.benchStill ?? null")
-    return Load(None if still is None else still / 1000.0, ready / 1000.0, kinds)
+    return Load(None if still is None else still / 1000.0, ready / 1000.0, needed, kinds)
 
 
 def _settled(page: Page) -> list[dict[str, Any]]:
@@ -208,12 +211,13 @@ def _visits(loads: dict[str, tuple[list[Load], list[Load]]]) -> Table:
         "The page's first picture",
         "From the start of the navigation until the preset's still is painted and until the first live frame is done, "
         f"{SIZE[0]} x {SIZE[1]}; medians. First visit: a browser that runs and has seen nothing. Bytes: as "
-        "transferred, until the page rests.",
+        "transferred, until live water and until the page rests.",
         (
             Column("visit", "visit"),
             Column("still", "first picture, ms", ms),
             Column("ready", "live water, ms", ms),
             Column("requests", "requests", count),
+            Column("needed", "bytes until live water", count),
             Column("bytes", "bytes", count),
         ),
         [
@@ -222,6 +226,7 @@ def _visits(loads: dict[str, tuple[list[Load], list[Load]]]) -> Table:
                 median(stills) if (stills := [load.still for load in some if load.still is not None]) else None,
                 median(load.ready for load in some),
                 round(median(load.requests for load in some)),
+                round(median(load.needed for load in some)),
                 round(median(load.bytes for load in some)),
             )
             for name, some in visits

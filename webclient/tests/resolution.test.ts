@@ -1,16 +1,21 @@
+import { readFileSync } from "node:fs";
 import fc from "fast-check";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { allowedAt, bestScale, budgetAt, costAt, type FrameCost, MIN_SCALE, MOTION_BUDGET } from "../src/app/framebudget";
 import { DynamicResolution } from "../src/app/resolution";
 import { type Events, type Machine, run, type Shown } from "./machines";
 
 const PIXELS = 1280 * 720;
 const SECONDS = 12;
-const RUNS = 250;
+/** Machines of each property: more than two thousand in all; make sweep tries ten times as many. */
+const RUNS = Number(process.env["MACHINES"] ?? 100);
 const SEED = 20261126;
 /** Scale of the first frame, and by how much more the scale may differ after a disturbance. */
 const LEAST = Math.sqrt((96 * 54) / PIXELS);
 const DISTURBED = 1.3;
+
+// Beside other tests.
+vi.setConfig({ testTimeout: 600_000 });
 
 const clocks = fc.constantFrom(0.1, 1, 16);
 const displays = fc.constantFrom(1000 / 30, 1000 / 60, 1000 / 144, 1000 / 240);
@@ -135,6 +140,15 @@ describe.each(Object.entries(MACHINES))("on %s", (_, machines) => {
 });
 
 describe("the controller", () => {
+  it("is short, and knows no engine by its name", () => {
+    const text = readFileSync(new URL("../src/app/resolution.ts", import.meta.url), "utf-8");
+    expect(text.split("\n").length).toBeLessThan(201);
+    for (const file of ["resolution", "framebudget", "viewport", "drawing"]) {
+      const source = readFileSync(new URL(`../src/app/${file}.ts`, import.meta.url), "utf-8");
+      expect(source).not.toMatch(/llvmpipe|swiftshader|mesa|\bangle\b|chrom|firefox|webkit|nvidia|renderer|software/i);
+    }
+  });
+
   it("settles by a clock of 100 ms, too", () => {
     check(COARSE, (one, seed) => holds(one, run(new DynamicResolution(PIXELS), one, SECONDS, {}, seed), 2));
   });

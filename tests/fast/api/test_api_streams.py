@@ -15,6 +15,7 @@ from starlette.testclient import TestClient
 from seafoam.api.settings import Settings
 from seafoam.api.streams import FRAMES_AT_ONCE, LEASE_SECONDS, Stream, Streams, is_frame
 from seafoam.quality import TIERS
+from seafoam.render.service.errors import DeadlineError
 from seafoam.render.service.slots import Turn
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset
@@ -133,6 +134,14 @@ def test_where_all_are_taken_the_answer_says_when_to_ask_again(streaming: TestCl
     opened(streaming)
 
 
+def test_a_crowd_that_is_refused_is_not_planned_for(streaming: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    first, _ = opened(streaming), opened(streaming)
+    monkeypatch.setattr("seafoam.api.routers.streams.compile_scene", None)
+    assert streaming.post("/api/streams", json=DRAFT).status_code == 503
+    streaming.delete(f"/api/streams/{first}")
+    assert streaming.post("/api/streams", json=DRAFT).status_code == 500
+
+
 def test_a_scene_that_is_refused_takes_no_place(streaming: TestClient) -> None:
     body = {"scene": {"water": {"roughness": -1}}, "quality": "draft"}
     assert problem(streaming.post("/api/streams", json=body), 422)["errors"][0]["pointer"] == "/scene/water/roughness"
@@ -212,6 +221,24 @@ def test_a_frame_that_takes_longer_than_the_lease_keeps_its_stream() -> None:
         assert len(streams) == 0
 
     asyncio.run(run())
+
+
+def test_a_frame_past_its_deadline_does_not_end_its_stream(
+    streaming: TestClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    context = streaming.app.state.context  # type: ignore[attr-defined]
+    clock = Clock()
+    monkeypatch.setattr(context.streams, "_clock", clock)
+    id = opened(streaming)
+
+    async def late(job: Any, turn: Turn) -> None:
+        clock.now += 5 * LEASE_SECONDS
+        raise DeadlineError("timeout")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(context.pool, "render", late)
+        assert problem(ask(streaming, id), 504)["type"] == "urn:seafoam:problem:deadline"
+    drawn(streaming, id)
 
 
 def test_ids_cannot_be_guessed() -> None:

@@ -8,6 +8,7 @@ import OpenEXR
 import pytest
 from starlette.testclient import TestClient
 
+from seafoam.scene.presets import load_preset
 from support.serving import frame, picture, serving
 
 
@@ -46,6 +47,21 @@ def test_a_dithered_picture_is_the_exact_one_within_a_level_and_in_the_mean(real
     assert np.abs(off).max() == 1
     assert np.abs(off.mean(axis=(0, 1))).max() < 0.1
     assert np.abs(off[:32].reshape(2, 16, 12, 16, 3).mean(axis=(1, 3))).max() <= 0.5  # in the sky, too
+
+
+def test_a_frame_of_a_stream_is_near_the_exact_one_and_much_smaller(real):
+    scene = load_preset("default").scene.model_dump(mode="json")
+    camera = load_preset("default").scene.camera
+    size = {"width": 320, "height": 180, "time": 4.0}
+    stream = real.post("/api/streams", json={"scene": scene}).json()["id"]
+    view = dict(zip("xyz", camera.position, strict=True)) | camera.model_dump(exclude={"position"})
+    moving = real.get(f"/api/streams/{stream}/frame.webp", params=size | view)
+    assert moving.status_code == 200, moving.text
+    exact = frame(real, "webp", **size, dither=False)
+    off = np.asarray(picture(moving).convert("RGB"), float) - np.asarray(picture(exact), float)
+    assert 0.0 < np.sqrt(np.mean(off**2)) < 5.0
+    assert np.abs(off.mean(axis=(0, 1))).max() < 1.0
+    assert len(moving.content) < len(exact.content) / 3
 
 
 def test_open_exr_holds_what_npy_holds(real):
