@@ -47,7 +47,7 @@ export class Viewport implements Display {
   private readonly resolution: DynamicResolution;
   /** Pixels at scale 1 for which it has measured. */
   private pixels: number;
-  /** When the plan's first frame was done. */
+  /** When the plan's first frame in motion was done. */
   private firstFinished = Infinity;
   /** Windows measured when the scale changed last. */
   private changedAt = 0;
@@ -233,7 +233,7 @@ export class Viewport implements Display {
   private get settled(): boolean {
     const { windows } = this.resolution;
     // Of frames that take so long few are measured.
-    if (performance.now() - this.firstFinished > LONGEST_TRIAL) return true;
+    if (this.moving && performance.now() - this.firstFinished > LONGEST_TRIAL) return true;
     return windows >= SETTLED_WINDOWS.most || (windows >= SETTLED_WINDOWS.least && windows > this.changedAt);
   }
 
@@ -317,7 +317,7 @@ export class Viewport implements Display {
   private record({ submitted, scale, moving, onCanvas }: PendingFrame, done: number): void {
     if (onCanvas) this.shown.add();
     this.finished = { scale, onCanvas, milliseconds: done - submitted };
-    this.firstFinished = Math.min(this.firstFinished, done);
+    if (moving) this.firstFinished = Math.min(this.firstFinished, done);
     if (!moving || this.fixedScale !== null || this.exclusiveTasks > 0) return;
     if (!this.resolution.addFrame({ scale, submitted, done })) return;
     this.changedAt = this.resolution.windows;
