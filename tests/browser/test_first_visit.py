@@ -27,7 +27,9 @@ def counted(visit: Visit) -> Iterator[dict[str, int]]:
         asked[event["requestId"]] = event["request"]["url"]
 
     def ends(event: dict[str, Any]) -> None:
-        url = asked[event["requestId"]]
+        # What was asked for before is not of this visit.
+        if (url := asked.get(event["requestId"])) is None:
+            return
         bytes_of[url] = bytes_of.get(url, 0) + event["encodedDataLength"]
 
     session.on("Network.requestWillBeSent", asks)
