@@ -124,6 +124,19 @@ describe("who draws", () => {
     expect(server.ticks).toBe(drawn);
   });
 
+  it("is the browser where the user wishes so while it compiles", () => {
+    const { browser, server, display } = ways();
+    Object.assign(browser, { blank: true, presentable: false });
+    const chosen = display(true);
+    run(chosen, 2000);
+    expect(chosen.drawer).toBe("server");
+    const drawn = server.ticks;
+    chosen.choose("browser");
+    run(chosen, 2000);
+    expect(chosen).toMatchObject({ drawer: "browser", why: "This browser draws, as you chose." });
+    expect(server.ticks).toBe(drawn);
+  });
+
   it("is the browser under its still while nothing moves", () => {
     const { browser, display } = ways();
     Object.assign(browser, { blank: true, presentable: false });

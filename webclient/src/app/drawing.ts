@@ -29,8 +29,9 @@ const isGood = ({ fps, scale }: Rate) => fps >= FLUENT.fps && scale >= FLUENT.sc
 export class ChosenDisplay implements Display {
   /** Who draws for good; the server may do so meanwhile. */
   private chosen: Drawer;
-  /** While this browser compiles its first plan, the server draws; null: no longer, or not yet. */
+  /** Since when this browser compiles its first plan, ms of performance.now(); null while it does not. */
   private waitsSince: number | null = null;
+  /** Whether the server draws until this browser is ready. */
   private meanwhile = false;
   private rates: Record<Drawer, Rate | null> = { browser: null, server: null };
   /** When the way that does not draw may be tried, ms of performance.now(). */
@@ -62,6 +63,7 @@ export class ChosenDisplay implements Display {
     this.choice = choice;
     this.rates = { browser: null, server: null };
     this.tryAt = 0;
+    if (choice === "browser" && this.meanwhile) this.endBridge();
     if (choice !== "auto") this.use(choice);
   }
 
@@ -167,10 +169,13 @@ export class ChosenDisplay implements Display {
       this.meanwhile ||= now - this.waitsSince > HEAD_START;
     }
     if (!this.meanwhile) return;
-    if (this.browser.presentable || this.server.still !== null) {
-      this.meanwhile = false;
-      this.server.close();
-    } else this.server.tick(now, view, moving);
+    if (this.browser.presentable || this.server.still !== null) this.endBridge();
+    else this.server.tick(now, view, moving);
+  }
+
+  private endBridge(): void {
+    this.meanwhile = false;
+    this.server.close();
   }
 
   /** Whether this browser gives so little that the server is tried: nothing that moves, or for some time no good picture. */
