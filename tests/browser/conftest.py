@@ -26,7 +26,8 @@ def server() -> Iterator[str]:
     port = free_port()
     # Frames wait for other tests' frames and programs here.
     command = [Path(sys.executable).with_name("seafoam"), "serve", "--port", str(port)]
-    process = subprocess.Popen(command, env={**os.environ, "SEAFOAM_DEADLINE": "60"})
+    # A browser that is closed keeps its streams until their lease ends: the next test's page needs others.
+    process = subprocess.Popen(command, env={**os.environ, "SEAFOAM_DEADLINE": "60", "SEAFOAM_STREAMS": "8"})
     address = f"http://127.0.0.1:{port}"
     try:
         for _ in range(300):
