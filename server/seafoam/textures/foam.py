@@ -1,11 +1,11 @@
 """The foam texture: bubbles of several sizes with bright walls. Tileable and deterministic."""
 
 from functools import lru_cache
+from itertools import product
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from seafoam.textures.spec import Image, TextureSpec
 
@@ -39,19 +39,37 @@ def foam_texture() -> NDArray[np.float64]:
     quotients and square roots are used, so every machine makes the same texture.
     """
     total = np.zeros((SIZE, SIZE))
-    centres = (np.arange(SIZE) + 0.5) / SIZE
-    points = np.stack(np.meshgrid(centres, centres, indexing="xy"), axis=-1).reshape(-1, 2)
     for cells, weight, seed in _LAYERS:
         random = np.random.Generator(np.random.PCG64(seed))
-        grid = np.stack(np.meshgrid(np.arange(cells), np.arange(cells), indexing="xy"), axis=-1).reshape(-1, 2)
-        sites = ((grid + 0.5 + 0.9 * (random.random(grid.shape) - 0.5)) / cells) % 1.0
-        distance, _ = cKDTree(sites, boxsize=1.0).query(points, k=2)
-        first, second = distance[:, 0] * cells, distance[:, 1] * cells
+        grid = np.stack(np.meshgrid(np.arange(cells), np.arange(cells), indexing="xy"), axis=-1)
+        jitter = 0.9 * (random.random((cells * cells, 2)).reshape(grid.shape) - 0.5)
+        first, second = (distance * cells for distance in _nearest_two(((grid + 0.5 + jitter) / cells) % 1.0))
         wall = 1.0 - np.minimum((second - first) / 0.38, 1.0)
         dome = np.maximum(1.0 - 1.7 * first * first, 0.0)
         layer = 0.34 + 0.66 * wall * wall * (3.0 - 2.0 * wall) + 0.16 * dome
-        total += weight * layer.reshape(SIZE, SIZE)
+        total += weight * layer
     total = np.clip(total / 0.95, 0.0, 1.0)
     result: NDArray[np.float64] = np.round(total * _STEPS) / _STEPS
     result.setflags(write=False)
     return result
+
+
+def _nearest_two(sites: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Distances from each texel's middle to the nearest site and to the next, on the unit torus; (256, 256) each.
+
+    sites: (cells, cells, 2), x and y, by row and column of the cell that each lies in. The site of the texel's own cell
+    and the nearest of its neighbours' are within 1.8 cells, so none that is more than two cells away counts.
+    """
+    cells = len(sites)
+    centres = (np.arange(SIZE) + 0.5) / SIZE
+    place = (centres * cells).astype(np.intp)
+    first, second = np.full((SIZE, SIZE), np.inf), np.full((SIZE, SIZE), np.inf)
+    for down, right in product(range(-2, 3), repeat=2):
+        near = np.ix_((place + down) % cells, (place + right) % cells)
+        x, y = centres[None, :] - sites[..., 0][near], centres[:, None] - sites[..., 1][near]
+        x -= np.rint(x)
+        y -= np.rint(y)
+        square = x * x + y * y
+        np.minimum(second, np.maximum(first, square), out=second)
+        np.minimum(first, square, out=first)
+    return np.sqrt(first), np.sqrt(second)
