@@ -13,7 +13,7 @@ from pathlib import Path
 
 from rich.progress import Progress as ProgressBar
 
-from seafoam.masks.catalogue import CATALOGUE_FILE, MaskTables, describe, rank_file
+from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe, rank_file, tables_file
 from seafoam.masks.construct import build, estimated_seconds
 from seafoam.masks.families import check_parameters
 from seafoam.masks.formats import decode_ranks, encode_ranks
@@ -27,7 +27,7 @@ MEASURING_SECONDS = 1.0
 def bake_all(
     directory: Path, progress: Progress = no_progress, only: tuple[str, ...] = (), pool: Executor | None = None
 ) -> None:
-    """Construct and measure every shipped mask, and write ``<name>.ranks`` files and ``catalogue.json``.
+    """Construct and measure every shipped mask; write ``<name>.ranks``, ``<name>.tables`` and ``catalogue.json``.
 
     The directory is made if need be. Where ``only`` names some, the ranks of the others are read there instead of
     made. ``progress`` gets fractions of the expected time. ``pool`` makes them, several at once; else this process
@@ -59,9 +59,10 @@ def bake_all(
             baked[index] = _bake(mask, SHIPPED_SIZE, kept[index], report)
     records = []
     for index, mask in enumerate(SHIPPED):
-        record, ranks = baked[index]
+        record, ranks, tables = baked[index]
         if made[index]:
             rank_file(directory, mask.name).write_bytes(ranks)
+        tables_file(directory, mask.name).write_bytes(tables)
         records.append(record)
     # A line a mask, so that the change of one shows as such.
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)
@@ -74,15 +75,20 @@ def _expected_seconds(mask: ShippedMask, new: bool) -> float:
     return MEASURING_SECONDS + making
 
 
-_Baked = tuple[dict[str, object], bytes]
+_Baked = tuple[dict[str, object], bytes, bytes]
 
 
 def _bake(mask: ShippedMask, size: int, kept: bytes | None, progress: Progress = no_progress) -> _Baked:
-    """Return the record of a mask for the catalogue, and its ranks as a file holds them. kept: those that it has."""
+    """Return the record of a mask for the catalogue, its ranks and its tables as files hold them.
+
+    kept: the ranks that it has.
+    """
     parameters = check_parameters(mask.family, mask.sigma, size, SHIPPED_SEED, mask.aspect, mask.age)
     ranks = build(parameters, SHIPPED_METHOD, progress) if kept is None else decode_ranks(kept, size)
     entry = describe(mask.name, parameters, SHIPPED_METHOD, ranks)
-    return {**entry.to_json(), **MaskTables.measure(ranks).to_json()}, encode_ranks(ranks)
+    measured = MaskTables.measure(ranks)
+    tables = Mask(entry, ranks, measured).filtering.to_bytes()
+    return {**entry.to_json(), **measured.to_json()}, encode_ranks(ranks), tables
 
 
 def main() -> None:

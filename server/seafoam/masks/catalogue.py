@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from seafoam.masks import prefilter
 from seafoam.masks.construct import build, estimated_seconds
@@ -151,6 +152,38 @@ class MaskEntry:
         )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Thresholds:
+    """Tables by which shaders threshold a mask, 65 entries a row, read-only. Half a second at 512 x 512 to compute."""
+
+    quantiles: Field
+    ramps: Field
+
+    @staticmethod
+    def measure(quantile: ArrayLike, spans: Sequence[prefilter.Level]) -> Thresholds:
+        """The tables of a mask with this quantile table and these spans."""
+        quantiles = np.vstack((np.asarray(quantile, np.float64)[None], prefilter.span_quantiles(spans)))
+        return Thresholds._frozen(quantiles, prefilter.ramp_tables(quantile, spans))
+
+    def to_bytes(self) -> bytes:
+        """A ``.tables`` file: the rows of both, float64, little-endian."""
+        return np.vstack((self.quantiles, self.ramps)).astype("<f8").tobytes()
+
+    @staticmethod
+    def from_bytes(content: bytes) -> Thresholds:
+        """Read what :meth:`to_bytes` wrote."""
+        rows = np.frombuffer(content, "<f8").reshape(-1, prefilter.QUANTILE_ENTRIES)
+        # Of n levels there are n + 1 rows of quantiles and n + 2 of ramps.
+        quantiles, ramps = np.split(rows, [len(rows) // 2])
+        return Thresholds._frozen(quantiles, ramps)
+
+    @staticmethod
+    def _frozen(*tables: Field) -> Thresholds:
+        for rows in tables:
+            rows.setflags(write=False)
+        return Thresholds(*tables)
+
+
 @dataclass(frozen=True, eq=False)
 class Mask:
     """A mask with its description; everything else is computed from the ranks on first use."""
@@ -160,6 +193,8 @@ class Mask:
     """(size, size) uint32, read-only, each of 0..size^2-1 once."""
     measured: MaskTables | None = None
     """Its tables if known in advance: those of the catalogue."""
+    baked: Thresholds | None = None
+    """What :attr:`quantiles` and :attr:`ramps` are, if known in advance: that of the mask's file."""
 
     @cached_property
     def tables(self) -> MaskTables:
@@ -202,18 +237,19 @@ class Mask:
         return tuple(chain)
 
     @cached_property
+    def filtering(self) -> Thresholds:
+        """Its tables for shaders: the known ones, else computed now."""
+        return self.baked or Thresholds.measure(self.quantile, self.spans)
+
+    @property
     def quantiles(self) -> Field:
         """Quantile tables, 65 entries a row: of the magnified mask, then of each level of :attr:`spans`; read-only."""
-        rows = np.vstack((np.asarray(self.quantile)[None], prefilter.span_quantiles(self.spans)))
-        rows.setflags(write=False)
-        return rows
+        return self.filtering.quantiles
 
-    @cached_property
+    @property
     def ramps(self) -> Field:
         """Tables of the ramp of an octave, see :func:`prefilter.ramp_tables`; read-only."""
-        rows = prefilter.ramp_tables(self.quantile, self.spans)
-        rows.setflags(write=False)
-        return rows
+        return self.filtering.ramps
 
     def sidecar(self) -> dict[str, object]:
         """Metadata of a download, as plain JSON values."""
@@ -259,6 +295,11 @@ def rank_file(directory: Path, name: str) -> Path:
     return directory / f"{name}.ranks"
 
 
+def tables_file(directory: Path, name: str) -> Path:
+    """Where a directory holds the :class:`Thresholds` of a mask."""
+    return directory / f"{name}.tables"
+
+
 @lru_cache(maxsize=1)
 def _shipped() -> Mapping[str, tuple[MaskEntry, MaskTables]]:
     return MappingProxyType(read_catalogue(data_dir("masks")))
@@ -276,9 +317,10 @@ def load_mask(name: str) -> Mask:
     if name not in shipped:
         raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
-    ranks = decode_ranks(rank_file(data_dir("masks"), name).read_bytes(), entry.size)
+    directory = data_dir("masks")
+    ranks = decode_ranks(rank_file(directory, name).read_bytes(), entry.size)
     ranks.setflags(write=False)
-    return Mask(entry, ranks, tables)
+    return Mask(entry, ranks, tables, Thresholds.from_bytes(tables_file(directory, name).read_bytes()))
 
 
 def mask_by_name(name: str) -> Mask:

@@ -5,7 +5,7 @@ import pytest
 
 from seafoam.masks import MaskTooSlowError, custom_mask, rank_sha256
 from seafoam.masks.bake import bake_all
-from seafoam.masks.catalogue import read_catalogue
+from seafoam.masks.catalogue import Mask, Thresholds, read_catalogue
 from seafoam.masks.formats import decode_ranks
 
 
@@ -57,4 +57,9 @@ def test_baking_writes_what_the_catalogue_reads(tmp_path, monkeypatch):
     for name, (entry, tables) in catalogue.items():
         ranks = decode_ranks((tmp_path / "masks" / f"{name}.ranks").read_bytes(), entry.size)
         assert rank_sha256(ranks) == entry.sha256
+        baked = Thresholds.from_bytes((tmp_path / "masks" / f"{name}.tables").read_bytes())
+        computed = Mask(entry, ranks, tables)
+        assert baked.quantiles.shape == (8, 65)
+        assert np.allclose(baked.quantiles, computed.quantiles, rtol=0.0, atol=1e-4)
+        assert np.allclose(baked.ramps, computed.ramps, rtol=0.0, atol=1e-4)
         assert np.isfinite(tables.quantile).all()

@@ -52,6 +52,10 @@ def test_recorded_tables_are_those_of_the_ranks(name):
         assert np.allclose(recorded.raps, measured.raps, rtol=1e-4, atol=1e-12)
         assert np.allclose(recorded.anisotropy, measured.anisotropy, rtol=1e-4, atol=1e-4, equal_nan=True)
     assert np.allclose(mask.quantile, quantile_table(mask.ranks), atol=1e-5)
+    computed = Mask(mask.entry, mask.ranks, mask.measured)
+    assert np.allclose(mask.quantiles, computed.quantiles, rtol=0.0, atol=1e-9)
+    assert np.allclose(mask.ramps, computed.ramps, rtol=0.0, atol=1e-9)
+    assert not (mask.quantiles.flags.writeable or mask.ramps.flags.writeable)
 
 
 @pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix", "lace", "lacetorn", "streak"])
