@@ -11,7 +11,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from seafoam.masks.torus import Field, Progress, Ranks, filter_noise, gaussian_response, rank
 
@@ -100,6 +99,9 @@ def _depths(
     The power distance of a site of radius r is |x - c|^2 - r^2. Depths are counted in radii of the cell to the power
     ``power``, so that cells open nearly together, each by its own random factor within 1 -+ spread / 2.
     """
+    # Here, because only new masks need it: shipped ones are read.
+    from scipy.spatial import cKDTree
+
     centres, radii = _sites(box, spacings, chances, rng)
     factor = 1.0 + spread * (rng.random(radii.size) - 0.5)
     largest = radii.max()

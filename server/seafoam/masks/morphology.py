@@ -11,9 +11,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import label
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from seafoam.masks.torus import Ranks
 
@@ -149,6 +146,11 @@ def _shapes(ranks: Ranks, saturation: float) -> FoamShapes:
 
 def _areas(pattern: Pattern, *, diagonal: bool) -> NDArray[np.int64]:
     """Return the number of texels of each connected component on the torus; (components,)."""
+    # Here, because only new masks need it: shipped ones are measured.
+    from scipy.ndimage import label
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     labels, count = label(pattern, np.ones((3, 3)) if diagonal else None)
     if count == 0:
         return np.zeros(0, np.int64)

@@ -1,11 +1,13 @@
-"""Travel time of a swell over a shore's floor. Its crests are lines of equal time, bent by the depth and by islands."""
+"""Travel time of a swell over a shore's floor. Its crests are lines of equal time, bent by the depth and by islands.
+
+Functions import scipy themselves: scenes without a shore do not wait for it.
+"""
 
 import math
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from seafoam.ocean.arrays import Floats
 from seafoam.ocean.constants import GRAVITY
@@ -43,6 +45,8 @@ def travel_grid(shore: Shore, texels: int) -> Floats:
 
 @lru_cache(maxsize=16)
 def _travel_grid(shore: Shore, texels: int) -> Floats:
+    from scipy import ndimage
+
     surf = shore.surf
     texel = shore.size / texels
     deviation = min(shore.smoothing / texel, texels / 12.0)
@@ -111,6 +115,8 @@ def arrival(start: Floats, fixed: NDArray[np.bool_], delay: Floats) -> Floats:
 
 def _exposed(land: NDArray[np.bool_], heading: float) -> Floats:
     """Share of the swell's headings from which no land stands before a texel; of the shape of ``land``."""
+    from scipy import ndimage
+
     count = land.shape[0]
     middle = 0.5 * (count - 1)
     solid = ndimage.gaussian_filter(land.astype(np.float64), 1.0, mode="nearest")

@@ -1,4 +1,7 @@
-"""Upper bounds of a shore's waves, floor and land, measured on the texels of its maps. docs/formulae.md, section 8."""
+"""Upper bounds of a shore's waves, floor and land, measured on the texels of its maps. docs/formulae.md, section 8.
+
+Functions import scipy themselves: scenes without a shore do not wait for it.
+"""
 
 import math
 from dataclasses import dataclass
@@ -6,7 +9,6 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from seafoam.effects.shore.maps import MASK_WAVES, blur_deviation
 from seafoam.framegraph.rules import significant
@@ -97,6 +99,8 @@ class _WaveFields:
 
 
 def _wave_fields(shore: Shore, floor: Floats, map_texels: int) -> _WaveFields:
+    from scipy import ndimage
+
     surf = shore.surf
     heights = ndimage.zoom(floor, map_texels / floor.shape[0], order=1, grid_mode=True, mode="nearest")
     deviation = blur_deviation(shore, map_texels)
@@ -131,6 +135,8 @@ def _phase_gradient(shore: Shore, distance: Floats, map_texels: int) -> Floats:
 
 def _coast_distance(shore: Shore, heights: Floats) -> Floats:
     """Distance from the coast, m; negative on land; the square's side where there is no coast."""
+    from scipy import ndimage
+
     texel = shore.size / heights.shape[0]
     dry = heights >= 0.0
     if dry.all() or not dry.any():
@@ -195,6 +201,8 @@ def _sharpest_bend(heights: Floats, texel: float) -> float:
     At each place the elements of its Hessian are means, with positive weights, of second differences of the texels
     around, and its greater eigenvalue grows with each.
     """
+    from scipy import ndimage
+
     along = [ndimage.correlate1d(heights, (1.0, -2.0, 1.0), axis=axis, mode="nearest") for axis in (0, 1)]
     first, second = (ndimage.maximum_filter1d(along[axis], 3, axis=1 - axis, mode="nearest") for axis in (0, 1))
     mixed = np.abs(np.diff(np.diff(np.pad(heights, 1, mode="edge"), axis=0), axis=1))
