@@ -1,44 +1,24 @@
 """Server frames against the float64 truth in ``tests/references``."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.reference import load_truth, render, truth_is_current
 from seafoam.reference.bake import CONVERGED_SIZE, CONVERGED_TIME, EVERY_LOOK, TIMES, jobs_of, truth_file
-from seafoam.reference.renderer import camera as cameras
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.camera import Camera
 from seafoam.scene.foam import Foam, HeightSaturation
 from seafoam.scene.models import Scene
 from seafoam.scene.presets import load_preset, preset_names
 from support.exact import UNFILTERED
-from support.pictures import colours, draw, rmse
+from support.parity import HARD, REFERENCES, mean_of, parity
+from support.pictures import draw, rmse
 from support.report import Report
 from support.sweep import crossed
-
-REFERENCES = Path(__file__).parents[2] / "references"
-HARD = ("halftone", "fading", "halftone_textured", "listing")
-
-
-def without_the_worst(
-    got: NDArray[np.float64], want: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Pixels (n, 3) less the worst in ten thousand: a ray that just touches a crest in the sun falls either way."""
-    order = np.argsort(np.abs(got - want).max(axis=1))
-    kept = order[: len(order) - math.ceil(1e-4 * len(order))]
-    return got[kept], want[kept]
-
-
-def mean_of(samples: NDArray[np.float32], size: tuple[int, int]) -> NDArray[np.float32]:
-    """The frame of its samples, (height, width, 4): one draw gives both."""
-    side = samples.shape[1] // size[0]
-    return samples.reshape(size[1], side, size[0], side, 4).mean(axis=(1, 3), dtype=np.float64).astype(np.float32)
 
 
 def every_job() -> list[tuple[str, Scene]]:
@@ -55,34 +35,18 @@ def test_truth_is_of_the_scenes_that_are_judged() -> None:
 
 @pytest.mark.parametrize(("preset", "time"), crossed(preset_names(), TIMES, len(TIMES), 3, 1))
 def test_reference_quality_is_the_truth(executor: Executor, report: Report, preset: str, time: float) -> None:
-    scene = load_preset(preset).scene
-    truth = load_truth(truth_file(REFERENCES, f"{preset}.same.{time:.1f}"))
-    want = colours(truth.rgb)
-    size = (want.shape[1], want.shape[0])
-    samples = draw(executor, make_plan(scene, UNFILTERED), scene.camera, time=time, size=size, output="samples")
-    linear = mean_of(samples, size)
-    got = colours(linear)
-    below = cameras.depression(cameras.view(scene.camera, *size), *size) > np.radians(1.0)
-    near, whole = rmse(*without_the_worst(got[below], want[below])), rmse(got, want)
-    flips = float(np.mean((samples[..., 3] > 0.0) != truth.foam))
-    height, width = truth.alpha.shape
-    cells = (linear[..., 3] - truth.alpha)[: height // 8 * 8, : width // 8 * 8].reshape(height // 8, 8, width // 8, 8)
-    tone = float(np.abs(cells.mean(axis=(1, 3))).mean())
+    found = parity(executor, preset, time)
     report.add(
         "Frames against the float64 truth (RMSE in 8-bit levels of linear light)",
         preset=preset,
-        size=f"{size[0]} × {size[1]}",
+        size=f"{found.size[0]} × {found.size[1]}",
         time=f"{time:g} s",
-        below_1_degree=f"{near:.3f}",
-        whole=f"{whole:.3f}",
-        flipped=f"{100 * flips:.3f} %",
-        tone=f"{100 * tone:.4f} %",
+        below_1_degree=f"{found.near:.3f}",
+        whole=f"{found.whole:.3f}",
+        flipped=f"{100 * found.flipped:.3f} %",
+        tone=f"{100 * found.tone:.4f} %",
     )
-    assert near <= 0.5
-    assert whole <= 2.0
-    if scene.foam is not None and scene.foam.look in HARD:
-        assert flips <= 0.005
-        assert tone <= 0.01
+    assert not found.exceeded()
 
 
 @pytest.mark.parametrize("preset", ["default", "boat-race", "spray-on-rocks", "paper-halftone"])

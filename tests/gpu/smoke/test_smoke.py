@@ -1,13 +1,13 @@
 """Every preset once, small and at the cheapest tier: there is a picture. Part of ``make quick``."""
 
-import numpy as np
 import pytest
 
 from seafoam.planner import make_plan
 from seafoam.quality import TIERS
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import load_preset, preset_names
-from support.pictures import colours, draw
+from support.parity import faults
+from support.pictures import draw
 
 SIZE = (64, 36)
 
@@ -19,6 +19,4 @@ def test_a_preset_draws(executor: Executor, preset: str) -> None:
     plan = make_plan(found.scene, TIERS["draft"])
     camera = found.scene.camera
     frame = draw(executor, plan, camera, time=found.time, size=SIZE, output="samples")
-    assert np.isfinite(frame).all()
-    assert (frame >= 0.0).all()
-    assert colours(frame).std() > 0.01, "a blank picture"
+    assert not faults(frame)
