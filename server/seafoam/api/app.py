@@ -25,7 +25,7 @@ from seafoam.api.logs import REQUEST_ID, LogRequests
 from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
-from seafoam.api.parameters import one_value_each
+from seafoam.api.problems import BusyError
 from seafoam.api.rates import TokenBuckets
 from seafoam.api.routers import (
     accuracy,
@@ -44,6 +44,7 @@ from seafoam.api.routers import (
 from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
 from seafoam.api.streams import Streams
+from seafoam.api.strict import one_value_each
 from seafoam.api.telemetry import NO_TELEMETRY
 from seafoam.api.telemetry import traces as configured_traces
 from seafoam.api.threads import ThreadPool
@@ -119,7 +120,7 @@ def create_app(settings: Settings | None = None, *, renderer: Callable[[], Rende
         warming = asyncio.create_task(presets.warm(context.plans))
         yield
         warming.cancel()
-        with suppress(asyncio.CancelledError, errors.BusyError):
+        with suppress(asyncio.CancelledError, BusyError):
             await warming
         await asyncio.to_thread(context.sweeps.stop)
         await asyncio.to_thread(context.sequences.stop)

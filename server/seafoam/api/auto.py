@@ -7,8 +7,8 @@ from seafoam.accuracy.budget import choose
 from seafoam.accuracy.model import Running
 from seafoam.accuracy.sweep import Subject
 from seafoam.api.context import Context
-from seafoam.api.errors import BadRequestError, FieldProblem, NotMeasuredError
 from seafoam.api.parameters import TierOrAuto, quality_of
+from seafoam.api.problems import BadRequestError, FieldProblem, NotMeasuredError
 from seafoam.api.routers.accuracy import measured, retry_seconds
 from seafoam.quality import Quality
 

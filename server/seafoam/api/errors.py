@@ -29,6 +29,17 @@ from starlette.responses import JSONResponse
 from seafoam.accuracy.sweep_service import FailedError
 from seafoam.api.allowed import Schema, allowed_at
 from seafoam.api.logs import REQUEST_ID, request_id
+from seafoam.api.problems import (
+    BadRequestError,
+    BusyError,
+    ExportTooLargeError,
+    FieldProblem,
+    NotBuiltError,
+    NotFoundError,
+    NotMeasuredError,
+    StreamsFullError,
+    UnsupportedMediaError,
+)
 from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import MaskTooSlowError
 from seafoam.render.service.errors import (
@@ -47,19 +58,6 @@ UNAVAILABLE_RETRY = 60
 """Interval at which a server without GL looks for it again, s."""
 
 
-class FieldProblem(BaseModel):
-    """An error in one body member or parameter."""
-
-    pointer: str | None = Field(default=None, description="JSON pointer (RFC 6901) into the request body")
-    parameter: str | None = Field(default=None, description="Name of the query or path parameter")
-    detail: str = Field(description="Description of the error")
-    allowed: dict[str, Any] | None = Field(
-        default=None,
-        description="Allowed values: minimum and maximum (inclusive), enum, members, pattern or type",
-        examples=[{"minimum": 1, "maximum": 4096}],
-    )
-
-
 class Problem(BaseModel):
     """An error, as defined by RFC 9457."""
 
@@ -73,57 +71,6 @@ class Problem(BaseModel):
     request_id: str | None = Field(default=None, description="The request's X-Request-ID, as in the server's log")
     errors: list[FieldProblem] | None = Field(default=None, description="Errors of single fields and parameters")
     remedy: str | None = Field(default=None, description="How the operator of the server can fix it")
-
-
-class ApiError(Exception):
-    """Base class of errors that routers raise."""
-
-
-class NotFoundError(ApiError):
-    """A resource does not exist. ``parameter``: path parameter with the wrong name; ``known``: available names."""
-
-    def __init__(self, detail: str, parameter: str, known: Sequence[str] = ()) -> None:
-        super().__init__(detail)
-        self.parameter = parameter
-        self.known = tuple(known)
-
-
-class BadRequestError(ApiError):
-    """Parts of the request are invalid."""
-
-    def __init__(self, *errors: FieldProblem) -> None:
-        super().__init__("; ".join(error.detail for error in errors))
-        self.errors = list(errors)
-
-
-class UnsupportedMediaError(ApiError):
-    """The body is not JSON."""
-
-
-class ExportTooLargeError(ApiError):
-    """The textures of a scene to take home exceed the limit."""
-
-
-class NotBuiltError(ApiError):
-    """The web client is not built. ``remedy``: how to build it."""
-
-    remedy = "run: make webclient"
-
-
-class BusyError(ApiError):
-    """The queue for this kind of work is full; retry after ``retry_after`` seconds."""
-
-    def __init__(self, detail: str, retry_after: int) -> None:
-        super().__init__(detail)
-        self.retry_after = retry_after
-
-
-class NotMeasuredError(BusyError):
-    """A measurement that the response requires is still running; the text gives its progress."""
-
-
-class StreamsFullError(BusyError):
-    """All streams are taken, or the server gives none."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,14 +1,11 @@
-"""Query parameters and bodies, with the ranges declared by the scene."""
+"""Query parameters and bodies, with the ranges declared by the scene. Nothing here imports the web framework."""
 
-import json
-from typing import Annotated, Any, Literal, TypeVar, get_args
+from typing import Annotated, Any, Literal, get_args
 
-from fastapi import Request
-from fastapi.exceptions import RequestValidationError
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, ValidationError
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 from pydantic.fields import FieldInfo
 
-from seafoam.api.errors import BadRequestError, FieldProblem, UnsupportedMediaError
+from seafoam.api.problems import BadRequestError, FieldProblem
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.render.encode import FrameFormat, Precision
 from seafoam.scene.camera import Camera
@@ -21,37 +18,11 @@ DEFAULT_WIDTH, DEFAULT_HEIGHT = 1280, 720
 
 TierOrAuto = Literal[Tier, "auto"]
 
-M = TypeVar("M", bound=BaseModel)
-
 
 class Parameters(BaseModel):
     """Base class of query parameters; unknown ones are rejected. This class itself has none."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-def one_value_each(request: Request) -> None:
-    """Reject a query parameter that is given twice, since either value could be meant."""
-    names = [name for name, _ in request.query_params.multi_items()]
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        errors = (FieldProblem(parameter=name, detail=f"{name} is given more than once") for name in twice)
-        raise BadRequestError(*errors)
-
-
-def strictly(model: type[M]) -> Any:
-    """Parse a JSON body without pydantic's conversions: neither the string "1" nor true is a number."""
-
-    def validate(body: Any) -> Any:
-        if isinstance(body, bytes):
-            raise UnsupportedMediaError("send JSON, with the header Content-Type: application/json")
-        try:
-            return model.model_validate_json(json.dumps(body), strict=True)
-        except ValidationError as error:
-            items = [{**item, "loc": ("body", *item["loc"])} for item in error.errors()]
-            raise RequestValidationError(items, body=body) from error
-
-    return Annotated[model, BeforeValidator(validate)]
 
 
 def _same(info: FieldInfo, description: str = "", *, required: bool = False, **override: Any) -> Any:

@@ -6,13 +6,9 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from seafoam.accuracy.budget import choose
-from seafoam.accuracy.sweep import Settings, Subject
-from seafoam.api.errors import ApiError
 from seafoam.api.parameters import FrameParameters
-from seafoam.api.routers.presets import find_preset
+from seafoam.api.problems import ApiError
 from seafoam.cli.support import UNABLE, CommandError, extension_of, refuse, size_of, write
-from seafoam.cli.sweeps import measured
 from seafoam.planner import PlanError
 from seafoam.quality import TIERS, Quality
 from seafoam.render.encode import FRAME_FORMATS
@@ -21,6 +17,7 @@ from seafoam.render.service.errors import FrameTooLargeError
 from seafoam.render.service.jobs import FrameJob, render_frame
 from seafoam.render.service.limits import FrameLimits
 from seafoam.scene.models import Scene
+from seafoam.scene.presets import Preset, load_preset
 
 LARGEST_SIDE = 8192
 LARGEST_SAMPLED_SIDE = 16384
@@ -35,7 +32,7 @@ class _Request:
     """A frame to draw. ``parameters``: the validated options; ``time``: s; ``size``: pixels."""
 
     parameters: FrameParameters
-    subject: Subject
+    preset: Preset
     scene: Scene
     time: float
     size: tuple[int, int]
@@ -46,10 +43,10 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
 
     ``options``: fields of :class:`FrameParameters` except width and height. Raises :class:`CommandError`.
     """
-    loaded = find_preset(preset)
+    loaded = load_preset(preset)
     extension = extension_of(output, FRAME_FORMATS)
     width, height = loaded.size if size is None else size_of(size)
-    request = _validated(preset, (width, height), options)
+    request = _validated(loaded, (width, height), options)
     try:
         executor = gl.Executor()
         quality, reason = _quality(executor, request)
@@ -70,8 +67,7 @@ def render_to_file(preset: str, output: Path, size: str | None, options: Mapping
     return [summary, reason] if reason else [summary]
 
 
-def _validated(preset: str, size: tuple[int, int], options: Mapping[str, object]) -> _Request:
-    loaded = find_preset(preset)
+def _validated(preset: Preset, size: tuple[int, int], options: Mapping[str, object]) -> _Request:
     fields: dict[str, object] = {"width": size[0], "height": size[1], **options}
     try:
         parameters = FrameParameters.model_validate(
@@ -81,16 +77,15 @@ def _validated(preset: str, size: tuple[int, int], options: Mapping[str, object]
         if automatic != (parameters.budget_ms is not None):
             raise CommandError("--budget-ms: required with --quality auto, and allowed only with it")
         LIMITS.check(*size, 1 if parameters.quality == "auto" else TIERS[parameters.quality].samples_drawn)
-        scene = parameters.apply(loaded.scene)
+        scene = parameters.apply(preset.scene)
     except ValidationError as error:
         refuse(error, FrameParameters, _option)
     except FrameTooLargeError as error:
         raise CommandError(f"--size: {error}") from error
     except ApiError as error:
         raise CommandError(f"--{error}") from error
-    time = loaded.time if parameters.time is None else parameters.time
-    subject = Subject(None if parameters.changed else preset, scene, loaded.time, loaded.size)
-    return _Request(parameters, subject, scene, time, size)
+    time = preset.time if parameters.time is None else parameters.time
+    return _Request(parameters, preset, scene, time, size)
 
 
 def _quality(executor: gl.Executor, request: _Request) -> tuple[Quality, str]:
@@ -99,7 +94,14 @@ def _quality(executor: gl.Executor, request: _Request) -> tuple[Quality, str]:
     if parameters.quality != "auto":
         return TIERS[parameters.quality], ""
     assert parameters.budget_ms is not None
-    sweep = measured(executor, request.subject, Settings())
+    # Here, because no other frame needs what measurements do.
+    from seafoam.accuracy.budget import choose
+    from seafoam.accuracy.sweep import Settings, Subject
+    from seafoam.cli.sweeps import measured
+
+    preset = request.preset
+    subject = Subject(None if parameters.changed else preset.name, request.scene, preset.time, preset.size)
+    sweep = measured(executor, subject, Settings())
     choice = choose(sweep, *request.size, parameters.budget_ms, lambda q: LIMITS.allows(*request.size, q.samples_drawn))
     return choice.point.quality, f"{choice.point.id}: {choice.why}"
 

@@ -16,8 +16,9 @@ from seafoam.accuracy.sweep_service import QueueFullError
 from seafoam.accuracy.truth import Truth
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import BusyError, problem_responses
+from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import Parameters
+from seafoam.api.problems import BusyError
 from seafoam.api.routers.presets import PresetName, find_preset
 from seafoam.extras import require_reports
 

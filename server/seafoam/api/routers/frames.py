@@ -12,9 +12,10 @@ from seafoam.api.caching import NO_STORE, REVALIDATE
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import problem_responses
 from seafoam.api.known import Identified
-from seafoam.api.parameters import FORMATS, FrameParameters, FrameRequest, ThumbnailParameters, strictly
+from seafoam.api.parameters import FORMATS, FrameParameters, FrameRequest, ThumbnailParameters
 from seafoam.api.planning import compile_scene
 from seafoam.api.routers.presets import PresetName, find_preset, known_preset
+from seafoam.api.strict import strictly
 from seafoam.quality import TIERS
 from seafoam.render.encode import FrameFormat
 from seafoam.render.service.jobs import FrameJob

@@ -10,9 +10,10 @@ from starlette.responses import JSONResponse, Response
 
 from seafoam.api.caching import NO_STORE
 from seafoam.api.context import InContext
-from seafoam.api.errors import BusyError, problem_responses
+from seafoam.api.errors import problem_responses
 from seafoam.api.metrics import CONTENT_TYPE_LATEST
 from seafoam.api.parameters import Parameters
+from seafoam.api.problems import BusyError
 from seafoam.render.service.errors import RendererUnavailableError
 
 router = APIRouter(tags=["health"])

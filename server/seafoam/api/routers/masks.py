@@ -12,8 +12,9 @@ from starlette.responses import Response
 
 from seafoam.api.caching import REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
+from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import Parameters
+from seafoam.api.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.extras import require_reports
 from seafoam.masks.catalogue import (
     ON_REQUEST_SECONDS,

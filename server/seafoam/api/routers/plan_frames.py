@@ -8,10 +8,11 @@ from starlette.responses import Response
 from seafoam.api.answering import FRAME_RESPONSES, NOT_MODIFIED, answer, asked_before, identify
 from seafoam.api.caching import IMMUTABLE
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import NotFoundError, problem_responses
+from seafoam.api.errors import problem_responses
 from seafoam.api.known import Identified
 from seafoam.api.parameters import FORMATS, TIME_LIMIT, PlanFrameParameters
 from seafoam.api.planning import compile_scene
+from seafoam.api.problems import NotFoundError
 from seafoam.render.encode import FrameFormat
 from seafoam.render.service.jobs import FrameJob
 

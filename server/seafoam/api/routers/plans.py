@@ -8,9 +8,10 @@ from starlette.responses import Response
 from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import PlanParameters, PlanRequest, quality_of, strictly
+from seafoam.api.parameters import PlanParameters, PlanRequest, quality_of
 from seafoam.api.planning import CompiledPlan, compile_scene
 from seafoam.api.routers.presets import PresetName, find_preset
+from seafoam.api.strict import strictly
 from seafoam.framegraph.plan import FramePlan
 from seafoam.quality import TIERS, Quality
 from seafoam.scene.models import Scene

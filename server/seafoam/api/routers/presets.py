@@ -10,9 +10,10 @@ from pydantic import BaseModel, Field
 from seafoam.accuracy.model import ParameterInfo
 from seafoam.accuracy.parameters import every_parameter
 from seafoam.api.context import InContext
-from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
+from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import Parameters
 from seafoam.api.planning import compile_scene
+from seafoam.api.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.api.threads import ThreadPool
 from seafoam.quality import TIERS, Quality, Tier
 from seafoam.scene.models import Scene

@@ -9,8 +9,9 @@ from pydantic import BaseModel, Field
 
 from seafoam.api.context import InContext
 from seafoam.api.errors import problem_responses
-from seafoam.api.parameters import Parameters, strictly
+from seafoam.api.parameters import Parameters
 from seafoam.api.planning import compile_scene
+from seafoam.api.strict import strictly
 from seafoam.quality import TIERS, Tier
 from seafoam.scene.models import Scene
 

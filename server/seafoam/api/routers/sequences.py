@@ -10,7 +10,7 @@ from starlette.responses import FileResponse, JSONResponse, Response, StreamingR
 
 from seafoam.api.caching import NO_STORE
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import BadRequestError, BusyError, FieldProblem, NotFoundError, problem_responses
+from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import (
     DEFAULT_HEIGHT,
     DEFAULT_WIDTH,
@@ -20,10 +20,11 @@ from seafoam.api.parameters import (
     TierOrQuality,
     preset_of_origin,
     quality_of,
-    strictly,
 )
 from seafoam.api.planning import compile_scene
+from seafoam.api.problems import BadRequestError, BusyError, FieldProblem, NotFoundError
 from seafoam.api.routers.presets import known_preset
+from seafoam.api.strict import strictly
 from seafoam.render.service.jobs import FrameJob
 from seafoam.scene.camera import Camera
 from seafoam.sequences.errors import OutputError

@@ -9,16 +9,12 @@ from pydantic import BaseModel, Field
 from seafoam.api.answering import CLIENT_CLOSED_REQUEST, stages, unless_gone
 from seafoam.api.caching import NO_STORE
 from seafoam.api.context import Context, InContext
-from seafoam.api.errors import NotFoundError, StreamsFullError, problem_responses
-from seafoam.api.parameters import (
-    Parameters,
-    PlanRequest,
-    StreamFrameParameters,
-    quality_of,
-    strictly,
-)
+from seafoam.api.errors import problem_responses
+from seafoam.api.parameters import Parameters, PlanRequest, StreamFrameParameters, quality_of
 from seafoam.api.planning import compile_scene
+from seafoam.api.problems import NotFoundError, StreamsFullError
 from seafoam.api.streams import LEASE_SECONDS, Stream
+from seafoam.api.strict import strictly
 from seafoam.quality import Quality
 from seafoam.render.service.jobs import Frame, FrameJob
 from seafoam.render.service.slots import Turn

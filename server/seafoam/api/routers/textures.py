@@ -9,8 +9,9 @@ from starlette.responses import Response
 
 from seafoam.api.caching import IMMUTABLE, REVALIDATE, not_modified
 from seafoam.api.context import InContext
-from seafoam.api.errors import BadRequestError, FieldProblem, NotFoundError, problem_responses
+from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import Parameters
+from seafoam.api.problems import BadRequestError, FieldProblem, NotFoundError
 from seafoam.textures import Part, TextureData, spec_at, texture
 
 router = APIRouter(prefix="/api", tags=["textures"])

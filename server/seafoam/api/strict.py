@@ -1,0 +1,36 @@
+"""Requests are read strictly: a parameter is given once, and nothing in a body is converted."""
+
+import json
+from typing import Annotated, Any, TypeVar
+
+from fastapi import Request
+from fastapi.exceptions import RequestValidationError
+from pydantic import BaseModel, BeforeValidator, ValidationError
+
+from seafoam.api.problems import BadRequestError, FieldProblem, UnsupportedMediaError
+
+M = TypeVar("M", bound=BaseModel)
+
+
+def one_value_each(request: Request) -> None:
+    """Reject a query parameter that is given twice, since either value could be meant."""
+    names = [name for name, _ in request.query_params.multi_items()]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        errors = (FieldProblem(parameter=name, detail=f"{name} is given more than once") for name in twice)
+        raise BadRequestError(*errors)
+
+
+def strictly(model: type[M]) -> Any:
+    """Parse a JSON body without pydantic's conversions: neither the string "1" nor true is a number."""
+
+    def validate(body: Any) -> Any:
+        if isinstance(body, bytes):
+            raise UnsupportedMediaError("send JSON, with the header Content-Type: application/json")
+        try:
+            return model.model_validate_json(json.dumps(body), strict=True)
+        except ValidationError as error:
+            items = [{**item, "loc": ("body", *item["loc"])} for item in error.errors()]
+            raise RequestValidationError(items, body=body) from error
+
+    return Annotated[model, BeforeValidator(validate)]
