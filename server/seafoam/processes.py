@@ -1,14 +1,14 @@
 """Where independent jobs run that take minutes: in processes here, or on the workers of a Dask cluster."""
 
-import multiprocessing
 from collections.abc import Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from seafoam.extras import require
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from distributed import Client
 
 CONNECT_SECONDS = 10.0
@@ -32,7 +32,7 @@ def connected(scheduler: str) -> "Client":
 
 
 @contextmanager
-def executor(scheduler: str | None, processes: int) -> Iterator[Executor]:
+def executor(scheduler: str | None, processes: int) -> "Iterator[Executor]":
     """Run functions, arguments and results that can be pickled, while the context lasts.
 
     ``scheduler``: address such as ``tcp://host:8786``; None: so many ``processes`` here. A lost worker's jobs run again
@@ -40,6 +40,10 @@ def executor(scheduler: str | None, processes: int) -> Iterator[Executor]:
     :class:`seafoam.extras.MissingExtraError` without Dask, :class:`NoClusterError`.
     """
     if scheduler is None:
+        # Here, because every command imports this module for its options.
+        import multiprocessing
+        from concurrent.futures import ProcessPoolExecutor
+
         # A fork would inherit threads that hold locks.
         with ProcessPoolExecutor(processes, mp_context=multiprocessing.get_context("spawn")) as pool:
             yield pool

@@ -11,7 +11,6 @@ import struct
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from seafoam.masks.torus import Ranks
 
@@ -33,12 +32,12 @@ def to_u16(ranks: Ranks) -> bytes:
 
 def to_png16(ranks: Ranks) -> bytes:
     """16-bit greyscale PNG of the values of :func:`to_u16`, without gamma or colour space chunks."""
-    return _png(Image.fromarray(quantised(ranks, 16).astype(np.uint16)))
+    return _png(quantised(ranks, 16).astype(np.uint16))
 
 
 def to_png8(ranks: Ranks) -> bytes:
     """8-bit greyscale PNG of floor(rank 256 / N), for quick use: N / 256 texels share each value."""
-    return _png(Image.fromarray(quantised(ranks, 8).astype(np.uint8)))
+    return _png(quantised(ranks, 8).astype(np.uint8))
 
 
 def to_npy(ranks: Ranks) -> bytes:
@@ -87,7 +86,10 @@ def decode_ranks(content: bytes, size: int) -> Ranks:
     return ranks.reshape(size, size)
 
 
-def _png(image: Image.Image) -> bytes:
+def _png(values: NDArray[np.uint8 | np.uint16]) -> bytes:
+    # Here, because masks are read and drawn without it.
+    from PIL import Image
+
     buffer = io.BytesIO()
-    image.save(buffer, "PNG")
+    Image.fromarray(values).save(buffer, "PNG")
     return buffer.getvalue()

@@ -1,9 +1,9 @@
 """Presets: named scenes with title and summary."""
 
 import json
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 from pydantic import Field
 
@@ -29,24 +29,24 @@ class Preset(Part):
     scene: Scene
 
 
-@lru_cache(maxsize=1)
-def _presets() -> dict[str, Preset]:
-    found = [
-        Preset.model_validate({"name": path.stem, **json.loads(path.read_text(encoding="utf-8"))})
-        for path in sorted(_DIRECTORY.glob("*.json"))
-    ]
-    return {preset.name: preset for preset in sorted(found, key=_place)}
+@cache
+def _documents() -> dict[str, dict[str, Any]]:
+    """What the files say, by name in menu order. A preset is validated when it is asked for: most need only one."""
+    found = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(_DIRECTORY.glob("*.json"))}
+    groups = get_args(Group)
+    return dict(sorted(found.items(), key=lambda item: (groups.index(item[1]["group"]), item[1]["order"])))
 
 
-def _place(preset: Preset) -> tuple[int, int]:
-    return get_args(Group).index(preset.group), preset.order
+@cache
+def _preset(name: str) -> Preset:
+    return Preset.model_validate({"name": name, **_documents()[name]})
 
 
 def preset_names() -> tuple[str, ...]:
     """Return the names of all presets, in menu order."""
-    return tuple(_presets())
+    return tuple(_documents())
 
 
 def load_preset(name: str) -> Preset:
     """Return a preset by name. Raises ``KeyError`` if there is none."""
-    return _presets()[name]
+    return _preset(name)

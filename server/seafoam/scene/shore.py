@@ -8,7 +8,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 from pydantic import Field, model_validator
 
 from seafoam.scene.base import Angle, Part, Place, Rgb
@@ -170,6 +169,9 @@ def decoded_image(encoded: str) -> Floats:
         raw = base64.b64decode(encoded, validate=True)
     except binascii.Error:
         raise ValueError("image: not valid base64") from None
+    # Here, because few scenes have an image.
+    from PIL import Image
+
     try:
         with Image.open(io.BytesIO(raw), formats=("PNG",)) as picture:
             if not (2 <= picture.width <= 128 and 2 <= picture.height <= 128):

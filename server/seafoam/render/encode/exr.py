@@ -1,10 +1,12 @@
-"""OpenEXR by the project's own library: linear light for compositing."""
+"""OpenEXR by the project's own library: linear light for compositing.
+
+Functions import the library themselves, because most frames are PNG.
+"""
 
 import io
 from typing import Literal
 
 import numpy as np
-import OpenEXR
 from numpy.typing import NDArray
 
 from seafoam.render.encode.recipes import KEYWORD
@@ -27,6 +29,8 @@ def encode_exr(pixels: NDArray[np.float32], precision: Precision, recipe: str | 
     ``half`` rounds to 11 significant bits, and what exceeds its largest number, 65504, becomes that; distances are
     float32 always, and infinite instead of 0.
     """
+    import OpenEXR
+
     values = pixels
     if precision == "half":
         largest = np.finfo(np.float16).max
@@ -52,6 +56,8 @@ def recipe_in_exr(content: bytes) -> str | None:
     """Return the recipe of an OpenEXR file, or None. Raises ``RuntimeError`` for a damaged file."""
     if not content.startswith(_MAGIC):
         return None
+    import OpenEXR
+
     file = OpenEXR.File(io.BytesIO(content), header_only=True, num_threads=0)
     found = file.header().get(KEYWORD)
     return found if isinstance(found, str) else None

@@ -1,11 +1,13 @@
-"""WebP: lossless, with the recipe as a property of its XMP packet (ISO 16684-1), and lossy for frames in motion."""
+"""WebP: lossless, with the recipe as a property of its XMP packet (ISO 16684-1), and lossy for frames in motion.
+
+Functions import Pillow themselves, because most frames are PNG.
+"""
 
 import io
 from xml.etree import ElementTree
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from seafoam.render.encode.recipes import KEYWORD
 
@@ -24,6 +26,8 @@ for _prefix, _name in (("x", _META), ("rdf", _RDF), (KEYWORD, _OURS)):
 
 def encode_webp(pixels: NDArray[np.uint8], recipe: str | None) -> bytes:
     """Encode RGB of (height, width, 3 or 4), and the recipe, if any."""
+    from PIL import Image
+
     buffer = io.BytesIO()
     picture = Image.fromarray(np.ascontiguousarray(pixels[..., :3]))
     packet = b"" if recipe is None else _packet(recipe)
@@ -33,6 +37,8 @@ def encode_webp(pixels: NDArray[np.uint8], recipe: str | None) -> bytes:
 
 def encode_lossy(pixels: NDArray[np.uint8]) -> bytes:
     """Encode RGB of (height, width, 3 or 4) for a moment's look: lossy, without recipe."""
+    from PIL import Image
+
     buffer = io.BytesIO()
     Image.fromarray(np.ascontiguousarray(pixels[..., :3])).save(buffer, "WEBP", quality=LOSSY_QUALITY, method=0)
     return buffer.getvalue()
@@ -42,6 +48,8 @@ def recipe_in_webp(content: bytes) -> str | None:
     """Return the recipe of a WebP, or None. Raises ``OSError`` or ``ElementTree.ParseError`` for a damaged file."""
     if content[:4] != b"RIFF" or content[8:12] != b"WEBP":
         return None
+    from PIL import Image
+
     with Image.open(io.BytesIO(content)) as picture:
         packet = picture.info.get("xmp")
     if not packet:
