@@ -55,7 +55,8 @@ def test_recorded_tables_are_those_of_the_ranks(name):
     computed = Mask(mask.entry, mask.ranks, mask.measured)
     assert np.allclose(mask.quantiles, computed.quantiles, rtol=0.0, atol=1e-9)
     assert np.allclose(mask.ramps, computed.ramps, rtol=0.0, atol=1e-9)
-    assert not (mask.quantiles.flags.writeable or mask.ramps.flags.writeable)
+    assert not mask.quantiles.flags.writeable
+    assert not mask.ramps.flags.writeable
 
 
 @pytest.mark.parametrize("name", ["blur-6", "clump", "bubble", "mix", "lace", "lacetorn", "streak"])

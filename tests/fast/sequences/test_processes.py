@@ -61,7 +61,7 @@ def test_masks_of_a_cluster_are_those_of_this_process(
     assert seen == sorted(seen)
     assert seen[-1] == 1.0
     here, there = ({file.name: file.read_bytes() for file in (tmp_path / one).iterdir()} for one in ("here", "there"))
-    assert len(here) == len(bake.SHIPPED) + 1
+    assert len(here) == 2 * len(bake.SHIPPED) + 1
     assert here == there
 
 
