@@ -1,6 +1,7 @@
 # make demo: everything it takes, then the page.   make test: everything it takes, then every test.
 # make quick: what to run while working, minutes on two cores.   With CI=1 nothing is left out for having passed before.
 # make sweep: the rest of the large tables of like cases, of which make test runs an even share; before a release.
+# make gpu: on a machine with a GPU, five minutes: draws all, compares, measures, and writes docs/gpu.md.
 SHELL := /bin/bash
 PYTHON ?= python3
 VENV := .venv
@@ -29,7 +30,7 @@ SHARE := not sweep
 # Groups run at once on two cores: threads of BLAS would wait for one another, and use up the time of all.
 test-live test-gpu test-fast quick-plans quick-rest: export OPENBLAS_NUM_THREADS = 1
 
-.PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-gpu test-fast test-web bench setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
+.PHONY: demo test quick quick-plans quick-rest lint lint-then-web sweep test-live test-gpu test-fast test-web bench gpu setup setup-test webclient wheel bake docs stills learn-stills fronts lock clean
 
 demo: setup
 	$(BIN)/seafoam serve --port $(PORT) --open
@@ -112,6 +113,10 @@ sweep: setup-test
 
 bench: setup-test
 	$(BIN)/python -m bench
+
+# Needs a GPU's driver with EGL, and Python; no Node, no browser. GPU: options, of which --help tells.
+gpu: $(VENV)/.installed
+	$(BIN)/python -m bench.gpu $(GPU)
 
 wheel: setup
 	$(BIN)/pip wheel -q --no-deps --no-build-isolation -w dist .

@@ -33,7 +33,7 @@ from bench import (
     yardstick,
 )
 from bench.passes import Frame
-from bench.report import Table
+from bench.report import Table, lines
 from bench.watch import Watch
 from seafoam.render.gl.executor import Executor
 from seafoam.scene.presets import preset_names
@@ -91,7 +91,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             # Results up to the failure are still printed.
             failure = traceback.format_exc()
 
-    print(document.lines(run.about))
+    print(lines(run.about))
     for table in run.tables:
         print(f"\n{table.text()}")
     if asked.json:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from bench import plots
 from bench.passes import SIZE, Frame
-from bench.report import Table, ms
+from bench.report import Table, lines, ms
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 PICTURES = "pictures/passes"
@@ -45,12 +45,6 @@ def write(
         page.write_text(text, encoding="utf-8")
     if frames:
         _write_passes(about, frames, docs)
-
-
-def lines(about: Mapping[str, str]) -> str:
-    """Names and values, a line each."""
-    width = max(map(len, about))
-    return "\n".join(f"{name.ljust(width)}  {value}" for name, value in about.items())
 
 
 def _write_passes(about: Mapping[str, str], frames: Sequence[Frame], docs: Path) -> None:

@@ -169,10 +169,10 @@ def _rate(draw: Callable[[], None], seconds: float) -> float:
 def _capacity(port: int, moments: Iterator[str], seconds: float) -> float:
     """Frames a second for two clients that ask as soon as they are answered."""
     paths = (f"/api/frames/{PRESET}.png?time={moment}" for moment in moments)
-    return _answered(*closed_loop(port, paths, 2, seconds))
+    return answered(*closed_loop(port, paths, 2, seconds))
 
 
-def _answered(answers: Sequence[Answer], seconds: float) -> float:
+def answered(answers: Sequence[Answer], seconds: float) -> float:
     """Answers a second, all of which must be 200."""
     refused = Counter(answer.status for answer in answers if answer.status != 200)
     if refused:
@@ -259,7 +259,7 @@ def _repeats(port: int, watch: Watch) -> Table:
             with connected(port) as connection:
                 size = [sure(connection, path).size for path in paths][-1]
             before = _origins(port)
-            rate = _answered(*closed_loop(port, itertools.cycle(paths), 2, watch.seconds(REPEAT_SECONDS)))
+            rate = answered(*closed_loop(port, itertools.cycle(paths), 2, watch.seconds(REPEAT_SECONDS)))
             after = _origins(port)
         origin = max(after, key=lambda each: after[each] - before.get(each, 0.0))
         rows.append((name, origin, rate, size))

@@ -1,6 +1,6 @@
 """Tables of results, as text and as JSON."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, is_dataclass
 from statistics import median, quantiles
 from textwrap import wrap
@@ -52,6 +52,12 @@ def ms(seconds: float) -> str:
 def count(number: int) -> str:
     """An integer with thousands separators."""
     return f"{number:,}"
+
+
+def lines(about: Mapping[str, str]) -> str:
+    """Names and values, a line each."""
+    width = max(map(len, about))
+    return "\n".join(f"{name.ljust(width)}  {value}" for name, value in about.items())
 
 
 @dataclass(frozen=True)

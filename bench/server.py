@@ -14,7 +14,6 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from http.client import HTTPConnection
-from pathlib import Path
 
 import psutil
 
@@ -53,7 +52,8 @@ def running(**settings: str) -> Iterator[int]:
     with socket.socket() as probe:
         probe.bind((HOST, 0))
         port = probe.getsockname()[1]
-    command = [str(Path(sys.executable).with_name("seafoam")), "serve", "--port", str(port)]
+    # By the interpreter: the command is not beside it where packages are on PYTHONPATH.
+    command = [sys.executable, "-c", "from seafoam.cli import main; main()", "serve", "--port", str(port)]
     usual = {"SEAFOAM_QUEUE": str(QUEUE), "SEAFOAM_CACHE_SIZE": "0", "SEAFOAM_CACHE_MEMORY": "0"}
     wanted = {**os.environ, "MESA_SHADER_CACHE_DISABLE": "true", **usual, **settings}
     with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryFile("w+") as log:

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,7 +91,7 @@ def mean_of(samples: NDArray[np.float32], size: tuple[int, int]) -> NDArray[np.f
     return samples.reshape(size[1], side, size[0], side, 4).mean(axis=(1, 3), dtype=np.float64).astype(np.float32)
 
 
-def faults(light: NDArray[np.float32]) -> list[str]:
+def faults(light: NDArray[Any]) -> list[str]:
     """What is wrong with linear light of any frame, in words; of a picture, nothing."""
     if not np.isfinite(light).all():
         return ["values that are not finite"]

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 from bench.__main__ import main as bench
+from bench.gpu.__main__ import main as bench_gpu
 
 from support.command import run
 from support.snippets import NOT_RUN, PAGES, ROOT, blocks, commands, text
@@ -18,6 +19,7 @@ RUN = {
     "docs/operations.md": "tests/fast/cli/test_documented.py",
 }
 """Pages -> the file that runs their fenced snippets and, but for those of NOT_RUN, their commands."""
+BENCHES = {"bench": bench, "bench.gpu": bench_gpu}
 
 
 def listed(command: str) -> bool:
@@ -50,10 +52,10 @@ def test_what_is_not_run_names_what_exists(page: str, monkeypatch: pytest.Monkey
             assert set(arguments) <= set(targets), command
         elif "pytest" in program or arguments[0].endswith(".py"):
             assert all((ROOT / each).exists() for each in arguments if each.startswith(("tests/", "docs/"))), command
-        elif arguments[:2] == ["-m", "bench"]:
+        elif arguments[:1] == ["-m"] and arguments[1] in BENCHES:
             monkeypatch.setattr(sys, "argv", ["bench", *arguments[2:], "--help"])
             with pytest.raises(SystemExit) as left:
-                bench()
+                BENCHES[arguments[1]]()
             assert left.value.code == 0, command
 
 

@@ -1,0 +1,35 @@
+"""Timer queries of ``bench.gpu`` on a real context: every pass has one, and a frame is the same with them."""
+
+from bench.gpu.timers import PassTimer, loads
+
+from seafoam.planner import make_plan
+from seafoam.quality import TIERS
+from seafoam.render.gl.executor import Executor
+from seafoam.scene.presets import load_preset
+from support.pictures import draw
+
+SIZE = (64, 36)
+
+
+def test_every_pass_of_a_frame_is_timed_and_the_picture_stays(executor: Executor) -> None:
+    found = load_preset("open-ocean")
+    plan, camera = make_plan(found.scene, TIERS["draft"]), found.scene.camera
+    # Draws what is kept.
+    plain = draw(executor, plan, camera, time=found.time, size=SIZE)
+    timer = PassTimer(executor)
+    for _ in range(2):
+        with timer.running():
+            assert (draw(executor, plan, camera, time=found.time, size=SIZE) == plain).all()
+        assert timer.seconds() > 0.0
+        assert 1 < timer._used <= sum(one.when == "frame" for one in plan.passes)
+    assert len(timer._queries) == timer._used
+
+
+def test_known_loads_leave_the_context_as_it_was(executor: Executor) -> None:
+    found = load_preset("paper-height")
+    plan, camera = make_plan(found.scene, TIERS["draft"]), found.scene.camera
+    before = draw(executor, plan, camera, time=found.time, size=SIZE)
+    pairs = loads(executor)
+    assert len(pairs) == 2
+    assert all(wall > 0.0 for _, wall in pairs)
+    assert (draw(executor, plan, camera, time=found.time, size=SIZE) == before).all()
