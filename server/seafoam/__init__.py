@@ -7,8 +7,10 @@ docs/python.md describes the names below; each is imported when it is first used
 nothing. Within the package, import from the packages below this one.
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from importlib import import_module as _import_module
+from importlib.util import find_spec as _find_spec
+from typing import TYPE_CHECKING
+from typing import Any as _Any
 
 if TYPE_CHECKING:
     from seafoam.library import (
@@ -32,6 +34,8 @@ if TYPE_CHECKING:
     from seafoam.render.gl.context import NoRendererError
     from seafoam.scene.camera import Camera
     from seafoam.scene.models import Scene
+
+    __version__: str
 
 __all__ = [
     "Camera",
@@ -64,13 +68,18 @@ _ELSEWHERE = {
 }
 
 
-def __getattr__(name: str) -> Any:
-    if name not in __all__:
+def __getattr__(name: str) -> _Any:
+    if name == "__version__":
+        value = _import_module("importlib.metadata").version("seafoam")
+    elif name in __all__:
+        value = getattr(_import_module(_ELSEWHERE.get(name, "seafoam.library")), name)
+    else:
         raise AttributeError(f"module 'seafoam' has no attribute {name!r}")
-    value = getattr(import_module(_ELSEWHERE.get(name, "seafoam.library")), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return [*globals(), *__all__]
+    # help() and completion read every name that is listed: not the one that raises without its extra.
+    here = {name for name in __all__ if name != "Water" or _find_spec("anywidget")}
+    return sorted({*here, *(name for name in globals() if name.startswith("__")), "__version__"})

@@ -6,8 +6,9 @@ Pictures come from a :class:`Source`: the renderer of this process (:data:`HERE`
 from seafoam.library.connection import Connection
 from seafoam.library.embedded import HERE
 from seafoam.library.errors import InvalidRequestError, ServerError
+from seafoam.library.named import named
 from seafoam.library.request import CameraLike, QualityLike, SceneLike, Size
-from seafoam.library.source import MaskOptions, Source
+from seafoam.library.source import Source
 from seafoam.scene.presets import Preset, load_preset, preset_names
 
 __all__ = [
@@ -15,7 +16,6 @@ __all__ = [
     "CameraLike",
     "Connection",
     "InvalidRequestError",
-    "MaskOptions",
     "QualityLike",
     "SceneLike",
     "ServerError",
@@ -46,6 +46,7 @@ mask_async = HERE.mask_async
 close = HERE.close
 
 
+@named
 def connect(url: str, *, key: str | None = None, timeout: float = 60.0) -> Connection:
     """Return a source that draws on a Seafoam server, at ``http://`` or ``https://``.
 

@@ -62,10 +62,9 @@ class Connection(Source):
         return self._threads.submit(self._ask, "/api/frames", json.dumps(body).encode())
 
     def _mask(self, asked: MaskRequest) -> Future[bytes]:
-        if not asked.options:
+        if not asked.given:
             return self._threads.submit(self._ask, f"/api/masks/{quote(asked.name, safe='')}/data.npy", None)
-        options = {name: value for name, value in asked.options.items() if value is not None}
-        query = urlencode({"family": asked.name, **options})
+        query = urlencode({"family": asked.name, **asked.given})
         return self._threads.submit(self._ask, f"/api/masks/custom/data.npy?{query}", None)
 
     def _ask(self, path: str, body: bytes | None) -> bytes:

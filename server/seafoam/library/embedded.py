@@ -78,17 +78,16 @@ class Embedded(Source):
 
 
 def _made(asked: MaskRequest) -> bytes:
-    if not asked.options and asked.name in load_catalogue():
+    if not asked.given and asked.name in load_catalogue():
         return to_npy(load_mask(asked.name).ranks)
-    options = asked.options
     return to_npy(
         make_mask(
             asked.name,
-            sigma=options.get("sigma"),
-            size=options.get("size", CUSTOM_SIZE),
-            seed=options.get("seed", 0),
-            aspect=options.get("aspect", 1.0),
-            age=options.get("age", 0.0),
+            sigma=asked.sigma,
+            size=CUSTOM_SIZE if asked.size is None else asked.size,
+            seed=asked.seed or 0,
+            aspect=1.0 if asked.aspect is None else asked.aspect,
+            age=asked.age or 0.0,
             method="batched",
         )
     )

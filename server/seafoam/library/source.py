@@ -5,101 +5,189 @@ import io
 from abc import ABC, abstractmethod
 from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import Any, TypedDict, Unpack
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from seafoam.library.named import named
 from seafoam.library.request import CameraLike, QualityLike, SceneLike, Size, job_of
 from seafoam.render.encode import FrameFormat
 from seafoam.render.service.jobs import FrameJob
 
 
-class FrameOptions(TypedDict, total=False):
-    """Options of a frame; absent ones are the preset's, or of a scene 0 s and 1280 × 720."""
-
-    time: float | None
-    """s, |time| ≤ 1e9."""
-    size: Size | None
-    """Width and height, pixels."""
-    quality: QualityLike
-    """Absent: standard."""
-    camera: CameraLike | None
-    look: str | None
-    """Look of the foam."""
-    mask: str | None
-    """Mask of the foam: a shipped one, or ``family:sigma:size:seed[:aspect:age]``."""
-
-
-class MaskOptions(TypedDict, total=False):
-    """Options of a mask that is made; ranges: docs/masks.md."""
-
-    sigma: float | None
-    """Characteristic length, texels; absent: the family's."""
-    size: int
-    """Side, texels: 32, 64, 128, 256 (default) or 512."""
-    seed: int
-    """0 (default) to 2³² − 1."""
-    aspect: float
-    """1 (default) to 6; only of ``lace``."""
-    age: float
-    """0 (default) to 1; only of ``lace``."""
-
-
 @dataclass(frozen=True)
 class MaskRequest:
-    """A mask by name or, where there are options, by family."""
+    """A mask by name or, where anything is given, by family."""
 
     name: str
-    options: MaskOptions
+    sigma: float | None = None
+    size: int | None = None
+    seed: int | None = None
+    aspect: float | None = None
+    age: float | None = None
+
+    @property
+    def given(self) -> dict[str, float]:
+        """What is given beside the name."""
+        options = {"sigma": self.sigma, "size": self.size, "seed": self.seed, "aspect": self.aspect, "age": self.age}
+        return {name: value for name, value in options.items() if value is not None}
 
 
 class Source(ABC):
     """Draws frames and makes masks. Every method can be called from any thread; a source is a context manager.
 
-    Methods raise :class:`seafoam.library.errors.InvalidRequestError` for what is not allowed, and what their source
-    raises: :class:`seafoam.render.gl.executor.NoRendererError` here, :class:`seafoam.library.errors.ServerError` there.
+    Methods raise ``TypeError`` for a keyword that they do not have, :class:`seafoam.library.errors.InvalidRequestError`
+    for what is not allowed, and what their source raises: :class:`seafoam.render.gl.context.NoRendererError` here,
+    :class:`seafoam.library.errors.ServerError` there.
     """
 
-    def frame(self, what: SceneLike = "default", **options: Unpack[FrameOptions]) -> Image.Image:
-        """Return a frame as an RGB image, sRGB; ``info["seafoam"]`` is its recipe (JSON)."""
-        return _image(self._draw(job_of(what, **options)).result())
+    @named
+    def frame(
+        self,
+        what: SceneLike = "default",
+        *,
+        time: float | None = None,
+        size: Size | None = None,
+        quality: QualityLike = "standard",
+        camera: CameraLike | None = None,
+        look: str | None = None,
+        mask: str | None = None,
+    ) -> Image.Image:
+        """Return a frame as an RGB image, sRGB; ``info["seafoam"]`` is its recipe (JSON).
 
-    def linear(self, what: SceneLike = "default", **options: Unpack[FrameOptions]) -> NDArray[np.float32]:
-        """Return a frame as (height, width, 4) float32, top row first: linear RGB, and the coverage of foam, 0..1."""
-        return _array(self._draw(job_of(what, format="npy", **options)).result())
+        what: a preset's name, a :class:`seafoam.Scene`, or a scene's fields as JSON has them. What is absent is the
+        preset's, or of a scene 0 s and 1280 × 720. time: s, |time| ≤ 1e9. size: width and height, pixels. quality:
+        a tier such as ``standard``, a :class:`seafoam.Quality`, or the settings that differ from ``standard``. camera:
+        a :class:`seafoam.Camera`, or the fields that differ from the scene's. look, mask: of the foam; a mask is a
+        shipped one, or ``family:sigma:size:seed[:aspect:age]``.
+        """
+        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask)
+        return _image(self._draw(job).result())
 
+    @named
+    def linear(
+        self,
+        what: SceneLike = "default",
+        *,
+        time: float | None = None,
+        size: Size | None = None,
+        quality: QualityLike = "standard",
+        camera: CameraLike | None = None,
+        look: str | None = None,
+        mask: str | None = None,
+    ) -> NDArray[np.float32]:
+        """Return a frame as (height, width, 4) float32, top row first: linear RGB, and the coverage of foam, 0..1.
+
+        Options: see :meth:`frame`.
+        """
+        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format="npy")
+        return _array(self._draw(job).result())
+
+    @named
     def encoded(
-        self, what: SceneLike = "default", format: FrameFormat = "png", **options: Unpack[FrameOptions]
+        self,
+        what: SceneLike = "default",
+        format: FrameFormat = "png",
+        *,
+        time: float | None = None,
+        size: Size | None = None,
+        quality: QualityLike = "standard",
+        camera: CameraLike | None = None,
+        look: str | None = None,
+        mask: str | None = None,
     ) -> bytes:
-        """Return a frame as a file: the bytes that ``seafoam render`` writes."""
-        return self._draw(job_of(what, format=format, **options)).result()
+        """Return a frame as a file: the bytes that ``seafoam render`` writes.
 
-    def mask(self, name: str, **options: Unpack[MaskOptions]) -> NDArray[np.float32]:
+        format: ``png``, ``webp``, ``exr`` or ``npy``. Other options: see :meth:`frame`.
+        """
+        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format=format)
+        return self._draw(job).result()
+
+    @named
+    def mask(
+        self,
+        name: str,
+        *,
+        sigma: float | None = None,
+        size: int | None = None,
+        seed: int | None = None,
+        aspect: float | None = None,
+        age: float | None = None,
+    ) -> NDArray[np.float32]:
         """Return a mask's thresholds u, (size, size) float32 in (0, 1): foam shows where its saturation exceeds u.
 
-        name: a shipped mask such as ``vac-24``, or with any option a family such as ``vac``, which is made.
+        name: a shipped mask such as ``vac-24``, or with any option a family such as ``vac``, which is made. sigma:
+        characteristic length, texels; absent: the family's. size: side, texels: 32, 64, 128, 256 (absent) or 512. seed:
+        0 (absent) to 2³² - 1. aspect: 1 (absent) to 6, and age: 0 (absent) to 1, of ``lace``. Ranges: docs/masks.md.
         """
-        return _array(self._mask(MaskRequest(name, options)).result())
+        asked = MaskRequest(name, sigma, size, seed, aspect, age)
+        return _array(self._mask(asked).result())
 
-    async def frame_async(self, what: SceneLike = "default", **options: Unpack[FrameOptions]) -> Image.Image:
+    @named
+    async def frame_async(
+        self,
+        what: SceneLike = "default",
+        *,
+        time: float | None = None,
+        size: Size | None = None,
+        quality: QualityLike = "standard",
+        camera: CameraLike | None = None,
+        look: str | None = None,
+        mask: str | None = None,
+    ) -> Image.Image:
         """:meth:`frame`, without blocking the event loop."""
-        return _image(await asyncio.wrap_future(self._draw(job_of(what, **options))))
+        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask)
+        return _image(await asyncio.wrap_future(self._draw(job)))
 
-    async def linear_async(self, what: SceneLike = "default", **options: Unpack[FrameOptions]) -> NDArray[np.float32]:
+    @named
+    async def linear_async(
+        self,
+        what: SceneLike = "default",
+        *,
+        time: float | None = None,
+        size: Size | None = None,
+        quality: QualityLike = "standard",
+        camera: CameraLike | None = None,
+        look: str | None = None,
+        mask: str | None = None,
+    ) -> NDArray[np.float32]:
         """:meth:`linear`, without blocking the event loop."""
-        return _array(await asyncio.wrap_future(self._draw(job_of(what, format="npy", **options))))
+        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format="npy")
+        return _array(await asyncio.wrap_future(self._draw(job)))
 
+    @named
     async def encoded_async(
-        self, what: SceneLike = "default", format: FrameFormat = "png", **options: Unpack[FrameOptions]
+        self,
+        what: SceneLike = "default",
+        format: FrameFormat = "png",
+        *,
+        time: float | None = None,
+        size: Size | None = None,
+        quality: QualityLike = "standard",
+        camera: CameraLike | None = None,
+        look: str | None = None,
+        mask: str | None = None,
     ) -> bytes:
         """:meth:`encoded`, without blocking the event loop."""
-        return await asyncio.wrap_future(self._draw(job_of(what, format=format, **options)))
+        job = job_of(what, time=time, size=size, quality=quality, camera=camera, look=look, mask=mask, format=format)
+        return await asyncio.wrap_future(self._draw(job))
 
-    async def mask_async(self, name: str, **options: Unpack[MaskOptions]) -> NDArray[np.float32]:
+    @named
+    async def mask_async(
+        self,
+        name: str,
+        *,
+        sigma: float | None = None,
+        size: int | None = None,
+        seed: int | None = None,
+        aspect: float | None = None,
+        age: float | None = None,
+    ) -> NDArray[np.float32]:
         """:meth:`mask`, without blocking the event loop."""
-        return _array(await asyncio.wrap_future(self._mask(MaskRequest(name, options))))
+        asked = MaskRequest(name, sigma, size, seed, aspect, age)
+        return _array(await asyncio.wrap_future(self._mask(asked)))
 
     @abstractmethod
     def close(self) -> None:

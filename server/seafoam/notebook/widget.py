@@ -10,6 +10,7 @@ from PIL.Image import Image
 
 from seafoam.library import frame
 from seafoam.library.errors import InvalidRequestError
+from seafoam.library.named import named
 from seafoam.library.request import (
     TIME_LIMIT,
     CameraLike,
@@ -92,6 +93,7 @@ class Water(anywidget.AnyWidget):
     error = traitlets.Unicode("").tag(sync=True)
     """Why the last change was not drawn; empty: it was."""
 
+    @named
     def __init__(
         self,
         what: SceneLike = "default",

@@ -1,6 +1,7 @@
 """``import seafoam``: what it costs, what it gives, what it refuses; the renderer's thread; a server's answers."""
 
 import asyncio
+import inspect
 import io
 import json
 import subprocess
@@ -8,6 +9,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
+from importlib.metadata import version
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import Request
@@ -67,9 +69,10 @@ def test_the_import_loads_nothing() -> None:
 
 
 def test_every_name_is_there() -> None:
-    assert set(seafoam.__all__) <= set(dir(seafoam))
+    assert [name for name in dir(seafoam) if not name.startswith("__")] == sorted(seafoam.__all__)
     for name in seafoam.__all__:
         assert getattr(seafoam, name).__doc__
+    assert seafoam.__version__ == version("seafoam")
     with pytest.raises(AttributeError, match="'breeze'"):
         _ = seafoam.breeze
 
@@ -86,6 +89,29 @@ def test_a_job_has_the_presets_values_where_none_are_given() -> None:
     own = job_of({"sea": {"wind": 12.0}})
     assert (own.time, own.width, own.height, own.preset) == (0.0, 1280, 720, None)
     assert job_of(own.scene).scene is own.scene
+
+
+@pytest.mark.parametrize("name", ["frame", "linear", "encoded", "mask", "connect", "Water"])
+def test_signatures_name_every_option(name: str) -> None:
+    parameters = inspect.signature(getattr(seafoam, name)).parameters.values()
+    assert not [one for one in parameters if one.kind in (one.VAR_KEYWORD, one.VAR_POSITIONAL)]
+    also = getattr(seafoam, f"{name}_async", None)
+    assert also is None or list(inspect.signature(also).parameters.values()) == list(parameters)
+
+
+@pytest.mark.parametrize("name", ["frame", "linear", "encoded", "frame_async", "linear_async", "encoded_async"])
+def test_an_unknown_option_is_refused_with_the_known_ones(name: str) -> None:
+    with pytest.raises(TypeError, match=rf"{name}\(\) .*'width'; .*time, size, quality, camera, look, mask"):
+        getattr(seafoam, name)("default", width=64)
+
+
+def test_an_unknown_option_of_masks_and_of_the_widget() -> None:
+    with pytest.raises(TypeError, match="'side'; it has name, sigma, size, seed, aspect, age"):
+        seafoam.mask("vac", side=64)
+    with pytest.raises(TypeError, match=r"Water\(\) has no keyword 'size'; it has what, time"):
+        seafoam.Water(size=(64, 36))
+    with pytest.raises(TypeError, match=r"connect\(\) has no keyword 'secret'; it has url, key, timeout"):
+        seafoam.connect("http://127.0.0.1", secret="k")
 
 
 @pytest.mark.parametrize(
