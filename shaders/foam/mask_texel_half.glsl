@@ -2,5 +2,5 @@
 uniform sampler2D u_mask_ranks;
 
 float mask_texel(ivec2 texel) {
-    return texelFetch(u_mask_ranks, texel & (MASK_SIZE - 1), 0).r;
+    return texel_at(u_mask_ranks, texel & (MASK_SIZE - 1)).r;
 }

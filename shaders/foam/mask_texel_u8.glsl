@@ -2,5 +2,5 @@
 uniform usampler2D u_mask_ranks;
 
 float mask_texel(ivec2 texel) {
-    return (float(texelFetch(u_mask_ranks, texel & (MASK_SIZE - 1), 0).r) + 0.5) / 256.0;
+    return (float(texel_at(u_mask_ranks, texel & (MASK_SIZE - 1)).r) + 0.5) / 256.0;
 }

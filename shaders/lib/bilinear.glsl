@@ -7,8 +7,8 @@ vec4 bilinear(vec4 a, vec4 b, vec4 c, vec4 d, vec2 t) {
 
 // Between the columns and rows of two texels, wherever these are. Row by row: four texels at once would take more registers.
 vec4 bilinear_between(sampler2D map, ivec2 first, ivec2 next, vec2 t) {
-    vec4 row = mix(texelFetch(map, first, 0), texelFetch(map, ivec2(next.x, first.y), 0), t.x);
-    return mix(row, mix(texelFetch(map, ivec2(first.x, next.y), 0), texelFetch(map, next, 0), t.x), t.y);
+    vec4 row = mix(texel_at(map, first), texel_at(map, ivec2(next.x, first.y)), t.x);
+    return mix(row, mix(texel_at(map, ivec2(first.x, next.y)), texel_at(map, next), t.x), t.y);
 }
 
 // From a periodic block of a map. corner: its first texel; size: its side, a power of 2; at: place in it, texel j is at j.

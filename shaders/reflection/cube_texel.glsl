@@ -2,5 +2,5 @@
 uniform sampler2D u_cube;
 
 vec4 cube_texel(int face, ivec2 at) {
-    return texelFetch(u_cube, ivec2(face % 3, face / 3) * CUBE_SIZE + at, 0);
+    return texel_at(u_cube, ivec2(face % 3, face / 3) * CUBE_SIZE + at);
 }

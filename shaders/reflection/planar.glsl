@@ -15,7 +15,7 @@ vec4 mirror_read(vec2 clip, inout float way) {
         ivec2 corner = ivec2(base) + ivec2(i & 1, i >> 1);
         vec2 w = mix(1.0 - t, t, vec2(corner - ivec2(base)));
         bool inside = all(greaterThanEqual(corner, ivec2(0))) && all(lessThan(corner, ivec2(MIRROR_SIZE)));
-        vec4 texel = inside ? texelFetch(u_mirror, corner, 0) : vec4(0.0);
+        vec4 texel = inside ? texel_at(u_mirror, corner) : vec4(0.0);
         float share = w.x * w.y * (texel.a > 0.0 ? 1.0 : 0.0);
         sum += share * vec4(texel.rgb, 1.0);
         near += share * texel.a;

@@ -14,7 +14,7 @@ uniform vec2 u_surf_mask[4];      // wavevectors of the mask, rad/m
 uniform float u_surf_mask_phase[4];
 
 vec2 smoothed(ivec2 texel) {
-    return texelFetch(u_smooth, clamp(texel, ivec2(0), textureSize(u_smooth, 0) - 1), 0).rg;
+    return texel_at(u_smooth, clamp(texel, ivec2(0), textureSize(u_smooth, 0) - 1)).rg;
 }
 
 float smooth_between(float low, float high, float x) {

@@ -30,5 +30,5 @@ SplineTaps spline_taps(vec2 q, int size) {
 }
 
 vec4 spline_texel(sampler2D map, int size, SplineTaps taps, int i, int j) {
-    return texelFetch(map, clamp(taps.middle + ivec2(i - 1, j - 1), ivec2(0), ivec2(size - 1)), 0);
+    return texel_at(map, clamp(taps.middle + ivec2(i - 1, j - 1), ivec2(0), ivec2(size - 1)));
 }

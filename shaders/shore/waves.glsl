@@ -19,7 +19,7 @@ vec3 shore_profile(float turn, float skew) {
     vec2 value = vec2(0.0);
     vec2 slope = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
-        vec2 pair = texelFetch(u_shore_profiles, ivec2((int(base) + i - 1) & (PROFILE_NODES - 1), row), 0).rg;
+        vec2 pair = texel_at(u_shore_profiles, ivec2((int(base) + i - 1) & (PROFILE_NODES - 1), row)).rg;
         value += w[i] * pair;
         slope += s[i] * pair;
     }

@@ -5,7 +5,7 @@ uniform float u_spray_surf_life;  // s
 
 bool rock_born(int i, bool high, out Drop drop) {
     uint own = noise_hash(uint(i));
-    vec4 rock = texelFetch(u_spray_rocks, ivec2(i % SPRAY_ROCKS, 0), 0);
+    vec4 rock = texel_at(u_spray_rocks, ivec2(i % SPRAY_ROCKS, 0));
     vec2 along = vec2(-rock.w, rock.z);
     vec2 q = rock.xy + 2.0 * (spray_part(own, 0u) - 0.5) * along;
     ShoreField f = shore_field(q);

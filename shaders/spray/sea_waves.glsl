@@ -6,7 +6,7 @@ uniform vec2 u_spray_limit;      // of the tiles' heights, m
 uniform vec2 u_spray_fold;       // threshold of the divergence, and one over the width from which it breaks as hard as it can
 
 vec4 spray_texel(int tile, int batch, ivec2 at) {
-    return texelFetch(u_spray_seas, ivec2(tile, batch) * SPRAY_TEXELS + (at & (SPRAY_TEXELS - 1)), 0);
+    return texel_at(u_spray_seas, ivec2(tile, batch) * SPRAY_TEXELS + (at & (SPRAY_TEXELS - 1)));
 }
 
 // Height of a tile at a corner of the drawn one: as resample_pass.glsl finds it, m. p: texels of the tile here.

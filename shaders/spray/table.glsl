@@ -4,7 +4,7 @@ uniform float u_spray_drag; // s
 
 // part 0: birth, age; 1: velocity, radius; 2: strength, kind, seed, life. A strength of 0: not in the air.
 vec4 spray_entry(sampler2D table, int i, int part) {
-    return texelFetch(table, ivec2(i % SPRAY_COLUMNS, part * SPRAY_ROWS + i / SPRAY_COLUMNS), 0);
+    return texel_at(table, ivec2(i % SPRAY_COLUMNS, part * SPRAY_ROWS + i / SPRAY_COLUMNS));
 }
 
 // Time constant of the air's drag (s) and fall without air (m/s2). Mist rides on the air that the burst has set in motion and hardly

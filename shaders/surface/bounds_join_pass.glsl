@@ -7,7 +7,7 @@ void main() {
     vec3 bounds = vec3(-65000.0, 0.0, 0.0);
     for (int j = 0; j < size.y; ++j) {
         for (int i = 0; i < size.x; ++i) {
-            bounds = max(bounds, texelFetch(u_blocks, ivec2(i, j), 0).xyz);
+            bounds = max(bounds, texel_at(u_blocks, ivec2(i, j)).xyz);
         }
     }
     // A little more: texels are read bilinearly, and half floats are rounded.

@@ -1,3 +1,6 @@
+// tau before which the tile's rays are known to be free, of water and of land over y = 0.
+vec2 pyramid_free = vec2(0.0);
+
 // The rays of a tile of the picture, between ray - side - top and ray + side + top.
 struct Pyramid {
     float aside;  // how far from the middle ray they are at most, m a unit: level

@@ -10,7 +10,7 @@ vec3 water_start(vec3 ray, vec3 side, vec3 top) {
     // The ray that comes toward the surface the fastest.
     float toward = rays.raised - sense * ray.y;
     float over = sense > 0.0 ? u_eye_height - bounds.x : u_surface_trough - u_eye_height;
-    float tau = pyramid_enters(rays, over, toward);
+    float tau = max(pyramid_enters(rays, over, toward), pyramid_free.x);
     vec3 beyond = surface_beyond(ray, rays.aside);
     for (int i = 0; i < MARCH_STEPS; ++i) {
         if (tau >= rays.reach) {

@@ -2,6 +2,7 @@
 out vec4 o_start;
 
 void main() {
+    pyramid_free = known_free();
     // From the middle ray to the tile's sides; a thousandth more, so that no rounding leaves a ray out.
     vec3 found = starts(camera_ray(gl_FragCoord.xy), 1.001 * u_ray_x / u_viewport.x, 1.001 * u_ray_y / u_viewport.y);
     // Half floats hold it all: the way to water in two, what they round on the safe side. No curvature that they cannot hold is told.

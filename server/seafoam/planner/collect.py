@@ -9,6 +9,7 @@ from seafoam.effects.effect import (
     Contribution,
     Effect,
     PassSpec,
+    Piece,
     SlotFile,
     SlotRef,
     TextureUse,
@@ -27,6 +28,9 @@ NEGLIGIBLE = 0.5 / 255.0
 
 START_TILE = 4
 """Side of the tiles of pixels whose rays share a start distance."""
+
+WIDE_TILE = 16
+"""Side of the tiles from whose start distances these are searched, where a search costs much."""
 
 LOWEST = -100.0
 """Lowest camera height without a floor, m: nothing more is visible below."""
@@ -124,12 +128,28 @@ class Collection:
                     target="surface_now",
                 )
             )
+        search = (*COMMON, waves, SlotRef("beyond"), bounds, SlotRef("start"))
+        known: Piece = "surface/start_anew.glsl"
+        # Maps that are measured in every frame are steep and searched in many steps: first for wider tiles.
+        if self.fills("bounds"):
+            wide = Target(size=ViewportSize(scale=side, part=WIDE_TILE), format="RGBA16F")
+            self.targets["start, wide"] = wide
+            self.passes.append(
+                PassSpec(
+                    name="where wide beams of rays begin",
+                    program="start, wide",
+                    fragment=(*search, known, "surface/start_pass.glsl"),
+                    target="start, wide",
+                )
+            )
+            known = "surface/start_within.glsl"
         self.passes.append(
             PassSpec(
                 name="where rays begin",
                 program="start",
-                fragment=(*COMMON, waves, SlotRef("beyond"), bounds, SlotRef("start"), "surface/start_pass.glsl"),
+                fragment=(*search, known, "surface/start_pass.glsl"),
                 target="start",
+                inputs={"u_start_wide": TargetInput(target="start, wide")} if self.fills("bounds") else {},
             )
         )
 

@@ -24,6 +24,9 @@ COMMON = ("lib/numbers.glsl", "lib/camera.glsl")
 FULLSCREEN = ("vertex/fullscreen.glsl",)
 """The vertex shader of a triangle that covers its target."""
 
+TEXEL = "lib/texel.glsl"
+"""Included first where a shader reads single texels."""
+
 _WORD = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
 
 Consts = Mapping[str, Const]
@@ -76,8 +79,16 @@ def assemble(pieces: Iterable[Piece], consts: Consts) -> Shader:
     Only constants that occur in the source are defined.
     """
     joined = tuple(pieces)
+    if any(map(_reads_texels, joined)):
+        joined = (TEXEL, *joined)
     names = sorted(_body(joined).words & consts.keys())
     return _shader(PROLOGUE + "".join(const_line(name, consts[name]) for name in names), joined)
+
+
+@lru_cache(maxsize=1024)
+def _reads_texels(piece: Piece) -> bool:
+    source = Source(piece) if isinstance(piece, str) else piece
+    return "texel_at(" in (source.text if isinstance(source, Inline) else source_text(source))
 
 
 @dataclass(frozen=True)

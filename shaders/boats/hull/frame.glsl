@@ -12,7 +12,7 @@ struct BoatFrame {
 };
 
 BoatFrame boat_frame(int i) {
-    vec3 pose = texelFetch(u_boat_pose, ivec2(i, 0), 0).xyz;
+    vec3 pose = texel_at(u_boat_pose, ivec2(i, 0)).xyz;
     vec2 place = boat_place(i);
     vec2 heading = boat_forward(i);
     vec3 up = normalize(vec3(-pose.y, 1.0, -pose.z));

@@ -10,8 +10,8 @@ vec3 wakes_bounds(vec3 ray, float aside, float from) {
         float nearest = max(dot(place, ray.xz) / max(dot(ray.xz, ray.xz), 1e-12), from);
         float away = (length(place - nearest * ray.xz) - nearest * aside) / u_boat_form[i].x;
         int kind = away < float(WAKE_AWAY[1]) ? 0 : away < float(WAKE_AWAY[2]) ? 1 : away < float(WAKE_AWAY[3]) ? 2 : 3;
-        sum.xy += texelFetch(u_wake_bounds, ivec2(0, i), 0).xy;
-        sum.z += texelFetch(u_wake_bounds, ivec2(kind, i), 0).z;
+        sum.xy += texel_at(u_wake_bounds, ivec2(0, i)).xy;
+        sum.z += texel_at(u_wake_bounds, ivec2(kind, i)).z;
     }
     return sum;
 }

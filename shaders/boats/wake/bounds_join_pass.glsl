@@ -12,7 +12,7 @@ void main() {
     vec3 bounds = vec3(0.0);
     for (int y = i * rows; y < (i + 1) * rows; ++y) {
         for (int x = first; x < size.x; ++x) {
-            bounds = max(bounds, texelFetch(u_wake_blocks, ivec2(x, y), 0).xyz);
+            bounds = max(bounds, texel_at(u_wake_blocks, ivec2(x, y)).xyz);
         }
     }
     // A little more: texels are read bilinearly, which at the bow they hardly resolve, and half floats are rounded.

@@ -8,8 +8,8 @@ out vec4 o_drift;
 
 void main() {
     vec2 here = gl_FragCoord.xy * u_drift_texel - u_drift_half;
-    vec4 way = texelFetch(u_drift_way, ivec2(gl_FragCoord.xy), 0);
-    vec4 older = DRIFT_GENERATIONS > 2 ? texelFetch(u_drift_older, drift_still_texel(), 0) : vec4(0.0);
+    vec4 way = texel_at(u_drift_way, ivec2(gl_FragCoord.xy));
+    vec4 older = DRIFT_GENERATIONS > 2 ? texel_at(u_drift_older, drift_still_texel()) : vec4(0.0);
     vec4 found = vec4(0.0);
     for (int j = 0; j < DRIFT_GENERATIONS; ++j) {
         vec2 q = j == 0 ? here + way.xy : j == 1 ? here + way.zw : drift_rest(j == 2 ? older.xy : older.zw);

@@ -8,7 +8,7 @@ void main() {
     int j = gl_VertexID & 3;
     ivec2 cell = ivec2((gl_VertexID >> 2) % DRIFT_SIZE, (gl_VertexID >> 2) / DRIFT_SIZE);
     vec4 only = vec4(equal(ivec4(0, 1, 2, 3), ivec4(j)));
-    v_foam = only * texelFetch(u_drift_from, cell, 0);
+    v_foam = only * texel_at(u_drift_from, cell);
     vec2 q = (vec2(cell) + 0.5) * u_drift_texel - u_drift_half;
     q += drift_velocity(q) * drift_age(j) / float(DRIFT_MOVES);
     // What has nothing to carry is drawn nowhere.

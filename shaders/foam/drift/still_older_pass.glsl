@@ -3,6 +3,6 @@ uniform sampler2D u_drift_still;
 out vec4 o_still;
 
 void main() {
-    vec2 third = drift_ago(texelFetch(u_drift_still, ivec2(gl_FragCoord.xy), 0).zw, DRIFT_GENERATION);
+    vec2 third = drift_ago(texel_at(u_drift_still, ivec2(gl_FragCoord.xy)).zw, DRIFT_GENERATION);
     o_still = vec4(third, drift_ago(third, DRIFT_GENERATION));
 }

@@ -5,6 +5,6 @@ out vec4 o_way;
 
 void main() {
     vec2 q = gl_FragCoord.xy * u_drift_texel - u_drift_half;
-    vec4 still = texelFetch(u_drift_still, drift_still_texel(), 0);
+    vec4 still = texel_at(u_drift_still, drift_still_texel());
     o_way = vec4(drift_rest(still.xy) - q, drift_rest(still.zw) - q);
 }

@@ -18,7 +18,7 @@ float quantile(float s, int row) {
     float root = sqrt(0.5 * min(held, 1.0 - held));
     float x = (held <= 0.5 ? root : 1.0 - root) * float(QUANTILES - 1);
     int i = min(int(x), QUANTILES - 2);
-    vec2 entry = texelFetch(u_mask_quantiles, ivec2(i, foam_mask * MASK_ROWS + row), 0).rg;
+    vec2 entry = texel_at(u_mask_quantiles, ivec2(i, foam_mask * MASK_ROWS + row)).rg;
     return mix(entry.x, entry.y, x - float(i));
 }
 
@@ -103,10 +103,10 @@ float form_coverage(float s, vec2 uv, vec2 uv_x, vec2 uv_y, vec2 size, int form)
     corner.y += foam_mask * MASK_SIZE;
     int last = texels - 1;
     int column = corner.x + (base.x & last);
-    uvec2 a = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y - 1) & last)), 0).rg;
-    uvec2 b = texelFetch(u_mask_atlas, ivec2(column, corner.y + (base.y & last)), 0).rg;
-    uvec2 c = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y + 1) & last)), 0).rg;
-    uvec2 d = texelFetch(u_mask_atlas, ivec2(column, corner.y + ((base.y + 2) & last)), 0).rg;
+    uvec2 a = texel_at(u_mask_atlas, ivec2(column, corner.y + ((base.y - 1) & last))).rg;
+    uvec2 b = texel_at(u_mask_atlas, ivec2(column, corner.y + (base.y & last))).rg;
+    uvec2 c = texel_at(u_mask_atlas, ivec2(column, corner.y + ((base.y + 1) & last))).rg;
+    uvec2 d = texel_at(u_mask_atlas, ivec2(column, corner.y + ((base.y + 2) & last))).rg;
     float threshold = quantile(s, 1 + form);
     if (form < 0) {
         return magnified_coverage(s, threshold, a, b, c, d, t, uv_x, uv_y);

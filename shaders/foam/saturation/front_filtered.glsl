@@ -17,8 +17,8 @@ float front_integral(float low, float high) {
     float y = (to - FRONT_FULL) / cell;
     int i = min(int(x), FRONT_NODES - 2);
     int j = min(int(y), FRONT_NODES - 2);
-    vec4 first = texelFetch(u_front_integral, ivec2(i, 0), 0);
-    vec4 last = texelFetch(u_front_integral, ivec2(j, 0), 0);
+    vec4 first = texel_at(u_front_integral, ivec2(i, 0));
+    vec4 last = texel_at(u_front_integral, ivec2(j, 0));
     float t = min(x - float(i), 1.0);
     float u = min(y - float(j), 1.0);
     // Within one cell the difference is taken by hand: subtracted, a short window would lose its digits.

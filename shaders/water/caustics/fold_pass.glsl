@@ -11,9 +11,9 @@ void main() {
         for (int i = -1; i <= 1; ++i) {
             ivec2 from = at + CAUSTIC_RIM + ivec2(i, j) * CAUSTIC_TEXELS;
             if (all(greaterThanEqual(from, ivec2(0))) && all(lessThan(from, ivec2(CAUSTIC_TEXELS + 2 * CAUSTIC_RIM)))) {
-                sum.r += dot(texelFetch(u_caustic_red, from, 0), vec4(1.0));
-                sum.g += dot(texelFetch(u_caustic_green, from, 0), vec4(1.0));
-                sum.b += dot(texelFetch(u_caustic_blue, from, 0), vec4(1.0));
+                sum.r += dot(texel_at(u_caustic_red, from), vec4(1.0));
+                sum.g += dot(texel_at(u_caustic_green, from), vec4(1.0));
+                sum.b += dot(texel_at(u_caustic_blue, from), vec4(1.0));
             }
         }
     }

@@ -8,7 +8,7 @@ uniform float u_caustic_tile;  // m
 
 // x, y: how far beside the place where light lands under level water, m; z: light over that on level water.
 vec3 caustic_landing(ivec2 corner, int corners) {
-    vec2 slope = texelFetch(u_caustic_slopes, corner % corners, 0).xy;
+    vec2 slope = texel_at(u_caustic_slopes, corner % corners).xy;
     vec3 n = normalize(vec3(-slope.x, 1.0, -slope.y));
     float c = max(dot(n, u_sun_direction), 0.0);
     vec3 ray = refracted(-u_sun_direction, n, c, u_caustic_index);

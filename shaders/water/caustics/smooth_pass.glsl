@@ -11,7 +11,7 @@ void main() {
     for (int j = 0; j < CAUSTIC_TAPS; ++j) {
         vec3 row = vec3(0.0);
         for (int i = 0; i < CAUSTIC_TAPS; ++i) {
-            row += texelFetch(u_caustic_light, first + ivec2(i, j), 0).rgb * u_caustic_across[i];
+            row += texel_at(u_caustic_light, first + ivec2(i, j)).rgb * u_caustic_across[i];
         }
         sum += row * u_caustic_along[j];
     }

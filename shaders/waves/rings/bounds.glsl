@@ -2,5 +2,5 @@
 uniform sampler2D u_ring_bounds;
 
 vec3 rings_bounds(vec3 ray, float aside, float from) {
-    return texelFetch(u_ring_bounds, ivec2(0), 0).xyz;
+    return texel_at(u_ring_bounds, ivec2(0)).xyz;
 }

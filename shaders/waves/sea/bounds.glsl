@@ -3,5 +3,5 @@ uniform sampler2D u_sea_bounds_0;
 uniform sampler2D u_sea_bounds_1;
 
 vec3 sea_bounds(vec3 ray, float aside, float from) {
-    return texelFetch(u_sea_bounds_0, ivec2(0), 0).xyz + texelFetch(u_sea_bounds_1, ivec2(0), 0).xyz;
+    return texel_at(u_sea_bounds_0, ivec2(0)).xyz + texel_at(u_sea_bounds_1, ivec2(0)).xyz;
 }

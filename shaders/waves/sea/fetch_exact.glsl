@@ -27,7 +27,7 @@ vec4 sea_smooth(sampler2D tile, vec2 at) {
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < 4; ++i) {
             ivec2 texel = (ivec2(base) + ivec2(i - 1, j - 1)) & (size - 1);
-            sum += across[i] * down[j] * texelFetch(tile, texel, 0);
+            sum += across[i] * down[j] * texel_at(tile, texel);
         }
     }
     return sum;

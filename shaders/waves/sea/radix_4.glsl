@@ -1,2 +1,3 @@
-// Texels that a pass of the transform sums.
+// Texels that a pass of the transform sums, and its binary logarithm.
 const int FFT_RADIX = 4;
+const int FFT_BITS = 2;

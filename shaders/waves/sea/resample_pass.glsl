@@ -28,7 +28,7 @@ Displaced displaced(vec2 at) {
         vec3 rise = vec3(0.0);
         for (int i = 0; i < 4; ++i) {
             ivec2 texel = (ivec2(base) + ivec2(i - 1, j - 1)) & (SEA_SIZE - 1);
-            vec3 c = texelFetch(u_sea_displaced, ivec2(left + texel.x, texel.y), 0).xyz;
+            vec3 c = texel_at(u_sea_displaced, ivec2(left + texel.x, texel.y)).xyz;
             along += wx[i] * c;
             rise += sx[i] * c;
         }

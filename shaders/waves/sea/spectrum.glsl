@@ -18,12 +18,12 @@ bool wave_of(ivec2 texel, int size, out ivec2 k) {
 // `before`: seconds before the frame's time.
 vec2 amplitude(ivec2 k, int tile, float before) {
     ivec2 at = ivec2(2 * SEA_BAND * tile + SEA_BAND, SEA_BAND);
-    vec2 along = texelFetch(u_sea_spectrum, at + k, 0).rg;
-    vec2 opposite = texelFetch(u_sea_spectrum, at - k, 0).rg;
+    vec2 along = texel_at(u_sea_spectrum, at + k).rg;
+    vec2 opposite = texel_at(u_sea_spectrum, at - k).rg;
     // One of the two is 0 where waves against the wind are suppressed, and then only the other knows its turns.
     float turns = max(
-        texelFetch(u_sea_spectrum, at + k + ivec2(0, 2 * SEA_BAND), 0).r,
-        texelFetch(u_sea_spectrum, at - k + ivec2(0, 2 * SEA_BAND), 0).r);
+        texel_at(u_sea_spectrum, at + k + ivec2(0, 2 * SEA_BAND)).r,
+        texel_at(u_sea_spectrum, at - k + ivec2(0, 2 * SEA_BAND)).r);
     float coarse = floor((u_sea_loop - u_sea_fine) * (1024.0 / SEA_LOOP) + 0.5);
     // turns < 2^14 and coarse <= 2^10: their product is exact, and so is its fraction.
     float turn = fract(turns * coarse / 1024.0) + turns * ((u_sea_fine - before) / SEA_LOOP);

@@ -4,9 +4,9 @@ uniform sampler2D u_stone_bounds; // a row a stone; height (m), slope, second de
 vec3 stones_bounds(vec3 ray, float aside, float from) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < STONE_COUNT; ++i) {
-        sum.xy += texelFetch(u_stone_bounds, ivec2(0, i), 0).xy;
+        sum.xy += texel_at(u_stone_bounds, ivec2(0, i)).xy;
         float nearest = stone_nearest(i, ray, aside, from);
-        sum.z += nearest < 0.0 ? 0.0 : texelFetch(u_stone_bounds, ivec2(stone_kind(i, nearest), i), 0).z;
+        sum.z += nearest < 0.0 ? 0.0 : texel_at(u_stone_bounds, ivec2(stone_kind(i, nearest), i)).z;
     }
     return sum;
 }

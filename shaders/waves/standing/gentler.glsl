@@ -5,9 +5,9 @@ float stones_gentler(vec3 ray, float from) {
     float sum = 0.0;
     for (int i = 0; i < STONE_COUNT; ++i) {
         float nearest = stone_nearest(i, ray, 0.0, from);
-        float slope = nearest < 0.0 ? 0.0 : texelFetch(u_stone_bounds, ivec2(stone_kind(i, nearest), i), 0).y;
+        float slope = nearest < 0.0 ? 0.0 : texel_at(u_stone_bounds, ivec2(stone_kind(i, nearest), i)).y;
         // A thousandth less: the sum that it is taken from has been rounded.
-        sum += max(0.999 * texelFetch(u_stone_bounds, ivec2(0, i), 0).y - slope, 0.0);
+        sum += max(0.999 * texel_at(u_stone_bounds, ivec2(0, i)).y - slope, 0.0);
     }
     return sum;
 }

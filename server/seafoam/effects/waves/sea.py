@@ -67,7 +67,7 @@ def transform(
                         "u_fft_from": TargetInput(target=source),
                         "u_fft_twiddles": TextureInput(texture="fft_twiddles"),
                     },
-                    uniforms={"u_fft": vector((float(size), float(span), float(axis)))},
+                    uniforms={"u_fft": vector((math.log2(size), math.log2(span), float(axis)))},
                     stage=stage,
                 )
             )
