@@ -19,7 +19,8 @@ from typer.exceptions import TyperException
 from seafoam.cli import options
 from seafoam.cli.masks import masks
 from seafoam.cli.sequences import sequence
-from seafoam.cli.support import UNABLE, CommandError, need_reports, refuse, size_of
+from seafoam.cli.support import UNABLE, CommandError, refuse, size_of
+from seafoam.extras import MissingExtraError, require_reports
 from seafoam.processes import SCHEDULER
 
 app = typer.Typer(
@@ -50,7 +51,6 @@ def serve(
     from seafoam.api.memory import share_one_arena
     from seafoam.api.settings import Settings
     from seafoam.api.telemetry import UnsupportedTelemetryError
-    from seafoam.extras import MissingExtraError
 
     share_one_arena()
     given: dict[str, Any] = {name: value for name, value in (("host", host), ("port", port)) if value is not None}
@@ -60,7 +60,7 @@ def serve(
         refuse(error, Settings, lambda field: f"--{field}" if field in given else f"SEAFOAM_{field.upper()}")
     try:
         application = create_app(settings)
-    except (MissingExtraError, UnsupportedTelemetryError) as error:
+    except UnsupportedTelemetryError as error:
         raise CommandError(str(error), UNABLE) from error
     try:
         listening = socket.create_server((settings.host, settings.port), backlog=2048)
@@ -152,7 +152,7 @@ def accuracy(
     scheduler: Annotated[str | None, typer.Option(help=SCHEDULER)] = None,
 ) -> None:
     """Measure time against error: each tier and setting, compared with float64. Takes minutes; results are stored."""
-    need_reports()
+    require_reports()
     if (preset is None) != every:
         raise CommandError("PRESET or --all: exactly one is required")
     if preset is not None:
@@ -245,6 +245,9 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
         if message:  # empty where no arguments at all were given and the help has been shown
             typer.echo(f"seafoam: {message}", err=True)
         sys.exit(error.exit_code)
+    except MissingExtraError as error:
+        typer.echo(f"seafoam: {error}", err=True)
+        sys.exit(UNABLE)
     except typer.Abort:
         sys.exit(130)
     sys.exit(code or 0)

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from seafoam.api.parameters import FrameParameters
 from seafoam.api.problems import ApiError
 from seafoam.cli.support import UNABLE, CommandError, extension_of, refuse, size_of, write
+from seafoam.extras import require_reports
 from seafoam.planner import PlanError
 from seafoam.quality import TIERS, Quality
 from seafoam.render.encode import FRAME_FORMATS
@@ -94,6 +95,7 @@ def _quality(executor: gl.Executor, request: _Request) -> tuple[Quality, str]:
     if parameters.quality != "auto":
         return TIERS[parameters.quality], ""
     assert parameters.budget_ms is not None
+    require_reports()
     # Here, because no other frame needs what measurements do.
     from seafoam.accuracy.budget import choose
     from seafoam.accuracy.sweep import Settings, Subject

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from seafoam.cli.support import CommandError, Output, extension_of, need_reports, write
+from seafoam.cli.support import CommandError, Output, extension_of, write
+from seafoam.extras import require_reports
 
 if TYPE_CHECKING:
     from seafoam.masks.catalogue import Mask
@@ -96,7 +97,7 @@ def mask_spectrum(
     if output is None:
         typer.echo(json.dumps(mask.spectrum.to_json()))
         return
-    need_reports()
+    require_reports()
     from seafoam.masks.plots import plot_spectrum
 
     extension_of(output, ("png",))

@@ -47,16 +47,6 @@ def refuse(error: "ValidationError", model: "type[BaseModel]", option: Any) -> N
     raise CommandError("; ".join(lines)) from error
 
 
-def need_reports() -> None:
-    """End the command where the packages that plots and measurements need are not installed."""
-    from seafoam.extras import MissingExtraError, require_reports
-
-    try:
-        require_reports()
-    except MissingExtraError as error:
-        raise CommandError(str(error), UNABLE) from error
-
-
 def extension_of(path: Path, known: Sequence[E]) -> E:
     for name in known:
         if path.suffix.lower() == f".{name}":

@@ -17,7 +17,6 @@ from seafoam.accuracy.cache import Store
 from seafoam.accuracy.model import Sweep
 from seafoam.accuracy.sweep import Rig, Settings, Subject, Watcher, make_sweep
 from seafoam.cli.support import UNABLE, CommandError, write
-from seafoam.extras import MissingExtraError
 from seafoam.render.gl import executor as gl
 from seafoam.render.service import jobs
 from seafoam.scene import presets
@@ -74,7 +73,7 @@ def _sweeps(
             running = {pool.submit(_measured_there, name, settings, again): name for name in names}
             for done in as_completed(running):
                 yield running[done], done.result()
-    except (gl.NoRendererError, processes.NoClusterError, MissingExtraError) as error:
+    except (gl.NoRendererError, processes.NoClusterError) as error:
         raise CommandError(str(error), UNABLE) from error
 
 

@@ -13,13 +13,14 @@ from pathlib import Path
 
 from rich.progress import Progress as ProgressBar
 
+from seafoam.extras import MissingExtraError
 from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe, rank_file, tables_file
 from seafoam.masks.construct import build, estimated_seconds
 from seafoam.masks.families import check_parameters
 from seafoam.masks.formats import decode_ranks, encode_ranks
 from seafoam.masks.shipped import SHIPPED, SHIPPED_METHOD, SHIPPED_SEED, SHIPPED_SIZE, ShippedMask
 from seafoam.masks.torus import Progress, no_progress
-from seafoam.processes import SCHEDULER, executor
+from seafoam.processes import SCHEDULER, NoClusterError, executor
 
 MEASURING_SECONDS = 1.0
 
@@ -108,9 +109,12 @@ def main() -> None:
 
         if arguments.scheduler is None:
             bake_all(directory, tell, only)
-        else:
+            return
+        try:
             with executor(arguments.scheduler, 0) as pool:
                 bake_all(directory, tell, only, pool)
+        except (MissingExtraError, NoClusterError) as error:
+            raise SystemExit(str(error)) from error
 
 
 if __name__ == "__main__":

@@ -12,7 +12,8 @@ from typing import get_args
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from seafoam.processes import SCHEDULER, executor
+from seafoam.extras import MissingExtraError
+from seafoam.processes import SCHEDULER, NoClusterError, executor
 from seafoam.reference.renderer.frame import render
 from seafoam.reference.renderer.state import Mode
 from seafoam.reference.truth import truth_bytes, truth_is_current
@@ -100,14 +101,17 @@ def main(arguments: list[str] | None = None) -> None:
     if not options.force:
         jobs = [job for job in jobs if not truth_is_current(truth_file(directory, job.name), job.scene)]
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns) as progress, executor(options.scheduler, PROCESSES) as pool:
-        task = progress.add_task("frames", total=len(jobs))
-        running = {pool.submit(baked, job): job for job in jobs}
-        for done in as_completed(running):
-            name, (content, seconds) = running[done].name, done.result()
-            truth_file(directory, name).write_bytes(content)
-            progress.console.print(f"{name}: {seconds:.1f} s")
-            progress.advance(task)
+    try:
+        with Progress(*columns) as progress, executor(options.scheduler, PROCESSES) as pool:
+            task = progress.add_task("frames", total=len(jobs))
+            running = {pool.submit(baked, job): job for job in jobs}
+            for done in as_completed(running):
+                name, (content, seconds) = running[done].name, done.result()
+                truth_file(directory, name).write_bytes(content)
+                progress.console.print(f"{name}: {seconds:.1f} s")
+                progress.advance(task)
+    except (MissingExtraError, NoClusterError) as error:
+        raise SystemExit(str(error)) from error
 
 
 if __name__ == "__main__":
