@@ -15,6 +15,21 @@ def run(*arguments, **environment):
     )
 
 
+def imported(code: str) -> list[str]:
+    """Names of the modules that a program imports, in a process of its own, beyond those of Python's own start."""
+    script = f"""
+import sys
+before = set(sys.modules)
+try:
+    exec({code!r})
+except SystemExit as left:
+    assert not left.code, left.code
+print("\\nMODULES", *sorted(set(sys.modules) - before))
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
+    return done.stdout.splitlines()[-1].split()[1:]
+
+
 def free_port() -> int:
     """A port of this machine that nobody listens at."""
     with socket.socket() as probe:

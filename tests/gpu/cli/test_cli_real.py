@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from support.command import COMMAND, free_port, run
+from support.command import COMMAND, free_port, imported, run
 
 
 def test_render_with_gl_without_a_server(tmp_path):
@@ -28,6 +28,15 @@ def test_render_with_gl_without_a_server(tmp_path):
     picture = Image.open(path)
     assert picture.size == (48, 27)
     assert np.asarray(picture).std() > 10
+
+
+def test_a_frame_imports_what_it_needs(tmp_path):
+    """Drawn and written; tests/fast/cli/test_cold_start.py has what comes before, and the other commands."""
+    arguments = ["render", "default", "--size", "48x27", "--quality", "draft", "-o", str(tmp_path / "a.png")]
+    found = imported(f"from seafoam.cli import main; main({arguments})")
+    unneeded = {"PIL", "OpenEXR", "asyncio", "fastapi", "matplotlib", "multiprocessing", "rich", "scipy", "starlette"}
+    assert {name.partition(".")[0] for name in found} & unneeded == set()
+    assert len(found) <= 600, f"{len(found)} modules"
 
 
 @pytest.mark.parametrize("format", ["png", "webp", "exr"])

@@ -1,13 +1,19 @@
-"""The wheel carries shaders, masks and the built web client, and works where there is no repository."""
+"""The wheel carries shaders, masks and the built web client; what the documents say works where there is nothing else.
 
-import json
+Its environments are outside the repository, with the packages that it declares: without extras, and with each alone.
+"""
+
 import os
+import shlex
 import subprocess
 import sys
 import zipfile
 from pathlib import Path
 
 import pytest
+
+from support.installed import environment
+from support.snippets import blocks, commands
 
 ROOT = Path(__file__).parents[3]
 
@@ -26,6 +32,7 @@ def test_the_wheel_carries_its_data(wheel: Path) -> None:
     for folder, source, pattern in (
         ("shaders", ROOT / "shaders", "**/*.glsl"),
         ("masks", ROOT / "masks", "*.ranks"),
+        ("masks", ROOT / "masks", "*.tables"),
         ("webclient", ROOT / "webclient" / "dist", "**/*.*"),
     ):
         wanted = {f"seafoam/_data/{folder}/{path.relative_to(source).as_posix()}" for path in source.glob(pattern)}
@@ -35,23 +42,124 @@ def test_the_wheel_carries_its_data(wheel: Path) -> None:
     assert any(name.endswith("licenses/masks/LICENSE") for name in names)
 
 
-def test_the_wheel_works_without_the_repository(wheel: Path, tmp_path: Path) -> None:
-    target = tmp_path / "site"
-    install = [sys.executable, "-m", "pip", "install", "-q", "--no-deps", "--target", target, wheel]
-    subprocess.run(install, check=True, capture_output=True)
-    script = tmp_path / "script.py"
-    script.write_text(
-        "import json, seafoam\n"
-        "from seafoam.resources import data_dir\n"
-        "print(json.dumps([seafoam.__file__, *(str(data_dir(k)) for k in ('shaders', 'masks', 'webclient'))]))\n"
+SMALLER = {"1280x720": "64x36", "640x360": "64x36", "--stop 4": "--stop 0.1", "default -o": "default --size 64x36 -o"}
+"""Sizes of the documents -> those here."""
+EXTRAS = {"sequence": "video", "masks spectrum": "reports", "accuracy": "reports"}
+"""Beginnings of README's commands -> the extra that they need."""
+
+
+@pytest.fixture(scope="module")
+def bare(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return environment(tmp_path_factory.mktemp("bare") / "venv", wheel)
+
+
+def run(command: Path, *arguments: str | Path, within: Path, **variables: str) -> subprocess.CompletedProcess[str]:
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    return subprocess.run(
+        [command, *arguments], cwd=within, env=inherited | variables, capture_output=True, text=True, timeout=120
     )
-    environment = {**os.environ, "PYTHONPATH": str(target)}
-    found = subprocess.run(
-        [sys.executable, script], cwd=tmp_path, env=environment, check=True, capture_output=True, text=True
-    )
-    assert all(Path(path).is_relative_to(target) for path in json.loads(found.stdout))
-    render = [sys.executable, "-c", "from seafoam.cli import main; main()", "render", "default"]
-    subprocess.run(
-        [*render, "--time", "9", "--size", "64x36", "-o", "frame.png"], cwd=tmp_path, env=environment, check=True
-    )
-    assert (tmp_path / "frame.png").read_bytes().startswith(b"\x89PNG")
+
+
+def names_extra(done: subprocess.CompletedProcess[str], extra: str) -> bool:
+    return done.returncode == 1 and done.stderr.count("\n") == 1 and f"pip install 'seafoam[{extra}]'" in done.stderr
+
+
+def test_data_is_that_of_the_wheel(bare: Path, tmp_path: Path) -> None:
+    code = "import seafoam; from seafoam.resources import data_dir\n"
+    code += "print(seafoam.__file__, *map(data_dir, ('shaders', 'masks', 'webclient')), sep='\\n')"
+    done = run(bare / "python", "-c", code, within=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert all(Path(path).is_relative_to(bare.parent) for path in done.stdout.splitlines())
+
+
+def test_commands_of_readme_without_extras(bare: Path, tmp_path: Path) -> None:
+    found = [command.removeprefix(".venv/bin/seafoam ") for command in commands("README.md") if "/seafoam " in command]
+    assert found[0].startswith("render default")
+    for command in (each for each in found if not each.startswith("serve")):
+        small = command
+        for large, size in SMALLER.items():
+            small = small.replace(large, size)
+        done = run(bare / "seafoam", *shlex.split(small), within=tmp_path)
+        extra = next((extra for start, extra in EXTRAS.items() if command.startswith(start)), None)
+        if extra is None:
+            assert done.returncode == 0, f"{command}: {done.stderr}"
+        else:
+            assert names_extra(done, extra), f"{command}: {done.stderr}"
+    assert (tmp_path / "sea.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_every_command_has_help_without_extras(bare: Path, tmp_path: Path) -> None:
+    code = """
+from typer.main import get_command
+from seafoam.cli import app, main
+
+def walk(command, *names):
+    yield names
+    for name, below in getattr(command, "commands", {}).items():
+        yield from walk(below, *names, name)
+
+for names in walk(get_command(app)):
+    try:
+        main([*names, "--help"])
+    except SystemExit as left:
+        assert left.code == 0, names
+        print("SHOWN", *names)
+"""
+    done = run(bare / "python", "-c", code, within=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert {"SHOWN", "SHOWN render", "SHOWN masks spectrum"} <= set(done.stdout.splitlines())
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize(
+    ("extra", "arguments", "variables"),
+    [
+        ("reports", "render default --quality auto --budget-ms 9 -o a.png", {}),
+        ("cluster", "sequence default --stop 2.1 --start 2 --size 64x36 --workers 2 -o frames", {}),
+        ("telemetry", "serve --port 0", {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"}),
+        ("telemetry", "openapi", {"OTEL_EXPORTER_OTLP_ENDPOINT": "http://127.0.0.1:9"}),
+    ],
+)
+def test_what_needs_an_extra_says_so(
+    bare: Path, tmp_path: Path, extra: str, arguments: str, variables: dict[str, str]
+) -> None:
+    done = run(bare / "seafoam", *arguments.split(), within=tmp_path, **variables)
+    assert names_extra(done, extra), done.stderr
+
+
+def test_python_without_extras(bare: Path, tmp_path: Path) -> None:
+    snippets = blocks("docs/python.md", "python")
+    local = snippets[: next(i for i, snippet in enumerate(snippets) if "connect(" in snippet)]
+    ends = """
+import inspect, pydoc
+assert inspect.signature(seafoam.frame).parameters.keys() == {
+    "what", "time", "size", "quality", "camera", "look", "mask"
+}
+assert "ServerError" in pydoc.render_doc(seafoam)
+seafoam.close()
+try:
+    seafoam.Water
+except RuntimeError as error:
+    print("seafoam[notebook]" in str(error))
+"""
+    code = "\n".join(local).replace("(640, 360)", "(64, 36)") + ends
+    done = run(bare / "python", "-W", "error", "-c", code, within=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == "True"
+
+
+@pytest.mark.parametrize(
+    ("extra", "arguments"),
+    [
+        ("reports", "masks spectrum vac-24 -o spectrum.png"),
+        ("video", "sequence default --start 2 --stop 2.1 --size 64x36 -o sea.mp4"),
+        ("notebook", ""),
+    ],
+)
+def test_an_extra_alone_is_enough(wheel: Path, tmp_path: Path, extra: str, arguments: str) -> None:
+    programs = environment(tmp_path / "venv", wheel, extra)
+    if extra == "notebook":
+        done = run(programs / "python", "-c", "import seafoam; seafoam.Water('default')", within=tmp_path)
+    else:
+        done = run(programs / "seafoam", *arguments.split(), within=tmp_path)
+    assert done.returncode == 0, done.stderr
