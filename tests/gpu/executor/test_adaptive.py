@@ -56,11 +56,12 @@ def frame(
     plan = make_plan(scene, quality(how, samples=chosen, samples_max=1) if chosen else how)
     if chosen:
         plan = as_chosen(plan, chosen)
-    if "start" in plan.targets:
-        size_of = plan.targets["start"].size
-        moved = size_of.model_copy(update={"scale": start})
-        began = plan.targets["start"].model_copy(update={"size": moved})
-        plan = plan.model_copy(update={"targets": plan.targets | {"start": began}})
+    begun = {
+        name: target.model_copy(update={"size": target.size.model_copy(update={"scale": start})})
+        for name, target in plan.targets.items()
+        if name.startswith("start")
+    }
+    plan = plan.model_copy(update={"targets": plan.targets | begun})
     seen = camera or scene.camera
     return draw(executor, plan, seen, time=2.7, size=size, output="linear")
 
