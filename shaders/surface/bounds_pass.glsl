@@ -11,9 +11,9 @@ void main() {
     for (int j = 0; j < BOUNDS_BLOCK; j += BOUNDS_STRIDE) {
         for (int i = 0; i < BOUNDS_BLOCK; i += BOUNDS_STRIDE) {
             ivec2 at = (corner + ivec2(i, j)) % size;
-            vec3 here = texel_at(u_bounded, at).xyz;
-            vec3 along_x = texel_at(u_bounded, ivec2((at.x + 1) % size.x, at.y)).xyz - here;
-            vec3 along_z = texel_at(u_bounded, ivec2(at.x, (at.y + 1) % size.y)).xyz - here;
+            vec3 here = texelFetch(u_bounded, at, 0).xyz;
+            vec3 along_x = texelFetch(u_bounded, ivec2((at.x + 1) % size.x, at.y), 0).xyz - here;
+            vec3 along_z = texelFetch(u_bounded, ivec2(at.x, (at.y + 1) % size.y), 0).xyz - here;
             // The greater eigenvalue of the second derivatives.
             float half_sum = 0.5 * (along_x.y + along_z.z);
             float half_difference = 0.5 * (along_x.y - along_z.z);

@@ -16,10 +16,10 @@ void main() {
         float closer = radius / max(radius - float(row + 1) * texel.y, 0.1 * radius);
         for (int x = 0; x < BOUNDS_BLOCK; ++x) {
             ivec2 at = corner + ivec2(x, y);
-            vec3 here = texel_at(u_wake_map, at).xyz;
-            vec3 behind = texel_at(u_wake_map, ivec2(min(at.x + 1, WAKE_SIZE - 1), at.y)).xyz;
+            vec3 here = texelFetch(u_wake_map, at, 0).xyz;
+            vec3 behind = texelFetch(u_wake_map, ivec2(min(at.x + 1, WAKE_SIZE - 1), at.y), 0).xyz;
             // Half a texel from the course each side is the other's mirror image; beyond the last row there is no wake.
-            vec3 aside = row + 1 < rows ? texel_at(u_wake_map, at + ivec2(0, 1)).xyz : vec3(0.0);
+            vec3 aside = row + 1 < rows ? texelFetch(u_wake_map, at + ivec2(0, 1), 0).xyz : vec3(0.0);
             vec3 along = (behind - here) / texel.x;
             vec3 across = (aside - here) / texel.y;
             float xx = along.y * closer * closer;
