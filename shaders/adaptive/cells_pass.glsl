@@ -6,13 +6,13 @@ out vec4 o_cell;
 void main() {
     ivec2 picture = textureSize(u_contrast, 0);
     ivec2 first = 4 * ivec2(gl_FragCoord.xy);
-    float limit = texel_at(u_limit, ivec2(0)).z;
+    float limit = texelFetch(u_limit, ivec2(0), 0).z;
     int few = 0;
     int many = 0;
     for (int bit = 0; bit < 16; ++bit) {
         ivec2 at = first + ivec2(bit & 3, bit >> 2);
         if (all(lessThan(at, picture))) {
-            int found = choice(texel_at(u_contrast, at).x, limit, picture);
+            int found = choice(texelFetch(u_contrast, at, 0).x, limit, picture);
             few |= (found & 1) << bit;
             many |= (found >> 1) << bit;
         }

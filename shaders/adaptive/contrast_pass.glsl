@@ -11,14 +11,14 @@ float roll(vec4 light) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(u_frame, 0) - 1;
-    float here = roll(texel_at(u_frame, at));
+    float here = roll(texelFetch(u_frame, at, 0));
     float cross = here;
     float sum = here;
     float squares = here * here;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
             if (i != 0 || j != 0) {
-                float there = roll(texel_at(u_frame, clamp(at + ivec2(i, j), ivec2(0), last)));
+                float there = roll(texelFetch(u_frame, clamp(at + ivec2(i, j), ivec2(0), last), 0));
                 cross += i * j == 0 ? there : 0.0;
                 sum += there;
                 squares += there * there;

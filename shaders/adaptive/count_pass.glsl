@@ -17,7 +17,7 @@ void main() {
     vec4 sum = vec4(0.0);
     for (int y = first.y; y < end.y; ++y) {
         for (int x = first.x; x < end.x; ++x) {
-            vec4 contrast = vec4(texel_at(u_contrast, ivec2(x, y)).x);
+            vec4 contrast = vec4(texelFetch(u_contrast, ivec2(x, y), 0).x);
             sum += few * (1.0 - step(contrast, limit)) + many * (1.0 - step(contrast, ratio));
         }
     }

@@ -3,7 +3,7 @@ uniform sampler2D u_chosen_cells;
 out vec4 o_group;
 
 vec2 group_total(int group, int y) {
-    vec4 last = texel_at(u_chosen_cells, ivec2(min(16 * group + 15, textureSize(u_chosen_cells, 0).x - 1), y));
+    vec4 last = texelFetch(u_chosen_cells, ivec2(min(16 * group + 15, textureSize(u_chosen_cells, 0).x - 1), y), 0);
     return last.zw + bits(last.xy);
 }
 

@@ -17,7 +17,7 @@ void main() {
     for (int y = 0; y < parts.y; ++y) {
         vec4 row = vec4(0.0);
         for (int x = 0; x < parts.x; ++x) {
-            row += texel_at(u_counts, ivec2(x, y));
+            row += texelFetch(u_counts, ivec2(x, y), 0);
             vec2 clip = 2.0 * (vec2(x, y) + 0.5) / vec2(parts) - 1.0;
             under += low || u_ray_z.y + clip.x * u_ray_x.y + clip.y * u_ray_y.y < 0.0 ? 1.0 : 0.0;
         }

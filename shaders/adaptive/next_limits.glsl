@@ -3,5 +3,5 @@ uniform sampler2D u_limits;
 const bool LIMITS_FIRST = false;
 
 vec2 limits() {
-    return texel_at(u_limits, ivec2(0)).xy;
+    return texelFetch(u_limits, ivec2(0), 0).xy;
 }

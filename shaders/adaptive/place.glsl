@@ -10,5 +10,5 @@ vec2 sample_place() {
     ivec2 block = at >> shift;
     vec2 within = vec2(at - (block << shift));
     vec2 turned = vec2(within.y + 0.5, u_chosen.x - 0.5 - within.x) / u_chosen.x;
-    return texel_at(u_chosen_pixels, block).xy * u_chosen.x + within + turned;
+    return texelFetch(u_chosen_pixels, block, 0).xy * u_chosen.x + within + turned;
 }

@@ -16,7 +16,7 @@ vec4 block_mean(int n, int side, int columns, int height) {
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             ivec2 at = corner + ivec2(i, j);
-            sum += texel_at(u_samples, ivec2(at.x, side == 4 ? height - 1 - at.y : at.y));
+            sum += texelFetch(u_samples, ivec2(at.x, side == 4 ? height - 1 - at.y : at.y), 0);
         }
     }
     return sum / float(side * side);
@@ -26,13 +26,13 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 size = textureSize(u_samples, 0);
     ivec2 cell = at >> 2;
-    vec4 found = texel_at(u_chosen_cells, cell);
+    vec4 found = texelFetch(u_chosen_cells, cell, 0);
     int bit = 1 << (4 * (at.y & 3) + (at.x & 3));
     bool few = (int(found.x) & bit) != 0;
     bool many = (int(found.y) & bit) != 0;
-    o_color = texel_at(u_frame, at);
+    o_color = texelFetch(u_frame, at, 0);
     if (few || many) {
-        vec4 before = texel_at(u_chosen_groups, ivec2(cell.x >> 4, cell.y)) + texel_at(u_chosen_rows, ivec2(0, cell.y));
+        vec4 before = texelFetch(u_chosen_groups, ivec2(cell.x >> 4, cell.y), 0) + texelFetch(u_chosen_rows, ivec2(0, cell.y), 0);
         vec2 ranks = before.xy + found.zw + bits(vec2(ivec2(found.xy) & (bit - 1)));
         o_color = block_mean(int(many ? ranks.y : ranks.x), many ? 4 : 2, many ? size.x >> 2 : size.x >> 1, size.y);
     }

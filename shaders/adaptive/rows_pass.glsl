@@ -7,7 +7,7 @@ void main() {
     int last = textureSize(u_chosen_groups, 0).x - 1;
     vec2 before = vec2(0.0);
     for (int y = 0; y < row; ++y) {
-        before += texel_at(u_chosen_groups, ivec2(last, y)).zw;
+        before += texelFetch(u_chosen_groups, ivec2(last, y), 0).zw;
     }
-    o_row = vec4(before, before + texel_at(u_chosen_groups, ivec2(last, row)).zw);
+    o_row = vec4(before, before + texelFetch(u_chosen_groups, ivec2(last, row), 0).zw);
 }

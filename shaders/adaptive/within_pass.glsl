@@ -6,7 +6,7 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec2 before = vec2(0.0);
     for (int x = at.x & ~15; x < at.x; ++x) {
-        before += bits(texel_at(u_choice, ivec2(x, at.y)).xy);
+        before += bits(texelFetch(u_choice, ivec2(x, at.y), 0).xy);
     }
-    o_cell = vec4(texel_at(u_choice, at).xy, before);
+    o_cell = vec4(texelFetch(u_choice, at, 0).xy, before);
 }

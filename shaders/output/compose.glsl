@@ -5,7 +5,7 @@ out vec4 o_color;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    vec4 beneath = texel_at(u_beneath, at);
-    vec4 above = texel_at(u_above, at);
+    vec4 beneath = texelFetch(u_beneath, at, 0);
+    vec4 above = texelFetch(u_above, at, 0);
     o_color = vec4(min(beneath.rgb * (1.0 - min(above.a, 1.0)) + above.rgb, BRIGHTEST), beneath.a);
 }

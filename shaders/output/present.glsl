@@ -10,6 +10,6 @@ vec3 srgb(vec3 x) {
 }
 
 void main() {
-    vec3 linear = texel_at(u_linear, ivec2(gl_FragCoord.xy)).rgb;
+    vec3 linear = texelFetch(u_linear, ivec2(gl_FragCoord.xy), 0).rgb;
     o_color = vec4(srgb(tone(max(with_glare(linear), 0.0))), 1.0);
 }

@@ -7,7 +7,7 @@ void main() {
     vec4 sum = vec4(0.0);
     for (int j = 0; j < SAMPLE_SIDE; ++j) {
         for (int i = 0; i < SAMPLE_SIDE; ++i) {
-            sum += texel_at(u_samples, corner + ivec2(i, j));
+            sum += texelFetch(u_samples, corner + ivec2(i, j), 0);
         }
     }
     o_color = sum / float(SAMPLE_SIDE * SAMPLE_SIDE);

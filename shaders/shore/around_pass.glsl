@@ -11,10 +11,10 @@ void main() {
     float highest = 0.0;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
-            highest = max(highest, texel_at(u_land_cells, clamp(cell + ivec2(i, j), low, high)).r);
+            highest = max(highest, texelFetch(u_land_cells, clamp(cell + ivec2(i, j), low, high), 0).r);
         }
     }
     // Half floats round by less.
     vec2 sunlit = level.x == LAND_CELLS ? sunlit_from(cell) : vec2(0.0);
-    o_highest = vec4(1.001 * vec2(texel_at(u_land_cells, cell).r, highest), sunlit);
+    o_highest = vec4(1.001 * vec2(texelFetch(u_land_cells, cell, 0).r, highest), sunlit);
 }

@@ -14,7 +14,7 @@ void main() {
         // No smoothing at all is a Gaussian of a hundredth of a texel: 0/0 is kept out.
         float x = float(i) / max(u_shore_spread, 0.01);
         float weight = exp(-0.5 * min(x * x, 160.0));
-        sum += weight * texel_at(u_rough, clamp(here + i * ivec2(u_blur_side), ivec2(0), last));
+        sum += weight * texelFetch(u_rough, clamp(here + i * ivec2(u_blur_side), ivec2(0), last), 0);
         weights += weight;
     }
     o_smooth = sum / weights;

@@ -6,7 +6,7 @@ out vec4 o_distance;
 
 void main() {
     vec2 at = floor(gl_FragCoord.xy);
-    vec4 found = texel_at(u_nearest, ivec2(at));
+    vec4 found = texelFetch(u_nearest, ivec2(at), 0);
     float height = shore_floor(((at + 0.5) / u_viewport - 0.5) * u_shore_size).x;
     bool land = height >= 0.0;
     vec2 other = land ? found.zw : found.xy;

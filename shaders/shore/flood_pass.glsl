@@ -16,7 +16,7 @@ void main() {
     vec2 least = vec2(1e9);
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
-            vec4 found = texel_at(u_nearest, clamp(here + int(u_flood_step) * ivec2(i, j), ivec2(0), last));
+            vec4 found = texelFetch(u_nearest, clamp(here + int(u_flood_step) * ivec2(i, j), ivec2(0), last), 0);
             float land = away(found.xy, at);
             float sea = away(found.zw, at);
             if (land < least.x) {

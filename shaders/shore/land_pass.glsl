@@ -3,7 +3,7 @@ uniform sampler2D u_met; // tau, and what is there: 2 is land
 out vec4 o_color;
 
 void main() {
-    vec2 met = texel_at(u_met, ivec2(sample_place())).rg;
+    vec2 met = texelFetch(u_met, ivec2(sample_place()), 0).rg;
     if (met.g != 2.0) {
         discard;
     }

@@ -3,7 +3,7 @@ uniform sampler2D u_met; // tau, and what is there: 2 is land
 out vec4 o_color;
 
 void main() {
-    if (texel_at(u_met, ivec2(sample_place())).g != 2.0) {
+    if (texelFetch(u_met, ivec2(sample_place()), 0).g != 2.0) {
         discard;
     }
     o_color = vec4(0.0);

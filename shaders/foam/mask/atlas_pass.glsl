@@ -21,10 +21,10 @@ uint span(uvec2 moments) {
 // Of texel x of this row, round the torus.
 uint word(ivec2 at, int x) {
     if (at.x < MASK_SIZE) {
-        return texel_at(u_mask_ranks, ivec2(x & (MASK_SIZE - 1), at.y)).r;
+        return texelFetch(u_mask_ranks, ivec2(x & (MASK_SIZE - 1), at.y), 0).r;
     }
     if (at.x < 2 * MASK_SIZE) {
-        return span(texel_at(u_mask_moments, ivec2(x & (MASK_SIZE - 1), at.y)).rg);
+        return span(texelFetch(u_mask_moments, ivec2(x & (MASK_SIZE - 1), at.y), 0).rg);
     }
     // Rows of level l are those from which to the end there are more than its sides and no more than twice as many.
     int side = 1;
@@ -34,7 +34,7 @@ uint word(ivec2 at, int x) {
     if (at.x - 2 * MASK_SIZE >= side || MASK_SIZE - at.y == 1) {
         return 0u;
     }
-    return span(texel_at(u_mask_levels, ivec2(x & (side - 1), at.y)).rg);
+    return span(texelFetch(u_mask_levels, ivec2(x & (side - 1), at.y), 0).rg);
 }
 
 void main() {

@@ -6,7 +6,7 @@ uniform float u_mask_finer_row;    // where the finer level begins
 out uvec2 o_moments;
 
 uvec2 finer(ivec2 texel) {
-    return texel_at(u_mask_moments, texel + ivec2(0, int(u_mask_finer_row))).rg;
+    return texelFetch(u_mask_moments, texel + ivec2(0, int(u_mask_finer_row)), 0).rg;
 }
 
 void main() {
@@ -14,7 +14,7 @@ void main() {
     int side = int(u_mask_side);
     ivec2 texel = at - ivec2(0, MASK_SIZE - 2 * side);
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(side)))) {
-        o_moments = texel_at(u_mask_moments, at).rg;
+        o_moments = texelFetch(u_mask_moments, at, 0).rg;
         return;
     }
     uvec2 a = finer(2 * texel);

@@ -7,7 +7,7 @@ out uvec2 o_moments;
 
 // In steps of 1/131072, so that the middle of a rank is one.
 uint doubled(ivec2 texel) {
-    return 2u * texel_at(u_mask_ranks, texel & (MASK_SIZE - 1)).r + uint(MASK_STEP);
+    return 2u * texelFetch(u_mask_ranks, texel & (MASK_SIZE - 1), 0).r + uint(MASK_STEP);
 }
 
 // Times 3072 and the sum of a row of texels: 3/8 and 1/8 before the middle one and behind it.
@@ -21,7 +21,7 @@ uvec4 quarters(uint a, uint b, uint c, uint d, uint e) {
 }
 
 vec2 entry(int i) {
-    return 2097152.0 * texel_at(u_mask_quantiles, ivec2(i, 0)).rg;
+    return 2097152.0 * texelFetch(u_mask_quantiles, ivec2(i, 0), 0).rg;
 }
 
 uvec4 entries(ivec4 i) {

@@ -8,7 +8,7 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     int which = at.y / MASK_SIZE;
     at.y -= which * MASK_SIZE;
-    o_atlas = which == 0 ? texel_at(u_mask_atlas_0, at).rg
-        : which == 1 ? texel_at(u_mask_atlas_1, at).rg
-        : texel_at(u_mask_atlas_2, at).rg;
+    o_atlas = which == 0 ? texelFetch(u_mask_atlas_0, at, 0).rg
+        : which == 1 ? texelFetch(u_mask_atlas_1, at, 0).rg
+        : texelFetch(u_mask_atlas_2, at, 0).rg;
 }
