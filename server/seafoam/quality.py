@@ -109,11 +109,6 @@ class Quality(Extensible, QualityParameters):
     shadow_steps: Literal[32, 64, 128, 256] = Field(
         default=128, description="Steps toward the sun in which the land's shadows are found"
     )
-    sky: Literal["map", "exact"] = Field(
-        default="exact",
-        description="Air and clouds behind the scene. map: drawn for cells of 2 × 2 pixels and read between them; "
-        "exact: evaluated for each sample. Sun, moon and stars are drawn for each sample in both",
-    )
     cloud_octaves: int = Field(default=6, ge=1, le=8, description="Octaves of the cloud noise; more show finer clouds")
     cloud_shadow_octaves: Literal[1, 2, 3, 4] = Field(
         default=3, description="Octaves of the cloud noise in the clouds' shadows; more show finer shadows"
@@ -234,7 +229,6 @@ TIERS: dict[Tier, Quality] = {
         shore_map=128,
         land_octaves=5,
         shadow_steps=64,
-        sky="map",
         cloud_octaves=5,
         cloud_shadow_octaves=2,
         cube_size=128,

@@ -327,7 +327,6 @@ class FrameBuilder:
             program="sky",
             target=self.drawn,
             mesh=Fullscreen(),
-            inputs=self.collection.inputs,
             state=State(depth=True),
         )
         return [shown, *self._surfaces(), land, sky] if self.shore else [*self._surfaces(), sky]

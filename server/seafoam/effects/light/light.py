@@ -4,11 +4,10 @@ import math
 from collections.abc import Iterable
 from functools import lru_cache
 
-from seafoam.effects.effect import Contribution, Effect, Part, PassSpec, QualityParameter, SlotFile, SlotRef
+from seafoam.effects.effect import Contribution, Effect, SlotFile
 from seafoam.effects.light import atmosphere, overcast
 from seafoam.effects.light.atmosphere import ASYMMETRY, RAYLEIGH, SUN_POWER, Rgb, air_mass, mie_depth
 from seafoam.effects.light.glow import glow_source, glow_uniforms
-from seafoam.framegraph.resources import Target, TargetInput, ViewportSize
 from seafoam.framegraph.rules import number, significant, vector
 from seafoam.ocean import skylight
 from seafoam.quality import Quality
@@ -16,15 +15,10 @@ from seafoam.scene.light import Light
 from seafoam.scene.models import Scene
 from seafoam.scene.sky import direction
 
-CAMERA = ("lib/numbers.glsl", "lib/camera.glsl")
-AIR, AIR_BETWEEN = "light/sky/air.glsl", "light/sky/air_map.glsl"
-"""Files of the light of air and clouds: for each sample, and from the target of :func:`_air_map`."""
 ILLUMINATION = ("light/shade/irradiance.glsl", "light/shade/haze.glsl")
 """Irradiance of sun and sky, and the haze in front of what they light; after the sky's files."""
 _DISC_SOLID_ANGLE = 6.8e-5
 """Solid angle of the sun's disc, sr."""
-SKY_CELL = 2
-"""Side of the cells for which air and clouds are drawn, pixels."""
 _MAX_DISC = 3000.0
 """Radiance at which the disc is clamped, well within the range of half floats."""
 
@@ -127,32 +121,11 @@ def sky_irradiance(light: Light) -> Rgb:
     return _rgb(math.pi * value / count for value in total)
 
 
-def _air_map() -> Part:
-    """The target of air and clouds for cells of several pixels, drawn over the horizon."""
-    return Part(
-        targets={
-            "sky_air": Target(size=ViewportSize(part=SKY_CELL), format="RGBA16F", filter="linear"),
-        },
-        inputs={"u_sky_air": TargetInput(target="sky_air")},
-        passes=(
-            PassSpec(
-                name=f"air and clouds, cells of {SKY_CELL} × {SKY_CELL}",
-                program="sky_air",
-                vertex=(*CAMERA, "vertex/rise_sky.glsl", "vertex/horizon.glsl", "vertex/rising.glsl"),
-                fragment=(*CAMERA, SlotRef("sky"), AIR, "light/sky/air_pass.glsl"),
-                target="sky_air",
-                view="rising",
-            ),
-        ),
-    )
-
-
 def contribute(scene: Scene, quality: Quality) -> Contribution | None:
     """Active if the scene has a light."""
     light = scene.light
     if light is None:
         return None
-    mapped = light.sky is not None and quality.sky == "map"
     if light.sky is None:
         sky: tuple[SlotFile, ...] = (SlotFile("sky", "light/sky/analytic.glsl", needs=("light/sky/exposure.glsl",)),)
         air = {f"u_air_{name}": vector(_rgb(value)) for name, value in air_parts(light).items()}
@@ -166,7 +139,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
                 needs=("light/sky/exposure.glsl", "light/sky/layered.glsl"),
             ),
             SlotFile("sky", "light/sky/whole.glsl"),
-            SlotFile("sky main", "light/sky/main_layered.glsl", needs=(AIR_BETWEEN if mapped else AIR,)),
+            SlotFile("sky main", "light/sky/main_layered.glsl"),
         )
         air = {
             "u_haze_depth": number(light.sky.haze),
@@ -174,7 +147,7 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_mie_depth": number(significant(mie_depth(light))),
             **(glow_uniforms("sun", *glow) if dusk else {}),
         }
-    contribution = Contribution(
+    return Contribution(
         why=f"sun {math.degrees(light.sun[1]):.0f}° above the horizon, sky, haze",
         slots=(
             *sky,
@@ -194,8 +167,6 @@ def contribute(scene: Scene, quality: Quality) -> Contribution | None:
             "u_exposure": number(light.exposure, "/light/exposure"),
         },
     )
-    return contribution.joined(_air_map()) if mapped else contribution
 
 
-PARAMETERS = (QualityParameter("/sky", "Air and clouds of the sky", ("map", "exact"), "filtering"),)
-EFFECT = Effect("sun and sky", contribute, fields=("/light", "/light/day", "/light/sky"), parameters=PARAMETERS)
+EFFECT = Effect("sun and sky", contribute, fields=("/light", "/light/day", "/light/sky"))
