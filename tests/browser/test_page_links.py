@@ -27,7 +27,9 @@ def test_a_link_restores_everything(llvmpipe: Lane, server: str) -> None:
         made.page.mouse.wheel(0, -120)
         made.page.get_by_label("Speed", exact=True).select_option("0.5")
         made.page.get_by_role("button", name="Compare side by side").click()
-        made.page.locator("#split-view .handle").press("ArrowLeft")
+        handle = made.page.locator("#split-view .handle")
+        handle.wait_for()  # What is not in sight yet takes no key, and says nothing of it.
+        handle.press("ArrowLeft")
         first = made.picture()
         made.page.get_by_role("button", name="Copy link to this view").click()
         made.page.get_by_text("Link copied").wait_for()

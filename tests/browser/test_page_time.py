@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from playwright.sync_api import Route
 
 from seafoam.scene.presets import load_preset
 from support.browsers import Lane
@@ -39,11 +40,15 @@ def test_quality_follows_what_was_measured_unless_it_is_named(llvmpipe: Lane, se
     fronts = {"scales": [1.0, 0.25], "presets": {"default": measured}}
     opened = llvmpipe.browser.new_context(viewport={"width": 320, "height": 500})
     page = opened.new_page()
-    page.route(re.compile(r"/fronts[.]json"), lambda route: route.fulfill(json=fronts))
+    held: list[Route] = []
+    page.route(re.compile(r"/fronts[.]json"), lambda route: held.append(route))
     stats = "(tier) => document.querySelector('.frame-stats')?.textContent.startsWith(tier) === true"
     try:
-        page.goto(f"{server}/", wait_until="load")
-        page.wait_for_function(stats, arg="standard", timeout=60_000)
+        # On a busy machine the server would win, and the first tier be gone before anybody looked.
+        page.goto(f"{server}/#draw=browser", wait_until="load")
+        page.wait_for_function(stats, arg="standard", timeout=120_000)
+        for route in held:
+            route.fulfill(json=fronts)
         page.wait_for_function(stats, arg="draft", timeout=120_000)
         assert page.evaluate("() => window.seafoam.state().quality") is None
         page.get_by_role("button", name="Settings", exact=True).click()
