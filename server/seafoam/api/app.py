@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from fastapi import Depends, FastAPI
 from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
-from starlette.middleware.cors import CORSMiddleware
+from starlette.middleware.errors import ServerErrorMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
@@ -21,10 +21,11 @@ from seafoam.api.context import Context
 from seafoam.api.errors import Problem, problem_responses
 from seafoam.api.gate import Gate
 from seafoam.api.known import KnownPlans, Requests
-from seafoam.api.logs import REQUEST_ID, LogRequests
+from seafoam.api.logs import LogRequests
 from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
+from seafoam.api.origins import OtherOrigins
 from seafoam.api.problems import BusyError
 from seafoam.api.rates import TokenBuckets
 from seafoam.api.routers import (
@@ -71,16 +72,12 @@ NOT_WORTH_GZIP = (
     "video/*",
 )
 
-READABLE_ELSEWHERE = (
-    "ETag", "Link", "Server-Timing", "Seafoam-Plan", "Seafoam-Renderer", "Retry-After", "RateLimit", "RateLimit-Policy",
-    REQUEST_ID,
-)  # fmt: skip
-"""Headers that a page of another origin may read, besides those that every page may."""
-
 _ROUTERS = tuple(
     each.router
     for each in (presets, scenes, plans, plan_frames, frames, streams, sequences, accuracy, masks, textures, export)
 )
+_PUBLIC = tuple(route for each in (presets, scenes, plans, masks, textures) for route in each.router.routes)
+"""What is data, and no picture or work of the renderer."""
 
 _DESCRIPTION = """
 Water with halftoned foam, after Yingst, Alford and Parberry (2011).
@@ -155,17 +152,9 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
     if settings.trusted_proxies:
         outside.append(Middleware(ProxyHeadersMiddleware, trusted_hosts=list(settings.trusted_proxies)))
     outside.append(Middleware(LogRequests, written=settings.log_format == "json"))
-    if settings.cors_origins:
-        cors = Middleware(
-            CORSMiddleware,
-            allow_origins=settings.cors_origins,
-            allow_methods=("GET", "POST", "PUT", "DELETE"),
-            allow_headers=("Authorization", "Content-Type", "If-None-Match", REQUEST_ID),
-            expose_headers=READABLE_ELSEWHERE,
-        )
-        outside.append(cors)
     return [
         *outside,
+        Middleware(OtherOrigins, public=() if settings.access.restricted else _PUBLIC, origins=settings.cors_origins),
         Middleware(HeadAsGet),
         Middleware(SecurityHeaders),
         Middleware(MeasureRequests, metrics=metrics),
@@ -174,6 +163,8 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
             access=settings.access,
             rates=TokenBuckets(settings.rate, settings.rate_burst) if settings.rate else None,
         ),
+        # Starlette's own lies outside of all these, and its answer lacks their headers.
+        Middleware(ServerErrorMiddleware, handler=errors.unexpected),
         Middleware(Repeats),
         Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
         Middleware(LimitBody, limit=settings.max_body),

@@ -28,7 +28,7 @@ from starlette.responses import JSONResponse
 
 from seafoam.accuracy.sweep_service import FailedError
 from seafoam.api.allowed import Schema, allowed_at
-from seafoam.api.logs import REQUEST_ID, request_id
+from seafoam.api.logs import request_id
 from seafoam.api.problems import (
     BadRequestError,
     BusyError,
@@ -140,8 +140,7 @@ def problem(
     return JSONResponse(
         content.model_dump(mode="json", exclude_none=True),
         status,
-        # The answer to an unexpected error passes no middleware that would add the id.
-        {"Cache-Control": "no-store", **({REQUEST_ID: identity} if identity else {}), **(headers or {})},
+        {"Cache-Control": "no-store", **(headers or {})},
         MEDIA_TYPE,
     )
 
@@ -152,7 +151,7 @@ def install(app: FastAPI) -> None:
         app.add_exception_handler(kind, _known)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _http)
-    app.add_exception_handler(Exception, _unexpected)
+    app.add_exception_handler(Exception, unexpected)
 
 
 def field_errors(error: RequestValidationError, openapi: Schema, operation: Schema) -> list[FieldProblem]:
@@ -260,7 +259,7 @@ async def _http(request: Request, error: Exception) -> JSONResponse:
     return problem(request.url.path, error.status_code, detail, headers=headers)
 
 
-async def _unexpected(request: Request, error: Exception) -> JSONResponse:
+async def unexpected(request: Request, error: Exception) -> JSONResponse:
     # The server's log has the traceback; a client learns nothing of the inside.
     detail = "internal server error; the server log has the details"
     return problem(request.url.path, 500, detail, name="internal", title="Internal server error")

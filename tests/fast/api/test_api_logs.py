@@ -129,7 +129,7 @@ def test_json_replaces_uvicorns_own_log(monkeypatch: pytest.MonkeyPatch) -> None
 
 def test_other_origins_are_let_in_by_setting_alone() -> None:
     origin = {"Origin": "https://example.org"}
-    assert "Access-Control-Allow-Origin" not in answering().get("/api/quality", headers=origin).headers
+    assert "Access-Control-Allow-Origin" not in answering().get("/api/streams", headers=origin).headers
     client = answering(cors_origins="https://example.org, https://a.test:8443", api_keys="a:correct-horse-battery")
     # An error too, so that the page can read it.
     response = client.get("/api/quality", headers=origin)
