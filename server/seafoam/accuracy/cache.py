@@ -1,14 +1,14 @@
 """Stores measurements and computed pictures on disk, keyed by everything that they depend on."""
 
-import contextlib
 import hashlib
 import json
 import logging
 import os
 import sys
-import tempfile
 from pathlib import Path
 from typing import Any
+
+from seafoam.files import write_whole
 
 log = logging.getLogger(__name__)
 
@@ -55,15 +55,7 @@ class Store:
         try:
             folder = self.directory / kind
             folder.mkdir(parents=True, exist_ok=True)
-            handle, temporary = tempfile.mkstemp(dir=folder)
-            try:
-                with os.fdopen(handle, "wb") as file:
-                    file.write(content)
-                os.replace(temporary, folder / name)
-            except BaseException:
-                with contextlib.suppress(OSError):
-                    os.unlink(temporary)
-                raise
+            write_whole(folder / name, content)
         except OSError as error:
             log.warning(
                 "Cannot store measurements in %s (%s): they are kept for the life of this process", folder, error

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TypeVar
 import typer
 from typer.exceptions import TyperException
 
+from seafoam.files import write_whole
+
 if TYPE_CHECKING:
     from pydantic import BaseModel, ValidationError
 
@@ -64,6 +66,6 @@ def size_of(text: str) -> tuple[int, int]:
 
 def write(path: Path, content: bytes) -> None:
     try:
-        path.write_bytes(content)
+        write_whole(path, content)
     except OSError as error:
         raise CommandError(f"--output: cannot write {path}: {error.strerror}", UNABLE) from error

@@ -14,6 +14,7 @@ from pathlib import Path
 from rich.progress import Progress as ProgressBar
 
 from seafoam.extras import MissingExtraError
+from seafoam.files import write_whole
 from seafoam.masks.catalogue import CATALOGUE_FILE, Mask, MaskTables, describe, rank_file, tables_file
 from seafoam.masks.construct import build, estimated_seconds
 from seafoam.masks.families import check_parameters
@@ -62,12 +63,12 @@ def bake_all(
     for index, mask in enumerate(SHIPPED):
         record, ranks, tables = baked[index]
         if made[index]:
-            rank_file(directory, mask.name).write_bytes(ranks)
-        tables_file(directory, mask.name).write_bytes(tables)
+            write_whole(rank_file(directory, mask.name), ranks)
+        write_whole(tables_file(directory, mask.name), tables)
         records.append(record)
     # A line a mask, so that the change of one shows as such.
     lines = ",\n".join(json.dumps(record, separators=(",", ":"), allow_nan=False) for record in records)
-    (directory / CATALOGUE_FILE).write_text(f'{{"masks": [\n{lines}\n]}}\n', "utf-8")
+    write_whole(directory / CATALOGUE_FILE, f'{{"masks": [\n{lines}\n]}}\n'.encode())
     progress(1.0)
 
 

@@ -13,6 +13,7 @@ from typing import get_args
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from seafoam.extras import MissingExtraError
+from seafoam.files import write_whole
 from seafoam.processes import SCHEDULER, NoClusterError, executor
 from seafoam.reference.renderer.frame import render
 from seafoam.reference.renderer.state import Mode
@@ -107,7 +108,7 @@ def main(arguments: list[str] | None = None) -> None:
             running = {pool.submit(baked, job): job for job in jobs}
             for done in as_completed(running):
                 name, (content, seconds) = running[done].name, done.result()
-                truth_file(directory, name).write_bytes(content)
+                write_whole(truth_file(directory, name), content)
                 progress.console.print(f"{name}: {seconds:.1f} s")
                 progress.advance(task)
     except (MissingExtraError, NoClusterError) as error:

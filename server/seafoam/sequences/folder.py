@@ -2,12 +2,12 @@
 
 import hashlib
 import json
-import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from seafoam.files import PART, write_whole
 from seafoam.sequences.errors import OtherSequenceError
 
 MANIFEST = "sequence.json"
@@ -18,23 +18,11 @@ MANIFEST_VERSION = 1
 
 _FRAME = re.compile(r"frame-(\d{6})\.png")
 _LINE = re.compile(r"([0-9a-f]{64})  frame-(\d{6})\.png")
-_PART = ".part"
 
 
 def frame_name(index: int) -> str:
     """Return the file name of a frame."""
     return f"frame-{index:06d}.png"
-
-
-def write_whole(path: Path, content: bytes) -> None:
-    """Write a file that has its final name only when it is complete. Raises ``OSError``."""
-    part = path.with_name(f".{path.name}{_PART}")
-    try:
-        part.write_bytes(content)
-        os.replace(part, path)
-    except BaseException:
-        part.unlink(missing_ok=True)
-        raise
 
 
 class SequenceFolder:
@@ -52,8 +40,7 @@ class SequenceFolder:
         if found is None and any(_FRAME.fullmatch(each.name) for each in path.iterdir()):
             raise OtherSequenceError(f"{path} holds frames without {MANIFEST}: choose another directory")
         if found is not None and again:
-            self.clear()
-            path.mkdir(exist_ok=True)
+            self._empty()
         elif found is not None and found != manifest:
             names = sorted(name for name in found.keys() | manifest.keys() if found.get(name) != manifest.get(name))
             raise OtherSequenceError(f"{path} holds a sequence that differs in {', '.join(names)}")
@@ -81,12 +68,14 @@ class SequenceFolder:
 
     def clear(self) -> None:
         """Remove what this class has written, and the directory if nothing else is in it."""
-        for each in list(self.path.iterdir()):
-            ours = each.name in (MANIFEST, HASHES) or _FRAME.fullmatch(each.name)
-            if ours or (each.name.startswith(".") and each.name.endswith(_PART)):
-                each.unlink()
+        self._empty()
         if not any(self.path.iterdir()):
             self.path.rmdir()
+
+    def _empty(self) -> None:
+        for each in list(self.path.iterdir()):
+            if each.name in (MANIFEST, HASHES) or each.name.startswith(PART) or _FRAME.fullmatch(each.name):
+                each.unlink()
 
     def _manifest(self) -> dict[str, Any] | None:
         try:

@@ -1,6 +1,5 @@
 """Makes a sequence: draws the frames that are missing, then puts them into one file if a file is wanted."""
 
-import os
 import time
 import zipfile
 from collections.abc import Callable, Iterator
@@ -12,8 +11,9 @@ from typing import Literal
 import numpy as np
 from PIL import Image
 
+from seafoam import files
 from seafoam.render.encode import encode
-from seafoam.sequences.errors import StoppedError
+from seafoam.sequences.errors import SequenceError, StoppedError
 from seafoam.sequences.folder import SequenceFolder, frame_name
 from seafoam.sequences.spec import SequenceSpec
 from seafoam.sequences.video import Codec, check_video, write_video
@@ -96,19 +96,28 @@ def make_sequence(
     and ``OSError``; finished frames then stay for the next call.
     """
     check_output(spec, output)
-    folder = SequenceFolder(output.frames, spec.identity(workers.info), again=again)
-    found = folder.finished(spec.count)
-    missing = [index for index in range(spec.count) if index not in found]
-    meter = _Meter("frames", spec.count, len(found), tell, stopped)
+    identity = spec.identity(workers.info)
+    try:
+        with files.only_writer(output.frames):
+            folder = SequenceFolder(output.frames, identity, again=again)
+            found = folder.finished(spec.count)
+            missing = [index for index in range(spec.count) if index not in found]
+            _draw(spec, folder, workers, missing, _Meter("frames", spec.count, len(found), tell, stopped))
+            if output.kind != "frames":
+                _write_file(spec, output, folder, _Meter("file", spec.count, 0, tell, stopped))
+                folder.clear()
+    except BlockingIOError:
+        name = output.path.name
+        raise SequenceError(f"another process is writing {name}: wait for it, or choose another name") from None
+    return Made(len(missing), len(found))
+
+
+def _draw(spec: SequenceSpec, folder: SequenceFolder, workers: Workers, missing: list[int], meter: _Meter) -> None:
     if missing:
         with closing(workers.draw((index, spec.frame(index)) for index in missing)) as drawn:
             for index, content in drawn:
                 folder.put(index, content)
                 meter.step()
-    if output.kind != "frames":
-        _write_file(spec, output, folder, _Meter("file", spec.count, 0, tell, stopped))
-        folder.clear()
-    return Made(len(missing), len(found))
 
 
 def check_output(spec: SequenceSpec, output: Output) -> None:
@@ -121,9 +130,8 @@ def check_output(spec: SequenceSpec, output: Output) -> None:
 
 
 def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, meter: _Meter) -> None:
-    part = output.path.with_name(f".{output.path.name}.part")
     frames = [folder.frame(index) for index in range(spec.count)]
-    try:
+    with files.whole(output.path) as part:
         if output.kind == "mp4":
             job = spec.job
             write_video(part, frames, job.width, job.height, spec.fps, output.codec, meter.step)
@@ -133,10 +141,6 @@ def _write_file(spec: SequenceSpec, output: Output, folder: SequenceFolder, mete
                 write_animation(file, stills, spec.job.width, spec.job.height, durations_of(spec.count, spec.fps))
         else:
             _write_zip(part, frames, meter)
-        os.replace(part, output.path)
-    except BaseException:
-        part.unlink(missing_ok=True)
-        raise
 
 
 def _stills(frames: list[Path], meter: _Meter) -> Iterator[bytes]:

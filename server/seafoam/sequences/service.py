@@ -14,8 +14,8 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, Field
 
+from seafoam.files import write_whole
 from seafoam.sequences.errors import SequenceError, StoppedError
-from seafoam.sequences.folder import write_whole
 from seafoam.sequences.making import Kind, Output, Progress, Stage, check_output, make_sequence
 from seafoam.sequences.spec import SequenceSpec
 from seafoam.sequences.video import Codec

@@ -44,7 +44,8 @@ def check_video(width: int, height: int, codec: Codec) -> None:
 def write_video(
     path: Path, frames: Iterable[Path], width: int, height: int, fps: float, codec: Codec, drawn: Callable[[], None]
 ) -> None:
-    """Write an MP4 file of frames, which are PNG files. ``drawn``: called after each; what it raises ends the work.
+    """Write an MP4 file of frames, which are PNG files. path: absolute, since FFmpeg takes ``a:b`` for protocol ``a``.
+    ``drawn``: called after each; what it raises ends the work.
 
     Raises :class:`OutputError` as :func:`check_video` does, :class:`SequenceError` if the encoder fails.
     """

@@ -2,6 +2,7 @@
 
 import csv
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -191,6 +192,9 @@ def test_the_cache_is_where_the_system_keeps_caches(monkeypatch, tmp_path):
     monkeypatch.setattr("sys.platform", "linux")
     monkeypatch.setenv("XDG_CACHE_HOME", "/x")
     assert str(cache_dir()) == "/x/seafoam"
+    for ignored in ("relative", ""):  # as the XDG Base Directory Specification says
+        monkeypatch.setenv("XDG_CACHE_HOME", ignored)
+        assert cache_dir() == Path.home() / ".cache" / "seafoam"
     monkeypatch.setattr("sys.platform", "darwin")
     assert cache_dir().parts[-3:] == ("Library", "Caches", "seafoam")
 

@@ -14,9 +14,9 @@ from PIL import Image, ImageSequence
 
 from seafoam.extras import MissingExtraError
 from seafoam.library.request import job_of
-from seafoam.sequences.errors import OtherSequenceError, OutputError, StoppedError
+from seafoam.sequences.errors import OtherSequenceError, OutputError, SequenceError, StoppedError
 from seafoam.sequences.folder import HASHES, MANIFEST, SequenceFolder, frame_name
-from seafoam.sequences.making import Output, Progress, make_sequence
+from seafoam.sequences.making import Kind, Output, Progress, make_sequence
 from seafoam.sequences.spec import SequenceSpec, frame_count
 from seafoam.sequences.webp import durations_of, write_animation
 from seafoam.sequences.workers import Drawn, InProcess, Unit
@@ -165,7 +165,7 @@ def test_a_full_disk_leaves_no_half_frame(tmp_path: Path, monkeypatch: pytest.Mo
     write = Path.write_bytes
 
     def full(path: Path, content: bytes) -> int:
-        if path.name.startswith(".frame-000003"):
+        if content.startswith(b"\x89PNG") and len(frames(output.path)) == 3:
             write(path, content[:10])
             raise OSError(28, "No space left on device")
         return write(path, content)
@@ -278,3 +278,47 @@ def test_an_archive_has_the_frames(tmp_path: Path) -> None:
     assert len(digests) == 1
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         assert {name: archive.read(name) for name in archive.namelist()} == frames(stills.path)
+
+
+def test_two_at_once_do_not_disturb_each_other(tmp_path: Path) -> None:
+    output = Output(tmp_path / "same.webp", "webp")
+    refused: list[str] = []
+
+    def tell(progress: Progress) -> None:
+        if progress.stage == "frames" and progress.done == 2:
+            with pytest.raises(SequenceError) as other:
+                make(output, spec(fps=30.0), again=True)
+            refused.append(str(other.value))
+
+    make(output, tell=tell)
+    assert refused == ["another process is writing same.webp: wait for it, or choose another name"]
+    with Image.open(output.path) as animation:
+        assert animation.n_frames == 6
+    assert [each.name for each in tmp_path.iterdir()] == ["same.webp"]
+
+
+NAMES = [
+    "sea-12:30",
+    "-o",
+    "%d",
+    "%",
+    "a%03d",
+    "http:--a",
+    "pipe:1",
+    "q\"'`$(x);",
+    "a b\nc",
+    "Wellen-\u6d77",
+    "x*?[1]",
+    "\udcff",
+]
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("kind", ["frames", "zip", "webp", "mp4"])
+def test_names_that_other_programs_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, kind: Kind) -> None:
+    folder = tmp_path / f"{name}.d"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    make(Output(Path(f"{name}.{kind}"), kind))
+    assert [each.name for each in folder.iterdir()] == [f"{name}.{kind}"]
+    assert [each.name for each in tmp_path.iterdir()] == [folder.name]

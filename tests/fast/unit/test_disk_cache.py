@@ -99,8 +99,8 @@ def test_a_full_disk_leaves_nothing_behind_and_is_left_in_peace(
         raise OSError(errno.ENOSPC, "No space left on device")
 
     with monkeypatch.context() as patched:
-        name = {"write": "fdopen", "sync": "fsync", "rename": "replace"}[at]
-        patched.setattr(module.os, name, full)
+        owner, name = {"write": (Path, "open"), "sync": (module.os, "fsync"), "rename": (module.os, "replace")}[at]
+        patched.setattr(owner, name, full)
         assert not cache.put("bb", b"content")
         assert not cache.put("cc", b"content")
     assert len(tries) == 1

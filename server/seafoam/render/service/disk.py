@@ -9,10 +9,11 @@ import contextlib
 import hashlib
 import logging
 import os
-import tempfile
 import threading
 import time
 from pathlib import Path
+
+from seafoam import files
 
 log = logging.getLogger(__name__)
 
@@ -21,7 +22,6 @@ _DIGEST = 32
 _HEADER = len(_MAGIC) + _DIGEST
 _BLOCK = 4096
 """Files occupy whole blocks of most file systems, bytes."""
-_TEMPORARY = ".new-"
 _KEPT_SHARE = 0.9
 """Share of the limit that eviction leaves, so that it does not run at every write."""
 ABANDONED_SECONDS = 3600.0
@@ -91,19 +91,13 @@ class DiskCache:
 
     def _write(self, path: Path, content: bytes) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(prefix=_TEMPORARY, dir=path.parent)
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(_MAGIC + hashlib.sha256(content).digest())
-                file.write(content)
-                file.flush()
-                # A loss of power must not leave the name without the content. The folder need not be synchronised:
-                # a name that is lost is a frame drawn again.
-                os.fsync(file.fileno())
-            os.replace(temporary, path)
-        except BaseException:
-            _remove(Path(temporary))
-            raise
+        with files.whole(path) as part, part.open("wb") as file:
+            file.write(_MAGIC + hashlib.sha256(content).digest())
+            file.write(content)
+            file.flush()
+            # A loss of power must not leave the name without the content. The folder need not be synchronised:
+            # a name that is lost is a frame drawn again.
+            os.fsync(file.fileno())
 
     def _evict(self) -> None:
         """Count what is there, other processes' files too, and remove the oldest until it fits."""
@@ -115,7 +109,7 @@ class DiskCache:
                     stat = file.stat()
                 except OSError:
                     continue
-                if not file.name.startswith(_TEMPORARY):
+                if not file.name.startswith(files.PART):
                     entries.append((stat.st_mtime, _blocks(stat.st_size), file.path))
                 elif now - stat.st_mtime > ABANDONED_SECONDS:
                     _remove(Path(file.path))
