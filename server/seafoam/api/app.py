@@ -44,6 +44,7 @@ from seafoam.api.routers import (
 )
 from seafoam.api.sequencing import sequence_service
 from seafoam.api.settings import Settings
+from seafoam.api.stopping import AnswerWhenStopped
 from seafoam.api.streams import Streams
 from seafoam.api.strict import one_value_each
 from seafoam.api.telemetry import NO_TELEMETRY
@@ -163,6 +164,7 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
             access=settings.access,
             rates=TokenBuckets(settings.rate, settings.rate_burst) if settings.rate else None,
         ),
+        Middleware(AnswerWhenStopped),
         # Starlette's own lies outside of all these, and its answer lacks their headers.
         Middleware(ServerErrorMiddleware, handler=errors.unexpected),
         Middleware(Repeats),

@@ -1,0 +1,80 @@
+"""What an operator sees of a running server: how it stops."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+
+import httpx2
+import pytest
+
+from support.api_fakes import HANG
+from support.command import free_port
+
+SERVER = """
+from functools import partial
+from seafoam.api import app
+from support.api_fakes import FakeRenderer
+app.create_app = partial(app.create_app, renderer=FakeRenderer)
+if __name__ == "__main__":
+    from seafoam.cli import main
+    main()
+"""
+
+
+@contextmanager
+def served(folder: Path, **environment: str) -> Iterator[tuple[str, "subprocess.Popen[str]"]]:
+    """`seafoam serve` with a renderer that only pretends to draw: its address and its process, once it is ready."""
+    script = folder / "served.py"
+    script.write_text(SERVER)
+    address = f"http://127.0.0.1:{(port := free_port())}"
+    process = subprocess.Popen(
+        [sys.executable, script, "serve", "--port", str(port)],
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2]), "SEAFOAM_WORKERS": "1", **environment},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    try:
+        for _ in range(600):
+            assert process.poll() is None
+            try:
+                urllib.request.urlopen(f"{address}/readyz", timeout=60).close()
+                break
+            except OSError:
+                time.sleep(0.1)
+        yield address, process
+    finally:
+        process.kill()
+        process.communicate()
+
+
+@pytest.mark.parametrize("form", ["text", "json"])
+def test_frames_in_flight_are_told_that_the_server_stops(tmp_path: Path, form: str) -> None:
+    with served(tmp_path, SEAFOAM_DEADLINE="60", SEAFOAM_QUEUE="20", SEAFOAM_LOG_FORMAT=form) as (address, process):
+
+        def asked(width: int) -> httpx2.Response:
+            return httpx2.get(f"{address}/api/frames/default.png?time={HANG}&width={width}&height=8", timeout=60)
+
+        with ThreadPoolExecutor(6) as pool:
+            answers = [pool.submit(asked, width) for width in range(8, 14)]
+            for _ in range(300):
+                if "seafoam_queue_waiting 5.0" in httpx2.get(f"{address}/metrics", timeout=60).text:
+                    break
+                time.sleep(0.1)
+            process.send_signal(signal.SIGTERM)
+            responses = [answer.result() for answer in answers]
+        log = process.communicate(timeout=60)[0]
+    for response in responses:
+        assert response.status_code == 503, response.text
+        assert response.headers["content-type"] == "application/problem+json"
+        assert int(response.headers["retry-after"]) > 0
+        assert response.json()["type"] == "urn:seafoam:problem:stopping"
+    assert "Traceback" not in log and "Exception" not in log, log
+    assert sum("/api/frames/default.png" in line for line in log.splitlines()) == 6, log
