@@ -25,6 +25,7 @@ from seafoam.api.logs import LogRequests
 from seafoam.api.measuring import sweep_service
 from seafoam.api.metrics import MeasureRequests, Metrics
 from seafoam.api.middleware import HeadAsGet, LimitBody, SecurityHeaders
+from seafoam.api.negotiation import Negotiate
 from seafoam.api.origins import OtherOrigins
 from seafoam.api.problems import BusyError
 from seafoam.api.rates import TokenBuckets
@@ -167,6 +168,7 @@ def _middleware(settings: Settings, metrics: Metrics) -> list[Middleware]:
         Middleware(AnswerWhenStopped),
         # Starlette's own lies outside of all these, and its answer lacks their headers.
         Middleware(ServerErrorMiddleware, handler=errors.unexpected),
+        Middleware(Negotiate),
         Middleware(Repeats),
         Middleware(GZipMiddleware, compresslevel=GZIP_LEVEL, exclude_content_types=NOT_WORTH_GZIP),
         Middleware(LimitBody, limit=settings.max_body),

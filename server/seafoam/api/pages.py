@@ -58,7 +58,7 @@ class WebClient(StaticFiles):
         """Accept a missing build."""
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """Return a file, compressed with Brotli if the build contains that and the client accepts it.
+        """Return a file, compressed with Brotli if the build contains that and the client prefers it.
 
         Files under ``assets`` carry their hash in their name, so they never change.
         """
@@ -66,15 +66,14 @@ class WebClient(StaticFiles):
             return PlainTextResponse(NOT_BUILT, headers={"Cache-Control": "no-store"})
         # Browsers ask for it beside answers that are no page.
         path = "icon.svg" if path == "favicon.ico" else path
-        packed = f"{path}.br"
-        taken = Headers(scope=scope).get("accept-encoding", "").split(",")
-        if "br" in (each.strip() for each in taken) and (self.folder / packed).is_file():
-            response = await super().get_response(packed, scope)
+        packed = (self.folder / f"{path}.br").is_file()
+        chosen = f"{path}.br" if packed and Headers(scope=scope).get("accept-encoding", "").startswith("br") else path
+        response = await super().get_response(chosen, scope)
+        if packed:
+            response.headers["Vary"] = "Accept-Encoding"
+        if chosen != path:
             response.headers["Content-Type"] = mimetypes.guess_type(path)[0] or "application/octet-stream"
             response.headers["Content-Encoding"] = "br"
-            response.headers["Vary"] = "Accept-Encoding"
-        else:
-            response = await super().get_response(path, scope)
         response.headers["Cache-Control"] = IMMUTABLE if path.startswith("assets/") else REVALIDATE
         return response
 

@@ -1,5 +1,7 @@
 """What HTTP itself asks for: other origins, codings, conditional requests."""
 
+from pathlib import Path
+
 import pytest
 from starlette.testclient import TestClient
 
@@ -65,3 +67,90 @@ def test_an_error_has_the_headers_of_a_success(serve, monkeypatch: pytest.Monkey
     for name in ("Access-Control-Allow-Origin", "Access-Control-Expose-Headers", "X-Content-Type-Options", "Vary"):
         assert {each.headers[name] for each in (full, drawn, unexpected, bodiless)} == {good.headers[name]}
     assert all("RateLimit" in each.headers and "X-Request-ID" in each.headers for each in (good, unexpected))
+
+
+PLAN = "/api/plans/default"
+CODINGS = [
+    ("gzip", "gzip"), ("GZip", "gzip"), ("x-gzip", "gzip"), ("gzip;q=1.000", "gzip"), ("gzip ; Q=0.5", "gzip"),
+    ("deflate, gzip;q=0.1", "gzip"), ("*", "gzip"), ("*;q=0.5", "gzip"), ("identity;q=0, gzip", "gzip"),
+    ("gzip;q=0.5, identity;q=0.5", "gzip"), ("zstd, *;q=0.1", "gzip"), ("identity;q=0, *;q=0.1", "gzip"),
+    ("", None), ("gzip;q=0", None), ("gzip;q=0.000, deflate", None), ("*;q=0", None), ("gzip;q=0, *", None),
+    ("x-gzip;q=0", None), ("gzipped", None), ("ungzip, deflate", None), ("identity", None), ("br;q=0", None),
+    ("gzip;q=0.5, identity", None), ("gzip;q=0.2, *;q=0.4", None), ("gzip;q=2", None), ("gzip;q=none", None),
+    ("identity;q=0", None), ("gzip, identity;q=0, gzip;q=0", None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("sent", "coding"), CODINGS)
+@pytest.mark.parametrize("url", [PLAN, "/api/presets", "/api/textures/mask/vac-24/atlas", "/"])
+def test_an_answer_has_the_coding_that_is_asked_for(
+    client: TestClient, url: str, sent: str, coding: str | None
+) -> None:
+    response = client.get(url, headers={"Accept-Encoding": sent})
+    assert response.status_code == 200
+    assert response.headers.get("Content-Encoding") == coding
+    assert "Accept-Encoding" in response.headers["Vary"]
+
+
+def test_two_lines_are_a_list(client: TestClient) -> None:
+    lines = [("Accept-Encoding", "deflate"), ("Accept-Encoding", "gzip;q=0.5")]
+    assert client.get(PLAN, headers=lines).headers["Content-Encoding"] == "gzip"
+
+
+@pytest.fixture
+def built(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> TestClient:
+    """A client of a built page, of which one file was packed."""
+    monkeypatch.setattr("seafoam.api.pages.data_dir", lambda kind: tmp_path)
+    (tmp_path / "assets").mkdir()
+    (tmp_path / "index.html").write_text("<title>sea</title>" * 100)
+    (tmp_path / "assets" / "a.js").write_text("export {}" * 100)
+    (tmp_path / "assets" / "a.js.br").write_bytes(b"packed")
+    return answering()
+
+
+@pytest.mark.parametrize(
+    ("sent", "coding"),
+    [
+        ("br", "br"), ("gzip, br", "br"), ("*", "br"), ("br;q=0.5, gzip;q=0.5", "br"), ("gzip;q=0, br", "br"),
+        ("BR", "br"), ("br;q=0.001", "br"), ("gzip, br;q=0.9", "gzip"), ("br;q=0, *", "gzip"), ("gzip", "gzip"),
+        ("br;q=0", None), ("br;q=0.1, identity", None), ("*;q=0", None), ("brotli", None), ("", None),
+    ],
+)  # fmt: skip
+def test_packed_files_are_for_who_prefers_them(built: TestClient, sent: str, coding: str | None) -> None:
+    with built.stream("GET", "/assets/a.js", headers={"Accept-Encoding": sent}) as response:
+        assert response.headers.get("Content-Encoding") == coding
+        assert response.headers["Vary"] == "Accept-Encoding"
+        tag = response.headers["ETag"]
+    again = built.get("/assets/a.js", headers={"Accept-Encoding": sent, "If-None-Match": f'"x", {tag}'})
+    assert (again.status_code, again.headers["ETag"], again.headers["Vary"]) == (304, tag, "Accept-Encoding")
+
+
+@pytest.mark.parametrize("coding", ["gzip", "identity"])
+@pytest.mark.parametrize("url", [PLAN, "/api/textures/mask/vac-24/atlas", "/api/masks/vac-6/data.png", "/"])
+def test_a_copy_is_known_by_its_tag(built: TestClient, client: TestClient, url: str, coding: str) -> None:
+    asked = built if url == "/" else client
+    sent = {"Accept-Encoding": coding}
+    first = asked.get(url, headers=sent)
+    tag = first.headers["ETag"]
+    strong = tag.removeprefix("W/")
+    assert tag.startswith("W/") is ("Content-Encoding" in first.headers)
+    for lines in ([tag], ['"x"', tag], [tag, '"x"'], [f'"x",{strong}', '"y"'], [f"W/{strong}"], ["*"]):
+        again = asked.get(url, headers=[*sent.items(), *(("If-None-Match", line) for line in lines)])
+        assert (again.status_code, again.content) == (304, b"")
+        assert again.headers["ETag"] == (strong if lines == ["*"] else again.headers["ETag"])
+        assert again.headers["ETag"].removeprefix("W/") == strong
+        assert set(first.headers.get("Vary", "").split(", ")) - {""} <= set(again.headers["Vary"].split(", "))
+    for lines in (['"x"'], ['"x"', 'W/"y"'], [strong.strip('"')], [f'"{strong[1:-2]}"']):
+        other = asked.get(url, headers=[*sent.items(), *(("If-None-Match", line) for line in lines)])
+        assert other.status_code == 200
+
+
+def test_a_tag_goes_before_a_date(built: TestClient) -> None:
+    first = built.get("/")
+    date = {"If-Modified-Since": first.headers["Last-Modified"]}
+    assert built.get("/", headers=date).status_code == 304
+    assert built.get("/", headers=date | {"If-None-Match": '"x"'}).status_code == 200
+    old = {"If-Modified-Since": "Sat, 01 Jan 2000 00:00:00 GMT"}
+    assert built.get("/", headers=old).status_code == 200
+    assert built.get("/", headers=old | {"If-None-Match": first.headers["ETag"]}).status_code == 304
+    assert built.get("/", headers={"If-Modified-Since": "yesterday"}).status_code == 200

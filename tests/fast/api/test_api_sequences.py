@@ -94,6 +94,11 @@ def test_from_the_request_to_the_file(client: TestClient) -> None:
     assert pictures[3] == client.post("/api/frames", json=single).content
     part = client.get(f"/api/sequences/{begun['id']}/file", headers={"Range": "bytes=0-3"})
     assert (part.status_code, part.content) == (206, b"PK\x03\x04")
+    for known in (
+        {"If-None-Match": f'"x", {file.headers["ETag"]}'},
+        {"If-Modified-Since": file.headers["Last-Modified"]},
+    ):
+        assert client.get(f"/api/sequences/{begun['id']}/file", headers=known).status_code == 304
     again = start(client)
     assert again == status
 
@@ -198,6 +203,9 @@ def test_visitors_come_first(tmp_path: Path) -> None:
         ({"stop": 2e9}, "/stop", "1000000000"),
         ({"stop": 1000.0}, "/stop", "24,000 frames exceed the limit of 3,600"),
         ({"fps": 0.0}, "/fps", "0.001"),
+        ({"fps": "30000 / 1001"}, "/fps", "[0-9]"),
+        ({"fps": "1/0"}, "/fps", "30000/1001"),
+        ({"fps": None}, "/fps", "number"),
         ({"width": 25, "format": "mp4"}, "/width", "even"),
         ({"height": 62, "width": 64, "format": "mp4", "codec": "av1"}, "/height", "at least 64"),
         ({"width": 9000}, "/width", "1 to 4096"),
@@ -215,6 +223,12 @@ def test_what_is_refused(client: TestClient, changes: dict[str, Any], pointer: s
     (error,) = response.json()["errors"]
     assert error["pointer"] == pointer
     assert said in json.dumps(error)
+
+
+def test_a_rate_of_the_trade(client: TestClient) -> None:
+    names = {start(client, fps=fps)["id"] for fps in (29.97, "30000/1001", "60000/2002")}
+    assert len(names) == 1
+    assert start(client, fps=30)["id"] not in names
 
 
 def test_without_pyav_or_gl(client: TestClient, without_gl: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:

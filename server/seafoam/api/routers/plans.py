@@ -19,7 +19,10 @@ from seafoam.scene.models import Scene
 router = APIRouter(prefix="/api", tags=["plans"])
 
 _HEADERS = {
-    "ETag": {"description": "Quoted SHA-256 of the plan", "schema": {"type": "string"}},
+    "ETag": {
+        "description": "Quoted SHA-256 of the plan, weak where the answer is compressed",
+        "schema": {"type": "string"},
+    },
     "Seafoam-Plan": {"description": "SHA-256 of the plan", "schema": {"type": "string"}},
 }
 _RESPONSES: dict[int | str, dict[str, Any]] = {

@@ -4,11 +4,11 @@ import asyncio
 from collections.abc import AsyncIterator
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, Path, Query
-from pydantic import Field
+from fastapi import APIRouter, Path, Query, Request
+from pydantic import Discriminator, Field, Tag
 from starlette.responses import FileResponse, JSONResponse, Response, StreamingResponse
 
-from seafoam.api.caching import NO_STORE
+from seafoam.api.caching import NO_STORE, file_unless_current
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import (
@@ -45,6 +45,12 @@ SequenceName = Annotated[
     str, Path(description="Name of a sequence, from the response that started it", pattern="^[0-9a-f]{32}$")
 ]
 
+Rate = Annotated[
+    Annotated[float, Field(ge=LEAST_FPS, le=GREATEST_FPS), Tag("number")]
+    | Annotated[str, Field(pattern="^[0-9]{1,12}/[0-9]{1,12}$"), Tag("fraction")],
+    Discriminator(lambda value: "fraction" if isinstance(value, str) else "number"),
+]
+
 
 class SequenceRequest(SceneRequest):
     """A sequence to render: frames of a scene from ``start`` to before ``stop``."""
@@ -59,7 +65,11 @@ class SequenceRequest(SceneRequest):
         description="Time before which the last frame is, s; above start. The server limits the number of frames",
         examples=[2.0],
     )
-    fps: float = Field(default=24.0, ge=LEAST_FPS, le=GREATEST_FPS, description="Frames per second")
+    fps: Rate = Field(
+        default=24.0,
+        description="Frames per second: a number, or a fraction as text; 29.97 is taken as 30000/1001",
+        examples=[24, "30000/1001"],
+    )
     width: int = Field(default=DEFAULT_WIDTH, ge=1, description="Width, pixels; even in a video", examples=[640])
     height: int = Field(default=DEFAULT_HEIGHT, ge=1, description="Height, pixels; even in a video", examples=[360])
     format: Literal["zip", "webp", "mp4"] = Field(
@@ -86,7 +96,8 @@ _FILE: dict[int | str, dict[str, Any]] = {
     200: {
         "description": "The file",
         "content": {media: {"schema": {"type": "string", "format": "binary"}} for media in MEDIA_TYPES.values()},
-    }
+    },
+    304: {"description": "Not modified: the copy named by If-None-Match or If-Modified-Since is current"},
 }
 
 
@@ -135,13 +146,18 @@ async def get_events(sequence: SequenceName, _: Annotated[Parameters, Query()], 
 @router.get(
     "/sequences/{sequence}/file", responses=_FILE | problem_responses(404, 409, 422, 503), response_class=FileResponse
 )
-async def get_file(sequence: SequenceName, _: Annotated[Parameters, Query()], context: InContext) -> Response:
+async def get_file(
+    sequence: SequenceName, _: Annotated[Parameters, Query()], request: Request, context: InContext
+) -> Response:
     """Download a finished sequence. Parts can be requested with the header Range."""
     try:
         path = await context.plans.run(context.sequences.file, sequence)
     except UnknownSequenceError:
         raise _not_found(sequence) from None
-    return FileResponse(path, media_type=MEDIA_TYPES[path.suffix[1:]], filename=path.name)
+    media = MEDIA_TYPES[path.suffix[1:]]
+    return file_unless_current(
+        request, FileResponse(path, media_type=media, filename=path.name, stat_result=path.stat())
+    )
 
 
 @router.delete("/sequences/{sequence}", status_code=204, responses=problem_responses(404, 422, 503))
@@ -165,7 +181,7 @@ def _spec(body: SequenceRequest, context: Context) -> SequenceSpec:
     except OutputError as error:
         raise _refused(error) from error
     if spec.count > settings.sequence_frames:
-        greatest = body.start + settings.sequence_frames / body.fps
+        greatest = body.start + float(settings.sequence_frames / spec.fps)
         limit = f"{spec.count:,} frames exceed the limit of {settings.sequence_frames:,}"
         detail = f"stop must be at most {greatest:.12g} s: {limit}"
         raise BadRequestError(FieldProblem(pointer="/stop", detail=detail, allowed={"maximum": greatest}))

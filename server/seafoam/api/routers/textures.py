@@ -39,7 +39,12 @@ _RESPONSES: dict[int | str, dict[str, Any]] = {
     200: {
         "description": "All mip levels, largest first; rows from v = 0, tightly packed, little-endian",
         "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
-        "headers": {"ETag": {"description": "Quoted SHA-256 of the bytes", "schema": {"type": "string"}}},
+        "headers": {
+            "ETag": {
+                "description": "Quoted SHA-256 of the bytes, weak where the answer is compressed",
+                "schema": {"type": "string"},
+            }
+        },
     },
     304: {"description": "Not modified: the copy named by If-None-Match is current"},
 }

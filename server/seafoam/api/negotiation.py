@@ -1,0 +1,70 @@
+"""Content codings and entity tags, as RFC 9110 has them, for every answer alike."""
+
+import re
+from collections.abc import Sequence
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+OFFERED = ("br", "gzip")
+"""Codings that answers may have, the better one first: Brotli of files that the build packed, gzip of all text."""
+_ALIASES = {"x-gzip": "gzip"}
+_ELEMENT = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+)\s*(?:;\s*[qQ]=(0(?:\.\d{0,3})?|1(?:\.0{0,3})?)\s*)?")
+
+
+def accepted(fields: Sequence[str]) -> list[str]:
+    """Return those of :data:`OFFERED` that a client prefers to none, best first (RFC 9110, section 12.5.3).
+
+    fields: lines of Accept-Encoding. What is no coding with a weight from 0 to 1 is passed over. A client that refuses
+    ``identity`` and all that is offered gets ``identity`` still, as section 12.1 allows.
+    """
+    weights: dict[str, float] = {}
+    for element in ",".join(fields).split(","):
+        if found := _ELEMENT.fullmatch(element.strip()):
+            coding = found[1].lower()
+            weights[_ALIASES.get(coding, coding)] = float(found[2] or 1.0)
+    other = weights.get("*", 0.0)
+    least = weights.get("identity", other)
+    liked = [coding for coding in OFFERED if weights.get(coding, other) > 0.0]
+    return sorted(
+        (coding for coding in liked if weights.get(coding, other) >= least),
+        key=lambda coding: -weights.get(coding, other),
+    )
+
+
+class Negotiate:
+    """ASGI middleware: what lies within finds Accept-Encoding reduced to :func:`accepted`, and lists on one line.
+
+    A tag of what was compressed is made weak, since the same bytes without a coding have it too; 304 has the tag that
+    the client has, and Vary as its 200.
+    """
+
+    def __init__(self, app: ASGIApp) -> None:
+        self.app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            await self.app(scope, receive, send)
+            return
+        headers = Headers(scope=scope)
+        known = ", ".join(headers.getlist("if-none-match"))
+        joined = {"accept-encoding": ", ".join(accepted(headers.getlist("accept-encoding"))), "if-none-match": known}
+        others = [(name, value) for name, value in scope["headers"] if name.decode("latin-1").lower() not in joined]
+        scope["headers"] = others + [
+            (name.encode(), value.encode("latin-1")) for name, value in joined.items() if value
+        ]
+
+        async def marking(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                own = MutableHeaders(scope=message)
+                unmodified = message["status"] == 304
+                varying = [each.strip() for line in own.getlist("vary") for each in line.split(",")]
+                if varying or unmodified:
+                    varying += ["Accept-Encoding"] * unmodified
+                    own["Vary"] = ", ".join(dict.fromkeys(varying))
+                tag = own.get("etag", "W/")
+                if not tag.startswith("W/") and ("content-encoding" in own or (unmodified and f"W/{tag}" in known)):
+                    own["ETag"] = f"W/{tag}"
+            await send(message)
+
+        await self.app(scope, receive, marking)
