@@ -33,7 +33,9 @@ def sequence(
     ],
     stop: Annotated[float, typer.Option(help="Time before which the last frame is, s.")],
     start: Annotated[float | None, typer.Option(help="Time of the first frame, s [default: the preset's].")] = None,
-    fps: Annotated[float, typer.Option(help="Frames per second.")] = 24.0,
+    fps: Annotated[
+        str, typer.Option(help="Frames per second, such as 29.97 or 30000/1001, which are the same.")
+    ] = "24",
     size: Annotated[str | None, typer.Option(help="WIDTHxHEIGHT in pixels [default: the preset's].")] = None,
     quality: Annotated[str, typer.Option(help="draft, standard, high or reference.")] = "standard",
     look: Annotated[str | None, typer.Option(help="Foam look [default: the preset's].")] = None,
@@ -84,7 +86,7 @@ def _output(path: Path, codec: str) -> "SequenceOutput":
     return Output(path, kind, chosen)
 
 
-def _spec(preset: str, start: float | None, stop: float, fps: float, options: dict[str, object]) -> "SequenceSpec":
+def _spec(preset: str, start: float | None, stop: float, fps: str, options: dict[str, object]) -> "SequenceSpec":
     from seafoam.library.errors import InvalidRequestError
     from seafoam.library.request import job_of
     from seafoam.sequences.errors import OutputError
@@ -155,6 +157,4 @@ def _make(spec: "SequenceSpec", output: "SequenceOutput", fleet: _Fleet, *, agai
         raise CommandError(f"--output: cannot write {output.path}: {error.strerror}", UNABLE) from error
     job = spec.job
     found = f", {made.found} of them were there" if made.found else ""
-    return (
-        f"{output.path}: {spec.count} frames of {job.width} × {job.height} at {spec.fps:g} a second{found}; {renderer}"
-    )
+    return f"{output.path}: {spec.count} frames of {job.width} × {job.height} at {spec.fps} a second{found}; {renderer}"

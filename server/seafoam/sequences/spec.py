@@ -2,8 +2,10 @@
 
 import hashlib
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from importlib.metadata import version
 from typing import Any
 
@@ -14,6 +16,10 @@ from seafoam.sequences.errors import OutputError
 
 LEAST_FPS, GREATEST_FPS = 0.001, 1000.0
 """Frames a second."""
+GREATEST_DENOMINATOR = 1_000_000
+"""Of a rate: numerator and denominator fit the 32 bits that containers have."""
+_BROADCAST = Fraction(1000, 1001)
+"""What colour television made of 24 and 30 frames a second, and of their multiples."""
 MOST_FRAMES = 1_000_000
 """Frames of a sequence: their names have six digits."""
 GREATEST_TIME = 1e9
@@ -31,7 +37,7 @@ class SequenceSpec:
 
     job: FrameJob
     stop: float
-    fps: float
+    fps: Fraction
 
     @property
     def start(self) -> float:
@@ -45,7 +51,7 @@ class SequenceSpec:
 
     def frame(self, index: int) -> FrameJob:
         """Return the job of a frame, whose time is not summed up, so that it is exact in long sequences."""
-        return replace(self.job, time=self.start + index / self.fps)
+        return replace(self.job, time=self.start + float(index / self.fps))
 
     def identity(self, info: Mapping[str, str]) -> dict[str, Any]:
         """Return all that the bytes of frame i depend on, as JSON values; not the stop, so a sequence can be continued.
@@ -63,22 +69,53 @@ class SequenceSpec:
             "width": job.width,
             "height": job.height,
             "start": self.start,
-            "fps": self.fps,
+            "fps": float(self.fps) if float(self.fps) == self.fps else str(self.fps),
             "renderer": f"{info['renderer']}, {info['version']}",
             "seafoam": version("seafoam"),
         }
 
 
-def sequence_of(job: FrameJob, stop: float, fps: float) -> SequenceSpec:
+def rate_of(fps: float | str) -> Fraction:
+    """Return a rate in frames a second, from a number or a fraction such as ``30000/1001``.
+
+    A number that is a broadcast rate rounded to two decimals or more becomes that: 29.97 is 30000/1001, 23.976 and
+    23.98 are 24000/1001. Any other is what its decimals say. Raises :class:`OutputError`.
+    """
+    ratio = re.fullmatch(r"([0-9]{1,12})/([0-9]{1,12})", str(fps))
+    try:
+        rate = Fraction(int(ratio[1]), int(ratio[2])) if ratio else _decimal_rate(float(fps))
+    except (ValueError, ZeroDivisionError):
+        rate = Fraction(0)
+    if not LEAST_FPS <= float(rate) <= GREATEST_FPS or rate.denominator > GREATEST_DENOMINATOR:
+        raise OutputError(
+            "fps",
+            f"fps must be {LEAST_FPS:g} to {GREATEST_FPS:g} frames a second, a number or a fraction such as 30000/1001 "
+            f"with a denominator of at most {GREATEST_DENOMINATOR}, not {fps:.40}",
+        )
+    return rate
+
+
+def _decimal_rate(fps: float) -> Fraction:
+    if not 0.0 < fps <= GREATEST_FPS:
+        return Fraction(0)
+    text = f"{fps:.9f}".rstrip("0")
+    decimals = len(text.partition(".")[2])
+    whole = round(fps / _BROADCAST)
+    broadcast = whole * _BROADCAST
+    if decimals >= 2 and (whole % 24 == 0 or whole % 30 == 0) and round(broadcast, decimals) == Fraction(text):
+        return broadcast
+    return Fraction(repr(fps)).limit_denominator(GREATEST_DENOMINATOR)
+
+
+def sequence_of(job: FrameJob, stop: float, fps: float | str) -> SequenceSpec:
     """Return a checked sequence. Raises :class:`OutputError` that names ``fps`` or ``stop`` and what is allowed."""
-    if not LEAST_FPS <= fps <= GREATEST_FPS:
-        raise OutputError("fps", f"fps must be {LEAST_FPS:g} to {GREATEST_FPS:g} frames a second, not {fps:g}")
-    last = min(GREATEST_TIME, job.time + MOST_FRAMES / fps)
+    rate = rate_of(fps)
+    last = min(GREATEST_TIME, job.time + float(MOST_FRAMES / rate))
     if not job.time < stop <= last:
         raise OutputError("stop", f"stop must be above the start and at most {last:.12g} s, not {stop:g}")
-    return SequenceSpec(job, stop, fps)
+    return SequenceSpec(job, stop, rate)
 
 
-def frame_count(start: float, stop: float, fps: float) -> int:
+def frame_count(start: float, stop: float, fps: Fraction) -> int:
     """Return the number of frames from ``start`` to before ``stop`` (s), at least one."""
-    return max(1, math.ceil((stop - start) * fps - _ROUNDING))
+    return max(1, math.ceil((stop - start) * float(fps) - _ROUNDING))

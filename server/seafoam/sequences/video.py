@@ -42,7 +42,7 @@ def check_video(width: int, height: int, codec: Codec) -> None:
 
 
 def write_video(
-    path: Path, frames: Iterable[Path], width: int, height: int, fps: float, codec: Codec, drawn: Callable[[], None]
+    path: Path, frames: Iterable[Path], width: int, height: int, fps: Fraction, codec: Codec, drawn: Callable[[], None]
 ) -> None:
     """Write an MP4 file of frames, which are PNG files. path: absolute, since FFmpeg takes ``a:b`` for protocol ``a``.
     ``drawn``: called after each; what it raises ends the work.
@@ -55,15 +55,14 @@ def write_video(
     encoder, options = _ENCODERS[codec]
     try:
         with av.open(str(path), "w", format="mp4", options={"movflags": "+faststart"}) as container:
-            rate = Fraction(fps).limit_denominator(100_000)
-            stream = cast("VideoStream", container.add_stream(encoder, rate=rate, options=options))
+            stream = cast("VideoStream", container.add_stream(encoder, rate=fps, options=options))
             stream.width, stream.height, stream.pix_fmt = width, height, "yuv420p"
             context = stream.codec_context
             context.color_primaries = context.color_trc = context.colorspace = _BT709
             context.color_range = _LIMITED
             for index, file in enumerate(frames):
                 frame = _frame(file)
-                frame.pts, frame.time_base = index, 1 / rate
+                frame.pts, frame.time_base = index, 1 / fps
                 container.mux(stream.encode(frame))
                 drawn()
             container.mux(stream.encode(None))

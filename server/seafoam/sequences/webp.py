@@ -2,6 +2,7 @@
 
 import struct
 from collections.abc import Iterable
+from fractions import Fraction
 from itertools import pairwise
 from typing import BinaryIO
 
@@ -43,7 +44,7 @@ def write_animation(file: BinaryIO, stills: Iterable[bytes], width: int, height:
     file.seek(size)
 
 
-def durations_of(count: int, fps: float) -> list[int]:
+def durations_of(count: int, fps: Fraction) -> list[int]:
     """Return the durations of frames in whole ms, whose sum does not drift from ``count / fps``.
 
     Raises :class:`OutputError` for frames that last more than 16 777 s.

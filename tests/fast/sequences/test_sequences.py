@@ -6,6 +6,7 @@ import json
 import subprocess
 import zipfile
 from collections.abc import Iterable
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,7 @@ from seafoam.library.request import job_of
 from seafoam.sequences.errors import OtherSequenceError, OutputError, SequenceError, StoppedError
 from seafoam.sequences.folder import HASHES, MANIFEST, SequenceFolder, frame_name
 from seafoam.sequences.making import Kind, Output, Progress, make_sequence
-from seafoam.sequences.spec import SequenceSpec, frame_count
+from seafoam.sequences.spec import SequenceSpec, frame_count, rate_of
 from seafoam.sequences.webp import durations_of, write_animation
 from seafoam.sequences.workers import Drawn, InProcess, Unit
 from support.api_fakes import FakeRenderer
@@ -36,9 +37,9 @@ class Counting(InProcess):
             self.drawn.append(unit[0])
 
 
-def spec(stop: float = 0.25, fps: float = 24.0, **changes: object) -> SequenceSpec:
+def spec(stop: float = 0.25, fps: float | str = 24.0, **changes: object) -> SequenceSpec:
     options = {"time": 0.0, "size": (24, 16), "quality": "draft", **changes}
-    return SequenceSpec(job_of("paper-halftone", **options), stop, fps)  # type: ignore[arg-type]
+    return SequenceSpec(job_of("paper-halftone", **options), stop, rate_of(fps))  # type: ignore[arg-type]
 
 
 def make(output: Output, of: SequenceSpec | None = None, **options: object) -> Counting:
@@ -63,12 +64,79 @@ def frames(path: Path) -> dict[str, bytes]:
     ],
 )
 def test_frames_before_the_stop(start: float, stop: float, fps: float, count: int) -> None:
-    assert frame_count(start, stop, fps) == count
+    assert frame_count(start, stop, rate_of(fps)) == count
 
 
 def test_times_are_not_summed_up() -> None:
     long = spec(1000.0, 30.0, time=2.0)
     assert long.frame(29_999).time == 2.0 + 29_999 / 30.0
+
+
+@pytest.mark.parametrize(
+    ("given", "rate"),
+    [
+        ("29.97", Fraction(30000, 1001)),
+        (29.97, Fraction(30000, 1001)),
+        (29.97002997002997, Fraction(30000, 1001)),
+        ("30000/1001", Fraction(30000, 1001)),
+        ("23.976", Fraction(24000, 1001)),
+        ("23.98", Fraction(24000, 1001)),
+        ("23.976024", Fraction(24000, 1001)),
+        ("47.952", Fraction(48000, 1001)),
+        ("59.94", Fraction(60000, 1001)),
+        ("119.88", Fraction(120000, 1001)),
+        ("239.76", Fraction(240000, 1001)),
+        ("24", Fraction(24)),
+        ("24/1", Fraction(24)),
+        ("23.97", Fraction(2397, 100)),
+        ("23.977", Fraction(23977, 1000)),
+        (24.98, Fraction(1249, 50)),
+        (0.1, Fraction(1, 10)),
+        ("0.001", Fraction(1, 1000)),
+        ("12.5", Fraction(25, 2)),
+        ("1/3", Fraction(1, 3)),
+        (1000, Fraction(1000)),
+    ],
+)
+def test_rates_of_the_trade(given: float | str, rate: Fraction) -> None:
+    assert rate_of(given) == rate
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["0", "-1", "nan", "inf", "1e400", "30000/", "1/0", "1001/1", "1/1000001", "24 fps", "", "9" * 5000, "1/1/1"],
+)
+def test_rates_that_are_none(given: str) -> None:
+    with pytest.raises(OutputError, match=r"0\.001 to 1000 frames a second.*30000/1001") as refused:
+        rate_of(given)
+    assert refused.value.field == "fps"
+
+
+def test_frames_of_a_broadcast_rate_are_at_its_times() -> None:
+    hour = spec(3600.0, "29.97")
+    assert hour.count == 107_893
+    for index in (1, 29, 30_000, 107_892):
+        assert hour.frame(index).time == float(Fraction(index * 1001, 30_000))
+    identity = hour.identity({"renderer": "gradient", "version": "0"})
+    assert (identity["fps"], spec().identity({"renderer": "gradient", "version": "0"})["fps"]) == ("30000/1001", 24.0)
+
+
+def test_durations_of_a_broadcast_rate() -> None:
+    assert sum(durations_of(30_000, rate_of("29.97"))) == 1_001_000
+
+
+@pytest.mark.parametrize("codec", ["h264", "av1"])
+def test_a_video_says_its_exact_rate(tmp_path: Path, codec: str) -> None:
+    import av
+
+    output = Output(tmp_path / "sea.mp4", "mp4", codec)  # type: ignore[arg-type]
+    make(output, spec(0.4, "29.97", size=(64, 64)))
+    with av.open(str(output.path)) as container:
+        (stream,) = container.streams.video
+        assert (stream.average_rate, stream.frames) == (Fraction(30000, 1001), 12)
+        assert stream.duration * stream.time_base == 12 * Fraction(1001, 30000)
+        shown = sorted(frame.pts * frame.time_base for frame in container.decode(stream))
+    assert shown == [Fraction(index * 1001, 30000) for index in range(12)]
 
 
 def test_a_directory_of_frames(tmp_path: Path) -> None:
@@ -196,10 +264,10 @@ def test_an_animation_has_the_frames(tmp_path: Path) -> None:
 
 
 def test_durations_do_not_drift() -> None:
-    assert sum(durations_of(30_000, 30.0)) == 1_000_000
-    assert set(durations_of(300, 30.0)) == {33, 34}
+    assert sum(durations_of(30_000, Fraction(30))) == 1_000_000
+    assert set(durations_of(300, Fraction(30))) == {33, 34}
     with pytest.raises(OutputError, match="raise fps"):
-        durations_of(1, 1e-6)
+        durations_of(1, Fraction(1, 1_000_000))
 
 
 def test_limits_of_an_animation(tmp_path: Path) -> None:
