@@ -25,7 +25,8 @@ class Context:
 
     ``frames`` gives the pool's frames, and those that it has drawn before; ``known``: the plans that
     have addresses; ``requests``: what earlier requests asked for; ``traces``: where spans go, if anywhere.
-    ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans.
+    ``plans`` and ``masks`` are separate, so that generating a mask, which takes seconds, does not delay plans;
+    ``slow_masks``: those that take minutes.
     """
 
     settings: Settings
@@ -37,6 +38,7 @@ class Context:
     traces: "Traces | None"
     plans: ThreadPool
     masks: ThreadPool
+    slow_masks: ThreadPool
     sweeps: SweepService
     sequences: SequenceService
     streams: Streams

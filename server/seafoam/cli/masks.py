@@ -26,7 +26,7 @@ def list_masks() -> None:
     table = Table("name", "family", "sigma", "size", "seed", "sha256", "title", box=None, pad_edge=False)
     for name, entry in load_catalogue().items():
         table.add_row(
-            name, entry.family, f"{entry.sigma:g}", str(entry.size), str(entry.seed), entry.sha256[:12], entry.title
+            name, entry.family, f"{entry.sigma:g}", f"{entry.width}", str(entry.seed), entry.sha256[:12], entry.title
         )
     Console().print(table)
 
@@ -38,12 +38,12 @@ def make_mask(
     sigma: Annotated[
         float | None, typer.Option(help="Characteristic length, texels [default: depends on the family].")
     ] = None,
-    size: Annotated[int, typer.Option(help="Side of the tile, texels: 32, 64, 128, 256 or 512.")] = 512,
+    size: Annotated[str, typer.Option(help="Side of the tile, or WIDTHxHEIGHT: 32 to 1024 texels each.")] = "512",
     seed: Annotated[int, typer.Option(help="Random seed.")] = 0,
     aspect: Annotated[float, typer.Option(help="Aspect ratio of the cells along x, 1 to 6 (lace only).")] = 1.0,
     age: Annotated[float, typer.Option(help="Age of the foam, 0 (young) to 1 (old and torn) (lace only).")] = 0.0,
     method: Annotated[
-        str, typer.Option(help="Ordering of vac: exact (takes minutes) or batched (seconds).")
+        str, typer.Option(help="Ordering of vac: exact (minutes) or batched (seconds; minutes for a wide sigma).")
     ] = "batched",
     bits: Annotated[int, typer.Option(help="Bits per texel of a .png: 16 or 8.")] = 16,
 ) -> None:
@@ -51,7 +51,7 @@ def make_mask(
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TimeElapsedColumn
 
-    from seafoam.masks import construct, formats
+    from seafoam.masks import construct, families, formats
 
     encoders = {
         "png": formats.to_png16 if bits == 16 else formats.to_png8,
@@ -70,7 +70,7 @@ def make_mask(
             ranks = construct.make_mask(
                 family,
                 sigma=sigma,
-                size=size,
+                size=families.parse_size(size),
                 seed=seed,
                 aspect=aspect,
                 age=age,
@@ -81,7 +81,8 @@ def make_mask(
             raise CommandError(f"--{error}") from error
     content = encoder(ranks)
     write(output, content)
-    typer.echo(f"{output}: {family}, {size} × {size}, {len(content):,} bytes")
+    height, width = ranks.shape
+    typer.echo(f"{output}: {family}, {width} × {height}, {len(content):,} bytes")
 
 
 @masks.command("spectrum")

@@ -11,7 +11,7 @@ import numpy as np
 
 from seafoam.masks import void_cluster
 from seafoam.masks.filtered import band_passed
-from seafoam.masks.torus import Field, Progress, Ranks, rank
+from seafoam.masks.torus import Field, Progress, Ranks, Shape, rank
 
 SITE_SIGMA = 1.5
 """Void-and-cluster Gaussian that orders the sites, in cells (Ulichney's constant)."""
@@ -24,35 +24,38 @@ REACH = 3
 CLUMP_WEIGHT = 0.6
 
 
-def bubble(size: int, spacing: float, rng: np.random.Generator, progress: Progress) -> Ranks:
-    """Ranks of the disc field of about (size/spacing)^2 sites; (size, size)."""
-    return rank(_disc_field(size, spacing, rng, progress))
+def bubble(shape: Shape, spacing: float, rng: np.random.Generator, progress: Progress) -> Ranks:
+    """Ranks of the disc field of about a site for every spacing^2 texels; of ``shape``."""
+    return rank(_disc_field(shape, spacing, rng, progress))
 
 
-def mix(size: int, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
+def mix(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
     """Bubbles gathered into clumps: rank of 0.6 x clump rank + 0.4 x bubble rank, both of scale ``sigma``."""
-    clumps = rank(band_passed(size, sigma, rng))
-    bubbles = bubble(size, sigma, rng, progress)
+    clumps = rank(band_passed(shape, sigma, rng))
+    bubbles = bubble(shape, sigma, rng, progress)
     return rank(CLUMP_WEIGHT * clumps + (1.0 - CLUMP_WEIGHT) * bubbles)
 
 
-def _disc_field(size: int, spacing: float, rng: np.random.Generator, progress: Progress) -> Field:
-    cells = round(size / spacing)
+def _disc_field(shape: Shape, spacing: float, rng: np.random.Generator, progress: Progress) -> Field:
+    cells = (round(shape[0] / spacing), round(shape[1] / spacing))
     order = void_cluster.batched(cells, SITE_SIGMA, rng, lambda part: progress(0.5 * part))
     birth = (order + 0.5) / order.size
-    jitter = JITTER * (rng.random((2, cells, cells)) - 0.5)
-    centre = (np.arange(size) + 0.5) * (cells / size)
-    cell = np.floor(centre).astype(np.intp)
-    field = np.full((size, size), np.inf)
+    jitter = JITTER * (rng.random((2, *cells)) - 0.5)
+    centres = [(np.arange(side) + 0.5) * (count / side) for side, count in zip(shape, cells, strict=True)]
+    own = [np.floor(centre).astype(np.intp) for centre in centres]
+    # Rounded to whole cells, the two spacings differ a little: discs stay round.
+    high, wide = (side / count for side, count in zip(shape, cells, strict=True))
+    mean = np.sqrt(high * wide)
+    field = np.full(shape, np.inf)
     for dy in range(-REACH, REACH + 1):
         progress(0.5 + 0.5 * (dy + REACH) / (2 * REACH + 1))
-        row = (cell + dy) % cells
-        from_row = (cell + dy + 0.5 - centre)[:, None]
+        row = (own[0] + dy) % cells[0]
+        from_row = (own[0] + dy + 0.5 - centres[0])[:, None]
         for dx in range(-REACH, REACH + 1):
-            column = (cell + dx) % cells
+            column = (own[1] + dx) % cells[1]
             sites = np.ix_(row, column)
-            y = from_row + jitter[0][sites]
-            x = (cell + dx + 0.5 - centre)[None, :] + jitter[1][sites]
+            y = (from_row + jitter[0][sites]) * (high / mean)
+            x = ((own[1] + dx + 0.5 - centres[1])[None, :] + jitter[1][sites]) * (wide / mean)
             np.minimum(field, birth[sites] + CURVATURE * (x * x + y * y), out=field)
     progress(1.0)
     return field

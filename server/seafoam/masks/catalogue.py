@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
+from threading import Lock
 from types import MappingProxyType
 from typing import Any
 
@@ -19,6 +20,7 @@ from seafoam.masks.construct import build, estimated_seconds
 from seafoam.masks.families import (
     GENERATOR,
     LICENSE,
+    SIZES,
     VALUE_RULE,
     Family,
     MaskParameters,
@@ -30,7 +32,7 @@ from seafoam.masks.formats import decode_ranks
 from seafoam.masks.morphology import MaskMorphology, measure_morphology
 from seafoam.masks.shipped import FAMILY_SUMMARIES, FAMILY_TITLES
 from seafoam.masks.spectrum import MaskSpectrum, measure_spectrum, spectrum_from_json
-from seafoam.masks.torus import Field, Ranks
+from seafoam.masks.torus import Field, Progress, Ranks, no_progress
 from seafoam.resources import data_dir
 
 CATALOGUE_FILE = "catalogue.json"
@@ -98,7 +100,8 @@ class MaskEntry:
     summary: str
     family: Family
     sigma: float
-    size: int
+    width: int
+    height: int
     seed: int
     aspect: float | None
     age: float | None
@@ -119,7 +122,8 @@ class MaskEntry:
             "family": self.family,
             "parameters": {
                 "sigma": self.sigma,
-                "size": self.size,
+                "width": self.width,
+                "height": self.height,
                 "seed": self.seed,
                 "aspect": self.aspect,
                 "age": self.age,
@@ -141,7 +145,8 @@ class MaskEntry:
             summary=document["summary"],
             family=document["family"],
             sigma=parameters["sigma"],
-            size=parameters["size"],
+            width=parameters["width"],
+            height=parameters["height"],
             seed=parameters["seed"],
             aspect=parameters["aspect"],
             age=parameters["age"],
@@ -190,7 +195,7 @@ class Mask:
 
     entry: MaskEntry
     ranks: Ranks
-    """(size, size) uint32, read-only, each of 0..size^2-1 once."""
+    """(height, width) uint32, read-only, each of 0..N-1 once."""
     measured: MaskTables | None = None
     """Its tables if known in advance: those of the catalogue."""
     baked: Thresholds | None = None
@@ -223,7 +228,7 @@ class Mask:
 
     @cached_property
     def thresholds(self) -> Field:
-        """u = (rank + 0.5) / N; (size, size) float64, read-only."""
+        """u = (rank + 0.5) / N; (height, width) float64, read-only."""
         values = prefilter.thresholds(self.ranks)
         values.setflags(write=False)
         return values
@@ -272,7 +277,8 @@ def describe(name: str, made: MaskParameters, method: Method, ranks: Ranks) -> M
         summary=FAMILY_SUMMARIES[family],
         family=family,
         sigma=made.sigma,
-        size=made.size,
+        width=made.width,
+        height=made.height,
         seed=made.seed,
         aspect=made.aspect if lace else None,
         age=made.age if lace else None,
@@ -318,9 +324,14 @@ def load_mask(name: str) -> Mask:
         raise UnknownMaskError(f"mask {name!r} was not found; available: {', '.join(shipped)}")
     entry, tables = shipped[name]
     directory = data_dir("masks")
-    ranks = decode_ranks(rank_file(directory, name).read_bytes(), entry.size)
+    ranks = decode_ranks(rank_file(directory, name).read_bytes(), entry.width)
     ranks.setflags(write=False)
     return Mask(entry, ranks, tables, Thresholds.from_bytes(tables_file(directory, name).read_bytes()))
+
+
+_kept: dict[MaskParameters, Mask] = {}
+"""Masks made on request, the one last asked for at the end."""
+_kept_lock = Lock()
 
 
 def mask_by_name(name: str) -> Mask:
@@ -330,40 +341,60 @@ def mask_by_name(name: str) -> Mask:
     """
     if ":" not in name:
         return load_mask(name)
-    parameters = parse_parameters(name)
-    return custom_mask(
-        parameters.family, parameters.sigma, parameters.size, parameters.seed, parameters.aspect, parameters.age
-    )
+    return made_on_request(parse_parameters(name))
+
+
+def drawn_mask(name: str) -> Mask:
+    """As :func:`mask_by_name`, of the masks that scenes can draw: square, a power of two up to 512 texels a side."""
+    if ":" in name and (asked := parse_parameters(name)).size not in map(str, SIZES):
+        sizes = ", ".join(map(str, SIZES))
+        raise ValueError(f"size {asked.size} is not one of {sizes} texels, which a scene can draw")
+    return mask_by_name(name)
 
 
 def custom_mask(
     family: str,
     sigma: float | None = None,
-    size: int = 256,
+    size: int | tuple[int, int] = 256,
     seed: int = 0,
     aspect: float = 1.0,
     age: float = 0.0,
 ) -> Mask:
-    """A mask made on request, from the arguments of ``make_mask``; ``vac`` is ordered in batches.
+    """A mask made on request, from the arguments of ``make_mask``; otherwise as :func:`made_on_request`."""
+    return made_on_request(check_parameters(family, sigma, size, seed, aspect, age))
 
-    The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises ``ValueError`` for bad arguments and its subclass
-    :class:`MaskTooSlowError` for good ones that would take too long.
+
+def made_on_request(
+    parameters: MaskParameters, limit: float = ON_REQUEST_SECONDS, progress: Progress = no_progress
+) -> Mask:
+    """The mask of checked parameters; ``vac`` is ordered in batches.
+
+    The latest :data:`CUSTOM_MASKS_KEPT` are kept. Raises :class:`MaskTooSlowError` for one that is not kept and would
+    take longer than ``limit``, s.
     """
-    parameters = check_parameters(family, sigma, size, seed, aspect, age)
-    seconds = estimated_seconds(parameters.family, parameters.sigma, parameters.size)
-    if seconds > ON_REQUEST_SECONDS:
+    with _kept_lock:
+        if (kept := _kept.pop(parameters, None)) is not None:
+            _kept[parameters] = kept
+            return kept
+    seconds = estimated_seconds(parameters.family, parameters.sigma, (parameters.width, parameters.height))
+    if seconds > limit:
         raise MaskTooSlowError(
-            f"a {family} mask of sigma {parameters.sigma:g} at size {parameters.size} would take about "
-            f"{seconds:.0f} s to generate; the limit is {ON_REQUEST_SECONDS:g} s: lower sigma or size"
+            f"a {parameters.family} mask of sigma {parameters.sigma:g} at size {parameters.size} would take about "
+            f"{seconds:.0f} s to generate; the limit is {limit:g} s: lower sigma or size"
         )
-    return _custom(parameters)
-
-
-@lru_cache(maxsize=CUSTOM_MASKS_KEPT)
-def _custom(made: MaskParameters) -> Mask:
-    ranks = build(made)
+    ranks = build(parameters, progress=progress)
     ranks.setflags(write=False)
-    return Mask(describe(made.text.replace(":", "-"), made, "batched", ranks), ranks)
+    mask = Mask(describe(parameters.text.replace(":", "-"), parameters, "batched", ranks), ranks)
+    with _kept_lock:
+        _kept[parameters] = mask
+        if len(_kept) > CUSTOM_MASKS_KEPT:
+            del _kept[next(iter(_kept))]
+    return mask
+
+
+def is_kept(parameters: MaskParameters) -> bool:
+    """Whether :func:`made_on_request` has this mask at once."""
+    return parameters in _kept
 
 
 def _rounded(values: list[float]) -> list[float]:

@@ -17,6 +17,7 @@ lace     spacing of the finest of the three grids of its coarse cells
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from typing import Literal, get_args
 
@@ -32,11 +33,14 @@ GENERATOR = "seafoam-masks/1"
 LICENSE = "CC0-1.0"
 VALUE_RULE = "u = (rank + 0.5) / N; foam shows where f > u; data, linear, toroidal"
 
+SIDE_MIN, SIDE_MAX = 32, 1024
+"""Range of the width and the height of a tile, texels."""
 SIZES: tuple[int, ...] = (32, 64, 128, 256, 512)
+"""Sides of the square masks that scenes can draw: the filtered look halves them down to one texel."""
 SIGMA_MIN = 0.5
 SIGMA_MAX = 24.0
 SIGMA_MAX_SHARE = 1.0 / 8.0
-"""Maximum of sigma over the tile side, so that a tile holds at least 8 x 8 features."""
+"""Maximum of sigma over the shorter side of the tile, so that a tile holds at least 8 x 8 features."""
 SPACING_MIN = 2.0
 """Minimum distance of bubble sites, texels; closer ones are single texels, not discs."""
 LACE_SIGMA_MIN = 4.0
@@ -44,7 +48,7 @@ LACE_SIGMA_MIN = 4.0
 ASPECT_MAX = 6.0
 SEED_MAX = 2**32 - 1
 TEXT_FORM = "family:sigma:size:seed (lace: also :aspect:age)"
-"""Name of a custom mask."""
+"""Name of a custom mask; size is SIDE or WIDTHxHEIGHT."""
 
 DEFAULT_SIGMA: dict[Family, float] = {"vac": 24.0, "blur": 6.0, "clump": 1.5, "bubble": 4.0, "mix": 4.0, "lace": 10.0}
 
@@ -55,7 +59,8 @@ class MaskParameters:
 
     family: Family
     sigma: float
-    size: int
+    width: int
+    height: int
     seed: int
     aspect: float = 1.0
     """Length of cells along x over their width, 1..6; only ``lace`` takes another than 1."""
@@ -68,41 +73,54 @@ class MaskParameters:
         own = f":{self.aspect:g}:{self.age:g}" if self.family == "lace" else ""
         return f"{self.family}:{self.sigma:g}:{self.size}:{self.seed}{own}"
 
+    @property
+    def size(self) -> str:
+        """``SIDE`` of a square tile, ``WIDTHxHEIGHT`` of another: the inverse of :func:`parse_size`."""
+        return f"{self.width}" if self.width == self.height else f"{self.width}x{self.height}"
 
-def sigma_range(family: Family, size: int) -> tuple[float, float]:
-    """Least and greatest ``sigma`` (texels) of a family at a tile side of ``size`` texels."""
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return self.height, self.width
+
+
+def sigma_range(family: Family, side: int) -> tuple[float, float]:
+    """Least and greatest ``sigma`` (texels) of a family on a tile whose shorter side is ``side`` texels."""
     least = LACE_SIGMA_MIN if family == "lace" else SPACING_MIN if family in ("bubble", "mix") else SIGMA_MIN
-    return least, min(SIGMA_MAX, size * SIGMA_MAX_SHARE)
+    return least, min(SIGMA_MAX, side * SIGMA_MAX_SHARE)
 
 
 def check_parameters(
-    family: str, sigma: float | None, size: int, seed: int, aspect: float = 1.0, age: float = 0.0
+    family: str, sigma: float | None, size: int | tuple[int, int], seed: int, aspect: float = 1.0, age: float = 0.0
 ) -> MaskParameters:
     """Check a request and return it with its types settled.
 
-    ``sigma=None`` takes the family's :data:`DEFAULT_SIGMA`, held to what the size allows. ``aspect`` (1..6) and
-    ``age`` (0..1) are of ``lace`` alone.
+    ``size`` is the side, or width and height. ``sigma=None`` takes the family's :data:`DEFAULT_SIGMA`, held to what
+    the size allows. ``aspect`` (1..6) and ``age`` (0..1) are of ``lace`` alone.
 
     Raises ``ValueError`` naming the argument, its value and what is allowed.
     """
     known = next((name for name in FAMILIES if name == family), None)
     if known is None:
         raise ValueError(f"family {family!r} is not one of {', '.join(FAMILIES)}")
-    if isinstance(size, bool) or not isinstance(size, int) or size not in SIZES:
-        raise ValueError(f"size {size!r} is not one of {', '.join(map(str, SIZES))} texels")
+    width, height = size if isinstance(size, tuple) else (size, size)
+    for side in (width, height):
+        if isinstance(side, bool) or not isinstance(side, int) or not SIDE_MIN <= side <= SIDE_MAX:
+            raise ValueError(f"size {side!r} is not a whole number of texels in {SIDE_MIN}..{SIDE_MAX}")
     if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed <= SEED_MAX:
         raise ValueError(f"seed {seed!r} is not an integer in 0..{SEED_MAX}")
-    least, greatest = sigma_range(known, size)
+    least, greatest = sigma_range(known, min(width, height))
     chosen = min(DEFAULT_SIGMA[known], greatest) if sigma is None else float(sigma)
     if not (math.isfinite(chosen) and least <= chosen <= greatest):
-        raise ValueError(f"sigma {chosen!r} is outside {least:g}..{greatest:g} texels for {known} at size {size}")
+        tile = f"{width} x {height} texels"
+        raise ValueError(f"sigma {chosen!r} is outside {least:g}..{greatest:g} texels for {known} at {tile}")
     for name, value, low, high in (("aspect", aspect, 1.0, ASPECT_MAX), ("age", age, 0.0, 1.0)):
         if known != "lace":
             if value != low:
                 raise ValueError(f"{name} {value!r} is allowed only for lace, not {known}")
         elif not (math.isfinite(value) and low <= value <= high):
             raise ValueError(f"{name} {value!r} is outside {low:g}..{high:g}")
-    return MaskParameters(known, chosen, size, seed, float(aspect), float(age))
+    return MaskParameters(known, chosen, width, height, seed, float(aspect), float(age))
 
 
 def parse_parameters(text: str) -> MaskParameters:
@@ -114,7 +132,15 @@ def parse_parameters(text: str) -> MaskParameters:
     if len(parts) not in (4, 6):
         raise ValueError(f"{text!r} is not of the form {TEXT_FORM}")
     family, sigma, size, seed, *lace = parts
-    return check_parameters(family, float(sigma), int(size), int(seed), *map(float, lace))
+    return check_parameters(family, float(sigma), parse_size(size), int(seed), *map(float, lace))
+
+
+def parse_size(text: str) -> tuple[int, int]:
+    """Width and height written ``SIDE`` or ``WIDTHxHEIGHT``. Raises ``ValueError`` for another form."""
+    found = re.fullmatch(r"(\d{1,5})(?:x(\d{1,5}))?", text, re.ASCII)
+    if found is None:
+        raise ValueError(f"size {text!r} is not of the form SIDE or WIDTHxHEIGHT, {SIDE_MIN}..{SIDE_MAX} texels each")
+    return int(found[1]), int(found[2] or found[1])
 
 
 def check_method(method: str) -> Method:

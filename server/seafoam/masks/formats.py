@@ -41,7 +41,7 @@ def to_png8(ranks: Ranks) -> bytes:
 
 
 def to_npy(ranks: Ranks) -> bytes:
-    """NumPy file of float32 thresholds (rank + 0.5) / N, exact up to 512 x 512."""
+    """NumPy file of float32 thresholds (rank + 0.5) / N, exact where N is a power of two."""
     buffer = io.BytesIO()
     np.save(buffer, ((ranks + 0.5) / ranks.size).astype("<f4"), allow_pickle=False)
     return buffer.getvalue()

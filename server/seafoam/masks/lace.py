@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.masks.torus import Field, Progress, Ranks, filter_noise, gaussian_response, rank
+from seafoam.masks.torus import Field, Progress, Ranks, Shape, filter_noise, gaussian_response, rank
 
 COARSE: tuple[float, ...] = (4.0, 2.0, 1.0)
 FINE: tuple[float, ...] = (1.4, 0.8, 0.5)
@@ -38,21 +38,21 @@ PATCH_BAND = (1.4, 5.0)
 """The same for noise that makes foam thicker in some places, in sigma."""
 
 
-def lace(size: int, sigma: float, aspect: float, age: float, rng: np.random.Generator, progress: Progress) -> Ranks:
-    """Ranks of the walls of a foam; (size, size).
+def lace(shape: Shape, sigma: float, aspect: float, age: float, rng: np.random.Generator, progress: Progress) -> Ranks:
+    """Ranks of the walls of a foam; of ``shape``.
 
     sigma: spacing of the finest grid of coarse sites, texels; the largest cells are some four times as wide.
     aspect: length of cells along x over their width, at least 1. age: 0, young foam, even and whole, to 1, old foam:
     wider holes, torn walls, patches.
     """
-    warp = [WARP * sigma * _noise(rng, size, WARP_WIDTH * sigma, None) for _ in range(2)]
+    rows, columns = shape
+    warp = [WARP * sigma * _noise(rng, shape, WARP_WIDTH * sigma, None) for _ in range(2)]
     # Cells of one area, longer along x; shifts along y shrink with them, or walls along x would turn into waves.
-    box = np.array((size / np.sqrt(aspect), size * np.sqrt(aspect)))
-    middle = np.arange(size) + 0.5
+    box = np.array((columns / np.sqrt(aspect), rows * np.sqrt(aspect)))
     places = np.stack(
         (
-            np.mod(middle[None, :] + warp[0], size) * (box[0] / size),
-            np.mod(middle[:, None] + warp[1] / aspect, size) * (box[1] / size),
+            np.mod(np.arange(columns)[None, :] + 0.5 + warp[0], columns) * (box[0] / columns),
+            np.mod(np.arange(rows)[:, None] + 0.5 + warp[1] / aspect, rows) * (box[1] / rows),
         ),
         axis=-1,
     ).reshape(-1, 2)
@@ -67,20 +67,20 @@ def lace(size: int, sigma: float, aspect: float, age: float, rng: np.random.Gene
     progress(0.9)
     behind = 0.36 - 0.06 * young
     depth = -UNION * np.logaddexp(-coarse / UNION, -(behind + FINE_WEIGHT * fine) / UNION)
-    field = depth.reshape(size, size)
+    field = depth.reshape(shape)
     for narrow, wide, weight in ROUGH_BANDS:
-        field += (0.04 - 0.01 * young) * weight * _noise(rng, size, narrow, wide)
-    field += (0.08 - 0.02 * young) * _noise(rng, size, PATCH_BAND[0] * sigma, PATCH_BAND[1] * sigma)
+        field += (0.04 - 0.01 * young) * weight * _noise(rng, shape, narrow, wide)
+    field += (0.08 - 0.02 * young) * _noise(rng, shape, PATCH_BAND[0] * sigma, PATCH_BAND[1] * sigma)
     return rank(field)
 
 
-def _noise(rng: np.random.Generator, size: int, narrow: float, wide: float | None) -> Field:
-    """White noise filtered by a Gaussian, or a difference of two, with a root mean square of 1; (size, size)."""
-    response = gaussian_response(size, narrow)
+def _noise(rng: np.random.Generator, shape: Shape, narrow: float, wide: float | None) -> Field:
+    """White noise filtered by a Gaussian, or a difference of two, with a root mean square of 1; of ``shape``."""
+    response = gaussian_response(shape, narrow)
     if wide is not None:
-        response = response - gaussian_response(size, wide)
+        response = response - gaussian_response(shape, wide)
     response[0, 0] = 0.0
-    noise = filter_noise(rng, size, response)
+    noise = filter_noise(rng, shape, response)
     scaled: Field = noise / noise.std()
     return scaled
 

@@ -94,20 +94,20 @@ class MaskMorphology:
 
 
 def measure_morphology(ranks: Ranks) -> MaskMorphology:
-    """Measure the patterns ``rank < s N``; about 0.3 s at 512 x 512. ranks: (size, size)."""
+    """Measure the patterns ``rank < s N``; about 0.3 s at 512 x 512. ranks: (rows, columns)."""
     steps = (JOIN_STEP * step for step in range(1, round(1.0 / JOIN_STEP)))
     joined = next((s for s in steps if largest_piece(ranks < s * ranks.size) > 0.5), 1.0)
     return MaskMorphology(round(joined, 3), tuple(_shapes(ranks, s) for s in SATURATIONS))
 
 
 def largest_piece(foam: Pattern) -> float:
-    """Return the fraction of the foam in its largest 8-connected component; 0 without foam. foam: (size, size)."""
+    """Return the fraction of the foam in its largest 8-connected component; 0 without foam. foam: (rows, columns)."""
     total = int(foam.sum())
     return float(_areas(foam, diagonal=True).max(initial=0)) / total if total else 0.0
 
 
 def euler_number(foam: Pattern) -> int:
-    """Return components minus holes of 8-connected foam on the torus: corners - edges + texels. foam: (size, size)."""
+    """Components minus holes of 8-connected foam on the torus: corners - edges + texels. foam: (rows, columns)."""
     beside = foam | np.roll(foam, 1, axis=1)
     below = foam | np.roll(foam, 1, axis=0)
     corners = beside | np.roll(beside, 1, axis=0)
@@ -117,7 +117,7 @@ def euler_number(foam: Pattern) -> int:
 def hole_areas(ranks: Ranks, saturation: float) -> NDArray[np.int64]:
     """Areas of the holes in the foam at a saturation, (holes,), texels, the smallest first; empty without water.
 
-    ranks: (size, size); saturation in [0, 1]. Holes are 4-connected, on the torus. Raises ``ValueError`` for a
+    ranks: (rows, columns); saturation in [0, 1]. Holes are 4-connected, on the torus. Raises ``ValueError`` for a
     saturation outside.
     """
     if not 0.0 <= saturation <= 1.0:

@@ -43,9 +43,9 @@ def thresholds(ranks: Ranks) -> Field:
 
 
 def _halved(level: Field) -> Field:
-    """Means of two by two texels; (size / 2, size / 2) and channels as before."""
-    half = level.shape[0] // 2
-    halved: Field = level.reshape(half, 2, half, 2, *level.shape[2:]).mean(axis=(1, 3))
+    """Means of two by two texels; half the rows and columns."""
+    rows, columns = level.shape
+    halved: Field = level.reshape(rows // 2, 2, columns // 2, 2).mean(axis=(1, 3))
     return halved
 
 
@@ -53,14 +53,14 @@ def footprint_deviations(ranks: Ranks) -> list[float]:
     """sigma_l: root mean square, over a level's boxes, of the standard deviation of u inside a box of 2^l texels.
 
     From 0 at level 0 towards 1/sqrt 12 = 0.2887, the deviation of the whole (uniform) mask. The deviation *of* the
-    box means is its complement, sqrt(1/12 - sigma_l^2).
+    box means is its complement, sqrt(1/12 - sigma_l^2). Levels end where boxes no longer fill the tile.
     """
     mean = thresholds(ranks)
     second = float((mean * mean).mean())
     deviations = []
     while True:
         deviations.append(float(np.sqrt(max(second - float((mean * mean).mean()), 0.0))))
-        if mean.shape[0] == 1:
+        if mean.shape[0] % 2 or mean.shape[1] % 2:
             return deviations
         mean = _halved(mean)
 
@@ -79,7 +79,7 @@ def bspline_weights(f: float) -> tuple[float, float, float, float]:
 def bspline_samples(ranks: Ranks, subtexels: int = SUBTEXELS) -> NDArray[np.float32]:
     """u interpolated by the cubic B-spline (16 taps, no prefilter) at a regular grid of subtexel positions.
 
-    Returns (size * subtexels, size * subtexels) float32. Samples lie (j + 0.5) / subtexels past texel centres.
+    Returns (rows * subtexels, columns * subtexels) float32. Samples lie (j + 0.5) / subtexels past texel centres.
     """
     values = thresholds(ranks).astype(np.float32)
     for _axis in (0, 1):

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.masks.torus import Field, Ranks
+from seafoam.masks.torus import Field, Ranks, Shape
 
 GREY_LEVELS: tuple[float, ...] = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 3 / 4)
 SIGNIFICANT_DIGITS = 5
@@ -106,27 +106,26 @@ class MaskSpectrum:
 def measure_spectrum(ranks: Ranks, *, greys: tuple[float, ...] = GREY_LEVELS, segments_a_side: int = 1) -> MaskSpectrum:
     """Measure the patterns ``rank < g N`` of a mask.
 
-    ranks: (size, size). greys: fractions in 0 < g < 1. segments_a_side: the tile is cut into its square, K.
+    ranks: (rows, columns). greys: fractions in 0 < g < 1. segments_a_side: the tile is cut into its square, K. The
+    rings of a mask that is not square have the width of those of its shorter side.
 
-    Raises ``ValueError`` for a mask that is not square, a grey that leaves the pattern empty or full, or a
+    Raises ``ValueError`` for a grey that leaves the pattern empty or full, or a
     number of segments that does not divide the tile into at least 8 x 8 texels.
     """
-    size = ranks.shape[0]
-    if ranks.shape != (size, size):
-        raise ValueError(f"ranks of shape {ranks.shape} are not square")
-    if segments_a_side < 1 or size % segments_a_side or size // segments_a_side < 8:
-        raise ValueError(f"{segments_a_side} segments per side do not divide {size} texels into parts of 8 or more")
-    side = size // segments_a_side
-    ring, count = _rings(side)
+    if segments_a_side < 1 or any(side % segments_a_side or side // segments_a_side < 8 for side in ranks.shape):
+        sides = " x ".join(map(str, ranks.shape))
+        raise ValueError(f"{segments_a_side} segments per side do not divide {sides} texels into parts of 8 or more")
+    shape = ranks.shape[0] // segments_a_side, ranks.shape[1] // segments_a_side
+    ring, count = _rings(shape)
     spectra = []
     for grey in greys:
         ones = round(grey * ranks.size)
         if not 0 < ones < ranks.size:
             raise ValueError(f"grey {grey!r} gives an empty or full pattern on {ranks.size} texels")
-        power = _power(ranks < ones, ones / ranks.size, side)
+        power = _power(ranks < ones, ones / ranks.size, shape)
         raps, anisotropy = _ring_statistics(power, ring, count)
         spectra.append(GreySpectrum(grey, raps, anisotropy))
-    frequency = np.arange(1, count.size) / side
+    frequency = np.arange(1, count.size) / min(shape)
     return MaskSpectrum(segments_a_side**2, frequency, count[1:], tuple(spectra))
 
 
@@ -151,26 +150,28 @@ def spectrum_from_json(document: dict[str, object]) -> MaskSpectrum:
     )
 
 
-def _rings(side: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _rings(shape: Shape) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Ring of each ``rfft2`` bin, 0 for bins to leave out, and the bins in each ring from 0 on."""
-    ky = np.rint(np.fft.fftfreq(side) * side)[:, None]
-    kx = np.arange(side // 2 + 1, dtype=np.float64)[None, :]
-    ring = np.rint(np.hypot(ky, kx)).astype(np.intp)
-    # The columns kx = 0 and kx = side/2 hold both bins of their pairs.
-    twin = (ky < 0) & ((kx == 0) | (2 * kx == side)) & (-2 * ky != side)
+    rows, columns = shape
+    ky = np.rint(np.fft.fftfreq(rows) * rows)[:, None]
+    kx = np.arange(columns // 2 + 1, dtype=np.float64)[None, :]
+    ring = np.rint(np.hypot(ky * (min(shape) / rows), kx * (min(shape) / columns))).astype(np.intp)
+    # The columns kx = 0 and kx = columns/2 hold both bins of their pairs.
+    twin = (ky < 0) & ((kx == 0) | (2 * kx == columns)) & (-2 * ky != rows)
     ring[twin] = 0
     count = np.bincount(ring.ravel())
     count[0] = 0
     return ring, count
 
 
-def _power(pattern: NDArray[np.bool_], grey: float, side: int) -> Field:
-    """Power on ``rfft2`` bins, mean over the segments; (side, side//2+1)."""
-    along = pattern.shape[0] // side
-    segments = (pattern - grey).reshape(along, side, along, side).swapaxes(1, 2)
+def _power(pattern: NDArray[np.bool_], grey: float, shape: Shape) -> Field:
+    """Power on ``rfft2`` bins, mean over the segments; (rows, columns//2+1)."""
+    rows, columns = shape
+    along = pattern.shape[0] // rows
+    segments = (pattern - grey).reshape(along, rows, along, columns).swapaxes(1, 2)
     amplitude = np.fft.rfft2(segments)
     power: Field = (amplitude.real**2 + amplitude.imag**2).mean(axis=(0, 1))
-    return power / (side * side * grey * (1.0 - grey))
+    return power / (rows * columns * grey * (1.0 - grey))
 
 
 def _ring_statistics(power: Field, ring: NDArray[np.intp], count: NDArray[np.intp]) -> tuple[Field, Field]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -10,38 +11,47 @@ from numpy.typing import NDArray
 Field = NDArray[np.float64]
 Ranks = NDArray[np.uint32]
 Progress = Callable[[float], None]
+Shape = tuple[int, int]
+"""Rows and columns of a tile, texels."""
+WRAPPED_SIGMAS = 9.0
+"""Reach of a Gaussian beyond which its images on the torus are below rounding."""
 
 
 def no_progress(_fraction: float) -> None:
     """Take a fraction and do nothing: the default progress callback."""
 
 
-def wrapped_gaussian(size: int, sigma: float) -> Field:
-    """Gaussian of peak ~1 about texel (0, 0), summed over the images of the torus; (size, size) float64.
+def wrapped_gaussian(shape: Shape, sigma: float) -> Field:
+    """Gaussian of peak ~1 about texel (0, 0), summed over the images of the torus; float64 of ``shape``.
 
     It is not cut off. A square cut at 4.5 sigma already shows as a plaid in wide-kernel masks, because the
     energy differences that order the texels are smaller than what such a cut leaves out.
     """
-    offset = np.arange(size, dtype=np.float64)[:, None] + size * np.arange(-3.0, 3.0)[None, :]
-    profile = np.exp(-0.5 * (offset / sigma) ** 2).sum(axis=1)
-    kernel: Field = np.outer(profile, profile)
+    kernel: Field = np.outer(*(_profile(side, sigma) for side in shape))
     # Subnormal values change no comparison, and adding them is slow.
     kernel[kernel < 1e-300] = 0.0
     return kernel
 
 
-def gaussian_response(size: int, sigma: float) -> Field:
-    """Transfer function exp(-2 pi^2 sigma^2 f^2) of a unit-sum Gaussian on ``rfft2`` bins; (size, size//2+1)."""
-    fy = np.fft.fftfreq(size)[:, None]
-    fx = np.fft.rfftfreq(size)[None, :]
+def _profile(side: int, sigma: float) -> Field:
+    images = float(max(3, math.ceil(WRAPPED_SIGMAS * sigma / side)))
+    offset = np.arange(side, dtype=np.float64)[:, None] + side * np.arange(-images, images)[None, :]
+    profile: Field = np.exp(-0.5 * (offset / sigma) ** 2).sum(axis=1)
+    return profile
+
+
+def gaussian_response(shape: Shape, sigma: float) -> Field:
+    """Transfer function exp(-2 pi^2 sigma^2 f^2) of a unit-sum Gaussian on ``rfft2`` bins; (rows, columns//2+1)."""
+    fy = np.fft.fftfreq(shape[0])[:, None]
+    fx = np.fft.rfftfreq(shape[1])[None, :]
     response: Field = np.exp(-2.0 * (np.pi * sigma) ** 2 * (fx * fx + fy * fy))
     return response
 
 
-def filter_noise(rng: np.random.Generator, size: int, response: Field) -> Field:
-    """Periodic white Gaussian noise times a transfer function on ``rfft2`` bins; (size, size) float64."""
-    noise = np.fft.rfft2(rng.standard_normal((size, size)))
-    return np.fft.irfft2(noise * response, s=(size, size))
+def filter_noise(rng: np.random.Generator, shape: Shape, response: Field) -> Field:
+    """Periodic white Gaussian noise times a transfer function on ``rfft2`` bins; float64 of ``shape``."""
+    noise = np.fft.rfft2(rng.standard_normal(shape))
+    return np.fft.irfft2(noise * response, s=shape)
 
 
 def rank(values: Field) -> Ranks:
@@ -53,11 +63,15 @@ def rank(values: Field) -> Ranks:
 
 
 def window_minimum(values: Field, radius: int) -> Field:
-    """Minimum over the periodic (2 radius + 1)^2 window of each texel, by a doubling running minimum."""
+    """Minimum over the periodic (2 radius + 1)^2 window of each texel, by a doubling running minimum.
+
+    Along a side that is shorter than the window it is over almost the whole side.
+    """
     result = values
-    width = 2 * radius + 1
     for axis in (0, 1):
-        running = np.pad(result, [(radius, radius) if a == axis else (0, 0) for a in (0, 1)], mode="wrap")
+        reached = min(radius, (values.shape[axis] - 1) // 2)
+        width = 2 * reached + 1
+        running = np.pad(result, [(reached, reached) if a == axis else (0, 0) for a in (0, 1)], mode="wrap")
         running = running if axis == 0 else running.T
         reach = 1
         while 2 * reach <= width:

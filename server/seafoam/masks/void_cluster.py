@@ -19,7 +19,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.masks.torus import Field, Progress, Ranks, local_minima, wrapped_gaussian
+from seafoam.masks.torus import Field, Progress, Ranks, Shape, local_minima, wrapped_gaussian
 
 SEED_POINTS = 128
 SEED_POINTS_LEAST = 8
@@ -34,21 +34,21 @@ Gaussians hardly mind."""
 WINDOW_PER_SIGMA = 1.4
 
 
-def exact(size: int, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
+def exact(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
     """Order the texels one at a time, each time filling the largest void of the whole torus.
 
-    Returns (size, size) ranks. Takes size^2 passes over size^2 texels: some 45 s at 512 whatever sigma is.
+    Returns ranks of ``shape``. Takes N passes over N texels: some 45 s at 512 x 512 whatever sigma is.
     """
-    return _Ordering(size, sigma, rng).fill(progress, batched=False)
+    return _Ordering(shape, sigma, rng).fill(progress, batched=False)
 
 
-def batched(size: int, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
+def batched(shape: Shape, sigma: float, rng: np.random.Generator, progress: Progress) -> Ranks:
     """Order the texels many at a time: a pass fills the voids that are local minima, largest first.
 
-    Returns (size, size) ranks. Voids further apart than the window hardly see one another, so the spectrum is
-    that of :func:`exact` within a few per cent, at a cost that grows as size^2 sigma^2.
+    Returns ranks of ``shape``. Voids further apart than the window hardly see one another, so the spectrum is
+    that of :func:`exact` within a few per cent, at a cost that grows as N sigma^2.
     """
-    return _Ordering(size, sigma, rng).fill(progress, batched=True)
+    return _Ordering(shape, sigma, rng).fill(progress, batched=True)
 
 
 def batch_share(sigma: float) -> float:
@@ -60,15 +60,15 @@ def batch_share(sigma: float) -> float:
 class _Ordering:
     """The pattern so far: its order, and its energy (pattern filtered by the Gaussian; infinite where filled)."""
 
-    def __init__(self, size: int, sigma: float, rng: np.random.Generator) -> None:
-        self.size = size
+    def __init__(self, shape: Shape, sigma: float, rng: np.random.Generator) -> None:
+        self.shape = shape
         self.sigma = sigma
-        self.texels = size * size
+        self.texels = shape[0] * shape[1]
         self.order = np.empty(self.texels, np.intp)
         wanted = round(SEED_SHARE * self.texels / sigma**2)
         self.count = min(max(wanted, SEED_POINTS_LEAST), SEED_POINTS, self.texels // 4)
         self._set_width()
-        self.order[: self.count] = _initial_order(size, self.width, self.count, rng)
+        self.order[: self.count] = _initial_order(shape, self.width, self.count, rng)
 
     def fill(self, progress: Progress, *, batched: bool) -> Ranks:
         while self.count < self.texels:
@@ -82,7 +82,7 @@ class _Ordering:
         ranks = np.empty(self.texels, np.uint32)
         ranks[self.order] = np.arange(self.texels, dtype=np.uint32)
         progress(1.0)
-        return ranks.reshape(self.size, self.size)
+        return ranks.reshape(self.shape)
 
     def _set_width(self) -> None:
         spacing = math.sqrt(self.texels / self.count)
@@ -90,13 +90,13 @@ class _Ordering:
 
     def _energy(self, kernel_spectrum: NDArray[np.complex128]) -> Field:
         filled = self.order[: self.count]
-        energy = _convolve(filled, kernel_spectrum, self.size)
+        energy = _convolve(filled, kernel_spectrum, self.shape)
         energy.ravel()[filled] = np.inf
         return energy
 
     def _fill_singly(self, until: int, progress: Progress) -> None:
-        size = self.size
-        kernel = wrapped_gaussian(size, self.width)
+        rows, columns = self.shape
+        kernel = wrapped_gaussian(self.shape, self.width)
         energy = self._energy(np.fft.rfft2(kernel))
         # Any shift of the torus is a view into a 2 x 2 tiling.
         tiled = np.tile(kernel, (2, 2))
@@ -105,48 +105,49 @@ class _Ordering:
             void = int(energy.argmin())
             self.order[self.count] = void
             self.count += 1
-            y, x = divmod(void, size)
-            energy += tiled[size - y : 2 * size - y, size - x : 2 * size - x]
+            y, x = divmod(void, columns)
+            energy += tiled[rows - y : 2 * rows - y, columns - x : 2 * columns - x]
             energy[y, x] = np.inf
             if self.count % step == 0:
                 progress(self.count / self.texels)
 
     def _fill_batches(self, until: int, progress: Progress) -> None:
         share = batch_share(self.sigma)
-        kernel_spectrum = np.fft.rfft2(wrapped_gaussian(self.size, self.width))
+        kernel_spectrum = np.fft.rfft2(wrapped_gaussian(self.shape, self.width))
         energy = self._energy(kernel_spectrum)
-        radius = min(max(1, round(WINDOW_PER_SIGMA * self.width)), (self.size - 1) // 2)
+        radius = max(1, round(WINDOW_PER_SIGMA * self.width))
         reported = self.count
         while self.count < until:
             voids = local_minima(energy, radius)
             voids = voids[: min(max(1, math.ceil(share * voids.size)), until - self.count)]
             self.order[self.count : self.count + voids.size] = voids
             self.count += voids.size
-            energy += _convolve(voids, kernel_spectrum, self.size)
+            energy += _convolve(voids, kernel_spectrum, self.shape)
             energy.ravel()[voids] = np.inf
             if self.count - reported > self.texels // 100:
                 reported = self.count
                 progress(self.count / self.texels)
 
 
-def _convolve(points: NDArray[np.intp], kernel_spectrum: NDArray[np.complex128], size: int) -> Field:
-    impulses = np.zeros(size * size)
-    impulses[points] = 1.0
-    return np.fft.irfft2(np.fft.rfft2(impulses.reshape(size, size)) * kernel_spectrum, s=(size, size))
+def _convolve(points: NDArray[np.intp], kernel_spectrum: NDArray[np.complex128], shape: Shape) -> Field:
+    impulses = np.zeros(shape)
+    impulses.ravel()[points] = 1.0
+    return np.fft.irfft2(np.fft.rfft2(impulses) * kernel_spectrum, s=shape)
 
 
-def _initial_order(size: int, sigma: float, count: int, rng: np.random.Generator) -> NDArray[np.intp]:
+def _initial_order(shape: Shape, sigma: float, count: int, rng: np.random.Generator) -> NDArray[np.intp]:
     """Ulichney's initial pattern and phase I: relax random points, then order them, loneliest first."""
-    kernel = wrapped_gaussian(size, sigma)
+    rows, columns = shape
+    kernel = wrapped_gaussian(shape, sigma)
     tiled = np.tile(kernel, (2, 2))
 
     def shifted(point: int) -> Field:
-        y, x = divmod(point, size)
-        view: Field = tiled[size - y : 2 * size - y, size - x : 2 * size - x]
+        y, x = divmod(point, columns)
+        view: Field = tiled[rows - y : 2 * rows - y, columns - x : 2 * columns - x]
         return view
 
-    points = rng.choice(size * size, count, replace=False)
-    energy = _convolve(points, np.fft.rfft2(kernel), size)
+    points = rng.choice(rows * columns, count, replace=False)
+    energy = _convolve(points, np.fft.rfft2(kernel), shape)
     while True:
         tightest = int(energy.ravel()[points].argmax())
         here = int(points[tightest])
@@ -158,8 +159,8 @@ def _initial_order(size: int, sigma: float, count: int, rng: np.random.Generator
         energy += shifted(void)
         points[tightest] = void
 
-    dy = np.abs(points[:, None] // size - points[None, :] // size)
-    dx = np.abs(points[:, None] % size - points[None, :] % size)
+    dy = np.abs(points[:, None] // columns - points[None, :] // columns)
+    dx = np.abs(points[:, None] % columns - points[None, :] % columns)
     pairs = kernel[dy, dx]
     np.fill_diagonal(pairs, 0.0)
     crowding = pairs.sum(axis=1)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from seafoam.masks.catalogue import mask_by_name
+from seafoam.masks.catalogue import drawn_mask
 from seafoam.masks.formats import quantised
 from seafoam.masks.prefilter import atlas
 from seafoam.scene.living import MASK_NAME, MASKS_MOST
@@ -50,7 +50,7 @@ class MaskTexture(TextureSpec):
 
     def image(self) -> Image:
         """Return the table. Raises ``UnknownMaskError``, or ``ValueError`` for masks of different sizes."""
-        masks = [mask_by_name(name) for name in self.masks]
+        masks = [drawn_mask(name) for name in self.masks]
         if len({mask.ranks.shape for mask in masks}) > 1:
             raise ValueError("masks: must be of one size")
         mask = masks[0]

@@ -1,14 +1,17 @@
 """Masks: every format of shipped and custom masks holds the same ranks."""
 
+import asyncio
 import hashlib
 import io
+import re
 import struct
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from seafoam.masks.catalogue import load_catalogue, load_mask
+from seafoam.api.routers import masks
+from seafoam.masks.catalogue import is_kept, load_catalogue, load_mask
 
 CUSTOM = {"family": "vac", "sigma": 2, "size": 64, "seed": 5}
 SOURCES = [("/api/masks/vac-6", {}), ("/api/masks/custom", CUSTOM)]
@@ -35,7 +38,7 @@ def test_the_catalogue(client):
 
 def test_all_formats_hold_the_mask_of_the_hash(fetch):
     info = fetch().json()
-    size = info["parameters"]["size"]
+    size = info["parameters"]["width"]
     thresholds = np.load(io.BytesIO(fetch("/data.npy").content), allow_pickle=False)
     ranks = np.rint(thresholds.astype(np.float64) * size * size - 0.5).astype(np.uint32)
     assert thresholds.dtype == np.float32
@@ -83,10 +86,62 @@ def test_a_custom_mask_is_the_same_each_time_and_differs_by_seed(client):
 def test_every_family_is_made_with_its_own_default(client, family):
     info = client.get("/api/masks/custom", params={"family": family, "size": 64}).json()
     assert info["family"] == family
-    assert info["parameters"]["size"] == 64
+    assert (info["parameters"]["width"], info["parameters"]["height"]) == (64, 64)
 
 
 def test_the_shipped_ranks_are_served(client):
     content = client.get("/api/masks/mix/data.u16").content
     ranks = load_mask("mix").ranks
     np.testing.assert_array_equal(np.frombuffer(content, "<u2"), (ranks.ravel() // 4).astype("<u2"))
+
+
+def test_a_mask_of_any_width_and_height(client):
+    params = {"family": "vac", "sigma": 2, "width": 96, "height": 40, "seed": 5}
+    info = client.get("/api/masks/custom", params=params).json()
+    assert info["name"] == "vac-2-96x40-5"
+    assert (info["parameters"]["width"], info["parameters"]["height"]) == (96, 40)
+    png = Image.open(io.BytesIO(client.get("/api/masks/custom/data.png", params=params).content))
+    assert png.size == (96, 40)
+    assert client.get("/api/masks/custom/sidecar", params=params).json()["sigma_l"]
+    assert client.get("/api/masks/custom/shapes", params=params).status_code == 200
+
+
+def test_a_slow_mask_is_followed_and_then_there(client, monkeypatch):
+    monkeypatch.setattr("seafoam.masks.catalogue.ON_REQUEST_SECONDS", 0.001)
+    monkeypatch.setattr("seafoam.api.routers.masks.ON_REQUEST_SECONDS", 0.001)
+    params = {"family": "vac", "sigma": 2, "size": 128, "seed": 77}
+    refused = client.get("/api/masks/custom/data.u16", params=params)
+    assert refused.status_code == 422
+    assert "GET /api/masks/custom/events" in refused.json()["errors"][0]["detail"]
+    events = client.get("/api/masks/custom/events", params=params)
+    assert events.headers["Content-Type"].startswith("text/event-stream")
+    names = re.findall(r"^event: (\w+)$", events.text, re.MULTILINE)
+    assert names[-1] == "done"
+    assert set(names[:-1]) == {"progress"}
+    shares = [float(share) for share in re.findall(r"progress\ndata: ([\d.]+)", events.text)]
+    assert shares == sorted(shares)
+    assert client.get("/api/masks/custom/data.u16", params=params).status_code == 200
+
+
+def test_few_slow_masks_at_once(client, monkeypatch):
+    pool = client.app.state.context.slow_masks
+    monkeypatch.setattr(pool, "_queue", 0)
+    busy = client.get("/api/masks/custom/events", params=CUSTOM)
+    assert busy.status_code == 503
+    assert busy.headers["Retry-After"]
+
+
+def test_a_mask_that_nobody_follows_ends_early():
+    asked = masks.check_custom(masks.CustomMask(family="vac", sigma=2, size=256, seed=78), slow=True)
+    made = []
+
+    async def leave():
+        making = masks._Making(asked)
+        task = asyncio.create_task(asyncio.to_thread(lambda: made.append(making.run())))
+        events = making.events(task)
+        assert "progress" in await anext(events)
+        await events.aclose()
+
+    asyncio.run(leave())
+    assert made == []
+    assert not is_kept(asked)

@@ -24,6 +24,37 @@ def test_a_seed_determines_the_permutation(family, size):
 
 
 @pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("size", [(96, 40), (33, 65), (32, 300)])
+def test_any_width_and_height(family, size):
+    """Rank-uniform, deterministic, and without a seam: across the tile's edges values differ as they do inside."""
+    ranks = make_mask(family, sigma=4.0, size=size, seed=7)
+    assert ranks.shape == size[::-1]
+    assert is_permutation(ranks)
+    assert np.array_equal(ranks, make_mask(family, sigma=4.0, size=size, seed=7))
+    for axis in (0, 1):
+        steps = np.abs(np.diff(ranks.astype(np.float64), axis=axis, append=ranks.take([0], axis)))
+        along = steps.mean(axis=1 - axis)
+        assert along[-1] < along[:-1].mean() + 5.0 * along[:-1].std()
+    foam = ranks < 0.3 * ranks.size
+    assert abs(foam.sum() - 0.3 * foam.size) <= 1
+    assert measure_spectrum(ranks).frequency[0] == 1 / min(size)
+
+
+def test_voids_are_as_round_on_a_narrow_tile():
+    """Blue noise in both directions, though the tile is narrower than the distance of its first points."""
+    ranks = make_mask("vac", sigma=1.5, size=(32, 512), seed=1)
+    spectrum = measure_spectrum(ranks)
+    assert spectrum.mean_raps(1 / 4, 0.0, 0.1) < 0.1
+    assert spectrum.mean_anisotropy(1 / 4) < 1.0
+
+
+def test_the_largest_tile():
+    ranks = make_mask("clump", size=1024, seed=1)
+    assert ranks.shape == (1024, 1024)
+    assert is_permutation(ranks)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("size", SIZES)
 def test_the_ends_of_the_sigma_range_are_buildable(family, size):
     for sigma in sigma_range(family, size):
@@ -50,7 +81,7 @@ def test_exact_order_fills_the_largest_void():
     """From the 129th texel on, with the Gaussian no longer widened, each texel minimises the filtered pattern."""
     size, sigma = 64, 6.0
     ranks = make_mask("vac", sigma=sigma, size=size, seed=2, method="exact")
-    kernel = wrapped_gaussian(size, sigma)
+    kernel = wrapped_gaussian((size, size), sigma)
     for count in (200, 1000, 3000):
         ones = ranks < count
         energy = np.fft.irfft2(np.fft.rfft2(ones) * np.fft.rfft2(kernel), s=(size, size))
@@ -71,13 +102,14 @@ def test_progress_runs_up_to_one():
     ("arguments", "named"),
     [
         ({"family": "perlin"}, "family 'perlin'"),
-        ({"family": "vac", "size": 100}, "size 100"),
-        ({"family": "vac", "size": 1024}, "size 1024"),
+        ({"family": "vac", "size": 31}, "size 31"),
+        ({"family": "vac", "size": (64, 1025)}, "size 1025"),
         ({"family": "vac", "size": 64.0}, r"size 64\.0"),
         ({"family": "vac", "size": True}, "size True"),
         ({"family": "vac", "seed": -1}, "seed -1"),
         ({"family": "vac", "seed": 2**32}, "seed 4294967296"),
         ({"family": "vac", "seed": 1.5}, r"seed 1\.5"),
+        ({"family": "vac", "sigma": 9.0, "size": (512, 64)}, r"0\.5\.\.8 texels for vac at 512 x 64"),
         ({"family": "vac", "sigma": 0.4}, r"sigma 0\.4 is outside 0\.5\.\.24"),
         ({"family": "vac", "sigma": 24.5}, r"sigma 24\.5"),
         ({"family": "vac", "sigma": float("nan")}, "sigma nan"),
@@ -130,7 +162,7 @@ def test_ranks_of_equal_values_follow_raster_order():
 
 
 def test_the_kernel_is_whole_and_periodic():
-    kernel = wrapped_gaussian(64, 8.0)
+    kernel = wrapped_gaussian((64, 64), 8.0)
     assert kernel.sum() == pytest.approx(2 * np.pi * 8.0**2, rel=1e-9)
     assert np.allclose(kernel[1:, 1:], kernel[:0:-1, :0:-1])
 

@@ -29,7 +29,7 @@ def test_the_catalogue_lists_every_mask_in_order():
     assert list(catalogue) == NAMES
     for name, entry in catalogue.items():
         assert entry.name == name
-        assert entry.size == SHIPPED_SIZE
+        assert (entry.width, entry.height) == (SHIPPED_SIZE, SHIPPED_SIZE)
         assert entry.generator == GENERATOR
         assert entry.license == "CC0-1.0"
         assert entry.method == ("exact" if entry.family == "vac" else None)
@@ -64,7 +64,7 @@ def test_the_recorded_arguments_make_the_mask_again(name):
     """All but bitwise: another processor's FFT may order a few nearly equal texels otherwise."""
     entry = load_mask(name).entry
     lace = {"aspect": entry.aspect, "age": entry.age} if entry.family == "lace" else {}
-    ranks = make_mask(entry.family, sigma=entry.sigma, size=entry.size, seed=entry.seed, method="exact", **lace)
+    ranks = make_mask(entry.family, sigma=entry.sigma, size=entry.width, seed=entry.seed, method="exact", **lace)
     moved = np.abs(ranks.astype(np.int64) - load_mask(name).ranks.astype(np.int64))
     assert np.median(moved) <= 1
 
@@ -113,7 +113,8 @@ def test_sidecar_is_json():
     document = json.loads(json.dumps(mask.sidecar(), allow_nan=False))
     assert document["parameters"] == {
         "sigma": 24.0,
-        "size": 512,
+        "width": 512,
+        "height": 512,
         "seed": 2011,
         "aspect": None,
         "age": None,

@@ -1,16 +1,17 @@
 """``/api/masks``: shipped and custom halftone masks, in every format, with their spectra."""
 
+import asyncio
 import json
-from collections.abc import Callable
-from enum import IntEnum
+import math
+from collections.abc import AsyncIterator, Callable
 from functools import lru_cache
 from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Path, Query, Request
 from pydantic import BaseModel, Field
-from starlette.responses import Response
+from starlette.responses import Response, StreamingResponse
 
-from seafoam.api.caching import REVALIDATE, not_modified, tag_of
+from seafoam.api.caching import NO_STORE, REVALIDATE, not_modified, tag_of
 from seafoam.api.context import Context, InContext
 from seafoam.api.errors import problem_responses
 from seafoam.api.parameters import Parameters
@@ -21,21 +22,26 @@ from seafoam.masks.catalogue import (
     Mask,
     MaskEntry,
     UnknownMaskError,
-    custom_mask,
+    is_kept,
     load_catalogue,
     load_mask,
+    made_on_request,
 )
 from seafoam.masks.construct import estimated_seconds
 from seafoam.masks.families import (
     ASPECT_MAX,
     DEFAULT_SIGMA,
     SEED_MAX,
+    SIDE_MAX,
+    SIDE_MIN,
     SIGMA_MAX,
     SIGMA_MIN,
     Family,
     Method,
+    check_parameters,
     sigma_range,
 )
+from seafoam.masks.families import MaskParameters as Made
 from seafoam.masks.formats import to_dds, to_npy, to_png8, to_png16, to_u16
 from seafoam.masks.torus import Ranks
 
@@ -61,16 +67,6 @@ SIGMA_STEPS = 200
 """Number of steps of sigma that are tried to find those that are fast enough."""
 
 
-class MaskSize(IntEnum):
-    """Tile sides, texels."""
-
-    S32 = 32
-    S64 = 64
-    S128 = 128
-    S256 = 256
-    S512 = 512
-
-
 class CustomMask(Parameters):
     """Parameters of a custom mask. The same parameters give the same mask."""
 
@@ -84,11 +80,18 @@ class CustomMask(Parameters):
         default=None,
         ge=SIGMA_MIN,
         le=SIGMA_MAX,
-        description="Characteristic length, texels; at most size/8, and at least 2 for bubble and mix, 4 for lace. "
+        description="Characteristic length, texels; at most an eighth of the shorter side, and at least 2 for bubble "
+        "and mix, 4 for lace. "
         f"Absent: {', '.join(f'{name} {sigma:g}' for name, sigma in DEFAULT_SIGMA.items())}, or the maximum for size",
         examples=[3.0],
     )
-    size: MaskSize = Field(default=MaskSize.S256, description="Side of the tile, texels", examples=[128])
+    size: int = Field(default=256, ge=SIDE_MIN, le=SIDE_MAX, description="Side of the tile, texels", examples=[128])
+    width: int | None = Field(
+        default=None, ge=SIDE_MIN, le=SIDE_MAX, description="Width of the tile, texels; absent: size", examples=[128]
+    )
+    height: int | None = Field(
+        default=None, ge=SIDE_MIN, le=SIDE_MAX, description="Height of the tile, texels; absent: size", examples=[128]
+    )
     seed: int = Field(default=0, ge=0, le=SEED_MAX, description="Random seed", examples=[2011])
     aspect: float = Field(
         default=1.0, ge=1.0, le=ASPECT_MAX, description="Aspect ratio of the cells along x (lace only)", examples=[1.0]
@@ -106,7 +109,8 @@ class MaskParameters(BaseModel):
     """Parameters that determine a mask."""
 
     sigma: float = Field(description="Characteristic length of the family, texels")
-    size: int = Field(description="Side of the tile, texels")
+    width: int = Field(description="Width of the tile, texels")
+    height: int = Field(description="Height of the tile, texels")
     seed: int
     aspect: float | None = Field(description="Aspect ratio of the cells along x; null except for lace")
     age: float | None = Field(description="Age of the foam, 0 (young) to 1 (old and torn); null except for lace")
@@ -130,6 +134,17 @@ class MaskInfo(BaseModel):
 _BYTES = {"schema": {"type": "string", "format": "binary"}}
 _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {
     304: {"description": "Not modified: the copy named by If-None-Match is current"}
+}
+
+
+_EVENT_SECONDS = 1.0
+"""Between events of a mask that is being generated."""
+_EVENTS: dict[int | str, dict[str, Any]] = {
+    200: {
+        "description": "Server-sent events: `progress`, whose data is the share that is done, 0 to 1, every second; at "
+        "the end `done`, whose data is the description of the mask as JSON",
+        "content": {"text/event-stream": {"schema": {"type": "string"}}},
+    }
 }
 
 
@@ -157,14 +172,16 @@ def _shipped(name: str) -> Mask:
         raise NotFoundError(f"mask {name!r} was not found", "mask", tuple(load_catalogue())) from None
 
 
-def check_custom(asked: CustomMask) -> None:
-    """Reject parameters that the family does not allow or that take too long, with the allowed range.
+def check_custom(asked: CustomMask, *, slow: bool = False) -> Made:
+    """Return the mask's parameters; reject what the family does not allow, with the allowed range.
 
-    Raises :class:`BadRequestError`.
+    Unless ``slow``, reject also what would take too long. Raises :class:`BadRequestError`.
     """
-    least, greatest = sigma_range(asked.family, asked.size)
+    width, height = asked.width or asked.size, asked.height or asked.size
+    tile = f"{width} × {height} texels"
+    least, greatest = sigma_range(asked.family, min(width, height))
     if asked.sigma is not None and not least <= asked.sigma <= greatest:
-        detail = f"sigma: must be {least:g} to {greatest:g} texels for family {asked.family} at size {asked.size:d}"
+        detail = f"sigma: must be {least:g} to {greatest:g} texels for family {asked.family} on {tile}"
         raise BadRequestError(
             FieldProblem(parameter="sigma", detail=detail, allowed={"minimum": least, "maximum": greatest})
         )
@@ -180,24 +197,52 @@ def check_custom(asked: CustomMask) -> None:
         ]
         if refused:
             raise BadRequestError(*refused)
-    seconds = estimated_seconds(asked.family, asked.sigma, int(asked.size))
-    if seconds > ON_REQUEST_SECONDS:
+    made = check_parameters(asked.family, asked.sigma, (width, height), asked.seed, asked.aspect, asked.age)
+    seconds = estimated_seconds(made.family, made.sigma, (width, height))
+    if not slow and seconds > ON_REQUEST_SECONDS and not is_kept(made):
         steps = (least + (greatest - least) * step / SIGMA_STEPS for step in range(SIGMA_STEPS + 1))
         quick = [
-            sigma for sigma in steps if estimated_seconds(asked.family, sigma, int(asked.size)) <= ON_REQUEST_SECONDS
+            sigma for sigma in steps if estimated_seconds(made.family, sigma, (width, height)) <= ON_REQUEST_SECONDS
         ]
         allowed = {"minimum": round(quick[0], 2), "maximum": round(quick[-1], 2)} if quick else None
         within = f"allowed here: sigma {quick[0]:g} to {quick[-1]:g}" if quick else "use a smaller size"
         detail = (
-            f"sigma: this mask would take about {seconds:.0f} s to generate at size {asked.size:d}; the limit is "
-            f"{ON_REQUEST_SECONDS:g} s; {within}"
+            f"sigma: this mask of {tile} takes about {seconds:.0f} s to generate; the limit of a request is "
+            f"{ON_REQUEST_SECONDS:g} s; {within}. GET /api/masks/custom/events generates it in the background"
         )
         raise BadRequestError(FieldProblem(parameter="sigma", detail=detail, allowed=allowed))
+    return made
 
 
 def _custom(asked: CustomMask) -> Mask:
-    check_custom(asked)
-    return custom_mask(asked.family, asked.sigma, int(asked.size), asked.seed, asked.aspect, asked.age)
+    return made_on_request(check_custom(asked))
+
+
+class _Making:
+    """A mask on its way; ends early once nobody follows it."""
+
+    def __init__(self, made: Made) -> None:
+        self._made = made
+        self._share = 0.0
+        self._followed = True
+
+    def run(self) -> Mask:
+        return made_on_request(self._made, math.inf, self._tell)
+
+    def _tell(self, share: float) -> None:
+        if not self._followed:
+            raise asyncio.CancelledError
+        self._share = share
+
+    async def events(self, task: asyncio.Task[Mask]) -> AsyncIterator[str]:
+        try:
+            while not task.done():
+                yield f"event: progress\ndata: {self._share:.3f}\n\n"
+                await asyncio.wait({task}, timeout=_EVENT_SECONDS)
+            yield f"event: done\ndata: {json.dumps(task.result().entry.to_json())}\n\n"
+        finally:
+            self._followed = False
+            task.cancel()
 
 
 def _ranks_as(encoder: Callable[[Ranks], bytes]) -> Callable[[Mask], bytes]:
@@ -264,6 +309,22 @@ async def list_masks(_: Annotated[Parameters, Query()]) -> list[dict[str, Any]]:
 async def get_custom_mask(asked: Annotated[CustomMask, Query()], request: Request, context: InContext) -> Response:
     """Generate a custom mask and get its description. Its data is below this path, with the same parameters."""
     return await _answer(lambda: _custom(asked), _info, "application/json", request, context)
+
+
+@router.get("/masks/custom/events", responses=_EVENTS | problem_responses(422, 503), response_class=StreamingResponse)
+async def get_custom_events(asked: Annotated[CustomMask, Query()], context: InContext) -> Response:
+    """Generate a custom mask in the background and follow it: one at a time, until the connection is closed.
+
+    After the event `done`, its data is below `/api/masks/custom`, with the same parameters, as of any other mask.
+    """
+    making = _Making(check_custom(asked, slow=True))
+    task = asyncio.create_task(context.slow_masks.run(making.run))
+    # The task begins: a full queue is an answer of its own.
+    await asyncio.sleep(0)
+    if task.done():
+        task.result()
+    headers = {"Cache-Control": NO_STORE, "X-Accel-Buffering": "no"}
+    return StreamingResponse(making.events(task), headers=headers, media_type="text/event-stream")
 
 
 @router.get("/masks/custom/data.{format}", responses=_answers(*_DATA, custom=True), response_class=Response)

@@ -23,7 +23,7 @@ from seafoam.effects.noise import HASH
 from seafoam.effects.registry import saturation_fields
 from seafoam.framegraph.resources import TargetInput, TextureInput
 from seafoam.framegraph.rules import Phase, Uniform, Wrap, array, number, vector
-from seafoam.masks.catalogue import Mask, mask_by_name
+from seafoam.masks.catalogue import Mask, drawn_mask
 from seafoam.masks.prefilter import OCTAVE_RAMP
 from seafoam.ocean.stokes import foam_drift, foam_life
 from seafoam.quality import Quality
@@ -85,7 +85,7 @@ class _Part(Part):
 
 def _mask(name: str, pointer: str) -> _NamedMask:
     try:
-        return _NamedMask(name, mask_by_name(name))
+        return _NamedMask(name, drawn_mask(name))
     except KeyError:
         raise PlanError(pointer, f"mask {name!r} was not found; GET /api/masks lists the masks") from None
     except ValueError as error:
