@@ -11,12 +11,14 @@ from zlib import crc32
 import numpy as np
 
 from seafoam.render.gl.executor import NoRendererError
+from seafoam.render.service.worker import CANARY_SIDE
 
 HANG = 777.0
 CRASH = 666.0
 RAISE = 555.0
 SLOW = 444.0
 SLOW_SECONDS = 0.5
+COMPILING_SECONDS = 2.0
 GREEDY = 222.0
 LOST = "SEAFOAM_TEST_LOST"
 """Variable that names a file; a :class:`LostRenderer` that finds it loses its context."""
@@ -30,13 +32,16 @@ class FakeRendered:
 
 
 class FakeRenderer:
-    """Draws a gradient that depends on everything a frame depends on; some times make it misbehave."""
+    """Draws a gradient that depends on everything a frame depends on; some times make it misbehave.
+
+    It never does so at the size of test pictures, at which programs are compiled.
+    """
 
     def __init__(self) -> None:
         self.info = {"vendor": "Nobody", "renderer": "gradient", "version": "0"}
 
     def render(self, plan, *, time, camera, width, height, output):
-        match time:
+        match None if width == height == CANARY_SIDE else time:
             case 777.0:
                 clock.sleep(600)
             case 666.0:
@@ -59,6 +64,20 @@ class FakeRenderer:
         # No two of the tests' frames are alike by chance.
         pixels[0, 0, :3] = [(seed >> shift & 255) * (257 if output == "rgba16" else 1) for shift in (0, 8, 16)]
         return FakeRendered(pixels, {"render": 0.001, "read": 0.001})
+
+
+class CompilingRenderer(FakeRenderer):
+    """Takes long for the first frame of each plan."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.compiled = set()
+
+    def render(self, plan, *, time, camera, width, height, output):
+        if plan.sha256 not in self.compiled:
+            clock.sleep(COMPILING_SECONDS)
+            self.compiled.add(plan.sha256)
+        return super().render(plan, time=time, camera=camera, width=width, height=height, output=output)
 
 
 class LostRenderer(FakeRenderer):

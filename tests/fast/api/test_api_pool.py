@@ -4,6 +4,7 @@ import asyncio
 import os
 import signal
 import time
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -21,7 +22,9 @@ from seafoam.render.service.limits import FrameLimits
 from seafoam.render.service.pool import BACKGROUND_SECONDS, RenderPool
 from seafoam.render.service.slots import Turn
 from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
 from support.api_fakes import (
+    COMPILING_SECONDS,
     CRASH,
     GREEDY,
     HANG,
@@ -31,6 +34,7 @@ from support.api_fakes import (
     SLOW,
     SLOW_SECONDS,
     BlankRenderer,
+    CompilingRenderer,
     DyingRenderer,
     FakeRenderer,
     LostRenderer,
@@ -41,6 +45,10 @@ SCENE = Scene()
 
 def job(at=1.0):
     return FrameJob(SCENE, TIERS["draft"], at, SCENE.camera, 8, 8, "png")
+
+
+NEW = replace(job(), scene=load_preset("storm").scene)
+"""With programs that the test picture does not have."""
 
 
 def with_pool(work, **settings):
@@ -85,6 +93,43 @@ def test_a_frame_past_its_deadline_is_given_up_and_the_next_succeeds():
     with_pool(work)
 
 
+def test_what_a_worker_compiles_past_a_deadline_serves_the_next_request():
+    async def work(pool):
+        worker = await worker_of(pool)
+        pool.deadline = COMPILING_SECONDS / 4
+        with pytest.raises(DeadlineError):
+            await pool.render(NEW)
+        await eventually(lambda: pool.active == 0)
+        assert (await pool.render(NEW)).content
+        assert await worker_of(pool) == worker
+        assert not +pool.restarts
+
+    with_pool(work, factory=CompilingRenderer)
+
+
+def test_a_worker_does_not_compile_for_ever(monkeypatch):
+    monkeypatch.setattr("seafoam.render.service.pool.COMPILE_SECONDS", COMPILING_SECONDS / 4)
+
+    async def work(pool):
+        await pool.wait_until_settled()
+        pool.deadline = COMPILING_SECONDS / 4
+        with pytest.raises(DeadlineError):
+            await pool.render(NEW)
+        await eventually(lambda: pool.restarts["deadline"] == 1)
+
+    with_pool(work, factory=CompilingRenderer)
+
+
+def test_a_server_is_ready_when_it_has_drawn_the_default_picture(serve):
+    with serve(CompilingRenderer) as client:
+        pool = client.app.state.context.pool
+        while (answer := client.get("/readyz")).status_code == 503:
+            assert answer.headers["Retry-After"]
+            time.sleep(0.05)
+        pool.deadline = COMPILING_SECONDS / 4
+        assert client.get("/api/frames/default.png?width=8&height=8").status_code == 200
+
+
 def test_the_deadline_counts_waiting():
     async def work(pool):
         await pool.wait_until_settled()
@@ -110,7 +155,7 @@ def test_what_gives_way_and_begins_late_costs_no_worker(monkeypatch, turn):
         passed = (BACKGROUND_SECONDS if turn.background else pool.deadline) - SLOW_SECONDS / 10
         pool._slots.release()
         assert (await waiting).content
-        assert not pool.restarts
+        assert not +pool.restarts
 
     with_pool(work)
 
@@ -245,7 +290,7 @@ def test_a_running_frame_whose_client_left_keeps_its_worker():
         running.cancel()
         assert (await pool.render(job())).timings["queue"] > SLOW_SECONDS / 2
         assert await worker_of(pool) == worker
-        assert not pool.restarts
+        assert not +pool.restarts
 
     with_pool(work)
 

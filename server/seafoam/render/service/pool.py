@@ -2,7 +2,7 @@
 
 A GL call holds Python's lock until the picture is read, a context belongs to one thread for life, and a driver that
 hangs or crashes takes its process with it. So the parent never calls GL: spawned workers do, and they are killed and
-replaced when a frame exceeds its deadline.
+replaced when a frame exceeds its deadline. What a worker compiles for a frame is finished all the same.
 
 Errors::
 
@@ -20,6 +20,7 @@ import logging
 import math
 import multiprocessing
 import os
+import signal
 import time
 from collections import Counter
 from collections.abc import Callable
@@ -56,8 +57,11 @@ from seafoam.render.service.worker import (
 
 log = logging.getLogger(__name__)
 
-START_SECONDS = 60.0
-"""Timeout of a worker's test picture, s; then the renderer is unavailable."""
+START_SECONDS = 180.0
+"""Timeout of the default picture, s, by which the server is ready; then the renderer is unavailable."""
+
+COMPILE_SECONDS = 120.0
+"""Time after its frame's deadline for which a worker may compile, s. Nobody waits, but the next request finds it done."""
 
 STUCK_SECONDS = 10.0
 """Grace period after its deadline, s; if Pebble has not killed a worker by then, the whole pool is replaced."""
@@ -196,7 +200,7 @@ class RenderPool:
         expires = min(expires, late) if turn.rank == 0 else late
         canvas = self._canvases.take(job.bytes)
         try:
-            sent = await self._run(work_frame, (job, expires, canvas.address), expires)
+            sent = await self._run(work_frame, (job, expires, canvas.address), expires, COMPILE_SECONDS)
             picture = Picture(canvas.received(sent.pixels), sent.plan, sent.info, sent.timings)
         except BaseException:
             # Closed, since the worker may still write to it.
@@ -264,29 +268,34 @@ class RenderPool:
         except TimeoutError:
             raise DeadlineError("timeout: no render worker was free before the frame's deadline") from None
 
-    async def _run(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float) -> T:
-        """Run work in the reserved worker, which is released when it is idle again."""
+    async def _run(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float, grace: float = 0) -> T:
+        """Run work in the reserved worker, which is released when it is idle again.
+
+        grace: time after which a worker is killed that nobody waits for any more, s.
+        """
         try:
-            answer = await self._attempt(work, args, expires)
+            answer = await self._attempt(work, args, expires, grace)
         except (ProcessExpired, BrokenProcessPool, CancelledFuture) as error:
             # A frame depends only on its job, so it can be tried again in another worker.
             log.warning("A render worker died: %r", error)
             await self._take(self._slots, expires)
             try:
-                answer = await self._attempt(work, args, expires)
+                answer = await self._attempt(work, args, expires, grace)
             except (ProcessExpired, BrokenProcessPool, CancelledFuture) as again:
                 raise RenderFailedError("the render worker crashed twice") from again
         return self._accept(answer)
 
-    async def _attempt(self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float) -> Answer[T]:
+    async def _attempt(
+        self, work: Callable[..., Answer[T]], args: tuple[Any, ...], expires: float, grace: float
+    ) -> Answer[T]:
         try:
-            future = self._schedule(work, args, max(0.01, expires - time.time()))
+            future = self._schedule(work, args, max(0.01, expires - time.time()) + grace)
         except BaseException:
             self._slots.release()
             raise
         loop = asyncio.get_running_loop()
         self.active += 1
-        future.add_done_callback(lambda _: loop.call_soon_threadsafe(self._free))
+        future.add_done_callback(lambda done: loop.call_soon_threadsafe(self._free, _was_late(done)))
         wrapped = asyncio.wrap_future(future)
         # Retrieves the exception, which asyncio would report if the caller no longer waits.
         wrapped.add_done_callback(lambda done: done.cancelled() or done.exception())
@@ -297,13 +306,16 @@ class RenderPool:
             return wrapped.result()
         except TimeoutError:
             # Pebble's timeout starts with the worker's start on the job, so this deadline is reached first.
-            if future.running() or future.done():
-                self.restarts["deadline"] += 1
-            self._keep(self._replace_if_stuck(future))
-            raise DeadlineError(f"timeout: the frame was not finished within {self.deadline:g} s") from None
+            self._keep(self._replace_if_stuck(future, grace))
+            raise self._past_deadline() from None
         except (ProcessExpired, BrokenProcessPool, CancelledFuture):
+            if _was_late(future):
+                raise self._past_deadline() from None
             self.restarts["crash"] += 1
             raise
+
+    def _past_deadline(self) -> DeadlineError:
+        return DeadlineError(f"timeout: the frame was not finished within {self.deadline:g} s")
 
     def _accept(self, answer: Answer[T]) -> T:
         self._jobs_of_worker[answer.worker] += 1
@@ -347,12 +359,13 @@ class RenderPool:
         if processes is not None:
             self._keep(asyncio.to_thread(_discard, processes))
 
-    def _free(self) -> None:
+    def _free(self, late: bool) -> None:
         self.active -= 1
+        self.restarts["deadline"] += late
         self._slots.release()
 
-    async def _replace_if_stuck(self, future: Future[Answer[T]]) -> None:
-        await asyncio.sleep(STUCK_SECONDS)
+    async def _replace_if_stuck(self, future: Future[Answer[T]], grace: float) -> None:
+        await asyncio.sleep(grace + STUCK_SECONDS)
         if not future.done():
             log.error("A render worker could not be stopped; all of them are replaced")
             self._drop_processes()
@@ -386,6 +399,12 @@ class RenderPool:
         task: asyncio.Task[None] = asyncio.ensure_future(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
+
+
+def _was_late(done: Future[Any]) -> bool:
+    """Whether a worker was ended because it was late: by itself, or, where it compiled for too long, by Pebble."""
+    error = None if done.cancelled() else done.exception()
+    return isinstance(error, TimeoutError) or (isinstance(error, ProcessExpired) and error.exitcode == -signal.SIGALRM)
 
 
 def _discard(processes: ProcessPool) -> None:

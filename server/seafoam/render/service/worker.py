@@ -2,21 +2,24 @@
 
 import logging
 import os
+import signal
 import time
 import traceback
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from typing import Any, Generic, NoReturn, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from seafoam.planner import make_plan
-from seafoam.quality import TIERS
+from seafoam.planner import make_geometry_plan, make_plan
+from seafoam.quality import TIERS, Quality
 from seafoam.render.gl.executor import NoRendererError
 from seafoam.render.service.canvas import Address, Sent, send
 from seafoam.render.service.jobs import Drawn, FrameJob, MeasureJob, Renderer, draw_frame, measure
 from seafoam.scene.models import Scene
+from seafoam.scene.presets import load_preset
 
 log = logging.getLogger(__name__)
 
@@ -26,14 +29,14 @@ CANARY_SIDE = 16
 T = TypeVar("T")
 
 
-def draw_canary(renderer: Renderer) -> None:
-    """Draw a small open sea and check the picture; raises :class:`NoRendererError` if it is blank.
+def draw_canary(renderer: Renderer, scene: Scene | None = None, quality: Quality = TIERS["draft"]) -> None:
+    """Draw a scene small and check the picture; raises :class:`NoRendererError` if it is blank.
 
-    Drivers can fail without an error: a lost context reads as zeros.
+    Drivers can fail without an error: a lost context reads as zeros. scene: absent: an open sea.
     """
-    scene = Scene()
+    scene = scene or Scene()
     rendered = renderer.render(
-        make_plan(scene, TIERS["draft"]),
+        make_plan(scene, quality),
         time=0.0,
         camera=scene.camera,
         width=CANARY_SIDE,
@@ -89,11 +92,11 @@ def start_worker(factory: Callable[[], Renderer], threads: int) -> None:
 
 
 def work_canary() -> Answer[dict[str, str]]:
-    """Draw the test picture again and report the renderer."""
+    """Draw the default picture, small, and report the renderer: its programs are compiled before the server is ready."""
     if isinstance(_renderer, Unavailable):
         return Answer(os.getpid(), _renderer)
     try:
-        draw_canary(_renderer)
+        draw_canary(_renderer, load_preset("default").scene, TIERS["standard"])
         return Answer(os.getpid(), dict(_renderer.info))
     except Exception:
         _give_way()
@@ -127,20 +130,53 @@ class Posted:
     timings: Mapping[str, float]
 
 
+_compiled: set[tuple[str, str]] = set()
+"""Hashes of the programs that this process has drawn."""
+
+
+def _compile(renderer: Renderer, job: FrameJob) -> None:
+    """Draw a frame small first, where it has programs that this process has not drawn: drivers compile at the first draw.
+
+    On a slow machine that takes longer than a frame may. A process that is stopped while it compiles leaves nothing to
+    the next one.
+    """
+    plans = [make_plan(job.scene, job.quality)]
+    if job.has_geometry:
+        plans.append(make_geometry_plan(job.scene, job.quality))
+    programs = {(each.vertex.sha256, each.fragment.sha256) for plan in plans for each in plan.programs.values()}
+    if not programs <= _compiled:
+        draw_frame(renderer, replace(job, width=CANARY_SIDE, height=CANARY_SIDE))
+        _compiled.update(programs)
+
+
+@contextmanager
+def _ended_at(expires: float) -> Iterator[None]:
+    """End this process if it is late. By the system's timer: a driver that hangs holds Python's lock."""
+    signal.setitimer(signal.ITIMER_REAL, max(0.001, expires - time.time()))
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+
+
 def work_frame(job: FrameJob, expires: float, canvas: Address | None) -> Answer[Posted]:
     """Render one frame, unless it has expired; the parent encodes it, beside the next.
 
-    expires: of ``time.time()``. canvas: the parent's memory for the pixels.
+    expires: of ``time.time()``; from then on the process may only compile. canvas: the parent's memory for the pixels.
     """
     if isinstance(_renderer, Unavailable):
         return Answer(os.getpid(), _renderer)
     if time.time() >= expires:
         return Answer(os.getpid(), Expired())
     try:
-        drawn = draw_frame(_renderer, job)
-        if not drawn.pixels.any():
-            # A night may be black in float32; a lost context is, without an error.
-            draw_canary(_renderer)
+        _compile(_renderer, job)
+        if time.time() >= expires:
+            return Answer(os.getpid(), Expired())
+        with _ended_at(expires):
+            drawn = draw_frame(_renderer, job)
+            if not drawn.pixels.any():
+                # A night may be black in float32; a lost context is, without an error.
+                draw_canary(_renderer)
         posted = Posted(send(drawn.pixels, canvas), drawn.plan, drawn.info, drawn.timings)
         return Answer(os.getpid(), posted)
     except Exception as error:
